@@ -1,0 +1,2 @@
+//! Equations of motion and their integration from a Lagrangian, at compile time.
+#![no_std]
