@@ -1,0 +1,71 @@
+//! The error sink: every stage reports into it, all mistakes are shown at once.
+//!
+//! The stages that know no tokens speak of an [`Origin`], a handle to a place in the user's
+//! source. Message texts stand in [`catalogue`].
+
+pub mod catalogue;
+
+use proc_macro2::{Span, TokenStream};
+use quote::quote_spanned;
+
+/// A place in the user's source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Origin(u32);
+
+/// Places and the complaints about them.
+#[derive(Debug, Default)]
+pub struct Diagnostics {
+    spans: Vec<Span>,
+    errors: Vec<(Span, String)>,
+}
+
+impl Diagnostics {
+    /// An empty sink.
+    pub fn new() -> Diagnostics {
+        Diagnostics::default()
+    }
+
+    /// Registers a place in the source.
+    pub fn origin(&mut self, span: Span) -> Origin {
+        self.spans.push(span);
+        Origin(self.spans.len() as u32 - 1)
+    }
+
+    /// The span of a registered place.
+    pub fn span(&self, origin: Origin) -> Span {
+        self.spans[origin.0 as usize]
+    }
+
+    /// Reports a mistake at a registered place.
+    pub fn at(&mut self, origin: Origin, message: impl Into<String>) {
+        self.error(self.span(origin), message);
+    }
+
+    /// Reports a mistake at a span. The same message on the same tokens is reported once,
+    /// however often a helper function is inlined.
+    pub fn error(&mut self, span: Span, message: impl Into<String>) {
+        let message = message.into();
+        let same_place = |other: Span| format!("{span:?}") == format!("{other:?}");
+        if !self.errors.iter().any(|(other, text)| *text == message && same_place(*other)) {
+            self.errors.push((span, message));
+        }
+    }
+
+    /// Whether anything was reported.
+    pub fn has_errors(&self) -> bool {
+        !self.errors.is_empty()
+    }
+
+    /// The messages, in order of their discovery.
+    pub fn messages(&self) -> impl Iterator<Item = &str> {
+        self.errors.iter().map(|(_, message)| message.as_str())
+    }
+
+    /// One `compile_error!` for each mistake, on the user's tokens.
+    pub fn to_tokens(&self) -> TokenStream {
+        self.errors
+            .iter()
+            .map(|(span, message)| quote_spanned!(*span=> ::core::compile_error! { #message }))
+            .collect()
+    }
+}

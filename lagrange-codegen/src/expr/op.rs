@@ -1,0 +1,201 @@
+//! The operator list: every elementary function of the language, once.
+//!
+//! Sums and products are node kinds of their own; what stands here is opaque to the algebra.
+//! A new function needs a line in each `match` below and in the derivative, the emitter and the
+//! printer, none of which has a default arm.
+
+/// A function of one argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Unary {
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Tangent.
+    Tan,
+    /// Inverse sine.
+    Asin,
+    /// Inverse cosine.
+    Acos,
+    /// Inverse tangent.
+    Atan,
+    /// Hyperbolic sine.
+    Sinh,
+    /// Hyperbolic cosine.
+    Cosh,
+    /// Hyperbolic tangent.
+    Tanh,
+    /// Inverse hyperbolic sine.
+    Asinh,
+    /// Inverse hyperbolic cosine.
+    Acosh,
+    /// Inverse hyperbolic tangent.
+    Atanh,
+    /// Exponential.
+    Exp,
+    /// Exponential minus one, accurate near zero.
+    ExpM1,
+    /// Natural logarithm.
+    Ln,
+    /// Logarithm of one plus the argument, accurate near zero.
+    Ln1p,
+    /// Cube root.
+    Cbrt,
+    /// Absolute value.
+    Abs,
+    /// Sign: 1 for positive arguments, −1 for negative ones.
+    Signum,
+}
+
+/// A function of two arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Binary {
+    /// The angle of the point (x, y), called as `y.atan2(x)`.
+    Atan2,
+    /// A power with an exponent that is not a half-integer constant.
+    Powf,
+}
+
+impl Unary {
+    /// All functions of one argument.
+    pub const ALL: [Unary; 19] = [
+        Unary::Sin,
+        Unary::Cos,
+        Unary::Tan,
+        Unary::Asin,
+        Unary::Acos,
+        Unary::Atan,
+        Unary::Sinh,
+        Unary::Cosh,
+        Unary::Tanh,
+        Unary::Asinh,
+        Unary::Acosh,
+        Unary::Atanh,
+        Unary::Exp,
+        Unary::ExpM1,
+        Unary::Ln,
+        Unary::Ln1p,
+        Unary::Cbrt,
+        Unary::Abs,
+        Unary::Signum,
+    ];
+
+    /// The name of the method in Rust.
+    pub fn name(self) -> &'static str {
+        match self {
+            Unary::Sin => "sin",
+            Unary::Cos => "cos",
+            Unary::Tan => "tan",
+            Unary::Asin => "asin",
+            Unary::Acos => "acos",
+            Unary::Atan => "atan",
+            Unary::Sinh => "sinh",
+            Unary::Cosh => "cosh",
+            Unary::Tanh => "tanh",
+            Unary::Asinh => "asinh",
+            Unary::Acosh => "acosh",
+            Unary::Atanh => "atanh",
+            Unary::Exp => "exp",
+            Unary::ExpM1 => "exp_m1",
+            Unary::Ln => "ln",
+            Unary::Ln1p => "ln_1p",
+            Unary::Cbrt => "cbrt",
+            Unary::Abs => "abs",
+            Unary::Signum => "signum",
+        }
+    }
+
+    /// The function on doubles.
+    pub fn evaluate(self, x: f64) -> f64 {
+        match self {
+            Unary::Sin => x.sin(),
+            Unary::Cos => x.cos(),
+            Unary::Tan => x.tan(),
+            Unary::Asin => x.asin(),
+            Unary::Acos => x.acos(),
+            Unary::Atan => x.atan(),
+            Unary::Sinh => x.sinh(),
+            Unary::Cosh => x.cosh(),
+            Unary::Tanh => x.tanh(),
+            Unary::Asinh => x.asinh(),
+            Unary::Acosh => x.acosh(),
+            Unary::Atanh => x.atanh(),
+            Unary::Exp => x.exp(),
+            Unary::ExpM1 => x.exp_m1(),
+            Unary::Ln => x.ln(),
+            Unary::Ln1p => x.ln_1p(),
+            Unary::Cbrt => x.cbrt(),
+            Unary::Abs => x.abs(),
+            Unary::Signum => x.signum(),
+        }
+    }
+
+    /// The exact value at 0, where it is rational.
+    pub fn at_zero(self) -> Option<i128> {
+        match self {
+            Unary::Sin
+            | Unary::Tan
+            | Unary::Asin
+            | Unary::Atan
+            | Unary::Sinh
+            | Unary::Tanh
+            | Unary::Asinh
+            | Unary::Atanh
+            | Unary::ExpM1
+            | Unary::Ln1p
+            | Unary::Cbrt
+            | Unary::Abs => Some(0),
+            Unary::Cos | Unary::Cosh | Unary::Exp => Some(1),
+            Unary::Acos | Unary::Acosh | Unary::Ln | Unary::Signum => None,
+        }
+    }
+
+    /// How the function answers to a negated argument.
+    pub fn parity(self) -> Parity {
+        match self {
+            Unary::Sin
+            | Unary::Tan
+            | Unary::Asin
+            | Unary::Atan
+            | Unary::Sinh
+            | Unary::Tanh
+            | Unary::Asinh
+            | Unary::Atanh
+            | Unary::Cbrt
+            | Unary::Signum => Parity::Odd,
+            Unary::Cos | Unary::Cosh | Unary::Abs => Parity::Even,
+            Unary::Acos | Unary::Acosh | Unary::Exp | Unary::ExpM1 | Unary::Ln | Unary::Ln1p => {
+                Parity::Neither
+            }
+        }
+    }
+}
+
+/// Symmetry of a function under x → −x.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parity {
+    /// f(−x) = −f(x).
+    Odd,
+    /// f(−x) = f(x).
+    Even,
+    /// Neither.
+    Neither,
+}
+
+impl Binary {
+    /// The name of the method in Rust.
+    pub fn name(self) -> &'static str {
+        match self {
+            Binary::Atan2 => "atan2",
+            Binary::Powf => "powf",
+        }
+    }
+
+    /// The function on doubles.
+    pub fn evaluate(self, x: f64, y: f64) -> f64 {
+        match self {
+            Binary::Atan2 => x.atan2(y),
+            Binary::Powf => x.powf(y),
+        }
+    }
+}

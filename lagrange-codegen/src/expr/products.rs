@@ -1,0 +1,198 @@
+//! Products: flat lists of factors with whole or half exponents.
+//!
+//! Flattening is harmless (relative errors of products add up in any order) and lets equal
+//! factors meet: `r³ = s^(3/2)` for `r = √s`, `x/x = 1`. Numeric coefficients never stand in a
+//! product; they move to the sum that holds it, so `2x` and `3x` share `x`.
+
+use super::graph::{Exponent, Graph, Node, NodeId};
+use crate::number::Number;
+
+/// Beyond this many factors a product is kept nested: the gradient of one flat product of n
+/// factors costs n², that of nested ones stays linear.
+const LONGEST_FLAT: usize = 12;
+
+impl Graph {
+    /// `a · b`.
+    pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.product(&[(a, Exponent(2)), (b, Exponent(2))])
+    }
+
+    /// `a / b`. A zero constant divisor gives the quotient of doubles, ±∞ or NaN.
+    pub fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.product(&[(a, Exponent(2)), (b, Exponent(-2))])
+    }
+
+    /// `base` to a whole power.
+    pub fn powi(&mut self, base: NodeId, power: i32) -> NodeId {
+        self.product(&[(base, Exponent::whole(power))])
+    }
+
+    /// The square root.
+    pub fn sqrt(&mut self, base: NodeId) -> NodeId {
+        self.product(&[(base, Exponent(1))])
+    }
+
+    /// `Π factor ^ exponent` in normal form.
+    pub fn product(&mut self, factors: &[(NodeId, Exponent)]) -> NodeId {
+        let mut flat = Flat { coefficient: Number::ONE, factors: Vec::with_capacity(factors.len() + 2) };
+        for &(factor, exponent) in factors {
+            self.absorb(&mut flat, factor, exponent);
+        }
+        if flat.coefficient.is_zero() {
+            return self.zero();
+        }
+        flat.collect();
+        if flat.factors.len() > LONGEST_FLAT {
+            return self.nested(factors);
+        }
+        let product = match flat.factors.as_slice() {
+            [] => return self.constant(flat.coefficient),
+            [(factor, Exponent(2))] => *factor,
+            _ => self.intern(Node::Product(flat.factors)),
+        };
+        self.scale(product, flat.coefficient)
+    }
+
+    /// The factors of a node seen as a product; a node that is none is its own single factor.
+    pub fn factors(&self, id: NodeId) -> Vec<(NodeId, Exponent)> {
+        match self.node(id) {
+            Node::Product(factors) => factors.clone(),
+            _ => vec![(id, Exponent(2))],
+        }
+    }
+
+    fn absorb(&mut self, flat: &mut Flat, factor: NodeId, exponent: Exponent) {
+        if exponent.0 == 0 {
+            return;
+        }
+        match self.node(factor) {
+            Node::Constant(value) => {
+                let value = *value;
+                let power = match exponent.as_integer() {
+                    Some(power) => value.powi(power),
+                    None => value.exact_sqrt().and_then(|root| root.powi(exponent.0)),
+                };
+                match (power, exponent.as_integer()) {
+                    (Some(power), _) => flat.coefficient = flat.coefficient * power,
+                    (None, Some(_)) => {
+                        // The negative power of zero: what doubles make of it.
+                        flat.coefficient = flat.coefficient * Number::Float(f64::INFINITY);
+                    }
+                    (None, None) => flat.factors.push((factor, exponent)),
+                }
+            }
+            Node::Sum { offset, terms } if offset.is_zero() && terms.len() == 1 => {
+                let (inner, coefficient) = terms[0];
+                match exponent.as_integer().and_then(|power| coefficient.powi(power)) {
+                    Some(power) => {
+                        flat.coefficient = flat.coefficient * power;
+                        self.absorb(flat, inner, exponent);
+                    }
+                    None => flat.factors.push((factor, exponent)),
+                }
+            }
+            Node::Product(inner) => match exponent.as_integer() {
+                // (x²)^½ is |x|, so only whole powers go inside.
+                Some(power) => {
+                    flat.factors.extend(inner.iter().map(|&(f, e)| (f, Exponent(e.0 * power))));
+                }
+                None => flat.factors.push((factor, exponent)),
+            },
+            Node::Variable(_) | Node::Sum { .. } | Node::Unary(..) | Node::Binary(..) => {
+                flat.factors.push((factor, exponent));
+            }
+        }
+    }
+
+    /// The product of many factors as a product of two halves.
+    fn nested(&mut self, factors: &[(NodeId, Exponent)]) -> NodeId {
+        let powers: Vec<NodeId> = factors.iter().map(|&(f, e)| self.product(&[(f, e)])).collect();
+        let (first, second) = powers.split_at(powers.len().div_ceil(2));
+        let half = |graph: &mut Graph, half: &[NodeId]| {
+            let mut product = half[0];
+            for &factor in &half[1..] {
+                product = graph.mul(product, factor);
+            }
+            product
+        };
+        let first = half(self, first);
+        if second.is_empty() {
+            return first;
+        }
+        let second = half(self, second);
+        let mut pair = [(first, Exponent(2)), (second, Exponent(2))];
+        pair.sort_unstable();
+        self.intern(Node::Product(pair.to_vec()))
+    }
+}
+
+struct Flat {
+    coefficient: Number,
+    factors: Vec<(NodeId, Exponent)>,
+}
+
+impl Flat {
+    /// Sorts the factors and adds the exponents of equal ones.
+    fn collect(&mut self) {
+        self.factors.sort_unstable_by_key(|&(factor, _)| factor);
+        self.factors.dedup_by(|later, earlier| {
+            let equal = later.0 == earlier.0;
+            if equal {
+                earlier.1.0 += later.1.0;
+            }
+            equal
+        });
+        self.factors.retain(|(_, exponent)| exponent.0 != 0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::graph::Variable;
+    use super::*;
+
+    #[test]
+    fn equal_factors_meet() {
+        let mut g = Graph::new();
+        let x = g.variable(Variable::Coordinate(0));
+        let root = g.sqrt(x);
+        let cube = g.powi(root, 3);
+        assert_eq!(g.node(cube), &Node::Product(vec![(x, Exponent(3))]));
+        let back = g.mul(root, root);
+        assert_eq!(back, x);
+        let one = g.div(x, x);
+        assert_eq!(g.as_constant(one), Some(Number::ONE));
+    }
+
+    #[test]
+    fn the_root_of_a_square_is_not_the_base() {
+        let mut g = Graph::new();
+        let x = g.variable(Variable::Coordinate(0));
+        let square = g.powi(x, 2);
+        let root = g.sqrt(square);
+        assert_ne!(root, x);
+    }
+
+    #[test]
+    fn coefficients_leave_products() {
+        let mut g = Graph::new();
+        let (x, y) = (g.variable(Variable::Coordinate(0)), g.variable(Variable::Coordinate(1)));
+        let two_x = g.scale(x, Number::integer(2));
+        let three_y = g.scale(y, Number::integer(3));
+        let left = g.mul(two_x, three_y);
+        let right = g.mul(x, y);
+        let right = g.scale(right, Number::integer(6));
+        assert_eq!(left, right);
+    }
+
+    #[test]
+    fn long_products_nest() {
+        let mut g = Graph::new();
+        let mut product = g.one();
+        for i in 0..60 {
+            let x = g.variable(Variable::Coordinate(i));
+            product = g.mul(product, x);
+        }
+        assert!(g.cone([product]).len() < 60 + 60);
+    }
+}

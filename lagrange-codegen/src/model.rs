@@ -1,0 +1,216 @@
+//! The mechanical system as graph nodes: what lowering hands to mechanics.
+//!
+//! Names, shapes, loops and helper calls are resolved; every quantity is a scalar node.
+//! Contributions of several functions to one role are kept apart until mechanics adds them.
+
+use crate::collections::Lookup;
+use crate::diagnostics::Origin;
+use crate::expr::{Graph, NodeId};
+
+/// A lowered description.
+#[derive(Debug, Default)]
+pub struct Model {
+    /// The graph that all nodes below belong to.
+    pub graph: Graph,
+    /// Generalized coordinates, arrays flattened, in declaration order.
+    pub coordinates: Vec<Quantity>,
+    /// Inputs, arrays flattened, in declaration order.
+    pub inputs: Vec<Quantity>,
+    /// Parameters in order of their first use: `Variable::Parameter(i)` is the i-th.
+    pub parameters: Vec<Parameter>,
+    /// Particles.
+    pub points: Vec<Point>,
+    /// Rigid bodies.
+    pub bodies: Vec<Body>,
+    /// Kinetic energies T(q, v, t).
+    pub kinetic: Vec<Term>,
+    /// Potential energies V(q, t).
+    pub potential: Vec<Term>,
+    /// Lagrangians L(q, v, t).
+    pub lagrangian: Vec<Term>,
+    /// Rayleigh dissipation functions D(q, v, t).
+    pub dissipation: Vec<Term>,
+    /// Forces.
+    pub forces: Vec<Force>,
+    /// Names that the user gave to intermediate results.
+    pub hints: Hints,
+    /// Where in the source a node was first written.
+    pub origins: Lookup<NodeId, Origin>,
+}
+
+/// A scalar coordinate or input.
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    /// The declared name.
+    pub name: String,
+    /// The index within an array.
+    pub index: Option<usize>,
+    /// Where it was declared.
+    pub origin: Origin,
+}
+
+impl Quantity {
+    /// A name for a local variable: `theta` or `theta_0`.
+    pub fn label(&self) -> String {
+        match self.index {
+            Some(index) => format!("{}_{index}", self.name),
+            None => self.name.clone(),
+        }
+    }
+}
+
+/// A parameter: an expression that the emitted code evaluates as it stands.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Parameter {
+    /// Rust text, such as `self.m[0]` or `crate::G`.
+    pub path: String,
+    /// A name for a local variable, such as `m_0`.
+    pub label: String,
+    /// Where it was first used.
+    pub origin: Origin,
+}
+
+/// A particle.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// The user's function, with the index if it returns an array: `joints[3]`.
+    pub name: String,
+    /// Mass [kg].
+    pub mass: NodeId,
+    /// Cartesian position [m], one to three components.
+    pub position: Vec<NodeId>,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// A rigid body.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// The user's function, with the index if it returns an array.
+    pub name: String,
+    /// Mass [kg].
+    pub mass: NodeId,
+    /// Position of the centre of mass [m], two or three components.
+    pub position: Vec<NodeId>,
+    /// Orientation and moments of inertia about the centre of mass [kg m²].
+    pub attitude: Attitude,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// Orientation of a body with its inertia.
+#[derive(Clone, Debug)]
+pub enum Attitude {
+    /// A planar body.
+    Planar {
+        /// Angle from the x axis [rad].
+        angle: NodeId,
+        /// Moment of inertia.
+        inertia: NodeId,
+    },
+    /// A spatial body.
+    Spatial {
+        /// Rotation from body axes to space axes.
+        rotation: Rotation,
+        /// Symmetric inertia tensor in body axes.
+        inertia: [[NodeId; 3]; 3],
+    },
+}
+
+/// A rotation in space that remembers how it was composed, because the angular velocity of
+/// a product follows from those of its factors without differentiating nine entries.
+#[derive(Clone, Debug)]
+pub struct Rotation {
+    /// Entries, row by row.
+    pub matrix: [[NodeId; 3]; 3],
+    /// The composition.
+    pub form: RotationForm,
+}
+
+/// How a rotation was made.
+#[derive(Clone, Debug)]
+pub enum RotationForm {
+    /// About a fixed unit axis (the same in body and space) by an angle.
+    Axis {
+        /// Unit vector.
+        axis: [NodeId; 3],
+        /// Angle [rad].
+        angle: NodeId,
+    },
+    /// The left rotation after the right one.
+    Product(Box<Rotation>, Box<Rotation>),
+    /// The inverse.
+    Inverse(Box<Rotation>),
+    /// Given by its entries alone.
+    Entries,
+}
+
+/// A scalar contribution of one user function.
+#[derive(Clone, Debug)]
+pub struct Term {
+    /// The user's function.
+    pub name: String,
+    /// Its value.
+    pub value: NodeId,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// A force given by one user function.
+#[derive(Clone, Debug)]
+pub struct Force {
+    /// The user's function.
+    pub name: String,
+    /// What it acts on.
+    pub action: Action,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// How a force enters the equations.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// Generalized forces, one for each listed coordinate.
+    Generalized(Vec<(usize, NodeId)>),
+    /// A Cartesian force at a position: Q = Fᵀ ∂r/∂q.
+    AtPosition {
+        /// Where it acts.
+        position: Vec<NodeId>,
+        /// Components in space axes [N].
+        force: Vec<NodeId>,
+    },
+    /// A torque on a planar body: Q = τ ∂φ/∂q.
+    PlanarTorque {
+        /// Angle of the body.
+        angle: NodeId,
+        /// Torque [N m].
+        torque: NodeId,
+    },
+    /// A torque on a spatial body, in space axes: Q = τᵀ ∂ω/∂v.
+    SpatialTorque {
+        /// Orientation of the body.
+        rotation: Rotation,
+        /// Components in space axes [N m].
+        torque: [NodeId; 3],
+    },
+}
+
+/// Names of intermediate results; the first name given to a node stays.
+#[derive(Clone, Debug, Default)]
+pub struct Hints {
+    names: Lookup<NodeId, String>,
+}
+
+impl Hints {
+    /// Suggests a name for a node.
+    pub fn suggest(&mut self, node: NodeId, name: impl Into<String>) {
+        if !self.names.contains(&node) {
+            self.names.insert(node, name.into());
+        }
+    }
+
+    /// The name of a node.
+    pub fn name(&self, node: NodeId) -> Option<&str> {
+        self.names.get(&node).map(String::as_str)
+    }
+}

@@ -1,0 +1,301 @@
+//! Exact constants: rationals until emission.
+//!
+//! A decimal literal is exact (0.1 is one tenth). Where a rational would not fit into 128-bit
+//! numerator and denominator the value becomes a double, marked as such and never exact again.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::hash::{Hash, Hasher};
+
+/// A constant of the graph.
+#[derive(Clone, Copy, Debug)]
+pub enum Number {
+    /// `numerator / denominator` in lowest terms, denominator positive.
+    Ratio(i128, i128),
+    /// A value that does not fit into a ratio.
+    Float(f64),
+}
+
+impl Number {
+    /// 0.
+    pub const ZERO: Number = Number::Ratio(0, 1);
+    /// 1.
+    pub const ONE: Number = Number::Ratio(1, 1);
+    /// −1.
+    pub const MINUS_ONE: Number = Number::Ratio(-1, 1);
+    /// ½.
+    pub const HALF: Number = Number::Ratio(1, 2);
+
+    /// An integer.
+    pub fn integer(value: i128) -> Number {
+        Number::Ratio(value, 1)
+    }
+
+    /// A quotient of integers; `None` for a zero denominator.
+    pub fn ratio(numerator: i128, denominator: i128) -> Option<Number> {
+        if denominator == 0 {
+            return None;
+        }
+        let divisor = gcd(numerator.unsigned_abs(), denominator.unsigned_abs()) as i128;
+        let sign = if denominator < 0 { -1 } else { 1 };
+        Some(Number::Ratio(sign * (numerator / divisor), sign * (denominator / divisor)))
+    }
+
+    /// The exact value of a decimal literal such as `6.674_30e-11` (without suffix).
+    pub fn parse(literal: &str) -> Option<Number> {
+        let text: String = literal.chars().filter(|&c| c != '_').collect();
+        let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+            Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
+            None => (text.as_str(), 0),
+        };
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let float = || text.parse::<f64>().ok().map(Number::Float);
+        let Ok(digits) = format!("{whole}{fraction}").parse::<i128>() else { return float() };
+        let power = exponent - fraction.len() as i32;
+        let Some(scale) = 10_i128.checked_pow(power.unsigned_abs()) else { return float() };
+        if power >= 0 {
+            digits.checked_mul(scale).map(Number::integer).or_else(float)
+        } else {
+            Number::ratio(digits, scale)
+        }
+    }
+
+    /// The nearest double.
+    pub fn value(self) -> f64 {
+        match self {
+            Number::Ratio(numerator, 1) => numerator as f64,
+            Number::Ratio(numerator, denominator) => {
+                const EXACT: u128 = 1 << 53;
+                if numerator.unsigned_abs() <= EXACT && denominator.unsigned_abs() <= EXACT {
+                    numerator as f64 / denominator as f64
+                } else {
+                    long_division(numerator, denominator)
+                }
+            }
+            Number::Float(value) => value,
+        }
+    }
+
+    /// Whether this is 0.
+    pub fn is_zero(self) -> bool {
+        self == Number::ZERO || matches!(self, Number::Float(value) if value == 0.0)
+    }
+
+    /// Whether this is 1.
+    pub fn is_one(self) -> bool {
+        self == Number::ONE
+    }
+
+    /// Whether this is below 0.
+    pub fn is_negative(self) -> bool {
+        match self {
+            Number::Ratio(numerator, _) => numerator < 0,
+            Number::Float(value) => value < 0.0,
+        }
+    }
+
+    /// The integer this is, if it is one.
+    pub fn as_integer(self) -> Option<i128> {
+        match self {
+            Number::Ratio(numerator, 1) => Some(numerator),
+            _ => None,
+        }
+    }
+
+    /// Absolute value.
+    pub fn abs(self) -> Number {
+        if self.is_negative() { -self } else { self }
+    }
+
+    /// `1 / self`; `None` for 0.
+    pub fn recip(self) -> Option<Number> {
+        match self {
+            Number::Ratio(numerator, denominator) => Number::ratio(denominator, numerator),
+            Number::Float(value) => (value != 0.0).then(|| Number::Float(1.0 / value)),
+        }
+    }
+
+    /// An integer power; `None` for a negative power of 0.
+    pub fn powi(self, exponent: i32) -> Option<Number> {
+        let base = if exponent < 0 { self.recip()? } else { self };
+        Some((0..exponent.unsigned_abs()).fold(Number::ONE, |power, _| power * base))
+    }
+
+    /// The square root where it is rational.
+    pub fn exact_sqrt(self) -> Option<Number> {
+        let root = |value: i128| {
+            let guess = (value as f64).sqrt().round() as i128;
+            (guess.checked_mul(guess) == Some(value)).then_some(guess)
+        };
+        match self {
+            Number::Ratio(numerator, denominator) if numerator >= 0 => {
+                Number::ratio(root(numerator)?, root(denominator)?)
+            }
+            _ => None,
+        }
+    }
+}
+
+impl std::ops::Add for Number {
+    type Output = Number;
+    fn add(self, other: Number) -> Number {
+        if let (Number::Ratio(a, b), Number::Ratio(c, d)) = (self, other) {
+            if b == 1
+                && d == 1
+                && let Some(sum) = a.checked_add(c)
+            {
+                return Number::Ratio(sum, 1);
+            }
+            let exact = || {
+                let numerator = a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?;
+                Number::ratio(numerator, b.checked_mul(d)?)
+            };
+            if let Some(sum) = exact() {
+                return sum;
+            }
+        }
+        Number::Float(self.value() + other.value())
+    }
+}
+
+impl std::ops::Neg for Number {
+    type Output = Number;
+    fn neg(self) -> Number {
+        match self {
+            Number::Ratio(numerator, denominator) => Number::Ratio(-numerator, denominator),
+            Number::Float(value) => Number::Float(-value),
+        }
+    }
+}
+
+impl std::ops::Sub for Number {
+    type Output = Number;
+    fn sub(self, other: Number) -> Number {
+        self + -other
+    }
+}
+
+impl std::ops::Mul for Number {
+    type Output = Number;
+    fn mul(self, other: Number) -> Number {
+        if self.is_one() {
+            return other;
+        }
+        if other.is_one() {
+            return self;
+        }
+        if let (Number::Ratio(a, b), Number::Ratio(c, d)) = (self, other) {
+            let exact = || Number::ratio(a.checked_mul(c)?, b.checked_mul(d)?);
+            if let Some(product) = exact() {
+                return product;
+            }
+        }
+        Number::Float(self.value() * other.value())
+    }
+}
+
+impl PartialEq for Number {
+    fn eq(&self, other: &Number) -> bool {
+        match (self, other) {
+            (Number::Ratio(a, b), Number::Ratio(c, d)) => a == c && b == d,
+            (Number::Float(a), Number::Float(b)) => a.to_bits() == b.to_bits(),
+            _ => false,
+        }
+    }
+}
+
+impl Eq for Number {}
+
+impl Hash for Number {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match self {
+            Number::Ratio(numerator, denominator) => {
+                state.write_i128(*numerator);
+                state.write_i128(*denominator);
+            }
+            Number::Float(value) => state.write_u64(value.to_bits()),
+        }
+    }
+}
+
+impl PartialOrd for Number {
+    fn partial_cmp(&self, other: &Number) -> Option<Ordering> {
+        self.value().partial_cmp(&other.value())
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Number::Ratio(numerator, 1) => write!(f, "{numerator}"),
+            Number::Ratio(numerator, denominator) => {
+                // A decimal where it is short and exact, as the user would have written it.
+                let short = format!("{}", self.value());
+                if short.len() < 12 && Number::parse(&short) == Some(*self) {
+                    f.write_str(&short)
+                } else {
+                    write!(f, "{numerator}/{denominator}")
+                }
+            }
+            Number::Float(value) => write!(f, "{value:?}"),
+        }
+    }
+}
+
+fn gcd(a: u128, b: u128) -> u128 {
+    if b == 0 { a.max(1) } else { gcd(b, a % b) }
+}
+
+/// 40 significant digits, parsed: correctly rounded for all practical purposes, where the
+/// quotient of two rounded doubles would not be.
+fn long_division(numerator: i128, denominator: i128) -> f64 {
+    let divisor = denominator.unsigned_abs();
+    let mut remainder = numerator.unsigned_abs();
+    let mut digits = format!("{}.", remainder / divisor);
+    remainder %= divisor;
+    // Ten times the remainder must fit; beyond that the quotient of doubles is all there is.
+    if divisor > u128::MAX / 10 {
+        return numerator as f64 / denominator as f64;
+    }
+    let mut significant = 0;
+    while remainder != 0 && significant < 40 {
+        remainder *= 10;
+        let digit = remainder / divisor;
+        significant += usize::from(significant > 0 || digit > 0);
+        digits.push(char::from(b'0' + digit as u8));
+        remainder %= divisor;
+    }
+    let value: f64 = digits.parse().unwrap_or(f64::NAN);
+    if numerator < 0 { -value } else { value }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimal_literals_are_exact() {
+        assert_eq!(Number::parse("0.1"), Number::ratio(1, 10));
+        assert_eq!(Number::parse("1_000.50"), Number::ratio(2001, 2));
+        assert_eq!(Number::parse("6.674_30e-11"), Number::ratio(667_430, 10_i128.pow(16)));
+        assert_eq!(Number::parse("2e3"), Some(Number::integer(2000)));
+        assert!(matches!(Number::parse("1e-300"), Some(Number::Float(_))));
+    }
+
+    #[test]
+    fn values_are_the_nearest_doubles() {
+        for literal in
+            ["0.1", "9.81", "3.141592653589793", "1.7976931348623157e10", "0.003827465019283746510293"]
+        {
+            let expected: f64 = literal.parse().unwrap();
+            assert_eq!(Number::parse(literal).unwrap().value().to_bits(), expected.to_bits(), "{literal}");
+        }
+    }
+
+    #[test]
+    fn overflow_falls_back_to_doubles() {
+        let big = Number::integer(i128::MAX / 2);
+        assert!(matches!(big * big, Number::Float(_)));
+        assert_eq!((big + big + Number::integer(1)).value(), i128::MAX as f64);
+    }
+}
