@@ -41,6 +41,11 @@ impl Number {
         Some(Number::Ratio(sign * (numerator / divisor), sign * (denominator / divisor)))
     }
 
+    /// An exponent that counts halves, as a number.
+    pub fn halves(count: i32) -> Number {
+        if count % 2 == 0 { Number::integer(i128::from(count / 2)) } else { Number::Ratio(i128::from(count), 2) }
+    }
+
     /// The exact value of a decimal literal such as `6.674_30e-11` (without suffix).
     pub fn parse(literal: &str) -> Option<Number> {
         let text: String = literal.chars().filter(|&c| c != '_').collect();

@@ -4,6 +4,7 @@
 //! source. Message texts stand in [`catalogue`].
 
 pub mod catalogue;
+pub mod physics;
 
 use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;

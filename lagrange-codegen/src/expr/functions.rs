@@ -36,6 +36,14 @@ impl Graph {
         self.intern(Node::Binary(Binary::Atan2, y, x))
     }
 
+    /// A function of two arguments, in normal form.
+    pub fn binary(&mut self, function: Binary, first: NodeId, second: NodeId) -> NodeId {
+        match function {
+            Binary::Atan2 => self.atan2(first, second),
+            Binary::Powf => self.powf(first, second),
+        }
+    }
+
     /// `base` to any power: a product where the exponent is a constant half-integer.
     pub fn powf(&mut self, base: NodeId, exponent: NodeId) -> NodeId {
         /// Larger powers are cheaper by the library's function than by multiplications.

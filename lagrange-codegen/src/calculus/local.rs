@@ -1,0 +1,93 @@
+//! Derivatives of the elementary functions, written with the value at hand where that is cheaper.
+
+use crate::expr::{Binary, Graph, NodeId, Unary};
+use crate::number::Number;
+
+/// f′ at `argument`; `value` is f(argument).
+pub(super) fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value: NodeId) -> NodeId {
+    let one_plus = |graph: &mut Graph, square_of: NodeId, sign: Number| {
+        let square = graph.powi(square_of, 2);
+        graph.sum(Number::ONE, &[(square, sign)])
+    };
+    match function {
+        Unary::Sin => graph.unary(Unary::Cos, argument),
+        Unary::Cos => {
+            let sine = graph.unary(Unary::Sin, argument);
+            graph.neg(sine)
+        }
+        Unary::Tan => one_plus(graph, value, Number::ONE),
+        Unary::Asin | Unary::Acos => {
+            // (1 − x)(1 + x) keeps its accuracy at the ends of the domain.
+            let below = graph.sum(Number::ONE, &[(argument, Number::MINUS_ONE)]);
+            let above = graph.sum(Number::ONE, &[(argument, Number::ONE)]);
+            let product = graph.mul(below, above);
+            let root = graph.sqrt(product);
+            let slope = graph.powi(root, -1);
+            if function == Unary::Asin { slope } else { graph.neg(slope) }
+        }
+        Unary::Atan => {
+            let denominator = one_plus(graph, argument, Number::ONE);
+            graph.powi(denominator, -1)
+        }
+        Unary::Sinh => graph.unary(Unary::Cosh, argument),
+        Unary::Cosh => graph.unary(Unary::Sinh, argument),
+        Unary::Tanh => one_plus(graph, value, Number::MINUS_ONE),
+        Unary::Asinh => {
+            let square = one_plus(graph, argument, Number::ONE);
+            let root = graph.sqrt(square);
+            graph.powi(root, -1)
+        }
+        Unary::Acosh => {
+            let below = graph.sum(Number::MINUS_ONE, &[(argument, Number::ONE)]);
+            let above = graph.sum(Number::ONE, &[(argument, Number::ONE)]);
+            let product = graph.mul(below, above);
+            let root = graph.sqrt(product);
+            graph.powi(root, -1)
+        }
+        Unary::Atanh => {
+            let below = graph.sum(Number::ONE, &[(argument, Number::MINUS_ONE)]);
+            let above = graph.sum(Number::ONE, &[(argument, Number::ONE)]);
+            let product = graph.mul(below, above);
+            graph.powi(product, -1)
+        }
+        Unary::Exp => value,
+        Unary::ExpM1 => graph.unary(Unary::Exp, argument),
+        Unary::Ln => graph.powi(argument, -1),
+        Unary::Ln1p => {
+            let denominator = graph.sum(Number::ONE, &[(argument, Number::ONE)]);
+            graph.powi(denominator, -1)
+        }
+        Unary::Cbrt => {
+            let square = graph.powi(value, -2);
+            graph.scale(square, Number::Ratio(1, 3))
+        }
+        Unary::Abs => graph.unary(Unary::Signum, argument),
+        Unary::Signum => graph.zero(),
+    }
+}
+
+/// The two partial derivatives at `(first, second)`; `value` is the function's value.
+pub(super) fn binary(
+    graph: &mut Graph,
+    function: Binary,
+    first: NodeId,
+    second: NodeId,
+    value: NodeId,
+) -> (NodeId, NodeId) {
+    match function {
+        Binary::Atan2 => {
+            let (y2, x2) = (graph.powi(first, 2), graph.powi(second, 2));
+            let square = graph.add(x2, y2);
+            let by_y = graph.div(second, square);
+            let by_x = graph.div(first, square);
+            (by_y, graph.neg(by_x))
+        }
+        Binary::Powf => {
+            let lowered = graph.sum(Number::MINUS_ONE, &[(second, Number::ONE)]);
+            let lowered = graph.powf(first, lowered);
+            let by_base = graph.mul(second, lowered);
+            let logarithm = graph.unary(Unary::Ln, first);
+            (by_base, graph.mul(value, logarithm))
+        }
+    }
+}

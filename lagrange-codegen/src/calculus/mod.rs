@@ -1,0 +1,17 @@
+//! Derivatives on the graph, never by expanding expressions.
+//!
+//! [`pullback`] is reverse accumulation: all derivatives of some seeded outputs for a small
+//! multiple of the cost of the outputs. [`pushforward`] is forward accumulation: the
+//! derivative of many outputs along one direction, total time derivatives among them.
+//! Griewank and Walther, *Evaluating Derivatives*, 2nd ed., SIAM 2008, chapters 3 and 4.
+
+mod degree;
+mod forward;
+mod local;
+mod reverse;
+mod substitute;
+
+pub use degree::{Degrees, first_beyond_degree, velocity_degrees};
+pub use forward::pushforward;
+pub use reverse::pullback;
+pub use substitute::substitute;

@@ -1,0 +1,136 @@
+//! Momenta, mass matrix and bias.
+
+use super::angular;
+use super::motion::{Motion, time_direction};
+use crate::calculus::{pullback, pushforward};
+use crate::expr::NodeId;
+use crate::model::Model;
+use crate::number::Number;
+
+/// Seeds of a reverse sweep: what pulls back through positions to generalized forces, what
+/// pulls back through rates, and what is a generalized force already.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Loads {
+    /// `(r, F)`: contributes Fᵀ ∂r/∂q.
+    pub through_q: Vec<(NodeId, NodeId)>,
+    /// `(w, F)`: contributes Fᵀ ∂w/∂v.
+    pub through_v: Vec<(NodeId, NodeId)>,
+    /// `(coordinate, Q)`.
+    pub direct: Vec<(usize, NodeId)>,
+}
+
+impl Loads {
+    /// Both sets of seeds.
+    pub fn joined(mut self, other: Loads) -> Loads {
+        self.through_q.extend(other.through_q);
+        self.through_v.extend(other.through_v);
+        self.direct.extend(other.direct);
+        self
+    }
+
+    /// The seeds with the opposite sign.
+    pub fn negated(mut self, model: &mut Model) -> Loads {
+        for (_, load) in self.through_q.iter_mut().chain(&mut self.through_v) {
+            *load = model.graph.neg(*load);
+        }
+        for (_, load) in &mut self.direct {
+            *load = model.graph.neg(*load);
+        }
+        self
+    }
+
+    /// One generalized force for each coordinate.
+    pub fn sweep(self, model: &mut Model, motion: &Motion) -> Vec<NodeId> {
+        let graph = &mut model.graph;
+        let through_q = pullback(graph, &self.through_q, &motion.q);
+        let through_v = pullback(graph, &self.through_v, &motion.v);
+        let mut terms: Vec<Vec<(NodeId, Number)>> = (0..motion.q.len())
+            .map(|i| vec![(through_q[i], Number::ONE), (through_v[i], Number::ONE)])
+            .collect();
+        for (coordinate, load) in self.direct {
+            terms[coordinate].push((load, Number::ONE));
+        }
+        terms.iter().map(|terms| graph.sum(Number::ZERO, terms)).collect()
+    }
+}
+
+/// p = ∂L/∂v.
+pub(super) fn momenta(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
+    let mut loads = Loads::default();
+    for body in &motion.translations {
+        for (&position, &velocity) in body.position.iter().zip(&body.velocity) {
+            loads.through_q.push((position, model.graph.mul(body.mass, velocity)));
+        }
+    }
+    for body in &motion.rotations {
+        let momentum = angular::times(&mut model.graph, &body.inertia, &body.rate);
+        loads.through_v.extend(body.rate.iter().copied().zip(momentum));
+    }
+    let one = model.graph.one();
+    for term in model.kinetic.iter().chain(&model.lagrangian) {
+        loads.through_v.push((term.value, one));
+    }
+    loads.sweep(model, motion)
+}
+
+/// M = ∂p/∂v, lower triangle.
+pub(super) fn mass_matrix(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -> Vec<Vec<NodeId>> {
+    let count = momenta.len();
+    let one = model.graph.one();
+    let mut mass: Vec<Vec<NodeId>> = vec![Vec::with_capacity(count); count];
+    for (column, &velocity) in motion.v.iter().enumerate() {
+        let entries = pushforward(&mut model.graph, &momenta[column..], &[(velocity, one)]);
+        for (row, entry) in entries.into_iter().enumerate() {
+            mass[column + row].push(entry);
+        }
+    }
+    mass
+}
+
+/// Inertial part of the bias.
+pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -> Loads {
+    let mut loads = Loads::default();
+    let graph = &mut model.graph;
+    for body in &motion.translations {
+        for (&position, &acceleration) in body.position.iter().zip(&body.acceleration) {
+            loads.through_q.push((position, graph.mul(body.mass, acceleration)));
+        }
+    }
+    for body in &motion.rotations {
+        let momentum = angular::times(graph, &body.inertia, &body.rate);
+        let change = angular::times(graph, &body.inertia, &body.acceleration);
+        let gyroscopic = angular::cross(graph, &body.rate, &momentum);
+        for k in 0..3 {
+            let torque = graph.add(change[k], gyroscopic[k]);
+            loads.through_v.push((body.rate[k], torque));
+        }
+    }
+    // Energies given as functions: d/dt ∂L/∂v at a = 0, less ∂L/∂q.
+    let functions: Vec<NodeId> = model.kinetic.iter().chain(&model.lagrangian).map(|term| term.value).collect();
+    if functions.is_empty() {
+        return loads;
+    }
+    let (one, minus_one) = (graph.one(), graph.constant(Number::MINUS_ONE));
+    let of_functions = if motion.translations.is_empty() && motion.rotations.is_empty() {
+        momenta.to_vec()
+    } else {
+        let seeds: Vec<_> = functions.iter().map(|&value| (value, one)).collect();
+        pullback(graph, &seeds, &motion.v)
+    };
+    let direction = time_direction(graph, motion.q.len());
+    let changes = pushforward(graph, &of_functions, &direction);
+    loads.direct.extend(changes.into_iter().enumerate());
+    loads.through_q.extend(functions.into_iter().map(|value| (value, minus_one)));
+    loads
+}
+
+/// Conservative part of the bias: ∂V/∂q.
+pub(super) fn conservative(model: &mut Model, _motion: &Motion) -> Loads {
+    let one = model.graph.one();
+    Loads { through_q: model.potential.iter().map(|term| (term.value, one)).collect(), ..Loads::default() }
+}
+
+/// The opposite of every entry.
+pub(super) fn negated(model: &mut Model, entries: &[NodeId]) -> Vec<NodeId> {
+    entries.iter().map(|&entry| model.graph.neg(entry)).collect()
+}

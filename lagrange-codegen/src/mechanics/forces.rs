@@ -1,0 +1,34 @@
+//! Applied forces: given forces by virtual power, and Rayleigh dissipation −∂D/∂v.
+
+use super::angular;
+use super::equations::Loads;
+use super::motion::{Motion, time_direction};
+use crate::model::{Action, Model};
+use crate::number::Number;
+
+/// The seeds of all applied forces.
+pub(super) fn loads(model: &mut Model, motion: &Motion) -> Loads {
+    let mut loads = Loads::default();
+    let graph = &mut model.graph;
+    let direction = time_direction(graph, motion.q.len());
+    for force in &model.forces {
+        match &force.action {
+            Action::Generalized(entries) => loads.direct.extend(entries.iter().copied()),
+            Action::AtPosition { position, force } => {
+                loads.through_q.extend(position.iter().copied().zip(force.iter().copied()));
+            }
+            Action::PlanarTorque { angle, torque } => loads.through_q.push((*angle, *torque)),
+            Action::SpatialTorque { rotation, torque } => {
+                // The torque turns into body axes, where the angular velocity is known.
+                let rate = angular::body_rate(graph, rotation, &direction);
+                let torque = angular::transposed_times(graph, &rotation.matrix, torque);
+                loads.through_v.extend(rate.into_iter().zip(torque));
+            }
+        }
+    }
+    let minus_one = graph.constant(Number::MINUS_ONE);
+    for term in &model.dissipation {
+        loads.through_v.push((term.value, minus_one));
+    }
+    loads
+}

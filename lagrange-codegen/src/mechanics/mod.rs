@@ -1,0 +1,82 @@
+//! From a [`Model`] to its equations of motion.
+//!
+//! d/dt ∂L/∂v − ∂L/∂q = Q − ∂D/∂v, written as M(q, v, t) a + b(q, v, t) = Q − ∂D/∂v. Energies given
+//! as functions of (q, v, t) are differentiated as they stand. Particles and bodies take
+//! d'Alembert's form instead, b = Σ (∂r/∂q)ᵀ m r̈|ₐ₌₀ + Σ (∂ω/∂v)ᵀ (I ω̇|ₐ₌₀ + ω × I ω), which is
+//! the same vector without the terms that cancel between d/dt ∂T/∂v and ∂T/∂q.
+
+mod angular;
+mod energy;
+mod equations;
+mod forces;
+mod motion;
+mod validate;
+
+use crate::diagnostics::Diagnostics;
+use crate::expr::NodeId;
+use crate::model::Model;
+use motion::Motion;
+
+/// The equations of motion and the scalars that go with them.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    /// Mass matrix ∂²L/∂v∂v, lower triangle, row by row.
+    pub mass: Vec<Vec<NodeId>>,
+    /// b(q, v, t): d/dt ∂L/∂v − ∂L/∂q at a = 0.
+    pub bias: Vec<NodeId>,
+    /// Q − ∂D/∂v.
+    pub applied: Vec<NodeId>,
+    /// Right-hand side of M a = f: the applied forces less the bias, from one sweep.
+    pub force: Vec<NodeId>,
+    /// Generalized momenta ∂L/∂v.
+    pub momenta: Vec<NodeId>,
+    /// T.
+    pub kinetic_energy: NodeId,
+    /// V.
+    pub potential_energy: NodeId,
+    /// T + V.
+    pub energy: NodeId,
+    /// The Jacobi integral v·∂L/∂v − L, where it differs from T + V.
+    pub jacobi_integral: Option<NodeId>,
+    /// Power of the applied forces, where there are any.
+    pub power: Option<NodeId>,
+    /// Whether the mass matrix is symmetric positive semidefinite by construction or by the
+    /// meaning of a kinetic energy; a Lagrangian given as a whole may have any signature.
+    pub definite: bool,
+}
+
+/// Derives the equations of motion, or reports why there are none.
+pub fn derive(model: &mut Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mut Diagnostics) -> Option<Equations> {
+    let motion = Motion::of(model);
+    validate::contributions(model, &motion, allows, diagnostics);
+    if diagnostics.has_errors() {
+        return None;
+    }
+    let momenta = equations::momenta(model, &motion);
+    let mass = equations::mass_matrix(model, &motion, &momenta);
+    validate::inertia(model, &mass, diagnostics);
+    let inertial = equations::inertial(model, &motion, &momenta);
+    let conservative = equations::conservative(model, &motion);
+    let applied_loads = forces::loads(model, &motion);
+    let bias = inertial.clone().joined(conservative.clone()).sweep(model, &motion);
+    let applied = applied_loads.clone().negated(model).sweep(model, &motion);
+    let applied = equations::negated(model, &applied);
+    let total = inertial.joined(conservative).joined(applied_loads.negated(model)).sweep(model, &motion);
+    let force = equations::negated(model, &total);
+    validate::inputs(model, &force, &mass, allows, diagnostics);
+    let energies = energy::energies(model, &motion, &momenta);
+    let power = energy::power(model, &motion, &applied);
+    (!diagnostics.has_errors()).then(|| Equations {
+        mass,
+        bias,
+        applied,
+        force,
+        momenta,
+        kinetic_energy: energies.kinetic,
+        potential_energy: energies.potential,
+        energy: energies.total,
+        jacobi_integral: energies.jacobi,
+        power,
+        definite: model.lagrangian.is_empty(),
+    })
+}

@@ -1,0 +1,106 @@
+//! Velocities and velocity-dependent accelerations of particles and bodies.
+
+use super::angular;
+use crate::calculus::pushforward;
+use crate::expr::{Graph, NodeId, Variable};
+use crate::model::{Attitude, Model};
+
+/// Kinematics of a model at a = 0, with the nodes of its variables.
+#[derive(Clone, Debug)]
+pub(super) struct Motion {
+    /// Nodes of the coordinates.
+    pub q: Vec<NodeId>,
+    /// Nodes of the velocities.
+    pub v: Vec<NodeId>,
+    /// What moves in straight lines: particles, centres of mass, and planar angles.
+    pub translations: Vec<Translation>,
+    /// Spatial rotations.
+    pub rotations: Vec<Turning>,
+}
+
+/// Quantities r(q, t) with inertia m: T = ½ m ṙ·ṙ.
+#[derive(Clone, Debug)]
+pub(super) struct Translation {
+    /// Mass, or moment of inertia for an angle.
+    pub mass: NodeId,
+    /// r.
+    pub position: Vec<NodeId>,
+    /// ṙ.
+    pub velocity: Vec<NodeId>,
+    /// r̈ at a = 0.
+    pub acceleration: Vec<NodeId>,
+}
+
+/// A body that turns in space: T = ½ ω·I ω, in body axes.
+#[derive(Clone, Debug)]
+pub(super) struct Turning {
+    /// I.
+    pub inertia: [[NodeId; 3]; 3],
+    /// ω.
+    pub rate: [NodeId; 3],
+    /// ω̇ at a = 0.
+    pub acceleration: [NodeId; 3],
+}
+
+/// The direction (v, 0, 1) of (q, v, t): total time derivatives at a = 0.
+pub(super) fn time_direction(graph: &mut Graph, coordinates: usize) -> Vec<(NodeId, NodeId)> {
+    let mut direction = Vec::with_capacity(coordinates + 1);
+    for i in 0..coordinates as u32 {
+        direction.push((graph.variable(Variable::Coordinate(i)), graph.variable(Variable::Velocity(i))));
+    }
+    let one = graph.one();
+    direction.push((graph.variable(Variable::Time), one));
+    direction
+}
+
+impl Motion {
+    /// Differentiates every position and attitude twice.
+    pub fn of(model: &mut Model) -> Motion {
+        let count = model.coordinates.len();
+        let graph = &mut model.graph;
+        let direction = time_direction(graph, count);
+        let q: Vec<_> = direction[..count].iter().map(|&(q, _)| q).collect();
+        let v: Vec<_> = direction[..count].iter().map(|&(_, v)| v).collect();
+
+        let mut moving: Vec<(NodeId, Vec<NodeId>, String)> = Vec::new();
+        for point in &model.points {
+            moving.push((point.mass, point.position.clone(), point.name.clone()));
+        }
+        let mut turning = Vec::new();
+        for body in &model.bodies {
+            moving.push((body.mass, body.position.clone(), body.name.clone()));
+            match &body.attitude {
+                Attitude::Planar { angle, inertia } => moving.push((*inertia, vec![*angle], body.name.clone())),
+                Attitude::Spatial { rotation, inertia } => turning.push((rotation.clone(), *inertia, body.name.clone())),
+            }
+        }
+
+        // One forward sweep for all positions, so that shared parts are differentiated once.
+        let all: Vec<NodeId> = moving.iter().flat_map(|(_, position, _)| position.iter().copied()).collect();
+        let velocities = pushforward(graph, &all, &direction);
+        let accelerations = pushforward(graph, &velocities, &direction);
+        let mut offset = 0;
+        let mut translations = Vec::with_capacity(moving.len());
+        for (mass, position, _) in moving {
+            let range = offset..offset + position.len();
+            offset = range.end;
+            translations.push(Translation {
+                mass,
+                velocity: velocities[range.clone()].to_vec(),
+                acceleration: accelerations[range].to_vec(),
+                position,
+            });
+        }
+
+        let mut rotations = Vec::with_capacity(turning.len());
+        for (rotation, inertia, name) in turning {
+            let rate = angular::body_rate(graph, &rotation, &direction);
+            let acceleration = pushforward(graph, &rate, &direction);
+            for (component, axis) in rate.iter().zip(["x", "y", "z"]) {
+                model.hints.suggest(*component, format!("{name}_rate_{axis}"));
+            }
+            rotations.push(Turning { inertia, rate, acceleration: [acceleration[0], acceleration[1], acceleration[2]] });
+        }
+        Motion { q, v, translations, rotations }
+    }
+}

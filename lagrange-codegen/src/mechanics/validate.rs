@@ -1,0 +1,156 @@
+//! Physics that cannot be right: reported on the user's own expression, never ignored.
+
+use super::motion::Motion;
+use crate::calculus::{first_beyond_degree, velocity_degrees};
+use crate::diagnostics::{Diagnostics, Origin, physics};
+use crate::expr::{Dependence, Graph, NodeId, Variable};
+use crate::model::{Action, Attitude, Model};
+
+/// Contributions that have no effect or the wrong form.
+pub(super) fn contributions(
+    model: &Model,
+    motion: &Motion,
+    allows: &dyn Fn(&str) -> bool,
+    diagnostics: &mut Diagnostics,
+) {
+    for term in &model.kinetic {
+        if let Some(node) = first_beyond_degree(&model.graph, term.value, 2) {
+            let origin = model.origins.get(&node).copied().unwrap_or(term.origin);
+            diagnostics.at(origin, physics::kinetic_not_quadratic(&term.name));
+        }
+    }
+    if allows("no_effect") {
+        return;
+    }
+    let graph = &model.graph;
+    let state = Dependence::COORDINATES.union(Dependence::VELOCITIES);
+    let idle = |value: NodeId, matters: Dependence| !graph.dependence(value).meets(matters);
+    for (role, terms, matters) in [
+        ("kinetic energy", &model.kinetic, state),
+        ("potential", &model.potential, Dependence::COORDINATES),
+        ("Lagrangian", &model.lagrangian, state),
+        ("dissipation function", &model.dissipation, Dependence::VELOCITIES),
+    ] {
+        for term in terms.iter().filter(|term| idle(term.value, matters)) {
+            diagnostics.at(term.origin, physics::no_effect(role, &term.name));
+        }
+    }
+    let mut reported: Vec<Origin> = Vec::new();
+    let mut complain = |origin: Origin, message: String, diagnostics: &mut Diagnostics| {
+        if !reported.contains(&origin) {
+            reported.push(origin);
+            diagnostics.at(origin, message);
+        }
+    };
+    let fixed = |position: &[NodeId]| position.iter().all(|&x| idle(x, Dependence::COORDINATES));
+    for point in &model.points {
+        if fixed(&point.position) {
+            complain(point.origin, physics::fixed_in_space("point", &point.name), diagnostics);
+        } else if graph.is_zero(point.mass) {
+            complain(point.origin, physics::zero_mass(&point.name), diagnostics);
+        }
+    }
+    for body in &model.bodies {
+        let turns = match &body.attitude {
+            Attitude::Planar { angle, .. } => !fixed(&[*angle]),
+            Attitude::Spatial { rotation, .. } => !rotation.matrix.iter().all(|row| fixed(row)),
+        };
+        if fixed(&body.position) && !turns {
+            complain(body.origin, physics::fixed_in_space("body", &body.name), diagnostics);
+        }
+    }
+    for force in &model.forces {
+        let has_effect = match &force.action {
+            Action::Generalized(entries) => entries.iter().any(|&(_, value)| !graph.is_zero(value)),
+            Action::AtPosition { position, force } => {
+                position.iter().zip(force).any(|(&x, &f)| !idle(x, Dependence::COORDINATES) && !graph.is_zero(f))
+            }
+            Action::PlanarTorque { angle, torque } => !fixed(&[*angle]) && !graph.is_zero(*torque),
+            Action::SpatialTorque { torque, .. } => torque.iter().any(|&component| !graph.is_zero(component)),
+        };
+        let part_of_a_pair = model.forces.iter().filter(|other| other.origin == force.origin).count() > 1;
+        if !has_effect && !part_of_a_pair {
+            complain(force.origin, physics::no_effect("force", &force.name), diagnostics);
+        }
+    }
+    let _ = motion;
+}
+
+/// Coordinates that no inertia belongs to.
+pub(super) fn inertia(model: &Model, mass: &[Vec<NodeId>], diagnostics: &mut Diagnostics) {
+    let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];
+    let count = mass.len();
+    let mut massless = false;
+    for (row, coordinate) in model.coordinates.iter().enumerate() {
+        if (0..count).all(|column| model.graph.is_zero(entry(row, column))) {
+            massless = true;
+            let linear = model.lagrangian.iter().chain(&model.kinetic).any(|term| {
+                model.graph.depends_on(term.value, Variable::Velocity(row as u32))
+                    && velocity_degrees(&model.graph, term.value).at_most(1)
+            });
+            diagnostics.at(coordinate.origin, physics::no_inertia(&coordinate.label(), linear));
+        }
+    }
+    if !massless && let Some(free) = unmatched_row(count, |i, j| !model.graph.is_zero(entry(i, j))) {
+        let coordinate = &model.coordinates[free];
+        diagnostics.at(coordinate.origin, physics::structurally_singular(&coordinate.label()));
+    }
+}
+
+/// Inputs that appear in no equation.
+pub(super) fn inputs(
+    model: &Model,
+    force: &[NodeId],
+    mass: &[Vec<NodeId>],
+    allows: &dyn Fn(&str) -> bool,
+    diagnostics: &mut Diagnostics,
+) {
+    if allows("unused_input") {
+        return;
+    }
+    let roots: Vec<NodeId> = force.iter().chain(mass.iter().flatten()).copied().collect();
+    let used = used_inputs(&model.graph, &roots, model.inputs.len());
+    for (input, used) in model.inputs.iter().zip(used) {
+        if !used {
+            diagnostics.at(input.origin, physics::unused_input(&input.label()));
+        }
+    }
+}
+
+fn used_inputs(graph: &Graph, roots: &[NodeId], count: usize) -> Vec<bool> {
+    let mut used = vec![false; count];
+    for id in graph.cone(roots.iter().copied()) {
+        if let crate::expr::Node::Variable(Variable::Input(input)) = graph.node(id) {
+            used[*input as usize] = true;
+        }
+    }
+    used
+}
+
+/// A row without a partner in a maximum matching of rows to columns (augmenting paths); such
+/// a matrix is singular whatever its entries.
+fn unmatched_row(count: usize, nonzero: impl Fn(usize, usize) -> bool) -> Option<usize> {
+    fn augment(
+        row: usize,
+        count: usize,
+        nonzero: &dyn Fn(usize, usize) -> bool,
+        seen: &mut [bool],
+        partner: &mut [Option<usize>],
+    ) -> bool {
+        for column in 0..count {
+            if nonzero(row, column) && !std::mem::replace(&mut seen[column], true) {
+                let free = match partner[column] {
+                    None => true,
+                    Some(other) => augment(other, count, nonzero, seen, partner),
+                };
+                if free {
+                    partner[column] = Some(row);
+                    return true;
+                }
+            }
+        }
+        false
+    }
+    let mut partner = vec![None; count];
+    (0..count).find(|&row| !augment(row, count, &nonzero, &mut vec![false; count], &mut partner))
+}
