@@ -14,4 +14,4 @@ mod substitute;
 pub use degree::{Degrees, first_beyond_degree, velocity_degrees};
 pub use forward::pushforward;
 pub use reverse::pullback;
-pub use substitute::substitute;
+pub use substitute::{rebuild, substitute};

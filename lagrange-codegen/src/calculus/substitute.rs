@@ -18,7 +18,7 @@ pub fn substitute(graph: &mut Graph, roots: &[NodeId], replacements: &[(NodeId, 
 }
 
 /// A node with its operands mapped.
-pub(crate) fn rebuild(graph: &mut Graph, id: NodeId, image: impl Fn(NodeId) -> NodeId) -> NodeId {
+pub fn rebuild(graph: &mut Graph, id: NodeId, image: impl Fn(NodeId) -> NodeId) -> NodeId {
     let mut changed = false;
     graph.operands(id, |operand| changed |= image(operand) != operand);
     if !changed {

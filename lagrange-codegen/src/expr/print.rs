@@ -55,6 +55,17 @@ impl Graph {
         }
     }
 
+    /// The number of nodes of the expression written out without sharing, saturating.
+    pub fn tree_size(&self, root: NodeId) -> u64 {
+        let mut sizes = vec![0_u64; self.len()];
+        for id in self.cone([root]) {
+            let mut size = 1_u64;
+            self.operands(id, |operand| size = size.saturating_add(sizes[operand.index()]));
+            sizes[id.index()] = size;
+        }
+        sizes[root.index()]
+    }
+
     fn print_factor(&self, id: NodeId, name: &dyn Fn(Variable) -> String) -> String {
         let text = self.print(id, name);
         let composite = match self.node(id) {

@@ -190,10 +190,9 @@ impl Graph {
         }
         // Equal magnitudes and a positive leading sign, so that a − b and b − a, and any
         // multiple of them, share one node.
-        let leading = combination.terms[0].1;
+        let leading = if combination.offset.is_zero() { combination.terms[0].1 } else { combination.offset };
         let magnitude = leading.abs();
-        let uniform = combination.terms.iter().all(|&(_, c)| c.abs() == magnitude)
-            && (combination.offset.is_zero() || combination.offset.abs() == magnitude);
+        let uniform = combination.terms.iter().all(|&(_, c)| c.abs() == magnitude);
         let content = match (uniform, leading.is_negative()) {
             (true, _) => leading,
             (false, true) => Number::MINUS_ONE,

@@ -15,6 +15,7 @@ mod validate;
 use crate::diagnostics::Diagnostics;
 use crate::expr::NodeId;
 use crate::model::Model;
+use crate::simplify::simplify;
 use motion::Motion;
 
 /// The equations of motion and the scalars that go with them.
@@ -43,6 +44,22 @@ pub struct Equations {
     /// Whether the mass matrix is symmetric positive semidefinite by construction or by the
     /// meaning of a kinetic energy; a Lagrangian given as a whole may have any signature.
     pub definite: bool,
+}
+
+impl Equations {
+    /// The entries of the mass matrix and the right-hand side.
+    pub fn roots(&self) -> Vec<NodeId> {
+        self.mass.iter().flatten().chain(&self.force).copied().collect()
+    }
+
+    /// The same with a cheaper mass matrix and right-hand side, for solving them.
+    pub fn simplified(&self, model: &mut Model) -> Equations {
+        let mut simpler = simplify(&mut model.graph, &mut model.hints, &self.roots()).into_iter();
+        let mut take = |count: usize| simpler.by_ref().take(count).collect::<Vec<_>>();
+        let mass = self.mass.iter().map(|row| take(row.len())).collect();
+        let force = take(self.force.len());
+        Equations { mass, force, ..self.clone() }
+    }
 }
 
 /// Derives the equations of motion, or reports why there are none.

@@ -1,0 +1,93 @@
+//! Function bodies: variables taken apart, statements, result.
+
+use super::block::{self, Block, NAMED, Reads};
+use super::names::{Names, variable_label};
+use crate::expr::{NodeId, Variable};
+use crate::model::Model;
+use crate::schedule::{Program, Slot, plan};
+use crate::syntax::Scalar;
+
+/// Where a body finds its variables.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Source {
+    /// `state` and, where needed, `inputs`.
+    State,
+    /// References `q`, `v`, `u` and the value `t`.
+    Slices,
+}
+
+/// A body that computes some nodes from scratch, parameters included.
+pub(super) fn plain(
+    model: &Model,
+    scalar: &Scalar,
+    roots: &[NodeId],
+    source: Source,
+    result: impl FnOnce(&[String]) -> String,
+) -> String {
+    let program = plan(&model.graph, roots);
+    let mut names = Names::new(model);
+    let block = block::write(model, scalar, &program, &program.outputs, &[], &mut names);
+    let mut text = prologue(model, &block.reads, source);
+    text.push_str(&assemble(&block));
+    text.push_str(&result(&block.outputs));
+    imported(text)
+}
+
+/// The fixed part of a program: names for what is hoisted, and the body that computes it.
+pub(super) fn constants(
+    model: &Model,
+    scalar: &Scalar,
+    program: &Program,
+    hoisted: &[Slot],
+    names: &mut Names,
+) -> (Vec<String>, Block) {
+    let mut inner = Names::new(model);
+    let block = block::write(model, scalar, program, hoisted, &[], &mut inner);
+    let labels = hoisted.iter().map(|&slot| names.claim(super::names::describe(model, program, slot, 0))).collect();
+    (labels, block)
+}
+
+/// Statements, a line each.
+pub(super) fn assemble(block: &Block) -> String {
+    block.statements.iter().map(|statement| format!("{statement}\n")).collect()
+}
+
+/// Bodies that call functions of the scalar import the trait.
+pub(super) fn imported(text: String) -> String {
+    if text.contains("Real::") { format!("use lagrange::Real;\n{text}") } else { text }
+}
+
+/// The statements that take the variables apart; what is not read is not named.
+pub(super) fn prologue(model: &Model, reads: &Reads, source: Source) -> String {
+    let mut text = String::new();
+    let groups: [(&[bool], fn(u32) -> Variable, &str, &str, &str); 3] = [
+        (&reads.coordinates, Variable::Coordinate, "q", "state.q", "*q"),
+        (&reads.velocities, Variable::Velocity, "v", "state.v", "*v"),
+        (&reads.inputs, Variable::Input, "u", "*inputs", "*u"),
+    ];
+    for (read, variable, short, in_state, in_slices) in groups {
+        if !read.contains(&true) {
+            continue;
+        }
+        let place = match source {
+            Source::State => in_state,
+            Source::Slices => in_slices,
+        };
+        if read.len() > NAMED {
+            if matches!(source, Source::State) {
+                text.push_str(&format!("let {short} = &{place};\n"));
+            }
+            continue;
+        }
+        let names: Vec<String> = read
+            .iter()
+            .enumerate()
+            .map(|(i, &read)| if read { variable_label(model, variable(i as u32)) } else { "_".to_owned() })
+            .collect();
+        text.push_str(&format!("let [{}] = {place};\n", names.join(", ")));
+    }
+    if reads.time && matches!(source, Source::State) {
+        text.push_str("let t = state.t;\n");
+    }
+    text
+}

@@ -1,0 +1,60 @@
+//! Doc comments of generated items: what is computed, and its equation where that is short.
+
+use crate::expr::{NodeId, Variable};
+use crate::model::Model;
+
+/// Longer equations are left to the code itself.
+const WIDEST: usize = 120;
+
+/// An equation for each of several nodes, as a list; empty where one of them is too long.
+pub(super) fn equations(model: &Model, symbol: &str, nodes: &[NodeId]) -> String {
+    let mut lines = String::new();
+    for (quantity, &node) in model.coordinates.iter().zip(nodes) {
+        let Some(text) = expression(model, node) else { return String::new() };
+        let index = quantity.index.map_or(String::new(), |index| format!("[{index}]"));
+        lines.push_str(&format!("\n- `{symbol}({}{index}) = {text}`", quantity.name));
+    }
+    format!("\n{lines}")
+}
+
+/// `symbol = expression`; empty where that is too long.
+pub(super) fn equation(model: &Model, symbol: &str, node: NodeId) -> String {
+    expression(model, node).map_or(String::new(), |text| format!("\n\n`{symbol} = {text}`"))
+}
+
+/// A short expression in the user's names.
+fn expression(model: &Model, node: NodeId) -> Option<String> {
+    // Printing writes shared parts out each time, so the size is checked before.
+    if model.graph.cone([node]).len() > WIDEST / 2 || model.graph.tree_size(node) > WIDEST as u64 {
+        return None;
+    }
+    let text = model.graph.print(node, &|variable| name(model, variable));
+    (text.chars().count() <= WIDEST && !text.contains('`')).then_some(text)
+}
+
+/// A variable as the user wrote it; velocities with a prime.
+fn name(model: &Model, variable: Variable) -> String {
+    let indexed = |name: &str, index: Option<usize>, mark: &str| match index {
+        Some(index) => format!("{name}{mark}[{index}]"),
+        None => format!("{name}{mark}"),
+    };
+    match variable {
+        Variable::Coordinate(i) => {
+            let quantity = &model.coordinates[i as usize];
+            indexed(&quantity.name, quantity.index, "")
+        }
+        Variable::Velocity(i) => {
+            let quantity = &model.coordinates[i as usize];
+            indexed(&quantity.name, quantity.index, "′")
+        }
+        Variable::Time => "t".to_owned(),
+        Variable::Input(i) => {
+            let quantity = &model.inputs[i as usize];
+            indexed(&quantity.name, quantity.index, "")
+        }
+        Variable::Parameter(i) => {
+            let path = &model.parameters[i as usize].path;
+            path.strip_prefix("self.").unwrap_or(path).to_owned()
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! The inherent methods: each is usable on its own, and what is not called is not linked.
+
+use super::body::{self, Source};
+use super::{Emission, docs};
+use crate::expr::{Dependence, NodeId};
+use crate::simplify::simplify;
+
+/// One method as text.
+fn method(doc: &str, signature: &str, body: &str) -> String {
+    format!("#[doc = {doc:?}]\n#[inline]\npub fn {signature} {{\n{body}\n}}\n")
+}
+
+/// All inherent methods.
+pub(super) fn methods(emission: &mut Emission<'_>) -> String {
+    let mut text = accelerations(emission);
+    text.push_str(&mass_matrix(emission));
+    let equations = emission.equations.clone();
+    text.push_str(&vector(
+        emission,
+        "bias",
+        "Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, \
+         and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.",
+        "b",
+        &equations.bias,
+    ));
+    if equations.power.is_some() {
+        text.push_str(&vector(
+            emission,
+            "applied_forces",
+            "Generalized applied forces Q − ∂D/∂v.",
+            "Q",
+            &equations.applied,
+        ));
+    }
+    text.push_str(&vector(emission, "momenta", "Generalized momenta p = ∂L/∂v.", "p", &equations.momenta));
+    for (name, doc, symbol, node) in [
+        ("kinetic_energy", "Kinetic energy T [J].", "T", Some(equations.kinetic_energy)),
+        ("potential_energy", "Potential energy V [J].", "V", Some(equations.potential_energy)),
+        ("energy", "Energy T + V [J].", "E", Some(equations.energy)),
+        (
+            "jacobi_integral",
+            "Jacobi integral v·∂L/∂v − L [J]: conserved where neither L depends on time nor forces do work, \
+             while T + V is not.",
+            "h",
+            equations.jacobi_integral,
+        ),
+        ("power", "Power v·(Q − ∂D/∂v) of the applied forces [W].", "P", equations.power),
+    ] {
+        if let Some(node) = node {
+            text.push_str(&scalar(emission, name, doc, symbol, node));
+        }
+    }
+    text
+}
+
+/// The parameters after `&self`, with the inputs where the nodes need them.
+fn arguments(emission: &Emission<'_>, nodes: &[NodeId]) -> String {
+    let graph = &emission.model.graph;
+    let uses = |kind| nodes.iter().any(|&node| graph.dependence(node).meets(kind));
+    let state = Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME);
+    let name = if uses(state) { "state" } else { "_state" };
+    let mut text = format!("&self, {name}: &{}", emission.state_type());
+    if uses(Dependence::INPUTS) {
+        text.push_str(&format!(", inputs: &{}", emission.input_type()));
+    }
+    text
+}
+
+fn accelerations(emission: &Emission<'_>) -> String {
+    let inputs = !emission.model.inputs.is_empty();
+    let (parameter, argument) = if inputs {
+        (format!(", inputs: &{}", emission.input_type()), "inputs")
+    } else {
+        (String::new(), "&[]")
+    };
+    let doc = format!(
+        "Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).\n\n\
+         The mass matrix is {}.\n\n# Errors\n\nA singular mass matrix, with the coordinate and the time.",
+        emission.solution.describe(emission.facts)
+    );
+    let signature = format!(
+        "accelerations(&self, state: &{}{parameter}) -> ::core::result::Result<{}, lagrange::MotionError<{}>>",
+        emission.state_type(),
+        emission.vector_type(),
+        emission.item.scalar,
+    );
+    let body = format!(
+        "let constants = lagrange::System::constants(self);\n\
+         lagrange::System::accelerations_at(self, &constants, state.t, &state.q, &state.v, {argument})\n\
+         .map_err(|cause| lagrange::MotionError {{ cause, t: state.t }})"
+    );
+    method(&doc, &signature, &body)
+}
+
+fn mass_matrix(emission: &mut Emission<'_>) -> String {
+    let count = emission.count();
+    let mut entries: Vec<NodeId> = Vec::with_capacity(count * (count + 1) / 2);
+    for row in &emission.equations.mass {
+        entries.extend(row.iter().copied());
+    }
+    let entries = simplify(&mut emission.model.graph, &mut emission.model.hints, &entries);
+    let signature = format!(
+        "mass_matrix({}) -> lagrange::nalgebra::SMatrix<{}, {count}, {count}>",
+        arguments(emission, &entries),
+        emission.item.scalar
+    );
+    let zero = super::scalar::zero(&emission.item.scalar);
+    let body = body::plain(emission.model, &emission.item.scalar, &entries, Source::State, |values| {
+        if count <= super::block::NAMED {
+            let rows: Vec<String> = (0..count)
+                .map(|i| {
+                    let entry = |j: usize| values[i.max(j) * (i.max(j) + 1) / 2 + i.min(j)].as_str();
+                    format!("[{}]", (0..count).map(entry).collect::<Vec<_>>().join(", "))
+                })
+                .collect();
+            return format!("[{}].into()", rows.join(", "));
+        }
+        let mut text = format!("let mut mass = lagrange::nalgebra::SMatrix::repeat({zero});\n");
+        let mut values = values.iter();
+        for i in 0..count {
+            for j in 0..=i {
+                let value = values.next().map_or("", String::as_str);
+                if value == zero {
+                    continue;
+                }
+                text.push_str(&format!("mass[({i}, {j})] = {value};\n"));
+                if i != j {
+                    text.push_str(&format!("mass[({j}, {i})] = mass[({i}, {j})];\n"));
+                }
+            }
+        }
+        text + "mass"
+    });
+    method("Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].", &signature, &body)
+}
+
+fn vector(emission: &mut Emission<'_>, name: &str, doc: &str, symbol: &str, nodes: &[NodeId]) -> String {
+    let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
+    let doc = format!("{doc}{}", docs::equations(emission.model, symbol, &nodes));
+    let signature = format!("{name}({}) -> {}", arguments(emission, &nodes), emission.vector_type());
+    let body = body::plain(emission.model, &emission.item.scalar, &nodes, Source::State, |values| {
+        format!("[{}]", values.join(", "))
+    });
+    method(&doc, &signature, &body)
+}
+
+fn scalar(emission: &mut Emission<'_>, name: &str, doc: &str, symbol: &str, node: NodeId) -> String {
+    let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &[node]);
+    let doc = format!("{doc}{}", docs::equation(emission.model, symbol, nodes[0]));
+    let signature = format!("{name}({}) -> {}", arguments(emission, &nodes), emission.item.scalar);
+    let body =
+        body::plain(emission.model, &emission.item.scalar, &nodes, Source::State, |values| values.join(", "));
+    method(&doc, &signature, &body)
+}

@@ -1,0 +1,108 @@
+//! Tokens of the expansion, in the order they stand in it.
+
+mod block;
+mod body;
+mod docs;
+mod methods;
+mod names;
+mod parts;
+mod records;
+mod scalar;
+mod system;
+mod tokens;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::diagnostics::Diagnostics;
+use crate::mechanics::Equations;
+use crate::model::Model;
+use crate::schedule::Operations;
+use crate::structure::{Facts, Solution};
+use crate::syntax::Item;
+
+/// Everything that emission reads; the graph grows while it simplifies.
+pub(crate) struct Emission<'a> {
+    pub item: &'a Item,
+    pub model: &'a mut Model,
+    pub equations: &'a Equations,
+    pub facts: &'a Facts,
+    pub solution: &'a Solution,
+}
+
+impl Emission<'_> {
+    fn count(&self) -> usize {
+        self.model.coordinates.len()
+    }
+
+    fn state_type(&self) -> String {
+        format!("lagrange::State<{}, {}>", self.item.scalar, self.count())
+    }
+
+    fn vector_type(&self) -> String {
+        format!("[{}; {}]", self.item.scalar, self.count())
+    }
+
+    fn input_type(&self) -> String {
+        format!("[{}; {}]", self.item.scalar, self.model.inputs.len())
+    }
+}
+
+/// The whole expansion.
+pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: &Diagnostics) -> TokenStream {
+    let (system, after) = system::system(&mut emission);
+    let methods = methods::methods(&mut emission);
+    let report = report(&emission, before, after);
+    let parameters = tokens::Parameters::new(emission.model, diagnostics);
+    let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
+
+    let Item { self_ty, generics, crate_path, cleaned, .. } = emission.item;
+    let (impl_generics, _, where_clause) = generics.split_for_impl();
+    let (count, inputs) = (emission.count(), emission.model.inputs.len());
+    let records = records::records(emission.item);
+    quote! {
+        #cleaned
+        #records
+        const _: () = {
+            use #crate_path::__private as lagrange;
+
+            impl #impl_generics #self_ty #where_clause {
+                #report
+                #methods
+            }
+
+            impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
+                #system
+            }
+        };
+    }
+}
+
+/// The constants `COST` and `STRUCTURE`.
+fn report(emission: &Emission<'_>, before: Operations, after: Operations) -> TokenStream {
+    let cost = |operations: Operations| {
+        let Operations { additions, multiplications, divisions, square_roots, functions } = operations;
+        quote! {
+            lagrange::Cost {
+                additions: #additions, multiplications: #multiplications, divisions: #divisions,
+                square_roots: #square_roots, functions: #functions,
+            }
+        }
+    };
+    let (before, after) = (cost(before), cost(after));
+    let mass_matrix = emission.solution.describe(emission.facts);
+    let facts = emission.facts.found(emission.model);
+    let skipped = emission.facts.skipped(emission.model);
+    quote! {
+        /// Operations of one evaluation of the accelerations, as derived and as emitted; what is
+        /// computed once per run and the factorisation in the runtime, if any, are not counted.
+        pub const COST: lagrange::Costs = lagrange::Costs { before: #before, after: #after };
+
+        /// What was found in this system, and what its code therefore leaves out.
+        pub const STRUCTURE: lagrange::Structure = lagrange::Structure {
+            mass_matrix: #mass_matrix,
+            facts: &[#(#facts),*],
+            skipped: &[#(#skipped),*],
+        };
+    }
+}

@@ -1,0 +1,116 @@
+//! Names for intermediate results, made from the user's own.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Variable;
+use crate::model::Model;
+use crate::schedule::{Instruction, Program, Slot};
+
+/// Longer names are replaced by a numbered one.
+const LONGEST: usize = 26;
+
+/// Names that generated bodies use for something else.
+const RESERVED: [&str; 14] = [
+    "state", "inputs", "constants", "mass", "factor", "force", "q", "v", "t", "u", "f64", "f32", "self", "Self",
+];
+
+/// Gives every name once.
+pub(super) struct Names {
+    taken: BTreeSet<String>,
+    anonymous: usize,
+}
+
+impl Names {
+    /// With the names of all coordinates, velocities and inputs taken.
+    pub fn new(model: &Model) -> Names {
+        let mut taken: BTreeSet<String> = RESERVED.iter().map(|&name| name.to_owned()).collect();
+        for quantity in &model.coordinates {
+            taken.insert(quantity.label());
+            taken.insert(format!("{}_dot", quantity.label()));
+        }
+        taken.extend(model.inputs.iter().map(|input| input.label()));
+        Names { taken, anonymous: 0 }
+    }
+
+    /// A free name, as close to the wish as possible.
+    pub fn claim(&mut self, wish: Option<String>) -> String {
+        let wish = wish.map(|wish| identifier(&wish)).filter(|wish| !wish.is_empty() && wish.len() <= LONGEST);
+        let base = match wish {
+            Some(wish) => {
+                if !self.taken.contains(&wish) && !is_keyword(&wish) {
+                    self.taken.insert(wish.clone());
+                    return wish;
+                }
+                wish
+            }
+            None => {
+                self.anonymous += 1;
+                let name = format!("w{}", self.anonymous);
+                if self.taken.insert(name.clone()) {
+                    return name;
+                }
+                name
+            }
+        };
+        let free = (2..).map(|n| format!("{base}_{n}")).find(|name| !self.taken.contains(name));
+        let name = free.unwrap_or(base);
+        self.taken.insert(name.clone());
+        name
+    }
+}
+
+/// The local name of a variable.
+pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
+    match variable {
+        Variable::Coordinate(i) => model.coordinates[i as usize].label(),
+        Variable::Velocity(i) => format!("{}_dot", model.coordinates[i as usize].label()),
+        Variable::Time => "t".to_owned(),
+        Variable::Input(i) => model.inputs[i as usize].label(),
+        Variable::Parameter(i) => model.parameters[i as usize].label.clone(),
+    }
+}
+
+/// A name that says what an instruction computes; `None` where it would be too long.
+pub(super) fn describe(model: &Model, program: &Program, slot: Slot, depth: u32) -> Option<String> {
+    if let Some(node) = program.source(slot)
+        && let Some(hint) = model.hints.name(node)
+    {
+        return Some(hint.to_owned());
+    }
+    let of = |slot: Slot| if depth > 3 { None } else { describe(model, program, slot, depth + 1) };
+    let name = match program.instruction(slot) {
+        Instruction::Variable(variable) => variable_label(model, variable),
+        Instruction::Literal(number) => number.as_integer().filter(|&n| (0..1000).contains(&n))?.to_string(),
+        Instruction::Add(a, b) => format!("{}_plus_{}", of(a)?, of(b)?),
+        Instruction::Sub(a, b) => format!("{}_minus_{}", of(a)?, of(b)?),
+        Instruction::Mul(a, b) if a == b => format!("{}_squared", of(a)?),
+        Instruction::Mul(a, b) => format!("{}_{}", of(a)?, of(b)?),
+        Instruction::Div(a, b) => match program.instruction(a) {
+            Instruction::Literal(one) if one.is_one() => format!("inverse_{}", of(b)?),
+            _ => format!("{}_over_{}", of(a)?, of(b)?),
+        },
+        Instruction::Neg(a) => format!("minus_{}", of(a)?),
+        Instruction::Sqrt(a) => format!("root_{}", of(a)?),
+        Instruction::Unary(function, a) => format!("{}_{}", function.name(), of(a)?),
+        Instruction::Binary(function, a, b) => format!("{}_{}_{}", function.name(), of(a)?, of(b)?),
+    };
+    (name.len() <= LONGEST).then_some(name)
+}
+
+/// The wish with everything that an identifier cannot contain replaced.
+fn identifier(wish: &str) -> String {
+    let mut name = String::with_capacity(wish.len());
+    for c in wish.chars() {
+        if c == '_' || c.is_alphanumeric() {
+            name.push(c);
+        } else if !name.ends_with('_') {
+            name.push('_');
+        }
+    }
+    let name = name.trim_matches('_');
+    if name.starts_with(|c: char| c.is_numeric()) { format!("n{name}") } else { name.to_owned() }
+}
+
+fn is_keyword(name: &str) -> bool {
+    syn::parse_str::<syn::Ident>(name).is_err()
+}

@@ -1,0 +1,25 @@
+//! How numbers and functions of the scalar type are written.
+
+use crate::number::Number;
+use crate::syntax::Scalar;
+
+/// A nonnegative constant as an expression of the scalar type, exact to the last bit.
+pub(super) fn literal(scalar: &Scalar, number: Number) -> String {
+    let value = number.value();
+    match scalar {
+        Scalar::F64 if value.is_infinite() => "f64::INFINITY".to_owned(),
+        Scalar::F32 if value.is_infinite() => "f32::INFINITY".to_owned(),
+        Scalar::F64 => format!("{value:?}"),
+        // The suffix keeps inference from meeting an open float type in a trait call.
+        Scalar::F32 => format!("{value:?}_f32"),
+        Scalar::Generic(ident) if number.is_one() => format!("{ident}::one()"),
+        Scalar::Generic(ident) if number.is_zero() => format!("{ident}::zero()"),
+        Scalar::Generic(ident) if value.is_infinite() => format!("{ident}::from_f64(f64::INFINITY)"),
+        Scalar::Generic(ident) => format!("{ident}::from_f64({value:?})"),
+    }
+}
+
+/// Zero of the scalar type.
+pub(super) fn zero(scalar: &Scalar) -> String {
+    literal(scalar, Number::ZERO)
+}

@@ -1,0 +1,87 @@
+//! From text to tokens, with the user's expressions put in for parameters.
+
+use proc_macro2::{Group, Span, TokenStream, TokenTree};
+
+use crate::diagnostics::Diagnostics;
+use crate::model::Model;
+
+const PREFIX: &str = "parameter__";
+
+/// The identifier that stands for a parameter in generated text.
+pub(super) fn placeholder(parameter: u32) -> String {
+    format!("{PREFIX}{parameter}")
+}
+
+/// Replaces placeholders by the user's expressions, on the user's spans, so that a parameter of
+/// the wrong type is reported where the user wrote it.
+pub(super) struct Parameters {
+    expressions: Vec<TokenStream>,
+}
+
+impl Parameters {
+    /// Parses the expressions of all parameters.
+    pub fn new(model: &Model, diagnostics: &Diagnostics) -> Parameters {
+        let expressions = model
+            .parameters
+            .iter()
+            .map(|parameter| {
+                let span = diagnostics.span(parameter.origin).resolved_at(Span::call_site());
+                let tokens: TokenStream = parameter.path.parse().unwrap_or_default();
+                respan(tokens, span)
+            })
+            .collect();
+        Parameters { expressions }
+    }
+
+    /// Generated text as tokens.
+    ///
+    /// # Panics
+    /// Where the text is not Rust: a bug of the emitter, which the entry point reports as such.
+    pub fn parse(&self, text: &str) -> TokenStream {
+        let tokens: TokenStream = text.parse().expect("emit: generated text is not made of tokens");
+        if text.contains(PREFIX) { self.fill(tokens) } else { tokens }
+    }
+
+    fn fill(&self, tokens: TokenStream) -> TokenStream {
+        let mut filled = Vec::new();
+        for token in tokens {
+            match token {
+                TokenTree::Ident(ident) => {
+                    let name = ident.to_string();
+                    let expression = name
+                        .strip_prefix(PREFIX)
+                        .and_then(|number| number.parse::<usize>().ok())
+                        .and_then(|number| self.expressions.get(number));
+                    match expression {
+                        Some(expression) => filled.extend(expression.clone()),
+                        None => filled.push(TokenTree::Ident(ident)),
+                    }
+                }
+                TokenTree::Group(group) => {
+                    let mut inner = Group::new(group.delimiter(), self.fill(group.stream()));
+                    inner.set_span(group.span());
+                    filled.push(TokenTree::Group(inner));
+                }
+                other @ (TokenTree::Punct(_) | TokenTree::Literal(_)) => filled.push(other),
+            }
+        }
+        filled.into_iter().collect()
+    }
+}
+
+fn respan(tokens: TokenStream, span: Span) -> TokenStream {
+    tokens
+        .into_iter()
+        .map(|token| match token {
+            TokenTree::Group(group) => {
+                let mut inner = Group::new(group.delimiter(), respan(group.stream(), span));
+                inner.set_span(span);
+                TokenTree::Group(inner)
+            }
+            mut other @ (TokenTree::Ident(_) | TokenTree::Punct(_) | TokenTree::Literal(_)) => {
+                other.set_span(span);
+                other
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,48 @@
+//! The pipeline on one screen: tokens → Item → Model → Equations → Facts, Solution → tokens.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::diagnostics::Diagnostics;
+use crate::emit::{Emission, emit};
+use crate::schedule::plan;
+use crate::structure::{Facts, Solution};
+use crate::{lower, mechanics, syntax};
+
+/// Expands `#[lagrangian(args)] item`. Generated code names `default_crate` unless the user says
+/// `crate = path`. Where the description has mistakes, the expansion is all of their messages
+/// and as much of the user's item as lets the compiler be silent about the rest.
+pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
+    let mut diagnostics = Diagnostics::new();
+    let expansion = try_expand(args.clone(), item.clone(), default_crate, &mut diagnostics);
+    expansion.unwrap_or_else(|| {
+        let messages = diagnostics.to_tokens();
+        let recovered = syntax::recover(args, item);
+        quote!(#messages #recovered)
+    })
+}
+
+fn try_expand(
+    args: TokenStream,
+    item: TokenStream,
+    default_crate: &str,
+    diagnostics: &mut Diagnostics,
+) -> Option<TokenStream> {
+    let item = syntax::parse(args, item, default_crate, diagnostics)?;
+    let mut model = lower::lower(&item, diagnostics);
+    if diagnostics.has_errors() {
+        return None;
+    }
+    let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
+    // What the equations cost as derived, for the report.
+    let before = plan(&model.graph, &equations.roots()).operations(true);
+    let equations = equations.simplified(&mut model);
+    let facts = Facts::of(&model, &equations);
+    let solution = Solution::plan(&mut model, &equations, &facts, diagnostics);
+    if diagnostics.has_errors() {
+        return None;
+    }
+    let emission =
+        Emission { item: &item, model: &mut model, equations: &equations, facts: &facts, solution: &solution };
+    Some(emit(emission, before, diagnostics))
+}

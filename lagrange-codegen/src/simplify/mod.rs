@@ -1,0 +1,72 @@
+//! Rewritings that lower the cost of a set of roots and never harm their accuracy.
+//!
+//! Each pass proposes; [`cost`] decides. What a pass makes is kept only where the whole set of
+//! roots gets cheaper, so nothing here can swell.
+
+mod angles;
+pub mod cost;
+mod expand;
+mod factor;
+
+use crate::expr::{Graph, NodeId};
+use crate::model::Hints;
+use cost::cost;
+
+/// Beyond this many nodes the passes that compare whole sets of roots are left out: they cost
+/// time in proportion to roots × nodes, and large systems are chains that nest well.
+const COMPARABLE: usize = 4_000;
+
+/// Cheaper roots of equal value.
+pub fn simplify(graph: &mut Graph, hints: &mut Hints, roots: &[NodeId]) -> Vec<NodeId> {
+    let mut best = angles::add_angles(graph, roots);
+    carry_hints(graph, hints, roots, &best);
+    let comparable = graph.cone(best.iter().copied()).len() <= COMPARABLE;
+    if comparable {
+        let expanded = expand::expand(graph, &best);
+        best = cheaper_of_each(graph, best, &expanded);
+    }
+    let factored = factor::factor(graph, &best);
+    if cost(graph, &factored) < cost(graph, &best) {
+        carry_hints(graph, hints, &best, &factored);
+        best = factored;
+    }
+    best
+}
+
+/// Takes a proposal root by root where it lowers the cost of the whole.
+fn cheaper_of_each(graph: &Graph, mut roots: Vec<NodeId>, proposal: &[NodeId]) -> Vec<NodeId> {
+    let mut lowest = cost(graph, &roots);
+    let all = cost(graph, proposal);
+    if all < lowest {
+        roots = proposal.to_vec();
+        return roots;
+    }
+    for place in 0..roots.len() {
+        if proposal[place] == roots[place] {
+            continue;
+        }
+        let kept = std::mem::replace(&mut roots[place], proposal[place]);
+        let tried = cost(graph, &roots);
+        if tried < lowest {
+            lowest = tried;
+        } else {
+            roots[place] = kept;
+        }
+    }
+    roots
+}
+
+/// Roots keep the names they had before they were rewritten.
+fn carry_hints(graph: &Graph, hints: &mut Hints, before: &[NodeId], after: &[NodeId]) {
+    for (&old, &new) in before.iter().zip(after) {
+        if let Some(name) = hints.name(old).map(str::to_owned)
+            && old != new
+            && graph.as_constant(new).is_none()
+        {
+            hints.suggest(new, name);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

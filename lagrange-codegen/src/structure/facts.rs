@@ -1,0 +1,118 @@
+//! Facts about the equations of motion, and the report of what was found and left out.
+
+use crate::expr::{Dependence, Graph, NodeId, Variable};
+use crate::mechanics::Equations;
+use crate::model::Model;
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Facts {
+    /// M is the same all through a run.
+    pub constant_mass: bool,
+    /// M has no entry off its diagonal.
+    pub diagonal_mass: bool,
+    /// Time appears in no equation.
+    pub autonomous: bool,
+    /// No applied forces: neither `force` nor `dissipation`.
+    pub conservative: bool,
+    /// Coordinates that L does not depend on, so that their momentum is conserved where no
+    /// force is applied.
+    pub cyclic: Vec<usize>,
+    /// Decoupled blocks of the mass matrix, ascending.
+    pub blocks: Vec<Vec<usize>>,
+}
+
+impl Facts {
+    /// Reads the facts off the equations.
+    pub fn of(model: &Model, equations: &Equations) -> Facts {
+        let graph = &model.graph;
+        let count = equations.mass.len();
+        let entries = || equations.mass.iter().flatten().copied();
+        let roots: Vec<NodeId> =
+            entries().chain(equations.bias.iter().copied()).chain(equations.applied.iter().copied()).collect();
+        let uses = |kind: Dependence| roots.iter().any(|&root| graph.dependence(root).meets(kind));
+        let fixed = |root: NodeId| graph.dependence(root).is_fixed();
+        let conservative = model.forces.is_empty() && model.dissipation.is_empty();
+        let appearing =
+            appearing_coordinates(graph, &[equations.kinetic_energy, equations.potential_energy], count);
+        let idle = |i: usize| graph.is_zero(equations.applied[i]);
+        Facts {
+            constant_mass: entries().all(fixed),
+            diagonal_mass: (0..count).all(|i| (0..i).all(|j| graph.is_zero(equations.mass[i][j]))),
+            autonomous: !uses(Dependence::TIME),
+            conservative,
+            cyclic: (0..count).filter(|&i| !appearing[i] && idle(i)).collect(),
+            blocks: blocks(graph, &equations.mass),
+        }
+    }
+
+    /// The lines of the report: what was found.
+    pub fn found(&self, model: &Model) -> Vec<String> {
+        let mut found = Vec::new();
+        if self.constant_mass {
+            found.push("the mass matrix is constant: factored once per run".to_owned());
+        }
+        if self.blocks.len() > 1 && !self.diagonal_mass {
+            let names: Vec<String> = self
+                .blocks
+                .iter()
+                .map(|block| block.iter().map(|&i| model.coordinates[i].label()).collect::<Vec<_>>().join(", "))
+                .collect();
+            found.push(format!("inertially decoupled blocks: {}", names.join(" | ")));
+        }
+        if self.conservative && self.autonomous {
+            found.push("conservative and autonomous: the energy is conserved".to_owned());
+        }
+        if !self.cyclic.is_empty() {
+            let names: Vec<String> = self.cyclic.iter().map(|&i| model.coordinates[i].label()).collect();
+            found.push(format!("cyclic coordinates: {}", names.join(", ")));
+        }
+        found
+    }
+
+    /// The lines of the report: what the generated code leaves out.
+    pub fn skipped(&self, model: &Model) -> Vec<String> {
+        let mut skipped = Vec::new();
+        let mut skip = |absent: bool, line: &str| {
+            if absent {
+                skipped.push(line.to_owned());
+            }
+        };
+        skip(self.autonomous, "time: nothing depends on it");
+        skip(model.inputs.is_empty(), "inputs");
+        skip(model.dissipation.is_empty(), "dissipation");
+        skip(model.forces.is_empty(), "applied forces");
+        skip(self.diagonal_mass, "the solution of a linear system: the mass matrix is diagonal");
+        skip(true, "constraints and multipliers");
+        skipped
+    }
+}
+
+/// Coordinates that appear in any of the roots.
+fn appearing_coordinates(graph: &Graph, roots: &[NodeId], count: usize) -> Vec<bool> {
+    let mut appearing = vec![false; count];
+    for id in graph.cone(roots.iter().copied()) {
+        if let crate::expr::Node::Variable(Variable::Coordinate(i)) = graph.node(id) {
+            appearing[*i as usize] = true;
+        }
+    }
+    appearing
+}
+
+/// Connected components of the pattern of M.
+fn blocks(graph: &Graph, mass: &[Vec<NodeId>]) -> Vec<Vec<usize>> {
+    let count = mass.len();
+    let mut label: Vec<usize> = (0..count).collect();
+    for i in 0..count {
+        for j in 0..i {
+            if !graph.is_zero(mass[i][j]) && label[i] != label[j] {
+                let (keep, drop) = (label[i].min(label[j]), label[i].max(label[j]));
+                label.iter_mut().filter(|l| **l == drop).for_each(|l| *l = keep);
+            }
+        }
+    }
+    (0..count)
+        .filter(|&i| label[i] == i)
+        .map(|root| (0..count).filter(|&i| label[i] == root).collect())
+        .collect()
+}

@@ -1,0 +1,11 @@
+//! What is special about one system, and how its accelerations are best solved for.
+//!
+//! Reads the equations of motion and reports; [`solve`] picks a factorisation for each
+//! decoupled block of the mass matrix and writes small ones out on the graph.
+
+pub mod facts;
+mod elimination;
+pub mod solve;
+
+pub use facts::Facts;
+pub use solve::{Block, Method, Solution};

@@ -1,0 +1,153 @@
+//! How the accelerations are solved for, block by block.
+
+use super::elimination::{self, eliminate};
+use super::facts::Facts;
+use crate::diagnostics::{Diagnostics, physics};
+use crate::expr::{Graph, NodeId};
+use crate::mechanics::Equations;
+use crate::model::Model;
+use crate::number::Number;
+
+/// A factorisation written out costs at most about this many operations; a larger one is a
+/// loop of the runtime, which compiles faster and runs on vectors.
+const WRITTEN_OUT: usize = 48;
+
+/// How one block is solved.
+#[derive(Clone, Debug)]
+pub enum Method {
+    /// Written out: pivots to check and the accelerations.
+    WrittenOut {
+        /// Pivots that can vanish during a run.
+        pivots: Vec<Pivot>,
+        /// Accelerations, in the order of the block.
+        solution: Vec<NodeId>,
+    },
+    /// LDLᵀ in the runtime.
+    Ldlt,
+    /// LU with partial pivoting in the runtime, for matrices of any signature.
+    Lu,
+}
+
+/// A pivot of a factorisation that is written out.
+#[derive(Clone, Copy, Debug)]
+pub struct Pivot {
+    /// The coordinate it belongs to.
+    pub coordinate: usize,
+    /// Its value.
+    pub value: NodeId,
+    /// The size that it must not vanish against: the diagonal entry, or the larger product of
+    /// a determinant. The same node as `value` where nothing was subtracted.
+    pub scale: NodeId,
+}
+
+/// A decoupled block of the mass matrix.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// Its coordinates.
+    pub coordinates: Vec<usize>,
+    /// Its method.
+    pub method: Method,
+    /// Whether its entries are the same all through a run.
+    pub constant: bool,
+}
+
+/// The solution of M a = f.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// All blocks; each coordinate is in exactly one.
+    pub blocks: Vec<Block>,
+}
+
+impl Solution {
+    /// Chooses a method for every block.
+    pub fn plan(
+        model: &mut Model,
+        equations: &Equations,
+        facts: &Facts,
+        diagnostics: &mut Diagnostics,
+    ) -> Solution {
+        let mass = &equations.mass;
+        let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];
+        let mut blocks = Vec::with_capacity(facts.blocks.len());
+        for coordinates in &facts.blocks {
+            let graph = &mut model.graph;
+            let constant =
+                coordinates.iter().all(|&i| coordinates.iter().all(|&j| graph.dependence(entry(i, j)).is_fixed()));
+            let (order, operations) = elimination::order(graph, coordinates, &entry);
+            let small = coordinates.len() <= 3 || operations <= WRITTEN_OUT;
+            let method = match (equations.definite || coordinates.len() == 1, small) {
+                (true, true) => {
+                    let result = eliminate(graph, coordinates, &order, &entry, &equations.force);
+                    if let Some(&(coordinate, ..)) = result.pivots.iter().find(|(_, pivot, _)| graph.is_zero(*pivot)) {
+                        let quantity = &model.coordinates[coordinate];
+                        diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.label()));
+                    }
+                    Method::WrittenOut { pivots: checked(graph, &result.pivots), solution: result.solution }
+                }
+                (true, false) => Method::Ldlt,
+                (false, _) if coordinates.len() == 2 => cramer(graph, coordinates, &entry, &equations.force),
+                (false, _) => Method::Lu,
+            };
+            blocks.push(Block { coordinates: coordinates.clone(), method, constant });
+        }
+        Solution { blocks }
+    }
+
+    /// A word for the report.
+    pub fn describe(&self, facts: &Facts) -> String {
+        let kind = match (facts.constant_mass, facts.diagonal_mass) {
+            (true, true) => "constant and diagonal",
+            (true, false) => "constant",
+            (false, true) => "diagonal",
+            (false, false) if facts.blocks.len() > 1 => "block diagonal",
+            (false, false) => "dense",
+        };
+        let sized = |wanted: fn(&Method) -> bool| {
+            self.blocks.iter().filter(|b| wanted(&b.method)).map(|b| b.coordinates.len()).max()
+        };
+        let written = sized(|m| matches!(m, Method::WrittenOut { .. }));
+        let mut parts = Vec::new();
+        match written {
+            Some(1) => parts.push("divisions".to_owned()),
+            Some(size) => parts.push(format!("a factorisation written out ({size} × {size})")),
+            None => {}
+        }
+        if let Some(size) = sized(|m| matches!(m, Method::Ldlt)) {
+            parts.push(format!("LDLᵀ ({size} × {size})"));
+        }
+        if let Some(size) = sized(|m| matches!(m, Method::Lu)) {
+            parts.push(format!("LU with pivoting ({size} × {size})"));
+        }
+        format!("{kind}, solved by {}", parts.join(" and "))
+    }
+}
+
+/// The pivots that can vanish during a run. A fixed one shows at the first step, as values
+/// that are not finite.
+fn checked(graph: &Graph, pivots: &[(usize, NodeId, NodeId)]) -> Vec<Pivot> {
+    pivots
+        .iter()
+        .filter(|&&(_, value, _)| !graph.dependence(value).is_fixed())
+        .map(|&(coordinate, value, scale)| Pivot { coordinate, value, scale })
+        .collect()
+}
+
+/// Two equations of any signature by determinants, which are stable at this size.
+fn cramer(graph: &mut Graph, block: &[usize], entry: &dyn Fn(usize, usize) -> NodeId, force: &[NodeId]) -> Method {
+    let (i, j) = (block[0], block[1]);
+    let (a, b, c) = (entry(i, i), entry(i, j), entry(j, j));
+    let (diagonal, off) = (graph.mul(a, c), graph.powi(b, 2));
+    let determinant = graph.sub(diagonal, off);
+    let mut component = |a: NodeId, b: NodeId, f: NodeId, g: NodeId| {
+        let (first, second) = (graph.mul(a, f), graph.mul(b, g));
+        let numerator = graph.sum(Number::ZERO, &[(first, Number::ONE), (second, Number::MINUS_ONE)]);
+        graph.div(numerator, determinant)
+    };
+    let solution = vec![component(c, b, force[i], force[j]), component(a, b, force[j], force[i])];
+    let pivots = if graph.dependence(determinant).is_fixed() {
+        Vec::new()
+    } else {
+        vec![Pivot { coordinate: i, value: graph.powi(determinant, 2), scale: graph.powi(determinant, 2) }]
+    };
+    Method::WrittenOut { pivots, solution }
+}
