@@ -1,5 +1,7 @@
 //! The arena: nodes, identities, and what each node depends on.
 
+use std::cell::RefCell;
+
 use super::op::{Binary, Unary};
 use crate::collections::Lookup;
 use crate::number::Number;
@@ -108,6 +110,15 @@ pub struct Graph {
     nodes: Vec<Node>,
     dependence: Vec<Dependence>,
     known: Lookup<Node, NodeId>,
+    marks: RefCell<Marks>,
+}
+
+/// Which nodes the current walk has seen: a mark is valid for one walk only, so that a walk
+/// costs in proportion to what it visits, not to the whole arena.
+#[derive(Clone, Debug, Default)]
+struct Marks {
+    walk: u32,
+    seen: Vec<u32>,
 }
 
 impl Graph {
@@ -190,14 +201,20 @@ impl Graph {
 
     /// All nodes that the roots need, ascending: operands stand before their users.
     pub fn cone(&self, roots: impl IntoIterator<Item = NodeId>) -> Vec<NodeId> {
-        let mut member = vec![false; self.nodes.len()];
+        let mut marks = self.marks.borrow_mut();
+        let Marks { walk, seen } = &mut *marks;
+        *walk += 1;
+        seen.resize(self.nodes.len(), 0);
+        let mut cone = Vec::new();
         let mut stack: Vec<NodeId> = roots.into_iter().collect();
         while let Some(id) = stack.pop() {
-            if !std::mem::replace(&mut member[id.index()], true) {
+            if std::mem::replace(&mut seen[id.index()], *walk) != *walk {
+                cone.push(id);
                 self.operands(id, |operand| stack.push(operand));
             }
         }
-        (0..self.nodes.len() as u32).map(NodeId).filter(|id| member[id.index()]).collect()
+        cone.sort_unstable();
+        cone
     }
 
     /// Whether a node depends on one variable.

@@ -324,7 +324,7 @@ mod tests {
     fn numeric_factors_are_not_distributed() {
         let (mut g, x, _, _) = variables();
         let one = g.one();
-        let shifted = g.sub(x, one);
+        let shifted = g.add(x, one);
         let scaled = g.scale(shifted, Number::integer(20));
         assert_eq!(g.scaled(scaled), (Number::integer(20), shifted));
     }
