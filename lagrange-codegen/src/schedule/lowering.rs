@@ -44,6 +44,8 @@ struct Lowering<'g> {
     moving: Vec<Option<Moving>>,
     factors: Vec<Factor>,
     pairs: Vec<(Item, Item)>,
+    /// How many products and pairs contain an item.
+    item_uses: Vec<u32>,
     item_slots: Lookup<Item, Slot>,
 }
 
@@ -93,6 +95,12 @@ impl<'g> Lowering<'g> {
             rests.push(rest);
         }
         let pairs = share_pairs(&mut lists, factors.len() as Item);
+        let mut item_uses = vec![0; factors.len() + pairs.len()];
+        lists.iter().flatten().for_each(|&item| item_uses[item as usize] += 1);
+        for &(a, b) in &pairs {
+            item_uses[a as usize] += 1;
+            item_uses[b as usize] += 1;
+        }
         let mut moving = vec![None; graph.len()];
         for (((id, ..), items), divisor) in products.iter().zip(lists).zip(rests) {
             moving[id.index()] = Some(Moving { items, divisor });
@@ -104,6 +112,7 @@ impl<'g> Lowering<'g> {
             moving,
             factors,
             pairs,
+            item_uses,
             item_slots: Lookup::default(),
         }
     }
@@ -289,10 +298,28 @@ impl<'g> Lowering<'g> {
     /// The moving factors above the fraction bar, if there are any.
     fn numerator(&mut self, product: NodeId) -> Option<Slot> {
         let items = self.moving[product.index()].as_ref()?.items.clone();
+        (!items.is_empty()).then(|| self.multiplied(&items))
+    }
+
+    /// The product of items. A reciprocal that sharing left with one use is a division after all.
+    fn multiplied(&mut self, items: &[Item]) -> Slot {
         let mut product: Option<Slot> = None;
-        for item in items {
-            let slot = self.item(item);
-            product = Some(product.map_or(slot, |product| self.multiply(product, slot)));
+        let mut divisors: Vec<Divisor> = Vec::new();
+        for &item in items {
+            match self.factors.get(item as usize) {
+                Some(Factor::Reciprocal(divisor)) if self.item_uses[item as usize] == 1 => {
+                    divisors.push(divisor.clone());
+                }
+                _ => {
+                    let slot = self.item(item);
+                    product = Some(product.map_or(slot, |product| self.multiply(product, slot)));
+                }
+            }
+        }
+        let mut product = product.unwrap_or_else(|| self.program.push(Instruction::Literal(Number::ONE)));
+        for divisor in divisors {
+            let below = self.divisor(&divisor);
+            product = self.program.push(Instruction::Div(product, below));
         }
         product
     }
@@ -304,8 +331,7 @@ impl<'g> Lowering<'g> {
         let count = self.factors.len();
         let slot = if item as usize >= count {
             let (a, b) = self.pairs[item as usize - count];
-            let (a, b) = (self.item(a), self.item(b));
-            self.multiply(a, b)
+            self.multiplied(&[a, b])
         } else {
             match self.factors[item as usize].clone() {
                 Factor::Power(node, exponent) => self.power(node, exponent.0 as u32),

@@ -5,7 +5,7 @@
 //! merged, and then fewer roundings remain.
 
 use super::cost::cost;
-use super::factor;
+use super::{factor, image_of};
 use crate::calculus::rebuild;
 use crate::expr::{Dependence, Exponent, Graph, Node, NodeId};
 use crate::number::Number;
@@ -16,16 +16,13 @@ const MOST_MONOMIALS: u32 = 48;
 /// The roots with every sum and product that gets cheaper multiplied out.
 pub(super) fn expand(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     let cone = graph.cone(roots.iter().copied());
-    let mut images: Vec<NodeId> = Vec::new();
-    let mut place = vec![usize::MAX; graph.len()];
+    let mut images: Vec<NodeId> = Vec::with_capacity(cone.len());
     for &id in &cone {
-        let image = |operand: NodeId| images[place[operand.index()]];
-        let rebuilt = rebuild(graph, id, image);
+        let rebuilt = rebuild(graph, id, |operand| image_of(&cone, &images, operand));
         let image = cheaper(graph, rebuilt);
-        place[id.index()] = images.len();
         images.push(image);
     }
-    roots.iter().map(|root| images[place[root.index()]]).collect()
+    roots.iter().map(|root| image_of(&cone, &images, *root)).collect()
 }
 
 /// The node itself or its cheaper expansion.

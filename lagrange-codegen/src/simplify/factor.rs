@@ -1,5 +1,6 @@
 //! Taking a factor out of those terms of a sum that share it: `x + xy + z → x(1 + y) + z`.
 
+use super::image_of;
 use crate::calculus::rebuild;
 use crate::expr::{Exponent, Graph, Node, NodeId};
 use crate::number::Number;
@@ -10,15 +11,13 @@ const MOST_TERMS: usize = 64;
 /// The roots with the factors of partial sums taken out, the most frequent first.
 pub(super) fn factor(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     let cone = graph.cone(roots.iter().copied());
-    let mut place = vec![usize::MAX; graph.len()];
     let mut images: Vec<NodeId> = Vec::with_capacity(cone.len());
     for &id in &cone {
-        let rebuilt = rebuild(graph, id, |operand: NodeId| images[place[operand.index()]]);
+        let rebuilt = rebuild(graph, id, |operand| image_of(&cone, &images, operand));
         let image = factor_sum(graph, rebuilt);
-        place[id.index()] = images.len();
         images.push(image);
     }
-    roots.iter().map(|root| images[place[root.index()]]).collect()
+    roots.iter().map(|root| image_of(&cone, &images, *root)).collect()
 }
 
 fn factor_sum(graph: &mut Graph, id: NodeId) -> NodeId {

@@ -56,6 +56,11 @@ fn cheaper_of_each(graph: &Graph, mut roots: Vec<NodeId>, proposal: &[NodeId]) -
     roots
 }
 
+/// The image of a node of an ascending cone whose nodes are rewritten in order.
+fn image_of(cone: &[NodeId], images: &[NodeId], node: NodeId) -> NodeId {
+    cone.binary_search(&node).map_or(node, |place| images[place])
+}
+
 /// Roots keep the names they had before they were rewritten.
 fn carry_hints(graph: &Graph, hints: &mut Hints, before: &[NodeId], after: &[NodeId]) {
     for (&old, &new) in before.iter().zip(after) {

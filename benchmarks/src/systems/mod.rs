@@ -1,0 +1,121 @@
+//! The systems of all benchmarks, described to the macro and written by hand.
+
+pub mod described;
+pub mod hand;
+
+use std::cell::RefCell;
+use std::hint::black_box;
+
+use lagrangian::System;
+
+use crate::rhs::random_states;
+
+/// A system with several implementations of its accelerations.
+pub trait Case {
+    /// Its name in all reports.
+    fn name(&self) -> &'static str;
+    /// The names of the implementations.
+    fn subjects(&self) -> Vec<&'static str>;
+    /// Evaluates one implementation at all states.
+    fn run(&self, subject: usize);
+    /// Panics where two implementations differ by more than rounding.
+    fn check(&self);
+}
+
+type Accelerations<const N: usize> = fn(f64, &[f64; N], &[f64; N]) -> [f64; N];
+
+struct Measured<S: System<N>, const N: usize> {
+    name: &'static str,
+    generated: S,
+    constants: S::Constants,
+    by_hand: Vec<(&'static str, Accelerations<N>)>,
+    states: Vec<([f64; N], [f64; N])>,
+    out: RefCell<Vec<[f64; N]>>,
+}
+
+#[inline(never)]
+fn generated<S: System<N, Scalar = f64>, const N: usize>(
+    system: &S,
+    constants: &S::Constants,
+    q: &[f64; N],
+    v: &[f64; N],
+) -> [f64; N] {
+    system.accelerations_at(constants, 0.3, q, v, &[]).unwrap_or([f64::NAN; N])
+}
+
+impl<S: System<N, Scalar = f64>, const N: usize> Case for Measured<S, N> {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn subjects(&self) -> Vec<&'static str> {
+        std::iter::once("generated").chain(self.by_hand.iter().map(|(name, _)| *name)).collect()
+    }
+
+    fn run(&self, subject: usize) {
+        let mut out = self.out.borrow_mut();
+        if subject == 0 {
+            for ((q, v), out) in self.states.iter().zip(out.iter_mut()) {
+                *out = generated(&self.generated, &self.constants, q, v);
+            }
+        } else {
+            let by_hand = self.by_hand[subject - 1].1;
+            for ((q, v), out) in self.states.iter().zip(out.iter_mut()) {
+                *out = by_hand(0.3, q, v);
+            }
+        }
+        black_box(&mut out);
+    }
+
+    fn check(&self) {
+        for (q, v) in &self.states {
+            let ours = generated(&self.generated, &self.constants, q, v);
+            for (subject, by_hand) in &self.by_hand {
+                let theirs = by_hand(0.3, q, v);
+                let scale = ours.iter().fold(1.0_f64, |scale, a| scale.max(a.abs()));
+                for (a, b) in ours.iter().zip(&theirs) {
+                    assert!((a - b).abs() <= 1e-9 * scale, "{}: generated {a}, {subject} {b}", self.name);
+                }
+            }
+        }
+    }
+}
+
+fn measured<S: System<N, Scalar = f64>, const N: usize>(
+    name: &'static str,
+    system: S,
+    by_hand: &[(&'static str, Accelerations<N>)],
+    shift: impl Fn(usize, f64) -> f64,
+) -> Measured<S, N> {
+    let mut states = random_states::<N>();
+    for (q, _) in &mut states {
+        q.iter_mut().enumerate().for_each(|(i, q)| *q = shift(i, *q));
+    }
+    let constants = system.constants();
+    let out = RefCell::new(vec![[0.0; N]; states.len()]);
+    Measured { name, generated: system, constants, by_hand: by_hand.to_vec(), states, out }
+}
+
+/// Calls the visitor with every system.
+pub fn for_each(visit: &mut dyn FnMut(&dyn Case)) {
+    use described as d;
+    use hand as h;
+    // Coordinates start in (−1, 1); the shifts keep away from singular configurations.
+    let same = |_: usize, q: f64| q;
+    let polar = |i: usize, q: f64| if i == 0 { q + 2.0 } else { q };
+    let tilted = |i: usize, q: f64| if i == 1 { 0.4 * q + 1.0 } else { q };
+    let spherical = |i: usize, q: f64| if i == 0 { 0.4 * q + 1.0 } else { q };
+    let spread = |i: usize, q: f64| q + 3.0 * (i % 7) as f64;
+    visit(&measured("dpend", d::DoublePendulum, &[("hand", h::dpend)], same));
+    visit(&measured("spring", d::SpringPendulum, &[("hand", h::spring)], polar));
+    visit(&measured("hh", d::HenonHeiles, &[("hand", h::hh)], same));
+    visit(&measured("kepler", d::Kepler, &[("hand", h::kepler)], polar));
+    visit(&measured("pleiades", d::Pleiades, &[("hand", h::pleiades)], spread));
+    visit(&measured("top", d::Top, &[("hand", h::top)], tilted));
+    visit(&measured("sph", d::SphericalPendulum, &[("hand", h::sph)], spherical));
+    visit(&measured("cart", d::CartPole, &[("hand", h::cart)], same));
+    visit(&measured("nlink3", d::Chain3, &[("hand", h::dense::<3>), ("hand_linear", h::linear::<3>)], same));
+    visit(&measured("nlink5", d::Chain5, &[("hand", h::dense::<5>), ("hand_linear", h::linear::<5>)], same));
+    visit(&measured("nlink10", d::Chain10, &[("hand", h::dense::<10>), ("hand_linear", h::linear::<10>)], same));
+    visit(&measured("nlink20", d::Chain20, &[("hand", h::dense::<20>), ("hand_linear", h::linear::<20>)], same));
+}

@@ -1,0 +1,102 @@
+//! What can stop a motion: a cause and the time. Small, `Copy`, without strings.
+//!
+//! An error never loses the motion: the state stays at the last good point.
+
+use core::fmt;
+
+/// Why a motion could not go on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Cause {
+    /// The mass matrix cannot be inverted: the coordinate with this index has no inertia of its own here.
+    SingularMassMatrix {
+        /// Index of the coordinate at which the factorisation stopped.
+        pivot: usize,
+    },
+    /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
+    NotFinite,
+    /// The tolerance asks for steps below the resolution of time.
+    StepTooSmall,
+    /// One call took more steps than its limit.
+    TooManySteps,
+    /// The target time is infinite or not a number.
+    InvalidTime,
+    /// A step, a sampling interval or a step limit is zero, infinite or not a number.
+    InvalidStep,
+    /// A tolerance is negative, infinite or not a number.
+    InvalidTolerance,
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::SingularMassMatrix { pivot } => write!(
+                out,
+                "the mass matrix is singular at coordinate {pivot}: give that coordinate a mass or an inertia, \
+                 or keep away from configurations where it loses it"
+            ),
+            Self::NotFinite => out.write_str(
+                "a value is infinite or not a number: check the parameters and the start, or stop before \
+                 the motion reaches a singularity",
+            ),
+            Self::StepTooSmall => out.write_str(
+                "the step fell below the resolution of time: the motion is singular here or too stiff, \
+                 or the tolerance is too tight for this scalar",
+            ),
+            Self::TooManySteps => out.write_str(
+                "too many steps in one call: advance in shorter intervals, loosen the tolerance or raise \
+                 the limit with `with_max_steps`",
+            ),
+            Self::InvalidTime => out.write_str("the target time is not finite: pass a finite time"),
+            Self::InvalidStep => out.write_str(
+                "a step or sampling interval is zero or not finite: pass a finite step other than zero",
+            ),
+            Self::InvalidTolerance => {
+                out.write_str("a tolerance is negative or not finite: pass something like 1e-10")
+            }
+        }
+    }
+}
+
+impl core::error::Error for Cause {}
+
+/// A motion that could not go on, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotionError<R> {
+    /// Why.
+    pub cause: Cause,
+    /// Time of the last good point \[s].
+    pub t: R,
+}
+
+impl<R: fmt::Debug> fmt::Display for MotionError<R> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "at t = {:?}: {}", self.t, self.cause)
+    }
+}
+
+impl<R: fmt::Debug> core::error::Error for MotionError<R> {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        Some(&self.cause)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn messages_name_the_time_the_coordinate_and_the_remedy() {
+        let text = MotionError { cause: Cause::SingularMassMatrix { pivot: 3 }, t: 1.5 }.to_string();
+        for part in ["t = 1.5", "coordinate 3", "give that coordinate a mass"] {
+            assert!(text.contains(part), "{part} is missing in {text}");
+        }
+    }
+
+    #[test]
+    fn an_error_is_small() {
+        assert!(size_of::<Cause>() <= 2 * size_of::<usize>());
+    }
+}

@@ -1,0 +1,102 @@
+//! Dense output of Dormand–Prince 8(5,3): a polynomial of order 7 through a step.
+//!
+//! Degree 7 in θ = (t − t₀)/h, in nested form around both ends of the step, so that values and slopes join from
+//! step to step. Costs three further evaluations, made only if a sample is asked for. Error O(h⁸) in each step,
+//! of the order of the tolerance. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.6 and II.10.
+
+use super::dop853::{Dop853, Slope, combine, reach};
+use super::tableau::dop853::{A, C, D, STAGES, STAGES_DENSE};
+use crate::error::Cause;
+use crate::real::Ordered;
+use crate::state::State;
+
+/// Coefficients of the polynomials of q and v.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Dense<R, const N: usize> {
+    coefficients: [Slope<R, N>; 7],
+}
+
+impl<R: Ordered, const N: usize> Dop853<R, N> {
+    /// The state at a time inside the step.
+    #[inline]
+    pub(crate) fn sample<F>(&mut self, f: &F, t: R) -> Result<State<R, N>, Cause>
+    where
+        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+    {
+        let (start, end) = (&self.start.state, &self.end.state);
+        if t == end.t {
+            return Ok(*end);
+        }
+        if t == start.t {
+            return Ok(*start);
+        }
+        let h = end.t - start.t;
+        let (from_start, from_end) = ((t - start.t) / h, (end.t - t) / h);
+        let mut state = start.at_time(t);
+        let dense = match self.dense {
+            Some(dense) => dense,
+            None => self.interpolate(f)?,
+        };
+        let c = &dense.coefficients;
+        for n in 0..N {
+            let (mut q, mut v) = (c[6].q[n], c[6].v[n]);
+            for (i, c) in c.iter().enumerate().take(6).rev() {
+                let x = if i % 2 == 1 { from_start } else { from_end };
+                q = c.q[n] + x * q;
+                v = c.v[n] + x * v;
+            }
+            state.q[n] += from_start * q;
+            state.v[n] += from_start * v;
+        }
+        Ok(state)
+    }
+
+    /// Forms and keeps the polynomial.
+    #[inline]
+    fn interpolate<F>(&mut self, f: &F) -> Result<Dense<R, N>, Cause>
+    where
+        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+    {
+        let from = &self.start.state;
+        let end = &self.end.state;
+        let h = end.t - from.t;
+        let zero = Slope { q: [R::zero(); N], v: [R::zero(); N] };
+        let last = self.slope.unwrap_or(zero);
+        let mut slopes = [zero; STAGES_DENSE];
+        slopes[..STAGES].copy_from_slice(&self.slopes);
+        slopes[STAGES] = last;
+        macro_rules! stages {
+            ($($i:literal)*) => {$(
+                let (q, v) = reach(from, h, &combine::<R, N, $i, _, _>(&A[$i], &slopes));
+                self.counts.evaluations += 1;
+                slopes[$i] = Slope { q: v, v: f(from.t + R::from_f64(C[$i]) * h, &q, &v)? };
+            )*};
+        }
+        stages!(13 14 15);
+        let mut coefficients = [zero; 7];
+        macro_rules! moments {
+            ($($i:literal)*) => {$(
+                let sum = combine::<R, N, STAGES_DENSE, _, _>(&D[$i], &slopes);
+                coefficients[$i + 3] = Slope { q: sum.q.map(|x| h * x), v: sum.v.map(|x| h * x) };
+            )*};
+        }
+        moments!(0 1 2 3);
+        let hermite = |a: R, b: R, slope_a: R, slope_b: R| {
+            let change = b - a;
+            let curve = h * slope_a - change;
+            [change, curve, change - h * slope_b - curve]
+        };
+        let first = &slopes[0];
+        for n in 0..N {
+            let q = hermite(from.q[n], end.q[n], first.q[n], last.q[n]);
+            let v = hermite(from.v[n], end.v[n], first.v[n], last.v[n]);
+            for (coefficient, (q, v)) in coefficients.iter_mut().zip(q.into_iter().zip(v)) {
+                coefficient.q[n] = q;
+                coefficient.v[n] = v;
+            }
+        }
+        let dense = Dense { coefficients };
+        self.dense = Some(dense);
+        Ok(dense)
+    }
+}

@@ -1,0 +1,354 @@
+//! Dormand–Prince 8(5,3) for q″ = a(t, q, v): 12 evaluations a step, error O(h⁸), step size control.
+//!
+//! Stage i: vᵢ = v + h Σ aᵢⱼ kⱼ, qᵢ = q + h Σ aᵢⱼ vⱼ, kᵢ = a(t + cᵢh, qᵢ, vᵢ), so qᵢ does not wait for kᵢ₋₁. The last
+//! evaluation of a step is the first of the next. Time, q and v are summed with compensation; a drift linear in
+//! time remains at the finest tolerance (relative energy: 1e-15 a Kepler period at e = 0.1).
+//! A stage that fails, or a result that is not finite, is a rejection: the step shrinks until it succeeds or falls
+//! below the resolution of time. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.5, II.10.
+//! Explicit: on stiff systems the steps stay short whatever the tolerance.
+
+use core::cmp::Ordering;
+
+use super::dense::Dense;
+use super::step_size::{self, Limits};
+use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
+use crate::error::{Cause, MotionError};
+use crate::real::{Ordered, Real, larger, smaller};
+use crate::state::State;
+
+/// (dq/dt, dv/dt) at a stage.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slope<R, const N: usize> {
+    pub q: [R; N],
+    pub v: [R; N],
+}
+
+/// A state and what rounding took from it: the exact sum is `state + residue`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Point<R, const N: usize> {
+    pub state: State<R, N>,
+    residue: State<R, N>,
+}
+
+/// Counts of a motion so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Steps {
+    /// Steps taken.
+    pub accepted: u64,
+    /// Steps tried and repeated with a shorter length.
+    pub rejected: u64,
+    /// Evaluations of the accelerations.
+    pub evaluations: u64,
+}
+
+/// The step from `start` to `end`, and what the next one needs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Dop853<R, const N: usize> {
+    pub start: Point<R, N>,
+    pub end: Point<R, N>,
+    /// Slopes of the stages of the step; the first is that at `start`.
+    pub slopes: [Slope<R, N>; STAGES],
+    /// Slope at `end`, if known.
+    pub slope: Option<Slope<R, N>>,
+    /// Length of the next step; zero if not known.
+    length: R,
+    /// Polynomial through the step, once a sample has asked for it.
+    pub dense: Option<Dense<R, N>>,
+    pub counts: Steps,
+}
+
+/// The weighted sum Σⱼ `weights[j]` `slopes[j]` of the first `M` slopes. `weights[0]` is not zero.
+#[inline(always)]
+pub(crate) fn combine<R: Real, const N: usize, const M: usize, const W: usize, const L: usize>(
+    weights: &[f64; W],
+    slopes: &[Slope<R, N>; L],
+) -> Slope<R, N> {
+    let first = R::from_f64(weights[0]);
+    let mut sum = Slope { q: slopes[0].q.map(|x| first * x), v: slopes[0].v.map(|x| first * x) };
+    // Written out because LLVM leaves a loop over the stages standing, and with it tests that are on constants.
+    macro_rules! terms {
+        ($($j:literal)*) => {$(
+            if $j < M && weights[$j] != 0.0 {
+                let weight = R::from_f64(weights[$j]);
+                for n in 0..N {
+                    sum.q[n] += weight * slopes[$j].q[n];
+                    sum.v[n] += weight * slopes[$j].v[n];
+                }
+            }
+        )*};
+    }
+    terms!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+    sum
+}
+
+/// `from` + h · `slope`, without its residue: coordinates and velocities of a stage.
+#[inline(always)]
+pub(crate) fn reach<R: Real, const N: usize>(
+    from: &State<R, N>,
+    h: R,
+    slope: &Slope<R, N>,
+) -> ([R; N], [R; N]) {
+    let (mut q, mut v) = (from.q, from.v);
+    for n in 0..N {
+        q[n] += h * slope.q[n];
+        v[n] += h * slope.v[n];
+    }
+    (q, v)
+}
+
+/// What a failed stage means: a singular matrix at a state that is not finite is no fact about the system.
+#[cold]
+fn refusal<R: Real, const N: usize>(cause: Cause, q: &[R; N], v: &[R; N]) -> Cause {
+    if q.iter().chain(v).all(|x| x.is_finite()) { cause } else { Cause::NotFinite }
+}
+
+/// Compensated x + d (Kahan).
+#[inline(always)]
+fn add<R: Real>(x: R, residue: R, d: R) -> (R, R) {
+    let d = d + residue;
+    let sum = x + d;
+    (sum, d - (sum - x))
+}
+
+impl<R: Ordered, const N: usize> Dop853<R, N> {
+    pub(crate) fn new(state: State<R, N>) -> Self {
+        let zero = [R::zero(); N];
+        let point = Point { state, residue: State { t: R::zero(), q: zero, v: zero } };
+        Self {
+            start: point,
+            end: point,
+            slopes: [Slope { q: zero, v: zero }; STAGES],
+            slope: None,
+            length: R::zero(),
+            dense: None,
+            counts: Steps::default(),
+        }
+    }
+
+    /// Goes on from `state`, as after a change of the accelerations. The length of the next step is kept.
+    pub(crate) fn restart(&mut self, state: State<R, N>) {
+        *self = Self { length: self.length, counts: self.counts, ..Self::new(state) };
+    }
+
+    /// Returns to the start of the step.
+    pub(crate) fn rewind(&mut self) {
+        if self.start.state.t != self.end.state.t {
+            self.end = self.start;
+            self.slope = Some(self.slopes[0]);
+            self.dense = None;
+        }
+    }
+
+    /// Whether `t` lies in the step, ends included.
+    pub(crate) fn covers(&self, t: R) -> bool {
+        let (a, b) = (self.start.state.t, self.end.state.t);
+        (a <= t && t <= b) || (b <= t && t <= a)
+    }
+
+    /// Whether `t` lies beyond the end of the step in its direction; true for a step of no length.
+    pub(crate) fn ahead(&self, t: R) -> bool {
+        let (a, b) = (self.start.state.t, self.end.state.t);
+        if a <= b { t >= b || a == b } else { t <= b }
+    }
+
+    /// One step from `end` towards `target`, which differs from it; with `land`, never beyond `target` and, in
+    /// the last step, exactly on it. `attempts` counts down.
+    #[inline]
+    pub(crate) fn step<F>(
+        &mut self,
+        f: &F,
+        limits: &Limits<R>,
+        target: R,
+        land: bool,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<R>>
+    where
+        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+    {
+        let t = self.end.state.t;
+        // The next attempt from here, perhaps with other inputs, starts without the lengths that failed.
+        let fail = |motion: &mut Self, cause| {
+            motion.length = R::zero();
+            Err(MotionError { cause, t })
+        };
+        let slope = match self.slope {
+            Some(slope) => slope,
+            None => match self.slope_at_end(f) {
+                Ok(slope) => slope,
+                Err(cause) => return fail(self, cause),
+            },
+        };
+        self.start = self.end;
+        self.slopes[0] = slope;
+        self.dense = None;
+        let left = (target - t) - self.end.residue.t;
+        let direction = left.signum();
+        if self.length == R::zero() {
+            self.length = self.first_length(f, limits, &slope, direction);
+        }
+        // Two steps of half the rest are better than a full one and a crumb.
+        let half = R::from_f64(0.5) * left.abs();
+        let natural = limits.clip(self.length);
+        let mut length = natural;
+        if land && length < left.abs() && length > half {
+            length = half;
+        }
+        let mut cause = Cause::StepTooSmall;
+        let mut repeated = false;
+        loop {
+            let last = land && R::from_f64(1.01) * length >= left.abs();
+            let h = if last { left } else { direction * length };
+            let resolution = R::from_f64(4.0) * R::epsilon() * t.abs() + step_size::smallest::<R>();
+            if !last && length.partial_cmp(&resolution) != Some(Ordering::Greater) {
+                return fail(self, cause);
+            }
+            if *attempts == 0 {
+                return fail(self, Cause::TooManySteps);
+            }
+            *attempts -= 1;
+            let factor = match self.attempt(f, limits, h) {
+                Ok(error) if error <= R::one() => {
+                    if last {
+                        self.end.state.t = target;
+                        self.end.residue.t = R::zero();
+                    }
+                    self.counts.accepted += 1;
+                    let next = h.abs() * step_size::factor(error);
+                    self.length = if repeated {
+                        smaller(next, length)
+                    } else {
+                        // A step cut short by `target` says nothing against the length it was cut from.
+                        larger(next, if h.abs() < natural { natural } else { next })
+                    };
+                    return Ok(());
+                }
+                Ok(error) => {
+                    cause = Cause::StepTooSmall;
+                    smaller(step_size::factor(error), R::from_f64(0.9))
+                }
+                Err(refused) => {
+                    cause = refused;
+                    R::from_f64(0.25)
+                }
+            };
+            self.counts.rejected += 1;
+            repeated = true;
+            length = h.abs() * factor;
+            self.length = length;
+        }
+    }
+
+    /// Tries a step of `h` from `start` and moves `end` if its error is within tolerance (at most 1).
+    #[inline]
+    fn attempt<F>(&mut self, f: &F, limits: &Limits<R>, h: R) -> Result<R, Cause>
+    where
+        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+    {
+        let from = &self.start.state;
+        let slopes = &mut self.slopes;
+        macro_rules! stages {
+            ($($i:literal)*) => {$(
+                let sum = combine::<R, N, $i, _, _>(&A[$i], slopes);
+                let (q, v) = reach(from, h, &sum);
+                self.counts.evaluations += 1;
+                match f(from.t + R::from_f64(C[$i]) * h, &q, &v) {
+                    Ok(a) => slopes[$i] = Slope { q: v, v: a },
+                    Err(cause) => return Err(refusal(cause, &q, &v)),
+                }
+            )*};
+        }
+        stages!(1 2 3 4 5 6 7 8 9 10 11);
+
+        let mean = combine::<R, N, STAGES, _, _>(&B, slopes);
+        let fifth = combine::<R, N, STAGES, _, _>(&E5, slopes);
+        let embedded = combine::<R, N, STAGES, _, _>(&B3, slopes);
+        let mut end = self.start;
+        let scale = limits.scale();
+        let (mut sum5, mut sum3) = (R::zero(), R::zero());
+        for n in 0..N {
+            (end.state.q[n], end.residue.q[n]) = add(from.q[n], end.residue.q[n], h * mean.q[n]);
+            (end.state.v[n], end.residue.v[n]) = add(from.v[n], end.residue.v[n], h * mean.v[n]);
+            let weight_q = scale.weight(from.q[n], end.state.q[n]);
+            let weight_v = scale.weight(from.v[n], end.state.v[n]);
+            let (q5, v5) = (fifth.q[n] * weight_q, fifth.v[n] * weight_v);
+            let (q3, v3) = ((mean.q[n] - embedded.q[n]) * weight_q, (mean.v[n] - embedded.v[n]) * weight_v);
+            sum5 += q5 * q5 + v5 * v5;
+            sum3 += q3 * q3 + v3 * v3;
+        }
+        let error = step_size::error(h, sum5, sum3, 2 * N);
+        if !error.is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        if error <= R::one() {
+            (end.state.t, end.residue.t) = add(from.t, end.residue.t, h);
+            let (q, v) = (&end.state.q, &end.state.v);
+            self.counts.evaluations += 1;
+            let a = match f(from.t + h, q, v) {
+                Ok(a) => a,
+                Err(cause) => return Err(refusal(cause, q, v)),
+            };
+            if !(end.state.is_finite() && a.iter().all(|x| x.is_finite())) {
+                return Err(Cause::NotFinite);
+            }
+            self.slope = Some(Slope { q: *v, v: a });
+            self.end = end;
+        }
+        Ok(error)
+    }
+
+    /// The slope at `end`, from which everything starts.
+    #[cold]
+    fn slope_at_end<F>(&mut self, f: &F) -> Result<Slope<R, N>, Cause>
+    where
+        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+    {
+        let state = &self.end.state;
+        if !state.is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        self.counts.evaluations += 1;
+        let a = f(state.t, &state.q, &state.v)?;
+        if !a.iter().all(|x| x.is_finite()) {
+            return Err(Cause::NotFinite);
+        }
+        let slope = Slope { q: state.v, v: a };
+        self.slope = Some(slope);
+        Ok(slope)
+    }
+
+    /// Length of the first step, by a probe in the direction of motion.
+    #[cold]
+    fn first_length<F>(&mut self, f: &F, limits: &Limits<R>, slope: &Slope<R, N>, direction: R) -> R
+    where
+        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+    {
+        let from = &self.end.state;
+        let scale = limits.scale();
+        let norm = |x: &dyn Fn(usize) -> (R, R)| {
+            let mut sum = R::zero();
+            for n in 0..N {
+                let (q, v) = x(n);
+                let (q, v) = (q * scale.weight(from.q[n], from.q[n]), v * scale.weight(from.v[n], from.v[n]));
+                sum += q * q + v * v;
+            }
+            sum.sqrt()
+        };
+        let size = norm(&|n| (from.q[n], from.v[n]));
+        let rate = norm(&|n| (slope.q[n], slope.v[n]));
+        let probe = limits.clip(step_size::probe(size, rate));
+        let (q, v) = reach(from, direction * probe, slope);
+        self.counts.evaluations += 1;
+        let length = match f(from.t + direction * probe, &q, &v) {
+            Ok(a) => {
+                let change = norm(&|n| (v[n] - slope.q[n], a[n] - slope.v[n]));
+                step_size::first(probe, rate, change)
+            }
+            Err(_) => probe,
+        };
+        // A probe into a singularity gives no number; the control takes it from there.
+        if length.is_finite() && length.is_positive() { limits.clip(length) } else { probe }
+    }
+}
+
+#[cfg(test)]
+mod tests;

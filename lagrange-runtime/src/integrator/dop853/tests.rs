@@ -1,0 +1,73 @@
+//! Measured orders of the step and of the dense output, and what samples cost.
+
+use super::*;
+use crate::integrator::samples::{Driven, distance, driven};
+use crate::system::System;
+
+fn field(t: f64, q: &[f64; 1], v: &[f64; 1]) -> Result<[f64; 1], Cause> {
+    Driven.accelerations_at(&(), t, q, v, &[])
+}
+
+/// A tolerance that no error exceeds.
+fn loose() -> Limits<f64> {
+    Limits { absolute: 1e30, ..Limits::new() }
+}
+
+fn step(motion: &mut Dop853<f64, 1>, h: f64) {
+    motion.start = motion.end;
+    motion.slopes[0] = motion.slope.unwrap_or_else(|| motion.slope_at_end(&field).unwrap());
+    motion.dense = None;
+    assert!(motion.attempt(&field, &loose(), h).unwrap() < 1.0);
+}
+
+fn error(steps: u32) -> f64 {
+    let mut motion = Dop853::new(driven(0.3));
+    for _ in 0..steps {
+        step(&mut motion, 4.0 / f64::from(steps));
+    }
+    distance(&motion.end.state, &driven(4.3))
+}
+
+#[test]
+fn dop853_is_of_eighth_order() {
+    let order = (error(8) / error(16)).log2();
+    assert!((7.5..8.7).contains(&order), "measured order {order}");
+}
+
+#[test]
+fn the_dense_output_is_of_seventh_order() {
+    // Order 7 of the polynomial is an error of h⁸ inside one step.
+    let error = |h: f64| {
+        let mut motion = Dop853::new(driven(1.1));
+        step(&mut motion, h);
+        let t = 1.1 + 0.37 * h;
+        distance(&motion.sample(&field, t).unwrap(), &driven(t))
+    };
+    let order = (error(0.4) / error(0.2)).log2();
+    assert!((7.3..8.7).contains(&order), "measured order {order}");
+}
+
+#[test]
+fn samples_at_the_ends_are_the_ends_and_cost_nothing() {
+    let mut motion = Dop853::new(driven(0.3));
+    step(&mut motion, 0.4);
+    let before = motion.counts;
+    for end in [motion.start.state, motion.end.state] {
+        assert_eq!(motion.sample(&field, end.t), Ok(end));
+    }
+    assert_eq!(motion.counts, before);
+    motion.sample(&field, 0.5).unwrap();
+    motion.sample(&field, 0.6).unwrap();
+    assert_eq!(motion.counts.evaluations, before.evaluations + 3);
+}
+
+#[test]
+fn compensation_keeps_what_rounding_takes() {
+    let (mut sum, mut residue, mut plain) = (1.0, 0.0, 1.0);
+    for _ in 0..1_000_000 {
+        (sum, residue) = add(sum, residue, 1e-17);
+        plain += 1e-17;
+    }
+    assert_eq!(plain, 1.0);
+    assert!((sum - (1.0 + 1e-11)).abs() < 3e-16);
+}

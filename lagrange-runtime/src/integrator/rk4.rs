@@ -1,0 +1,76 @@
+//! Classical Runge–Kutta, order 4: four evaluations a step, error O(h⁴).
+//!
+//! Written for q″ = a(t, q, v): the slope of q at a stage is the velocity of that stage, so nothing of length 2N
+//! is formed. No error estimate; unstable for stiff systems when h times the fastest rate exceeds about 2.8.
+
+use super::FixedStep;
+use super::tableau::rk4::{B, C};
+use crate::error::Cause;
+use crate::real::Real;
+use crate::state::State;
+use crate::system::System;
+
+/// The classical Runge–Kutta method of order 4.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rk4;
+
+impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4 {
+    #[inline]
+    fn step(
+        &mut self,
+        system: &S,
+        constants: &S::Constants,
+        from: &State<S::Scalar, N>,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<State<S::Scalar, N>, Cause> {
+        let mut slope_q = from.v;
+        let mut slope_v = system.accelerations_at(constants, from.t, &from.q, &from.v, u)?;
+        let first = S::Scalar::from_f64(B[0]);
+        let mut sum_q = slope_q.map(|x| first * x);
+        let mut sum_v = slope_v.map(|x| first * x);
+        for i in 1..4 {
+            let reach = S::Scalar::from_f64(C[i]) * h;
+            let weight = S::Scalar::from_f64(B[i]);
+            let mut q = from.q;
+            let mut v = from.v;
+            for n in 0..N {
+                q[n] += reach * slope_q[n];
+                v[n] += reach * slope_v[n];
+            }
+            slope_v = system.accelerations_at(constants, from.t + reach, &q, &v, u)?;
+            slope_q = v;
+            for n in 0..N {
+                sum_q[n] += weight * slope_q[n];
+                sum_v[n] += weight * slope_v[n];
+            }
+        }
+        let mut next = from.at_time(from.t + h);
+        for n in 0..N {
+            next.q[n] += h * sum_q[n];
+            next.v[n] += h * sum_v[n];
+        }
+        Ok(next)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integrator::samples::{Driven, distance, driven};
+
+    fn error(steps: u32) -> f64 {
+        let mut motion = Driven.stepper::<Rk4>(driven(0.3));
+        let h = 2.0 / f64::from(steps);
+        for _ in 0..steps {
+            motion.step(h, &[]).unwrap();
+        }
+        distance(motion.state(), &driven(2.3))
+    }
+
+    #[test]
+    fn rk4_is_of_fourth_order() {
+        let order = (error(100) / error(200)).log2();
+        assert!((3.8..4.2).contains(&order), "measured order {order}");
+    }
+}

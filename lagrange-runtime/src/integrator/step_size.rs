@@ -1,0 +1,146 @@
+//! Step size control of Dormand–Prince 8(5,3): tolerance, error norm, next step, first step.
+//!
+//! Norm: root mean square of error / (absolute + relative·|y|) over q and v. The error is
+//! |h| e₅² / √(e₅² + 0.01 e₃²), of order h⁸; next step h · 0.9 · error^(−1/8), within factors 1/3 and 6.
+//! First step: an explicit Euler probe estimates the second derivative. Hairer, Nørsett, Wanner, "Solving ODEs
+//! I", 2nd ed., II.4 and II.10. The estimate presumes smooth accelerations; at a jump it only shortens steps.
+
+use crate::error::Cause;
+use crate::real::{Ordered, larger, smaller};
+
+/// What the caller asks of the control.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits<R> {
+    /// Tolerated error relative to a component's size.
+    pub relative: R,
+    /// Tolerated error of a component near zero.
+    pub absolute: R,
+    /// Longest step, if limited.
+    pub step: Option<R>,
+    /// Attempts that one call may make.
+    pub attempts: u64,
+}
+
+impl<R: Ordered> Limits<R> {
+    /// Tolerance 1e-10, or 100 ε where that is coarser.
+    pub(crate) fn new() -> Self {
+        let tolerance = larger(R::from_f64(1e-10), R::from_f64(100.0) * R::epsilon());
+        Self { relative: tolerance, absolute: tolerance, step: None, attempts: 10_000_000 }
+    }
+
+    /// Refuses limits that no step can meet.
+    pub(crate) fn check(&self) -> Result<(), Cause> {
+        let bad = |x: R| !x.is_finite() || !(x.is_positive() || x == R::zero());
+        if bad(self.relative) || bad(self.absolute) {
+            return Err(Cause::InvalidTolerance);
+        }
+        match self.step {
+            Some(step) if !(step.is_finite() && step.is_positive()) => Err(Cause::InvalidStep),
+            _ => Ok(()),
+        }
+    }
+
+    /// Weights of the error norm. Neither part may vanish: a relative error below rounding cannot be met, and an
+    /// absolute one of zero would divide by it where a component passes through zero.
+    #[inline]
+    pub(crate) fn scale(&self) -> Scale<R> {
+        let ulp = R::epsilon();
+        Scale { relative: larger(self.relative, ulp), absolute: larger(self.absolute, smallest::<R>()) }
+    }
+
+    /// `h` \[s] within the limit.
+    #[inline]
+    pub(crate) fn clip(&self, h: R) -> R {
+        self.step.map_or(h, |limit| smaller(h, limit))
+    }
+}
+
+/// A length far below any other in the arithmetic of `R`, but representable: ε⁴.
+#[inline]
+pub(crate) fn smallest<R: Ordered>() -> R {
+    R::epsilon().powi(4)
+}
+
+/// Weights of the error norm.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scale<R> {
+    relative: R,
+    absolute: R,
+}
+
+impl<R: Ordered> Scale<R> {
+    /// 1 / tolerated error of a component that goes from `a` to `b`.
+    #[inline]
+    pub(crate) fn weight(&self, a: R, b: R) -> R {
+        (self.absolute + self.relative * larger(a.abs(), b.abs())).recip()
+    }
+}
+
+/// Error over tolerance of a step of length `h`, from the sums of squared weighted estimates over `n` numbers.
+#[inline]
+pub(crate) fn error<R: Ordered>(h: R, fifth: R, third: R, n: usize) -> R {
+    let both = fifth + R::from_f64(0.01) * third;
+    if both == R::zero() {
+        return R::zero();
+    }
+    h.abs() * fifth / (both * R::from_f64(n as f64)).sqrt()
+}
+
+/// Factor on the step after an error.
+#[inline]
+pub(crate) fn factor<R: Ordered>(error: R) -> R {
+    // The eighth root as three square roots: no library call, the same bits everywhere.
+    let root = error.sqrt().sqrt().sqrt();
+    let wanted = R::from_f64(0.9) / larger(root, R::from_f64(0.15));
+    larger(wanted, R::from_f64(1.0 / 3.0))
+}
+
+/// Length of the first step from weighted norms: of the state, of its slope, and of the change of the slope over
+/// a probe of length [`probe`].
+#[inline]
+pub(crate) fn first<R: Ordered>(probe: R, slope: R, change: R) -> R {
+    let curvature = larger(change / probe, slope);
+    let length = if curvature <= R::from_f64(1e-15) {
+        larger(R::from_f64(1e-6), probe * R::from_f64(1e-3))
+    } else {
+        (R::from_f64(0.01) / curvature).sqrt().sqrt().sqrt()
+    };
+    smaller(R::from_f64(100.0) * probe, length)
+}
+
+/// Length of the Euler probe from the weighted norms of the state and of its slope.
+#[inline]
+pub(crate) fn probe<R: Ordered>(state: R, slope: R) -> R {
+    let tiny = R::from_f64(1e-5);
+    if state <= tiny || slope <= tiny { R::from_f64(1e-6) } else { R::from_f64(0.01) * state / slope }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_at_tolerance_shortens_the_step_a_little() {
+        assert!((factor(1.0_f64) - 0.9).abs() < 1e-15);
+        assert!((factor(256.0_f64) - 0.45).abs() < 1e-15);
+    }
+
+    #[test]
+    fn factors_are_bounded_on_both_sides() {
+        assert!((factor(0.0_f64) - 6.0).abs() < 1e-14);
+        assert!((factor(1e30_f64) - 1.0 / 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn limits_refuse_what_cannot_be_met() {
+        let good = Limits::<f64>::new();
+        assert_eq!(good.check(), Ok(()));
+        for bad in [-1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(Limits { relative: bad, ..good }.check(), Err(Cause::InvalidTolerance));
+            assert_eq!(Limits { absolute: bad, ..good }.check(), Err(Cause::InvalidTolerance));
+            assert_eq!(Limits { step: Some(bad), ..good }.check(), Err(Cause::InvalidStep));
+        }
+        assert_eq!(Limits { absolute: 0.0, ..good }.check(), Ok(()));
+        assert_eq!(Limits { step: Some(0.0), ..good }.check(), Err(Cause::InvalidStep));
+    }
+}

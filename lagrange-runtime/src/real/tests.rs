@@ -1,0 +1,174 @@
+//! The defaults of [`Real`], on a scalar that writes only what it must, against the functions of `f64`.
+
+use super::*;
+use crate::integrator::Rk4;
+use crate::linear::{Ldlt, Lu};
+use crate::{Cause, State, System};
+
+/// A scalar with the ten required functions alone.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+struct Minimal(f64);
+
+macro_rules! operators {
+    ($($op:ident $method:ident $assign:ident $assign_method:ident $sign:tt;)*) => {$(
+        impl $op for Minimal {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Self(self.0 $sign other.0)
+            }
+        }
+        impl $assign for Minimal {
+            fn $assign_method(&mut self, other: Self) {
+                *self = *self $sign other;
+            }
+        }
+    )*};
+}
+
+operators! {
+    Add add AddAssign add_assign +;
+    Sub sub SubAssign sub_assign -;
+    Mul mul MulAssign mul_assign *;
+    Div div DivAssign div_assign /;
+}
+
+impl Neg for Minimal {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Zero for Minimal {
+    fn zero() -> Self {
+        Self(0.0)
+    }
+    fn is_zero(&self) -> bool {
+        self.0 == 0.0
+    }
+}
+
+impl One for Minimal {
+    fn one() -> Self {
+        Self(1.0)
+    }
+}
+
+impl Real for Minimal {
+    type Lane = Self;
+    fn splat(lane: Self) -> Self {
+        lane
+    }
+    fn largest(self) -> Self {
+        self
+    }
+    fn from_f64(literal: f64) -> Self {
+        Self(literal)
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        let (s, c) = Real::sin_cos(self.0);
+        (Self(s), Self(c))
+    }
+    fn atan2(self, x: Self) -> Self {
+        Self(Real::atan2(self.0, x.0))
+    }
+    fn exp(self) -> Self {
+        Self(Real::exp(self.0))
+    }
+    fn ln(self) -> Self {
+        Self(Real::ln(self.0))
+    }
+    fn sqrt(self) -> Self {
+        Self(Real::sqrt(self.0))
+    }
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+    fn signum(self) -> Self {
+        Self(self.0.signum())
+    }
+    fn epsilon() -> Self {
+        Self(f64::EPSILON)
+    }
+    fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+    fn is_positive(self) -> bool {
+        self.0 > 0.0
+    }
+}
+
+/// Compares functions of one argument at points, relative to a result of at least `floor`.
+macro_rules! agree {
+    ($points:expr, $floor:expr; $($name:ident)*) => {
+        for x in $points {
+            $(
+                let (default, direct) = (Minimal(x).$name().0, Real::$name(x));
+                let error = (default - direct).abs() / direct.abs().max($floor);
+                assert!(error < 4e-15, "{}({x}): {default} against {direct}", stringify!($name));
+            )*
+        }
+    };
+}
+
+#[test]
+fn defaults_agree_with_the_functions_of_f64() {
+    agree!([-3.0, -0.9, -1e-9, 1e-9, 0.3, 2.0, 20.0], 1e-300; sin cos tan atan asinh recip);
+    agree!([-0.99, -0.3, -1e-9, 1e-9, 0.4, 0.999], 1e-300; asin acos atanh ln_1p);
+    agree!([-30.0, -2.0, 0.1, 5.0, 700.0], 1e-300; sinh cosh tanh);
+    agree!([-30.0, -1e-9, 1e-9, 0.5], 1.0; exp_m1 sinh tanh);
+    agree!([1.0, 1.1, 1.5, 1e6], 1e-300; acosh);
+    agree!([-8.0, -0.5, 0.0, 0.3, 27.0], 1e-300; cbrt);
+    assert_eq!(Minimal(3.0).hypot(Minimal(4.0)).0, 5.0);
+    assert!((Minimal(2.5).powf(Minimal(-1.5)).0 - Real::powf(2.5, -1.5)).abs() < 1e-16);
+}
+
+#[test]
+fn integer_powers_of_either_sign() {
+    assert_eq!(Real::powi(3.0_f64, 5), 243.0);
+    assert_eq!(Real::powi(-2.0_f64, -3), -0.125);
+    assert_eq!(Real::powi(0.0_f64, 0), 1.0);
+    assert_eq!(Real::powi(1.0_f64, i32::MIN), 1.0);
+}
+
+#[test]
+fn positive_means_above_zero_and_a_number() {
+    assert!(Real::is_positive(f64::MIN_POSITIVE));
+    for x in [0.0, -0.0, -1.0, f64::NAN] {
+        assert!(!Real::is_positive(x), "{x}");
+    }
+}
+
+/// Free fall with M = 2 of any scalar, solved by both factorisations.
+struct Fall<R>(R);
+
+impl<R: Real> System<1> for Fall<R> {
+    type Scalar = R;
+    type Constants = R;
+    fn constants(&self) -> R {
+        self.0
+    }
+    fn accelerations_at(&self, g: &R, _: R, _: &[R; 1], _: &[R; 1], _: &[R; 0]) -> Result<[R; 1], Cause> {
+        let two = R::from_f64(2.0);
+        let singular = |pivot| Cause::SingularMassMatrix { pivot };
+        let a = Ldlt::factor([[two]]).map_err(singular)?.solve([-*g]);
+        let b = Lu::factor([[two]]).map_err(singular)?.solve([-*g]);
+        Ok([a[0] + b[0]])
+    }
+    fn energy_at(&self, g: &R, _: R, q: &[R; 1], v: &[R; 1]) -> R {
+        v[0] * v[0] + R::from_f64(2.0) * *g * q[0]
+    }
+}
+
+#[test]
+fn any_scalar_runs_through_both_integrators() {
+    let (height, g) = (Minimal(0.0), Minimal(10.0));
+    let fall = Fall(g);
+    let mut motion = fall.simulate(State::at_rest([height])).with_tolerance(Minimal(1e-12));
+    assert!((motion.advance_to(Minimal(2.0)).unwrap().q[0].0 + 20.0).abs() < 1e-13);
+    let fall = Fall(10.0_f32);
+    let mut motion = fall.simulate(State::at_rest([0.0]));
+    assert!((motion.advance_to(2.0).unwrap().q[0] + 20.0).abs() < 1e-4);
+    let mut motion = fall.stepper::<Rk4>(State::at_rest([0.0]));
+    assert!((motion.step(2.0, &[]).unwrap().q[0] + 20.0).abs() < 1e-5);
+}

@@ -1,0 +1,320 @@
+//! [`Simulation`]: a motion under error control, its samples and its inputs.
+//!
+//! The integrator takes steps of its own choice and may be ahead of the state that the caller sees.
+//! [`Simulation::advance_to`] shortens the last step to land exactly on its target; [`Simulation::every`]
+//! leaves the steps alone and reads between them from a polynomial whose error is of the order of the tolerance.
+//! After a sample inside a step, `advance_to` goes on from the ends of that step, never from the sample,
+//! so sampling costs no accuracy. A change of inputs does restart at the state that the caller sees.
+
+use crate::error::{Cause, MotionError};
+use crate::integrator::diagnose;
+use crate::integrator::dop853::Dop853;
+pub use crate::integrator::dop853::Steps;
+use crate::integrator::step_size::Limits;
+use crate::real::Ordered;
+use crate::state::State;
+use crate::system::System;
+
+/// Where the inputs of a system come from.
+pub trait Control<R, const N: usize, const K: usize> {
+    /// The inputs at a state. Called several times a step, also at trial states: it must depend on nothing else.
+    fn inputs(&self, state: &State<R, N>) -> [R; K];
+}
+
+/// Inputs that stay what they are until they are set again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held<R, const K: usize>(pub [R; K]);
+
+impl<R: Copy, const N: usize, const K: usize> Control<R, N, K> for Held<R, K> {
+    #[inline]
+    fn inputs(&self, _: &State<R, N>) -> [R; K] {
+        self.0
+    }
+}
+
+/// Inputs as a function of the state.
+#[derive(Clone, Copy, Debug)]
+pub struct Feedback<F>(pub F);
+
+impl<R, F: Fn(&State<R, N>) -> [R; K], const N: usize, const K: usize> Control<R, N, K> for Feedback<F> {
+    #[inline]
+    fn inputs(&self, state: &State<R, N>) -> [R; K] {
+        (self.0)(state)
+    }
+}
+
+/// A motion of `system` by Dormand–Prince 8(5,3), with inputs from `C`.
+#[derive(Clone, Copy, Debug)]
+pub struct Simulation<'a, S: System<N, K>, C, const N: usize, const K: usize = 0> {
+    system: &'a S,
+    constants: S::Constants,
+    control: C,
+    limits: Limits<S::Scalar>,
+    method: Dop853<S::Scalar, N>,
+    /// What the caller sees: the end of the step, or a sample inside it.
+    state: State<S::Scalar, N>,
+}
+
+impl<'a, S, const N: usize, const K: usize> Simulation<'a, S, Held<S::Scalar, K>, N, K>
+where
+    S: System<N, K>,
+    S::Scalar: Ordered,
+{
+    /// A motion from `start` with inputs at zero.
+    #[inline]
+    pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
+        let control = Held([num_traits::Zero::zero(); K]);
+        let method = Dop853::new(start);
+        Self { system, constants: system.constants(), control, limits: Limits::new(), method, state: start }
+    }
+
+    /// Holds these inputs.
+    #[inline]
+    #[must_use]
+    pub fn with_inputs(mut self, inputs: [S::Scalar; K]) -> Self {
+        self.set_inputs(inputs);
+        self
+    }
+
+    /// Holds these inputs from [`Simulation::state`] on. The motion goes on from exactly that state.
+    #[inline]
+    pub fn set_inputs(&mut self, inputs: [S::Scalar; K]) {
+        if inputs != self.control.0 {
+            self.control.0 = inputs;
+            self.method.restart(self.state);
+        }
+    }
+
+    /// Takes the inputs from a function of the state (continuous feedback) from here on.
+    #[inline]
+    #[must_use]
+    pub fn with_control<F>(mut self, control: F) -> Simulation<'a, S, Feedback<F>, N, K>
+    where
+        F: Fn(&State<S::Scalar, N>) -> [S::Scalar; K],
+    {
+        self.method.restart(self.state);
+        let Self { system, constants, limits, method, state, .. } = self;
+        Simulation { system, constants, control: Feedback(control), limits, method, state }
+    }
+}
+
+impl<S, C, const N: usize, const K: usize> Simulation<'_, S, C, N, K>
+where
+    S: System<N, K>,
+    S::Scalar: Ordered,
+    C: Control<S::Scalar, N, K>,
+{
+    /// Tolerated local error, relative and absolute alike. Default 1e-10, for `f32` 100 ε.
+    #[inline]
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: S::Scalar) -> Self {
+        self.with_tolerances(tolerance, tolerance)
+    }
+
+    /// Tolerated local error of a component y: `absolute` + `relative` · |y|. Below rounding a tolerance
+    /// means rounding.
+    #[inline]
+    #[must_use]
+    pub fn with_tolerances(mut self, relative: S::Scalar, absolute: S::Scalar) -> Self {
+        (self.limits.relative, self.limits.absolute) = (relative, absolute);
+        self
+    }
+
+    /// Longest step \[s], for systems with short events that a long step might jump over.
+    #[inline]
+    #[must_use]
+    pub fn with_step_limit(mut self, longest: S::Scalar) -> Self {
+        self.limits.step = Some(longest);
+        self
+    }
+
+    /// Steps, rejected ones included, that one call of `advance_to` or one sample may take. Default 10 million.
+    #[inline]
+    #[must_use]
+    pub fn with_max_steps(mut self, steps: u64) -> Self {
+        self.limits.attempts = steps;
+        self
+    }
+
+    /// The state: the last one reached or sampled without error.
+    #[inline]
+    pub fn state(&self) -> &State<S::Scalar, N> {
+        &self.state
+    }
+
+    /// Time of the state \[s].
+    #[inline]
+    pub fn t(&self) -> S::Scalar {
+        self.state.t
+    }
+
+    /// T + V at the state.
+    #[inline]
+    pub fn energy(&self) -> S::Scalar {
+        self.system.energy_at(&self.constants, self.state.t, &self.state.q, &self.state.v)
+    }
+
+    /// Inputs at the state.
+    #[inline]
+    pub fn inputs(&self) -> [S::Scalar; K] {
+        self.control.inputs(&self.state)
+    }
+
+    /// What the motion has cost so far.
+    #[inline]
+    pub fn steps(&self) -> Steps {
+        self.method.counts
+    }
+
+    /// Moves to exactly time `t` \[s], forward or backward, and returns the state there.
+    ///
+    /// # Errors
+    /// [`Cause::InvalidTime`], `InvalidTolerance`, `InvalidStep` for bad arguments; [`Cause::NotFinite`] for a bad
+    /// start or bad parameters; the system's own cause, `NotFinite` or [`Cause::StepTooSmall`] where the motion
+    /// cannot go on, with the time; [`Cause::TooManySteps`]. The state is then the last good one before that.
+    #[inline]
+    pub fn advance_to(&mut self, t: S::Scalar) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
+        self.check(t)?;
+        if t != self.state.t {
+            if self.method.end.state.t != t && !self.method.ahead(t) {
+                self.method.rewind();
+            }
+            let mut attempts = self.limits.attempts;
+            while self.method.end.state.t != t {
+                if let Err(error) = self.step(t, true, &mut attempts) {
+                    let reached = self.method.end.state;
+                    // After a rewind the sample may be further than what was reached.
+                    if (t - reached.t) * (t - reached.t) < (t - self.state.t) * (t - self.state.t) {
+                        self.state = reached;
+                    }
+                    return Err(error);
+                }
+            }
+            self.state = self.method.end.state;
+        }
+        Ok(&self.state)
+    }
+
+    /// Moves by `dt` \[s], backward if negative.
+    ///
+    /// # Errors
+    /// As [`Simulation::advance_to`].
+    #[inline]
+    pub fn advance_by(&mut self, dt: S::Scalar) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
+        self.advance_to(self.state.t + dt)
+    }
+
+    /// States at t + k·`dt` for k = 0, 1, 2, … from the present t on, backward if `dt` \[s] is negative.
+    ///
+    /// The iterator has no end of its own; after an error it gives the error once and then `None`. The state
+    /// of the motion is that of the last sample.
+    #[inline]
+    pub fn every(&mut self, dt: S::Scalar) -> Samples<'_, Self, S::Scalar> {
+        let start = self.state.t;
+        Samples { motion: self, start, dt, next: Some(0) }
+    }
+
+    /// Moves to time `t` by interpolation within the integrator's own steps.
+    #[inline]
+    fn sample(&mut self, t: S::Scalar) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
+        self.check(t)?;
+        if t != self.state.t {
+            let mut attempts = self.limits.attempts;
+            while !self.method.covers(t) {
+                if !self.method.ahead(t) {
+                    self.method.rewind();
+                }
+                self.step(t, false, &mut attempts)?;
+            }
+            let Self { system, constants, control, method, .. } = self;
+            let found = method.sample(&field(*system, constants, control), t);
+            self.state = found.map_err(|cause| MotionError { cause, t: self.state.t })?;
+        }
+        Ok(self.state)
+    }
+
+    /// One step of the integrator towards `target`.
+    #[inline]
+    fn step(
+        &mut self,
+        target: S::Scalar,
+        land: bool,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>> {
+        let Self { system, constants, control, limits, method, .. } = self;
+        method
+            .step(&field(*system, constants, control), limits, target, land, attempts)
+            .map_err(|error| diagnose(*system, constants, &method.end.state, error.cause))
+    }
+
+    /// Refuses a bad target or bad limits.
+    #[inline]
+    fn check(&self, t: S::Scalar) -> Result<(), MotionError<S::Scalar>> {
+        use crate::real::Real;
+        let verdict = if t.is_finite() { self.limits.check() } else { Err(Cause::InvalidTime) };
+        verdict.map_err(|cause| MotionError { cause, t: self.state.t })
+    }
+}
+
+/// The accelerations of `system` under `control`, as the integrator wants them.
+#[inline(always)]
+fn field<R, S, C, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    control: &C,
+) -> impl Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>
+where
+    R: Ordered,
+    S: System<N, K, Scalar = R>,
+    C: Control<R, N, K>,
+{
+    move |t, q, v| {
+        let u = control.inputs(&State { t, q: *q, v: *v });
+        system.accelerations_at(constants, t, q, v, &u)
+    }
+}
+
+/// Samples of a motion at equal intervals; see [`Simulation::every`].
+#[derive(Debug)]
+pub struct Samples<'m, M, R> {
+    motion: &'m mut M,
+    start: R,
+    dt: R,
+    /// Number of the next sample; `None` after an error.
+    next: Option<u64>,
+}
+
+impl<S, C, const N: usize, const K: usize> Iterator for Samples<'_, Simulation<'_, S, C, N, K>, S::Scalar>
+where
+    S: System<N, K>,
+    S::Scalar: Ordered,
+    C: Control<S::Scalar, N, K>,
+{
+    type Item = Result<State<S::Scalar, N>, MotionError<S::Scalar>>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        use crate::real::Real;
+        let k = self.next?;
+        let result = if self.dt.is_finite() && self.dt != num_traits::Zero::zero() {
+            // A product, not a sum: the time of a late sample is as exact as that of an early one.
+            self.motion.sample(self.start + S::Scalar::from_f64(k as f64) * self.dt)
+        } else {
+            Err(MotionError { cause: Cause::InvalidStep, t: self.start })
+        };
+        self.next = result.is_ok().then_some(k.wrapping_add(1));
+        Some(result)
+    }
+}
+
+impl<S, C, const N: usize, const K: usize> core::iter::FusedIterator
+    for Samples<'_, Simulation<'_, S, C, N, K>, S::Scalar>
+where
+    S: System<N, K>,
+    S::Scalar: Ordered,
+    C: Control<S::Scalar, N, K>,
+{
+}
+
+#[cfg(test)]
+mod tests;

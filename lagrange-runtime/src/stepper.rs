@@ -1,0 +1,75 @@
+//! [`Stepper`]: a motion in steps that the caller chooses, as a control loop does.
+//!
+//! No error control: the accuracy is the method's order and the caller's step. Time is summed with compensation,
+//! so a million steps of 1 ms end within a rounding of 1000 s.
+
+use crate::error::{Cause, MotionError};
+use crate::integrator::{FixedStep, diagnose};
+use crate::real::Real;
+use crate::state::State;
+use crate::system::System;
+
+/// A motion of `system` in fixed steps by method `M`.
+#[derive(Clone, Copy, Debug)]
+pub struct Stepper<'a, S: System<N, K>, M, const N: usize, const K: usize = 0> {
+    system: &'a S,
+    constants: S::Constants,
+    method: M,
+    state: State<S::Scalar, N>,
+    /// What rounding took from the time.
+    residue: S::Scalar,
+}
+
+impl<'a, S, M, const N: usize, const K: usize> Stepper<'a, S, M, N, K>
+where
+    S: System<N, K>,
+    M: FixedStep<S, N, K>,
+{
+    /// A motion from `start`.
+    #[inline]
+    pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
+        let constants = system.constants();
+        Self { system, constants, method: M::default(), state: start, residue: num_traits::Zero::zero() }
+    }
+
+    /// Goes on by `h` \[s] (backward if negative) with the inputs `u` held, and returns the state there.
+    ///
+    /// # Errors
+    /// [`Cause::InvalidStep`] for an `h` that is not finite, the system's own cause, or [`Cause::NotFinite`] if
+    /// the result is not. The state is then still the one before the step.
+    #[inline]
+    pub fn step(
+        &mut self,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
+        let from = &self.state;
+        if !h.is_finite() {
+            return Err(MotionError { cause: Cause::InvalidStep, t: from.t });
+        }
+        let mut next = self
+            .method
+            .step(self.system, &self.constants, from, h, u)
+            .map_err(|cause| diagnose(self.system, &self.constants, from, cause))?;
+        let increment = h + self.residue;
+        next.t = from.t + increment;
+        if !next.is_finite() {
+            return Err(MotionError { cause: Cause::NotFinite, t: from.t });
+        }
+        self.residue = increment - (next.t - from.t);
+        self.state = next;
+        Ok(&self.state)
+    }
+
+    /// The state after the last good step.
+    #[inline]
+    pub fn state(&self) -> &State<S::Scalar, N> {
+        &self.state
+    }
+
+    /// T + V at the state.
+    #[inline]
+    pub fn energy(&self) -> S::Scalar {
+        self.system.energy_at(&self.constants, self.state.t, &self.state.q, &self.state.v)
+    }
+}

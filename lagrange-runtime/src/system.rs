@@ -1,0 +1,62 @@
+//! [`System`]: what generated code implements, and the two ways to run it.
+
+use crate::error::Cause;
+use crate::integrator::FixedStep;
+use crate::real::{Ordered, Real};
+use crate::simulation::{Held, Simulation};
+use crate::state::State;
+use crate::stepper::Stepper;
+
+/// A mechanical system with `N` coordinates and `K` inputs: a = M⁻¹ f(t, q, v, u).
+pub trait System<const N: usize, const K: usize = 0> {
+    /// The scalar of parameters, states and inputs.
+    type Scalar: Real;
+
+    /// Subexpressions of parameters alone, computed once per run.
+    type Constants: Copy;
+
+    /// Evaluates [`System::Constants`].
+    fn constants(&self) -> Self::Constants;
+
+    /// Accelerations that solve M a = f.
+    ///
+    /// # Errors
+    /// [`Cause::SingularMassMatrix`] where M has no inverse.
+    fn accelerations_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> Result<[Self::Scalar; N], Cause>;
+
+    /// T + V, or the energy function v·∂L/∂v − L where L is given directly.
+    fn energy_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+    ) -> Self::Scalar;
+
+    /// A motion from `start` under error control, with inputs at zero until they are set.
+    #[inline]
+    fn simulate(&self, start: State<Self::Scalar, N>) -> Simulation<'_, Self, Held<Self::Scalar, K>, N, K>
+    where
+        Self: Sized,
+        Self::Scalar: Ordered,
+    {
+        Simulation::new(self, start)
+    }
+
+    /// A motion from `start` in steps that the caller chooses, by method `M`: `stepper::<Rk4>(start)`.
+    #[inline]
+    fn stepper<M>(&self, start: State<Self::Scalar, N>) -> Stepper<'_, Self, M, N, K>
+    where
+        Self: Sized,
+        M: FixedStep<Self, N, K>,
+    {
+        Stepper::new(self, start)
+    }
+}
