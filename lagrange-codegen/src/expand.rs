@@ -1,9 +1,11 @@
 //! The pipeline on one screen: tokens → Item → Model → Equations → Facts, Solution → tokens.
 
-use proc_macro2::TokenStream;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
-use crate::diagnostics::Diagnostics;
+use crate::diagnostics::{Diagnostics, physics};
 use crate::emit::{Emission, emit};
 use crate::schedule::plan;
 use crate::structure::{Facts, Solution};
@@ -14,12 +16,16 @@ use crate::{lower, mechanics, syntax};
 /// and as much of the user's item as lets the compiler be silent about the rest.
 pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
-    let expansion = try_expand(args.clone(), item.clone(), default_crate, &mut diagnostics);
-    expansion.unwrap_or_else(|| {
-        let messages = diagnostics.to_tokens();
-        let recovered = syntax::recover(args, item);
-        quote!(#messages #recovered)
-    })
+    let attempt = || try_expand(args.clone(), item.clone(), default_crate, &mut diagnostics);
+    // A panic is always a bug of ours; as an error on the attribute it can be reported as one.
+    match catch_unwind(AssertUnwindSafe(attempt)) {
+        Ok(Some(expansion)) => return expansion,
+        Ok(None) => {}
+        Err(_) => diagnostics.error(Span::call_site(), physics::internal_error()),
+    }
+    let messages = diagnostics.to_tokens();
+    let recovered = syntax::recover(args, item);
+    quote!(#messages #recovered)
 }
 
 fn try_expand(

@@ -39,16 +39,9 @@ pub fn ldlt<R: Real, const N: usize>(
 /// # Errors
 /// [`Cause::SingularMassMatrix`] with the coordinate of the failing pivot.
 #[inline]
-pub fn lu<R: Real, const N: usize>(
-    mut mass: [[R; N]; N],
-    coordinates: &[usize; N],
-) -> Result<Lu<R, N>, Cause> {
-    for row in 0..N {
-        for column in row + 1..N {
-            mass[row][column] = mass[column][row];
-        }
-    }
-    Lu::factor(mass).map_err(|row| singular(row, coordinates))
+pub fn lu<R: Real, const N: usize>(mass: [[R; N]; N], coordinates: &[usize; N]) -> Result<Lu<R, N>, Cause> {
+    let whole = core::array::from_fn(|i| core::array::from_fn(|j| mass[i.max(j)][i.min(j)]));
+    Lu::factor(whole).map_err(|row| singular(row, coordinates))
 }
 
 fn singular<const N: usize>(row: usize, coordinates: &[usize; N]) -> Cause {

@@ -10,6 +10,8 @@ mod forward;
 mod local;
 mod reverse;
 mod substitute;
+#[cfg(test)]
+mod tests;
 
 pub use degree::{Degrees, first_beyond_degree, velocity_degrees};
 pub use forward::pushforward;

@@ -63,3 +63,9 @@ pub fn unused_input(input: &str) -> String {
          remove it, or say `allow(unused_input)` in the attribute"
     )
 }
+
+/// A panic of the macro.
+pub fn internal_error() -> &'static str {
+    "`#[lagrangian]` failed on this description without knowing why, which is a bug of the `lagrangian` crate; \
+     please report it with the description"
+}

@@ -125,7 +125,7 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
 }
 
 /// Conservative part of the bias: ∂V/∂q.
-pub(super) fn conservative(model: &mut Model, _motion: &Motion) -> Loads {
+pub(super) fn conservative(model: &mut Model) -> Loads {
     let one = model.graph.one();
     Loads { through_q: model.potential.iter().map(|term| (term.value, one)).collect(), ..Loads::default() }
 }

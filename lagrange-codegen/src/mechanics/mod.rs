@@ -65,7 +65,7 @@ impl Equations {
 /// Derives the equations of motion, or reports why there are none.
 pub fn derive(model: &mut Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mut Diagnostics) -> Option<Equations> {
     let motion = Motion::of(model);
-    validate::contributions(model, &motion, allows, diagnostics);
+    validate::contributions(model, allows, diagnostics);
     if diagnostics.has_errors() {
         return None;
     }
@@ -73,7 +73,7 @@ pub fn derive(model: &mut Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mu
     let mass = equations::mass_matrix(model, &motion, &momenta);
     validate::inertia(model, &mass, diagnostics);
     let inertial = equations::inertial(model, &motion, &momenta);
-    let conservative = equations::conservative(model, &motion);
+    let conservative = equations::conservative(model);
     let applied_loads = forces::loads(model, &motion);
     let bias = inertial.clone().joined(conservative.clone()).sweep(model, &motion);
     let applied = applied_loads.clone().negated(model).sweep(model, &motion);

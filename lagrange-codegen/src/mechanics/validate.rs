@@ -1,15 +1,13 @@
 //! Physics that cannot be right: reported on the user's own expression, never ignored.
 
-use super::motion::Motion;
 use crate::calculus::{first_beyond_degree, velocity_degrees};
 use crate::diagnostics::{Diagnostics, Origin, physics};
-use crate::expr::{Dependence, Graph, NodeId, Variable};
+use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::{Action, Attitude, Model};
 
 /// Contributions that have no effect or the wrong form.
 pub(super) fn contributions(
     model: &Model,
-    motion: &Motion,
     allows: &dyn Fn(&str) -> bool,
     diagnostics: &mut Diagnostics,
 ) {
@@ -73,7 +71,6 @@ pub(super) fn contributions(
             complain(force.origin, physics::no_effect("force", &force.name), diagnostics);
         }
     }
-    let _ = motion;
 }
 
 /// Coordinates that no inertia belongs to.
@@ -120,7 +117,7 @@ pub(super) fn inputs(
 fn used_inputs(graph: &Graph, roots: &[NodeId], count: usize) -> Vec<bool> {
     let mut used = vec![false; count];
     for id in graph.cone(roots.iter().copied()) {
-        if let crate::expr::Node::Variable(Variable::Input(input)) = graph.node(id) {
+        if let Node::Variable(Variable::Input(input)) = graph.node(id) {
             used[*input as usize] = true;
         }
     }

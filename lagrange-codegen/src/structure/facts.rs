@@ -1,6 +1,6 @@
 //! Facts about the equations of motion, and the report of what was found and left out.
 
-use crate::expr::{Dependence, Graph, NodeId, Variable};
+use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::mechanics::Equations;
 use crate::model::Model;
 
@@ -92,7 +92,7 @@ impl Facts {
 fn appearing_coordinates(graph: &Graph, roots: &[NodeId], count: usize) -> Vec<bool> {
     let mut appearing = vec![false; count];
     for id in graph.cone(roots.iter().copied()) {
-        if let crate::expr::Node::Variable(Variable::Coordinate(i)) = graph.node(id) {
+        if let Node::Variable(Variable::Coordinate(i)) = graph.node(id) {
             appearing[*i as usize] = true;
         }
     }

@@ -5,7 +5,7 @@ use crate::integrator::Rk4;
 use crate::linear::{Ldlt, Lu};
 use crate::{Cause, State, System};
 
-/// A scalar with the ten required functions alone.
+/// A scalar with the required functions alone.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 struct Minimal(f64);
 
