@@ -44,7 +44,10 @@ struct Record {
 /// Measures all systems, or the one that is named.
 pub fn run(only: Option<&str>, json: Option<&Path>) -> Result<(), Box<dyn Error>> {
     let mut records = Vec::new();
-    println!("{:10} {:12} {:>10} {:>8}   recorded: CasADi C, SymForce C", "system", "subject", "ns", "/ hand");
+    println!(
+        "{:10} {:12} {:>10} {:>8}   recorded: CasADi C, SymForce C",
+        "system", "subject", "ns", "/ hand"
+    );
     systems::for_each(&mut |case: &dyn Case| {
         if only.is_some_and(|name| name != case.name()) {
             return;
@@ -63,10 +66,13 @@ pub fn run(only: Option<&str>, json: Option<&Path>) -> Result<(), Box<dyn Error>
             }
         }
         let medians: Vec<f64> = times.iter_mut().map(|times| median(times)).collect();
-        let hand = subjects.iter().position(|&subject| subject == "hand").map_or(f64::NAN, |place| medians[place]);
+        let hand =
+            subjects.iter().position(|&subject| subject == "hand").map_or(f64::NAN, |place| medians[place]);
         for (&subject, &ns) in subjects.iter().zip(&medians) {
             let recorded = match RECORDED.iter().find(|(name, ..)| *name == case.name()) {
-                Some((_, casadi, symforce)) if subject == "generated" => format!("{casadi:.2}, {symforce:.2}"),
+                Some((_, casadi, symforce)) if subject == "generated" => {
+                    format!("{casadi:.2}, {symforce:.2}")
+                }
                 _ => String::new(),
             };
             println!("{:10} {:12} {ns:10.2} {:8.2}   {recorded}", case.name(), subject, ns / hand);

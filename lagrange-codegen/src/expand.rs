@@ -48,7 +48,12 @@ fn try_expand(
     if diagnostics.has_errors() {
         return None;
     }
-    let emission =
-        Emission { item: &item, model: &mut model, equations: &equations, facts: &facts, solution: &solution };
+    let emission = Emission {
+        item: &item,
+        model: &mut model,
+        equations: &equations,
+        facts: &facts,
+        solution: &solution,
+    };
     Some(emit(emission, before, diagnostics))
 }

@@ -43,7 +43,11 @@ impl Number {
 
     /// An exponent that counts halves, as a number.
     pub fn halves(count: i32) -> Number {
-        if count % 2 == 0 { Number::integer(i128::from(count / 2)) } else { Number::Ratio(i128::from(count), 2) }
+        if count % 2 == 0 {
+            Number::integer(i128::from(count / 2))
+        } else {
+            Number::Ratio(i128::from(count), 2)
+        }
     }
 
     /// The exact value of a decimal literal such as `6.674_30e-11` (without suffix).

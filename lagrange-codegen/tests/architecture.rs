@@ -124,6 +124,9 @@ fn hash_maps_cannot_be_iterated() {
 
 #[test]
 fn the_rules_catch_a_planted_fault() {
-    assert_eq!(named_modules("use crate::emit::emit; use crate::{lower, mechanics};"), ["emit", "lower", "mechanics"]);
+    assert_eq!(
+        named_modules("use crate::emit::emit; use crate::{lower, mechanics};"),
+        ["emit", "lower", "mechanics"]
+    );
     assert!(layer("emit") > layer("expr"));
 }

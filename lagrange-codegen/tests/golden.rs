@@ -11,8 +11,12 @@ use syn::{Item, Meta};
 
 fn expansion(source: &str) -> String {
     let file: syn::File = syn::parse_str(source).expect("the description is Rust");
-    let Some(Item::Impl(mut block)) = file.items.into_iter().next() else { panic!("the file holds one impl block") };
-    let Meta::List(arguments) = block.attrs.remove(0).meta else { panic!("the first attribute is the macro's") };
+    let Some(Item::Impl(mut block)) = file.items.into_iter().next() else {
+        panic!("the file holds one impl block")
+    };
+    let Meta::List(arguments) = block.attrs.remove(0).meta else {
+        panic!("the first attribute is the macro's")
+    };
     let tokens: TokenStream =
         lagrange_codegen::expand(arguments.tokens, block.into_token_stream(), "::lagrangian");
     prettyplease::unparse(&syn::parse2(tokens).expect("the expansion is Rust"))

@@ -7,10 +7,10 @@
 //! so sampling costs no accuracy. A change of inputs does restart at the state that the caller sees.
 
 use crate::error::{Cause, MotionError};
-use crate::integrator::diagnose;
 use crate::integrator::dop853::Dop853;
 pub use crate::integrator::dop853::Steps;
 use crate::integrator::step_size::Limits;
+use crate::integrator::{Field, diagnose};
 use crate::real::Ordered;
 use crate::state::State;
 use crate::system::System;
@@ -227,7 +227,7 @@ where
                 self.step(t, false, &mut attempts)?;
             }
             let Self { system, constants, control, method, .. } = self;
-            let found = method.sample(&field(*system, constants, control), t);
+            let found = method.sample(&Driven { system: *system, constants, control }, t);
             self.state = found.map_err(|cause| MotionError { cause, t: self.state.t })?;
         }
         Ok(self.state)
@@ -242,9 +242,7 @@ where
         attempts: &mut u64,
     ) -> Result<(), MotionError<S::Scalar>> {
         let Self { system, constants, control, limits, method, .. } = self;
-        method
-            .step(&field(*system, constants, control), limits, target, land, attempts)
-            .map_err(|error| diagnose(*system, constants, &method.end.state, error.cause))
+        method.step(&Driven { system: *system, constants, control }, limits, target, land, attempts)
     }
 
     /// Refuses a bad target or bad limits.
@@ -256,21 +254,27 @@ where
     }
 }
 
-/// The accelerations of `system` under `control`, as the integrator wants them.
-#[inline(always)]
-fn field<R, S, C, const N: usize, const K: usize>(
-    system: &S,
-    constants: &S::Constants,
-    control: &C,
-) -> impl Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>
+/// A system under control, as the integrator wants it.
+struct Driven<'a, S: System<N, K>, C, const N: usize, const K: usize> {
+    system: &'a S,
+    constants: &'a S::Constants,
+    control: &'a C,
+}
+
+impl<S, C, const N: usize, const K: usize> Field<S::Scalar, N> for Driven<'_, S, C, N, K>
 where
-    R: Ordered,
-    S: System<N, K, Scalar = R>,
-    C: Control<R, N, K>,
+    S: System<N, K>,
+    C: Control<S::Scalar, N, K>,
 {
-    move |t, q, v| {
-        let u = control.inputs(&State { t, q: *q, v: *v });
-        system.accelerations_at(constants, t, q, v, &u)
+    #[inline(always)]
+    fn accelerations(&self, t: S::Scalar, q: &[S::Scalar; N], v: &[S::Scalar; N]) -> [S::Scalar; N] {
+        let u = self.control.inputs(&State { t, q: *q, v: *v });
+        self.system.accelerations_at(self.constants, t, q, v, &u)
+    }
+
+    #[cold]
+    fn cause(&self, t: S::Scalar, q: &[S::Scalar; N], v: &[S::Scalar; N]) -> Cause {
+        diagnose(self.system, self.constants, t, q, v)
     }
 }
 

@@ -1,51 +1,121 @@
-//! Solving M a = f in generated code: checks of pivots and factorisations with the cause of a
-//! failure. Reached through `__private` only.
+//! Solving M a = f in generated code. Reached through `__private` only.
+//!
+//! Nothing here branches away from the straight line: a matrix without an inverse gives NaN, which the integrator
+//! notices, and the functions `check…` then say which coordinate it is. A pivot counts as zero where it is below
+//! the rounding errors of what it was subtracted from.
 
-use crate::error::Cause;
+use crate::error::{Cause, MotionError};
+use crate::integrator::diagnose;
 use crate::linear::{Ldlt, Lu};
 use crate::real::Real;
+use crate::state::State;
+use crate::system::System;
 
-/// A pivot below this many roundings of what it was computed from carries no digit.
+/// A pivot below this many roundings of its scale carries no digit.
 const ROUNDINGS: f64 = 8.0;
 
-/// Checks a pivot of a factorisation that is written out: it must be positive, and above the
-/// rounding errors of `scale`, the entry that eliminations were subtracted from.
+/// Whether a pivot is positive, and above the rounding errors of `scale`.
+#[inline(always)]
+fn carries<R: Real>(value: R, scale: R) -> bool {
+    Real::is_positive(value - R::from_f64(ROUNDINGS) * R::epsilon() * scale)
+}
+
+/// The pivot itself, or NaN where it carries no digit.
+#[inline(always)]
+pub fn pivot<R: Real>(value: R, scale: R) -> R {
+    if carries(value, scale) { value } else { R::from_f64(f64::NAN) }
+}
+
+/// Checks a pivot of a factorisation that is written out.
 ///
 /// # Errors
 /// [`Cause::SingularMassMatrix`] with the coordinate.
+#[inline]
+pub fn check<R: Real>(value: R, scale: R, coordinate: usize) -> Result<(), Cause> {
+    if carries(value, scale) { Ok(()) } else { Err(Cause::SingularMassMatrix { pivot: coordinate }) }
+}
+
+/// The accelerations if they are finite.
+///
+/// # Errors
+/// What is wrong at the state.
 #[inline(always)]
-pub fn pivot<R: Real>(value: R, scale: R, coordinate: usize) -> Result<(), Cause> {
-    if Real::is_positive(value - R::from_f64(ROUNDINGS) * R::epsilon() * scale) {
-        Ok(())
+pub fn finite<S: System<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &State<S::Scalar, N>,
+    accelerations: [S::Scalar; N],
+) -> Result<[S::Scalar; N], MotionError<S::Scalar>> {
+    if accelerations.iter().all(|a| a.is_finite()) {
+        Ok(accelerations)
     } else {
-        Err(Cause::SingularMassMatrix { pivot: coordinate })
+        Err(MotionError { cause: diagnose(system, constants, state.t, &state.q, &state.v), t: state.t })
     }
 }
 
-/// Factors the lower triangle of a positive definite block of the mass matrix.
+/// A factorisation of a block of the mass matrix from its lower triangle; `None` where it is singular.
+pub trait Factor<R, const N: usize>: Sized {
+    /// Factors.
+    ///
+    /// # Errors
+    /// The row of the pivot that vanishes.
+    fn factor(lower: [[R; N]; N]) -> Result<Self, usize>;
+
+    /// Solves for one right-hand side.
+    fn solve(&self, right: [R; N]) -> [R; N];
+}
+
+impl<R: Real, const N: usize> Factor<R, N> for Ldlt<R, N> {
+    #[inline]
+    fn factor(lower: [[R; N]; N]) -> Result<Self, usize> {
+        Ldlt::factor(lower)
+    }
+
+    #[inline]
+    fn solve(&self, right: [R; N]) -> [R; N] {
+        Ldlt::solve(self, right)
+    }
+}
+
+impl<R: Real, const N: usize> Factor<R, N> for Lu<R, N> {
+    #[inline]
+    fn factor(lower: [[R; N]; N]) -> Result<Self, usize> {
+        Lu::factor(core::array::from_fn(|i| core::array::from_fn(|j| lower[i.max(j)][i.min(j)])))
+    }
+
+    #[inline]
+    fn solve(&self, right: [R; N]) -> [R; N] {
+        Lu::solve(self, right)
+    }
+}
+
+/// Factors a block; the factorisation of a singular one is `None`.
+#[inline]
+pub fn factor<F: Factor<R, N>, R: Real, const N: usize>(lower: [[R; N]; N]) -> Option<F> {
+    F::factor(lower).ok()
+}
+
+/// Solves with the factorisation of a block; NaN where there is none.
+#[inline]
+pub fn solve<F: Factor<R, N>, R: Real, const N: usize>(factor: &Option<F>, right: [R; N]) -> [R; N] {
+    match factor {
+        Some(factor) => factor.solve(right),
+        None => [R::from_f64(f64::NAN); N],
+    }
+}
+
+/// Checks a block that is factored here; `coordinates` are those of its rows.
 ///
 /// # Errors
-/// [`Cause::SingularMassMatrix`] with the coordinate of the failing pivot.
+/// [`Cause::SingularMassMatrix`] with the coordinate.
 #[inline]
-pub fn ldlt<R: Real, const N: usize>(
-    mass: [[R; N]; N],
+pub fn check_block<F: Factor<R, N>, R: Real, const N: usize>(
+    lower: [[R; N]; N],
     coordinates: &[usize; N],
-) -> Result<Ldlt<R, N>, Cause> {
-    Ldlt::factor(mass).map_err(|row| singular(row, coordinates))
-}
-
-/// Factors the lower triangle of a symmetric block of any signature.
-///
-/// # Errors
-/// [`Cause::SingularMassMatrix`] with the coordinate of the failing pivot.
-#[inline]
-pub fn lu<R: Real, const N: usize>(mass: [[R; N]; N], coordinates: &[usize; N]) -> Result<Lu<R, N>, Cause> {
-    let whole = core::array::from_fn(|i| core::array::from_fn(|j| mass[i.max(j)][i.min(j)]));
-    Lu::factor(whole).map_err(|row| singular(row, coordinates))
-}
-
-fn singular<const N: usize>(row: usize, coordinates: &[usize; N]) -> Cause {
-    Cause::SingularMassMatrix { pivot: coordinates.get(row).copied().unwrap_or(row) }
+) -> Result<(), Cause> {
+    let singular =
+        |row: usize| Cause::SingularMassMatrix { pivot: coordinates.get(row).copied().unwrap_or(row) };
+    F::factor(lower).map(|_| ()).map_err(singular)
 }
 
 #[cfg(test)]
@@ -54,21 +124,25 @@ mod tests {
 
     #[test]
     fn vanishing_pivots_name_their_coordinate() {
-        assert_eq!(pivot(1e-3, 1.0, 4), Ok(()));
+        assert_eq!(check(1e-3, 1.0, 4), Ok(()));
+        assert_eq!(pivot(1e-3, 1.0), 1e-3);
         for value in [0.0, -1.0, 1e-16, f64::NAN] {
-            assert_eq!(pivot(value, 1.0, 4), Err(Cause::SingularMassMatrix { pivot: 4 }));
+            assert_eq!(check(value, 1.0, 4), Err(Cause::SingularMassMatrix { pivot: 4 }));
+            assert!(pivot(value, 1.0).is_nan());
         }
     }
 
     #[test]
-    fn a_block_names_the_coordinate_of_the_system() {
+    fn a_singular_block_gives_no_number_and_names_the_coordinate_of_the_system() {
         let singular = [[1.0, 0.0], [1.0, 1.0]];
-        assert_eq!(ldlt(singular, &[3, 5]).err(), Some(Cause::SingularMassMatrix { pivot: 5 }));
+        assert!(solve(&factor::<Ldlt<f64, 2>, _, 2>(singular), [1.0, 1.0]).iter().all(|x| x.is_nan()));
+        let cause = check_block::<Ldlt<f64, 2>, _, 2>(singular, &[3, 5]);
+        assert_eq!(cause, Err(Cause::SingularMassMatrix { pivot: 5 }));
     }
 
     #[test]
     fn indefinite_blocks_are_solved() {
         let hyperbolic = [[0.0, 0.0], [2.0, 0.0]];
-        assert_eq!(lu(hyperbolic, &[0, 1]).map(|factor| factor.solve([2.0, 4.0])), Ok([2.0, 1.0]));
+        assert_eq!(solve(&factor::<Lu<f64, 2>, _, 2>(hyperbolic), [2.0, 4.0]), [2.0, 1.0]);
     }
 }

@@ -35,8 +35,8 @@ where
     /// Goes on by `h` \[s] (backward if negative) with the inputs `u` held, and returns the state there.
     ///
     /// # Errors
-    /// [`Cause::InvalidStep`] for an `h` that is not finite, the system's own cause, or [`Cause::NotFinite`] if
-    /// the result is not. The state is then still the one before the step.
+    /// [`Cause::InvalidStep`] for an `h` that is not finite; where the result is not, the cause at the state before
+    /// the step: [`Cause::SingularMassMatrix`] or [`Cause::NotFinite`]. The state is then still that one.
     #[inline]
     pub fn step(
         &mut self,
@@ -47,14 +47,12 @@ where
         if !h.is_finite() {
             return Err(MotionError { cause: Cause::InvalidStep, t: from.t });
         }
-        let mut next = self
-            .method
-            .step(self.system, &self.constants, from, h, u)
-            .map_err(|cause| diagnose(self.system, &self.constants, from, cause))?;
+        let mut next = self.method.step(self.system, &self.constants, from, h, u);
         let increment = h + self.residue;
         next.t = from.t + increment;
         if !next.is_finite() {
-            return Err(MotionError { cause: Cause::NotFinite, t: from.t });
+            let cause = diagnose(self.system, &self.constants, from.t, &from.q, &from.v);
+            return Err(MotionError { cause, t: from.t });
         }
         self.residue = increment - (next.t - from.t);
         self.state = next;

@@ -18,10 +18,10 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Evaluates [`System::Constants`].
     fn constants(&self) -> Self::Constants;
 
-    /// Accelerations that solve M a = f.
+    /// Accelerations that solve M a = f; not finite where M has no inverse.
     ///
-    /// # Errors
-    /// [`Cause::SingularMassMatrix`] where M has no inverse.
+    /// No branch leaves this function early, so that sines and cosines stay together and loops over it
+    /// vectorise; [`System::check_at`] tells what was wrong.
     fn accelerations_at(
         &self,
         constants: &Self::Constants,
@@ -29,7 +29,22 @@ pub trait System<const N: usize, const K: usize = 0> {
         q: &[Self::Scalar; N],
         v: &[Self::Scalar; N],
         u: &[Self::Scalar; K],
-    ) -> Result<[Self::Scalar; N], Cause>;
+    ) -> [Self::Scalar; N];
+
+    /// Whether the mass matrix can be inverted at a state: asked where accelerations are not finite.
+    ///
+    /// # Errors
+    /// [`Cause::SingularMassMatrix`] with the coordinate.
+    #[inline]
+    fn check_at(
+        &self,
+        _constants: &Self::Constants,
+        _t: Self::Scalar,
+        _q: &[Self::Scalar; N],
+        _v: &[Self::Scalar; N],
+    ) -> Result<(), Cause> {
+        Ok(())
+    }
 
     /// T + V, or the energy function v·∂L/∂v − L where L is given directly.
     fn energy_at(

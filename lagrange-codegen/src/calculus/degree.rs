@@ -36,7 +36,9 @@ impl Degrees {
             return self;
         }
         match exponent.as_integer() {
-            Some(power) if power > 0 => (0..power).fold(Degrees::Polynomial(1), |product, _| product.product(self)),
+            Some(power) if power > 0 => {
+                (0..power).fold(Degrees::Polynomial(1), |product, _| product.product(self))
+            }
             _ => Degrees::Other,
         }
     }

@@ -89,5 +89,6 @@ pub(super) fn binary(
             let logarithm = graph.unary(Unary::Ln, first);
             (by_base, graph.mul(value, logarithm))
         }
+        Binary::Pivot => (graph.one(), graph.zero()),
     }
 }

@@ -11,7 +11,8 @@ pub fn substitute(graph: &mut Graph, roots: &[NodeId], replacements: &[(NodeId, 
     }
     for id in graph.cone(roots.iter().copied()) {
         if images[id.index()].is_none() {
-            images[id.index()] = Some(rebuild(graph, id, |operand| images[operand.index()].unwrap_or(operand)));
+            images[id.index()] =
+                Some(rebuild(graph, id, |operand| images[operand.index()].unwrap_or(operand)));
         }
     }
     roots.iter().map(|root| images[root.index()].unwrap_or(*root)).collect()

@@ -28,7 +28,10 @@ fn check(graph: &mut Graph, root: NodeId, x: NodeId, arguments: [f64; 3]) {
         let expected = difference(|x| graph.evaluate(&[root], at(x))[0], argument);
         for derivative in [forward, reverse] {
             let found = graph.evaluate(&[derivative], at(argument))[0];
-            assert!((found - expected).abs() <= 1e-8 * expected.abs().max(1.0), "{found} for {expected} at {argument}");
+            assert!(
+                (found - expected).abs() <= 1e-8 * expected.abs().max(1.0),
+                "{found} for {expected} at {argument}"
+            );
         }
     }
 }

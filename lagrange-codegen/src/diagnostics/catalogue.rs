@@ -1,1 +1,226 @@
 //! The texts of all messages: what is wrong, then how to mend it.
+//!
+//! Each entry is a function that fills its names in. What stands after `;` is a name that the
+//! user may have meant, or nothing.
+
+use std::fmt::Display;
+
+macro_rules! messages {
+    ($($name:ident ($($argument:ident),* $(; $near:ident)?) = $text:literal;)*) => {
+        $(
+            #[doc = concat!("«", $text, "»")]
+            pub fn $name($($argument: impl Display,)* $($near: Option<String>)?) -> String {
+                $(let $near = suggestion($near);)?
+                format!($text)
+            }
+        )*
+    };
+}
+
+fn suggestion(near: Option<String>) -> String {
+    near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+}
+
+// The attribute and the impl block.
+messages! {
+    not_an_impl() = "`#[lagrangian]` belongs on an `impl` block; declare the struct as usual and put the \
+        attribute on `impl MySystem {{ … }}`";
+    not_inherent() = "`#[lagrangian]` belongs on an inherent `impl` block of a named type, such as \
+        `impl MySystem {{ … }}`; move the roles out of this block";
+    bad_attribute(error) = "cannot read these arguments ({error}); write \
+        `#[lagrangian(coordinates = [x, theta: [3]], inputs = [motor])]`";
+    unknown_attribute_argument(name; near) = "unknown argument `{name}`{near}; known are `coordinates`, \
+        `inputs`, `crate` and `allow`";
+    duplicate_argument(name) = "`{name}` is given twice; keep one of the two";
+    unknown_lint(name, known; near) = "there is no lint `{name}`{near}; known are `{known}`";
+    missing_coordinates() = "no coordinates are declared; add `coordinates = [x, theta: [3]]` to the \
+        attribute";
+    empty_coordinates() = "the list of coordinates is empty; name at least one coordinate";
+    keyword_name(name) = "`{name}` is a keyword; choose another name or write `r#{name}`";
+    declared_twice(kind, name) = "the {kind} `{name}` is declared twice; give each its own name";
+    coordinate_and_input(name) = "`{name}` is declared as a coordinate and as an input; rename one of them";
+    empty_array(name) = "the array `{name}` has no elements; give it a length of at least 1";
+    array_too_long(name, most) = "the array `{name}` is longer than {most}; a system of this size cannot be \
+        expanded into source code";
+    length_not_constant(name) = "the length of `{name}` is not known to the macro; write a literal or a \
+        `const` of this impl block";
+    no_roles(name) = "`{name}` has no function with a role; mark at least one with `#[point(mass = …)]`, \
+        `#[body(…)]`, `#[kinetic]` or `#[lagrangian]`";
+    mixed_precision() = "the roles mix `f32` and `f64`; use one of them throughout, or a type parameter with \
+        the bound `Real`";
+}
+
+// Roles and their signatures.
+messages! {
+    unknown_role(name, near) = "there is no role `{name}`; did you mean `{near}`?";
+    planned_role(name) = "the role `{name}` is not supported yet; remove the function or express it by the \
+        supported roles `point`, `body`, `kinetic`, `potential`, `lagrangian`, `dissipation` and `force`";
+    two_roles(first, second) = "this function has the role `{first}` already; write a function of its own \
+        for `{second}`";
+    missing_role_argument(role, argument) = "`#[{role}]` needs `{argument}`; write \
+        `#[{role}({argument} = self.{argument})]`, or the like";
+    bad_role_arguments(role, error) = "cannot read the arguments of `{role}` ({error}); write \
+        `name = expression`, separated by commas";
+    misspelt_role_argument(role, name, near) = "`{role}` has no argument `{name}`; did you mean `{near}`?";
+    unknown_role_argument(role, name, known) = "`{role}` has no argument `{name}`; known are `{known}`";
+    role_without_arguments(role) = "`{role}` takes no arguments; write `#[{role}]`";
+    role_form(role) = "`{role}` takes no value; write `#[{role}]` or `#[{role}(…)]`";
+    force_at_and_on() = "a force acts either `at` a point or `on` a coordinate; split it into two functions";
+    bad_force_target(key) = "`{key}` names one place; write `{key} = name` or `{key} = name[index]`";
+    missing_return_type(name, expected) = "`{name}` returns nothing; let it return {expected}";
+    wrong_return(name, expected, found) = "`{name}` must return {expected}, not {found}";
+    missing_receiver(name) = "`{name}` has a role but no `&self`; add `&self` as the first parameter";
+    wrong_receiver(name) = "`{name}` has a role and must take `&self`; a role only reads the parameters";
+    generic_role(name) = "`{name}` has a role and cannot be generic; move the type parameter to the impl \
+        block, or the generic part into a helper";
+    asynchronous_role(name) = "`{name}` has a role and cannot be `async`; remove `async`";
+    unnamed_time(name) = "a role takes no number but the time; rename `{name}` to `t` if it is the time, or \
+        read it from `self`";
+    unknown_parameter() = "a role takes `q: &Coordinates`, `v: &Velocities`, `t` and `u: &Inputs` only; \
+        read everything else from `self`";
+    misspelt_record(name, near) = "a role takes no `{name}`; did you mean `{near}`?";
+    parameter_twice() = "this parameter is there already; remove one of the two";
+    velocity_in_potential() = "a potential is a function of position and time; put terms that depend on \
+        velocity into a `#[lagrangian]` function, or a `#[dissipation]` or `#[force]` if they dissipate";
+    velocity_in_position() = "a position is a function of coordinates and time; its velocity follows from \
+        it and is not needed here";
+    input_outside_force() = "an input acts through a force; take `&Inputs` in a `#[force]` function";
+}
+
+// Syntax that the language does not have.
+messages! {
+    unsupported_syntax(what) = "{what} cannot be turned into an equation; use arithmetic, `let`, `for` over \
+        constant ranges and functions of this impl block";
+    unsupported_literal() = "this literal is no number; only numbers and `true` or `false` can be used";
+    unsupported_macro(name) = "`{name}!` cannot be turned into an equation; `vector!`, `matrix!` and \
+        `point!` can";
+    unsupported_pattern() = "this pattern is not supported; use names, `_`, tuples and arrays";
+    refutable_pattern() = "this pattern does not match every value; use names, `_`, tuples and arrays";
+    struct_literal() = "a struct cannot be built here; use a tuple or an array";
+    break_with_value() = "a loop has no value here; assign to a variable before the loop ends";
+    call_of_value() = "only functions can be called; name the function directly";
+    stored_closure() = "a closure can only be an argument, as in `.map(|x| …)`; make it a function of this \
+        impl block";
+    closure_expected() = "a closure is expected here; write `|x| …` or the path of a function";
+    closure_arguments(given, taken) = "this closure is called with {given} arguments but takes {taken}";
+    mutable_reference() = "`&mut` cannot be followed here; return the new value instead";
+    unbounded_loop() = "the macro cannot tell when this loop ends; use `for` over a constant range";
+    if_let() = "`if let` and `let … else` decide at run time; use plain `let`";
+    question_mark() = "`?` cannot leave a role early; a Lagrangian has a value everywhere";
+    wrong_suffix(suffix, digits, scalar) = "the suffix `{suffix}` does not fit the scalar `{scalar}`; write \
+        `{digits}`";
+    runaway(steps) = "this description takes more than {steps} steps to unroll; shorten its loops";
+}
+
+// Names.
+messages! {
+    unknown_variable(name; near) = "there is no variable `{name}` here{near}; fields of the struct are \
+        written `self.name`";
+    unknown_path(path; near) = "`{path}` is neither a constant nor a function that the macro knows{near}; \
+        constants are written in capitals";
+    unknown_quantity(kind, name, declared; near) = "there is no {kind} `{name}`{near}; declared are \
+        `{declared}`";
+    unknown_field(value, name) = "{value} has no field `{name}`; use a component or a method it has";
+    unknown_method(value, name; near) = "{value} has no method `{name}` that the macro knows{near}; write \
+        it out, or put it into a function of this impl block";
+    unknown_function(name; near) = "there is no function `{name}` that the macro knows{near}; only functions \
+        of this impl block and of nalgebra's small types can be used";
+    unknown_helper(name; near) = "there is no function `{name}` in this impl block{near}; only functions of \
+        this impl block can be inlined";
+    free_function(name) = "only functions of this impl block can be inlined; move `{name}` in as an \
+        associated function and call it by `Self::`";
+    helper_without_self(name) = "`{name}` is a function of this impl block; call it as `self.{name}(…)` or \
+        `Self::{name}(…)`";
+    foreign_method(path, name; near) = "`{path}.{name}(…)` cannot be seen by the macro{near}; only functions \
+        of this impl block can be inlined";
+    not_a_method(name) = "`{name}` does not take `self`; call it as `Self::{name}(…)`";
+    needs_self(name) = "`{name}` takes `self`; call it as `self.{name}(…)`";
+    argument_count(name, expected, given) = "`{name}` takes {expected} arguments, {given} are given";
+    bad_arguments(name) = "`{name}` cannot be called with these arguments; it needs constant counts";
+    recursion(cycle) = "these functions call each other without end: `{cycle}`; a helper is inlined and \
+        must not reach itself";
+    assignment_to_unknown(name) = "there is no variable `{name}` to assign to; declare it with `let mut`";
+    assignment_to_self() = "parameters cannot be changed; copy the field into a `let mut` variable";
+    bad_place() = "cannot assign here; assign to a variable, an element or a component of one";
+}
+
+// Shapes.
+messages! {
+    wrong_shape(expected, found) = "{expected} is expected here, not {found}; convert it or change the type";
+    cannot_add(right, left) = "{right} cannot be added to {left}; bring both to the same shape";
+    cannot_subtract(right, left) = "{right} cannot be subtracted from {left}; bring both to the same shape";
+    cannot_multiply(left, right) = "{left} cannot be multiplied by {right}; for vectors use `.dot(…)`, \
+        `.cross(…)` or `.component_mul(…)`";
+    cannot_divide(left, right) = "{left} cannot be divided by {right}; divide by a scalar";
+    cannot_compare(left, right) = "{left} cannot be compared with {right}; compare constants of one type";
+    cannot_index(value) = "{value} cannot be indexed like this; use an element of an array or a component \
+        of a vector";
+    bad_operand(operator, value) = "`{operator}` cannot be applied to {value}; apply it to numbers";
+    lengths_differ(method, left, right) = "`{method}` needs equal lengths, but is called on {left} with \
+        {right}";
+    wrong_dimension(method, value) = "`{method}` does not exist for {value}; write its components out";
+    bad_constructor_arguments(name, given) = "`{name}` cannot be called with these arguments ({given}); \
+        check their number and shapes";
+    ragged_matrix() = "the rows of this matrix differ in length; give all rows the same number of entries";
+    unknown_shape(path) = "the shape of `{path}` is not known to the macro; name it first, as in \
+        `let value: Vector3<f64> = {path};`";
+    self_as_value() = "`self` is no quantity; use one of its fields";
+    axis_not_fixed() = "the axis of this rotation moves; compose rotations about fixed axes instead, such as \
+        `Rotation3::from_axis_angle(&Vector3::z_axis(), angle)`";
+    pattern_mismatch(value) = "this pattern does not fit {value}; name the value as a whole";
+    pattern_length(expected, found) = "this pattern has {expected} names for {found} elements; name each, or \
+        skip some with `..`";
+    from_fn_length() = "the length of this array is not known to the macro; name it first, as in \
+        `let values: [f64; 3] = array::from_fn(…);`";
+    bad_cast(value) = "{value} cannot be cast like this; cast integers with `as f64`";
+    conversion_of_variable(function) = "`{function}` converts constants only; this depends on the state";
+    conversion_of_formula(function) = "`{function}` converts one constant or field; convert each by itself \
+        and compute with the results";
+}
+
+// Constants, branches and loops.
+messages! {
+    integer_for_scalar(value) = "this is an integer where a number of the scalar type is needed; write \
+        `{value}.0` or convert it with `as f64`";
+    not_an_integer(value) = "a constant integer is needed here, not {value}";
+    parameter_as_integer(path) = "the value of `{path}` is not known to the macro; use a literal or a \
+        `const` of this impl block, written `Self::NAME`";
+    integer_division_by_zero() = "this divides an integer by zero; check the bounds of the loop";
+    integer_overflow() = "this integer is out of range; use smaller constants";
+    division_by_zero() = "this divides by zero; the equation would have no value";
+    remainder() = "`%` jumps, so it has no derivative; use a trigonometric function for what repeats itself";
+    not_smooth(name, alternative) = "`{name}` has no derivative everywhere; {alternative}";
+    bad_power(most) = "`powi` needs a constant integer between -{most} and {most}; use `powf` for other powers";
+    branch_on_variable(on) = "the branch depends on {on}: a Lagrangian must be one smooth expression; \
+        decide on constants only, or use smooth functions such as `tanh`";
+    no_arm() = "no arm matches this constant; add an arm with `_`";
+    bound_not_constant(value) = "the bound of this loop is {value}, not a constant integer; use a literal or \
+        a `const` of this impl block";
+    parameter_bound(path) = "the bound `{path}` is not known to the macro; use a literal or a `const` of \
+        this impl block, written `Self::NAME`";
+    open_range() = "this range has no end; write both bounds";
+    loop_over_parameter(path, label, scalar) = "the length of `{path}` is not known to the macro; write \
+        `let {label}: [{scalar}; 3] = {path};` with its length first, or loop over a constant range";
+    not_iterable(value) = "cannot loop over {value}; loop over a constant range or an array";
+    index_out_of_range(index, length) = "the index {index} is out of range; there are {length}";
+    negative_index(index) = "the index {index} is negative; check the bounds of the loop";
+    slice_out_of_range(length) = "this range does not lie within the array; it has {length} elements";
+}
+
+// What roles mean.
+messages! {
+    attribute_depends_on(name) = "`{name}` is not in sight here: mass and inertia are the same all through \
+        a run; use fields of `self`, or write the energy as a `#[kinetic]` function";
+    not_fixed(what, on) = "the {what} depends on {on}, but must be the same all through a run; use fields \
+        of `self`, or write the energy as a `#[kinetic]` function";
+    wrong_number_of(what, expected, found) = "{found} values of {what} are given for {expected} elements; \
+        give one for each, or one scalar for all";
+    array_for_single(what) = "several values of {what} are given for one element; index the one that is meant";
+    wrong_inertia(found) = "the inertia of a body in space is three principal moments or a `Matrix3`, not \
+        {found}";
+    unknown_force_target(name; near) = "there is no function `{name}` for the force to act at{near}; name a \
+        `#[point]` or `#[body]` function";
+    not_a_place(name) = "`{name}` is no place; a force acts at a function of `&Coordinates` that returns a \
+        position or a pose";
+    index_into_single(name) = "`{name}` is no array; remove the index";
+}

@@ -32,7 +32,9 @@ pub fn fixed_in_space(kind: &str, function: &str) -> String {
 
 /// A particle of mass zero.
 pub fn zero_mass(function: &str) -> String {
-    format!("the mass of `{function}` is zero; remove its role if it only names a place (a helper function needs none)")
+    format!(
+        "the mass of `{function}` is zero; remove its role if it only names a place (a helper function needs none)"
+    )
 }
 
 /// A coordinate with an empty row of the mass matrix.

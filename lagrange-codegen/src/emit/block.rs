@@ -5,7 +5,7 @@
 
 use super::names::{Names, describe, variable_label};
 use super::scalar;
-use crate::expr::{Unary, Variable};
+use crate::expr::{Binary, Unary, Variable};
 use crate::model::Model;
 use crate::schedule::{Instruction, Program, Slot};
 use crate::syntax::Scalar;
@@ -116,11 +116,14 @@ impl<'a> Writer<'a> {
                 stack.push(operand);
             });
         }
-        let needed: Vec<Slot> = program.needed(outputs).into_iter().filter(|slot| member[slot.index()]).collect();
+        let needed: Vec<Slot> =
+            program.needed(outputs).into_iter().filter(|slot| member[slot.index()]).collect();
         let mut partner = vec![None; program.len()];
         let mut sines: Vec<(Slot, Slot, bool)> = Vec::new();
         for &slot in &needed {
-            if let Instruction::Unary(function @ (Unary::Sin | Unary::Cos), argument) = program.instruction(slot) {
+            if let Instruction::Unary(function @ (Unary::Sin | Unary::Cos), argument) =
+                program.instruction(slot)
+            {
                 let is_sine = function == Unary::Sin;
                 match sines.iter().find(|&&(known, _, sine)| known == argument && sine != is_sine) {
                     Some(&(_, other, _)) => {
@@ -137,7 +140,18 @@ impl<'a> Writer<'a> {
             inputs: vec![false; model.inputs.len()],
             time: false,
         };
-        Writer { model, scalar, program, needed, uses, is_output, texts, partner, statements: Vec::new(), reads }
+        Writer {
+            model,
+            scalar,
+            program,
+            needed,
+            uses,
+            is_output,
+            texts,
+            partner,
+            statements: Vec::new(),
+            reads,
+        }
     }
 
     fn text(&self, slot: Slot) -> Text {
@@ -206,6 +220,10 @@ impl<'a> Writer<'a> {
             }
             Instruction::Sqrt(a) => self.call("sqrt", &[a]),
             Instruction::Unary(function, a) => self.call(function.name(), &[a]),
+            Instruction::Binary(Binary::Pivot, a, b) => {
+                let text = format!("lagrange::solve::pivot({}, {})", self.text(a).text, self.text(b).text);
+                Text { text, strength: Strength::Atom }
+            }
             Instruction::Binary(function, a, b) => self.call(function.name(), &[a, b]),
         }
     }

@@ -43,7 +43,8 @@ pub(super) fn constants(
 ) -> (Vec<String>, Block) {
     let mut inner = Names::new(model);
     let block = block::write(model, scalar, program, hoisted, &[], &mut inner);
-    let labels = hoisted.iter().map(|&slot| names.claim(super::names::describe(model, program, slot, 0))).collect();
+    let labels =
+        hoisted.iter().map(|&slot| names.claim(super::names::describe(model, program, slot, 0))).collect();
     (labels, block)
 }
 

@@ -86,8 +86,9 @@ fn accelerations(emission: &Emission<'_>) -> String {
     );
     let body = format!(
         "let constants = lagrange::System::constants(self);\n\
-         lagrange::System::accelerations_at(self, &constants, state.t, &state.q, &state.v, {argument})\n\
-         .map_err(|cause| lagrange::MotionError {{ cause, t: state.t }})"
+         let accelerations = lagrange::System::accelerations_at(\
+             self, &constants, state.t, &state.q, &state.v, {argument});\n\
+         lagrange::solve::finite(self, &constants, state, accelerations)"
     );
     method(&doc, &signature, &body)
 }
@@ -131,7 +132,11 @@ fn mass_matrix(emission: &mut Emission<'_>) -> String {
         }
         text + "mass"
     });
-    method("Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].", &signature, &body)
+    method(
+        "Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].",
+        &signature,
+        &body,
+    )
 }
 
 fn vector(emission: &mut Emission<'_>, name: &str, doc: &str, symbol: &str, nodes: &[NodeId]) -> String {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Variable;
+use crate::expr::{Unary, Variable};
 use crate::model::Model;
 use crate::schedule::{Instruction, Program, Slot};
 
@@ -11,7 +11,20 @@ const LONGEST: usize = 26;
 
 /// Names that generated bodies use for something else.
 const RESERVED: [&str; 14] = [
-    "state", "inputs", "constants", "mass", "factor", "force", "q", "v", "t", "u", "f64", "f32", "self", "Self",
+    "state",
+    "inputs",
+    "constants",
+    "mass",
+    "factor",
+    "force",
+    "q",
+    "v",
+    "t",
+    "u",
+    "f64",
+    "f32",
+    "self",
+    "Self",
 ];
 
 /// Gives every name once.
@@ -34,7 +47,8 @@ impl Names {
 
     /// A free name, as close to the wish as possible.
     pub fn claim(&mut self, wish: Option<String>) -> String {
-        let wish = wish.map(|wish| identifier(&wish)).filter(|wish| !wish.is_empty() && wish.len() <= LONGEST);
+        let wish =
+            wish.map(|wish| identifier(&wish)).filter(|wish| !wish.is_empty() && wish.len() <= LONGEST);
         let base = match wish {
             Some(wish) => {
                 if !self.taken.contains(&wish) && !is_keyword(&wish) {
@@ -72,7 +86,10 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
 
 /// A name that says what an instruction computes; `None` where it would be too long.
 pub(super) fn describe(model: &Model, program: &Program, slot: Slot, depth: u32) -> Option<String> {
+    // Sines and cosines are best known by their angle.
+    let is_trigonometric = matches!(program.instruction(slot), Instruction::Unary(Unary::Sin | Unary::Cos, a) if program.instruction(a).is_leaf());
     if let Some(node) = program.source(slot)
+        && !is_trigonometric
         && let Some(hint) = model.hints.name(node)
     {
         return Some(hint.to_owned());

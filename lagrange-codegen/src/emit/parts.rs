@@ -2,17 +2,15 @@
 
 use super::Emission;
 use crate::expr::NodeId;
-use crate::structure::Method;
+use crate::structure::{Block, Method};
 
-/// What is computed for one block.
+/// What a step computes for one block.
 #[derive(Clone, Debug)]
 pub(super) struct Part<T> {
     /// The coordinates of the block.
     pub coordinates: Vec<usize>,
-    /// How it is solved.
+    /// Where and when it is factored.
     pub kind: Kind,
-    /// Pivots to check with their scales, where the factorisation is written out.
-    pub pivots: Vec<(usize, T, T)>,
     /// Lower triangle, row by row, where the runtime factors.
     pub entries: Vec<T>,
     /// Accelerations where the factorisation is written out, else the right-hand side.
@@ -24,11 +22,9 @@ pub(super) struct Part<T> {
 pub(super) enum Kind {
     /// In the generated code.
     WrittenOut,
-    /// By the runtime's function of this name, once per run if constant.
+    /// By the runtime.
     Runtime {
-        /// `ldlt` or `lu`.
-        function: &'static str,
-        /// The type that it returns.
+        /// The type of the factorisation: `Ldlt` or `Lu`.
         factor: &'static str,
         /// Whether the entries are the same all through a run.
         constant: bool,
@@ -41,7 +37,6 @@ impl<T> Part<T> {
         Part {
             coordinates: self.coordinates,
             kind: self.kind,
-            pivots: self.pivots.into_iter().map(|(i, value, scale)| (i, f(value), f(scale))).collect(),
             entries: self.entries.into_iter().map(&mut f).collect(),
             results: self.results.into_iter().map(&mut f).collect(),
         }
@@ -56,28 +51,25 @@ impl<T> Part<T> {
 impl Part<NodeId> {
     /// The parts of all blocks.
     pub fn all(emission: &Emission<'_>) -> Vec<Part<NodeId>> {
-        let equations = emission.equations;
-        let runtime = |coordinates: &[usize], function, factor, constant| {
-            let lower = |place: usize| coordinates[..=place].iter().map(move |&j| (coordinates[place], j));
-            Part {
-                coordinates: coordinates.to_vec(),
-                kind: Kind::Runtime { function, factor, constant },
-                pivots: Vec::new(),
-                entries: (0..coordinates.len()).flat_map(lower).map(|(i, j)| equations.mass[i][j]).collect(),
-                results: coordinates.iter().map(|&i| equations.force[i]).collect(),
+        emission.solution.blocks.iter().map(|block| Part::of(emission, block)).collect()
+    }
+
+    fn of(emission: &Emission<'_>, block: &Block) -> Part<NodeId> {
+        let coordinates = block.coordinates.clone();
+        let constant = block.constant;
+        let factor = match &block.method {
+            Method::WrittenOut { solution, .. } => {
+                let results = solution.clone();
+                return Part { coordinates, kind: Kind::WrittenOut, entries: Vec::new(), results };
             }
+            Method::Ldlt => "Ldlt",
+            Method::Lu => "Lu",
         };
-        let part = |block: &crate::structure::Block| match &block.method {
-            Method::WrittenOut { pivots, solution } => Part {
-                coordinates: block.coordinates.clone(),
-                kind: Kind::WrittenOut,
-                pivots: pivots.iter().map(|pivot| (pivot.coordinate, pivot.value, pivot.scale)).collect(),
-                entries: Vec::new(),
-                results: solution.clone(),
-            },
-            Method::Ldlt => runtime(&block.coordinates, "ldlt", "Ldlt", block.constant),
-            Method::Lu => runtime(&block.coordinates, "lu", "Lu", block.constant),
-        };
-        emission.solution.blocks.iter().map(part).collect()
+        let lower =
+            |place: usize| block.coordinates[..=place].iter().map(move |&j| (block.coordinates[place], j));
+        let entries =
+            (0..coordinates.len()).flat_map(lower).map(|(i, j)| emission.equations.mass[i][j]).collect();
+        let results = coordinates.iter().map(|&i| emission.equations.force[i]).collect();
+        Part { coordinates, kind: Kind::Runtime { factor, constant }, entries, results }
     }
 }

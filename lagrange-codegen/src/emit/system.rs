@@ -8,32 +8,40 @@ use super::parts::{Kind, Part};
 use crate::expr::NodeId;
 use crate::schedule::{Operations, Program, Slot, plan};
 use crate::simplify::simplify;
+use crate::structure::Method;
 
 /// The trait's items as text, and the operations of one evaluation of the accelerations.
 pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
     let parts = Part::all(emission);
     let mut nodes: Vec<NodeId> = Vec::new();
-    parts.iter().cloned().for_each(|part| {
+    for part in parts.iter().cloned() {
         part.map(|node| nodes.push(node));
-    });
+    }
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &nodes);
     let mut program = plan(&emission.model.graph, &nodes);
     let mut slots = program.outputs.clone().into_iter();
     let mut next = || slots.next().expect("emit: as many slots as nodes");
     let parts: Vec<Part<Slot>> = parts.into_iter().map(|part| part.map(|_| next())).collect();
     // Entries that are factored once per run are no outputs of a step.
-    program.outputs = parts.iter().flat_map(per_step).collect();
+    program.outputs = parts
+        .iter()
+        .flat_map(|part| part.entries.iter().filter(|_| !part.factored_once()).chain(&part.results))
+        .copied()
+        .collect();
 
     let mut names = Names::new(emission.model);
     let hoisted = program.hoisted();
     let (labels, constants) = constants(emission, &program, &hoisted, &parts, &mut names);
     let accelerations = accelerations(emission, &program, &hoisted, &labels, parts, &mut names);
     let energy = simplify(&mut emission.model.graph, &mut emission.model.hints, &[emission.equations.energy]);
-    let energy = body::plain(emission.model, &emission.item.scalar, &energy, Source::Slices, |v| v.join(", "));
+    let energy =
+        body::plain(emission.model, &emission.item.scalar, &energy, Source::Slices, |v| v.join(", "));
+    let check = check(emission);
 
     let scalar = &emission.item.scalar;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
-    let named = |body: &str, name: &str| if mentions(body, name) { name.to_owned() } else { format!("_{name}") };
+    let named =
+        |body: &str, name: &str| if mentions(body, name) { name.to_owned() } else { format!("_{name}") };
     let arguments = |body: &str| {
         format!(
             "&self, {}: &Self::Constants, {}: {scalar}, {}: &{vector}, {}: &{vector}",
@@ -43,28 +51,23 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
             named(body, "v"),
         )
     };
-    let text = format!(
+    let mut text = format!(
         "type Scalar = {scalar};\ntype Constants = {};\n\
          #[inline]\nfn constants(&self) -> Self::Constants {{\n{}\n}}\n\
-         #[inline]\nfn accelerations_at({}, {}: &{inputs}) -> ::core::result::Result<{vector}, lagrange::Cause> \
-         {{\n{accelerations}\n}}\n\
-         #[inline]\nfn energy_at({}) -> {scalar} {{\n{energy}\n}}\n",
+         #[inline]\nfn accelerations_at({}, {}: &{inputs}) -> {vector} {{\n{accelerations}\n}}\n",
         constants.0,
         constants.1,
         arguments(&accelerations),
         named(&accelerations, "u"),
-        arguments(&energy),
     );
-    (text, program.operations(false))
-}
-
-fn per_step(part: &Part<Slot>) -> Vec<Slot> {
-    let mut slots: Vec<Slot> = part.pivots.iter().flat_map(|&(_, value, scale)| [value, scale]).collect();
-    if !part.factored_once() {
-        slots.extend(&part.entries);
+    if let Some(check) = check {
+        text.push_str(&format!(
+            "fn check_at({}) -> ::core::result::Result<(), lagrange::Cause> {{\n{check}\n}}\n",
+            arguments(&check)
+        ));
     }
-    slots.extend(&part.results);
-    slots
+    text.push_str(&format!("#[inline]\nfn energy_at({}) -> {scalar} {{\n{energy}\n}}\n", arguments(&energy)));
+    (text, program.operations(false))
 }
 
 /// Names of the hoisted values, and the type and body of the constants: an array of scalars,
@@ -83,12 +86,12 @@ fn constants(
     for part in parts.iter().filter(|part| part.factored_once()) {
         let Kind::Runtime { factor, .. } = part.kind else { continue };
         let written = block::write(model, scalar, program, &part.entries, &[], &mut Names::new(model));
-        let entries = Part { pivots: Vec::new(), entries: written.outputs.clone(), results: Vec::new(), ..part.clone().map(|_| String::new()) };
         types.push(format!(
-            "::core::result::Result<lagrange::{factor}<{scalar}, {}>, lagrange::Cause>",
+            "::core::option::Option<lagrange::{factor}<{scalar}, {}>>",
             part.coordinates.len()
         ));
-        values.push(format!("{{\n{}{}\n}}", body::assemble(&written), factorisation(emission, &entries)));
+        let lower = lower_triangle(emission, part.coordinates.len(), &written.outputs);
+        values.push(format!("{{\n{}{lower}lagrange::solve::factor(mass)\n}}", body::assemble(&written)));
     }
     let tuple = |items: &[String]| match items {
         [single] => single.clone(),
@@ -112,7 +115,8 @@ fn accelerations(
     let once = parts.iter().any(Part::factored_once);
     let mut text = body::prologue(model, &written.reads, Source::Slices);
     if !labels.is_empty() {
-        text.push_str(&format!("let [{}] = {};\n", labels.join(", "), if once { "constants.0" } else { "*constants" }));
+        let place = if once { "constants.0" } else { "*constants" };
+        text.push_str(&format!("let [{}] = {place};\n", labels.join(", ")));
     }
     text.push_str(&body::assemble(&written));
 
@@ -125,51 +129,97 @@ fn accelerations(
             factored += 1;
             part.entries.clear();
         }
-        let once = part.factored_once();
         let part = part.map(|_| next());
-        for (coordinate, value, scale) in &part.pivots {
-            text.push_str(&format!("lagrange::solve::pivot({value}, {scale}, {coordinate})?;\n"));
-        }
-        let Kind::Runtime { .. } = part.kind else {
-            for (&coordinate, value) in part.coordinates.iter().zip(part.results) {
-                solution[coordinate] = value;
+        let results = match part.kind {
+            Kind::WrittenOut => part.results,
+            Kind::Runtime { factor, constant } => {
+                let count = part.coordinates.len();
+                let factorisation = if constant {
+                    format!("constants.{factored}")
+                } else {
+                    text.push_str(&lower_triangle(emission, count, &part.entries));
+                    format!("lagrange::solve::factor::<lagrange::{factor}<{scalar}, {count}>, _, _>(mass)")
+                };
+                let claim = |&i: &usize| names.claim(Some(format!("{}_ddot", model.coordinates[i].label())));
+                let results: Vec<String> = part.coordinates.iter().map(claim).collect();
+                text.push_str(&format!(
+                    "let [{}] = lagrange::solve::solve(&{factorisation}, [{}]);\n",
+                    results.join(", "),
+                    part.results.join(", ")
+                ));
+                results
             }
-            continue;
         };
-        let factor = if once { format!("constants.{factored}?") } else { format!("{}?", factorisation(emission, &part)) };
-        let results: Vec<String> =
-            part.coordinates.iter().map(|&i| names.claim(Some(format!("{}_ddot", model.coordinates[i].label())))).collect();
-        text.push_str(&format!(
-            "let [{}] = {factor}.solve([{}]);\n",
-            results.join(", "),
-            part.results.join(", ")
-        ));
-        for (&coordinate, name) in part.coordinates.iter().zip(results) {
-            solution[coordinate] = name;
+        for (&coordinate, result) in part.coordinates.iter().zip(results) {
+            solution[coordinate] = result;
         }
     }
-    text.push_str(&format!("::core::result::Result::Ok([{}])", solution.join(", ")));
+    text.push_str(&format!("[{}]", solution.join(", ")));
     body::imported(text)
 }
 
-/// The call that factors a block, with its entries filled in.
-fn factorisation(emission: &Emission<'_>, part: &Part<String>) -> String {
-    let Kind::Runtime { function, .. } = part.kind else { return String::new() };
-    let zero = super::scalar::zero(&emission.item.scalar);
-    let count = part.coordinates.len();
-    let mut text = format!("{{\nlet mut mass = [[{zero}; {count}]; {count}];\n");
-    let mut entries = part.entries.iter();
-    for row in 0..count {
-        for column in 0..=row {
-            if let Some(entry) = entries.next()
-                && *entry != zero
-            {
-                text.push_str(&format!("mass[{row}][{column}] = {entry};\n"));
+/// The body that finds the singular block, if any block can be singular.
+fn check(emission: &mut Emission<'_>) -> Option<String> {
+    let mut nodes = Vec::new();
+    for block in &emission.solution.blocks {
+        match &block.method {
+            Method::WrittenOut { pivots, .. } => {
+                nodes.extend(pivots.iter().flat_map(|pivot| [pivot.value, pivot.scale]));
+            }
+            Method::Ldlt | Method::Lu => {
+                let lower = |place: usize| block.coordinates[..=place].iter().map(move |&j| (place, j));
+                let places = (0..block.coordinates.len()).flat_map(lower);
+                nodes.extend(places.map(|(place, j)| emission.equations.mass[block.coordinates[place]][j]));
             }
         }
     }
-    let coordinates: Vec<String> = part.coordinates.iter().map(usize::to_string).collect();
-    text.push_str(&format!("lagrange::solve::{function}(mass, &[{}])\n}}", coordinates.join(", ")));
+    if nodes.is_empty() {
+        return None;
+    }
+    let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &nodes);
+    let (emission, scalar) = (&*emission, &emission.item.scalar);
+    Some(body::plain(emission.model, scalar, &nodes, Source::Slices, |values| {
+        let mut values = values.iter().cloned();
+        let mut text = String::new();
+        for block in &emission.solution.blocks {
+            let factor = match &block.method {
+                Method::WrittenOut { pivots, .. } => {
+                    for pivot in pivots {
+                        let pair: Vec<String> = values.by_ref().take(2).collect();
+                        let arguments = pair.join(", ");
+                        text.push_str(&format!(
+                            "lagrange::solve::check({arguments}, {})?;\n",
+                            pivot.coordinate
+                        ));
+                    }
+                    continue;
+                }
+                Method::Ldlt => "Ldlt",
+                Method::Lu => "Lu",
+            };
+            let count = block.coordinates.len();
+            let entries: Vec<String> = values.by_ref().take(count * (count + 1) / 2).collect();
+            text.push_str(&lower_triangle(emission, count, &entries));
+            let coordinates: Vec<String> = block.coordinates.iter().map(usize::to_string).collect();
+            text.push_str(&format!(
+                "lagrange::solve::check_block::<lagrange::{factor}<{scalar}, {count}>, _, _>(mass, &[{}])?;\n",
+                coordinates.join(", ")
+            ));
+        }
+        text + "::core::result::Result::Ok(())"
+    }))
+}
+
+/// Statements that fill `mass` with a lower triangle.
+fn lower_triangle(emission: &Emission<'_>, count: usize, entries: &[String]) -> String {
+    let zero = super::scalar::zero(&emission.item.scalar);
+    let mut text = format!("let mut mass = [[{zero}; {count}]; {count}];\n");
+    let places = (0..count).flat_map(|row| (0..=row).map(move |column| (row, column)));
+    for ((row, column), entry) in places.zip(entries) {
+        if *entry != zero {
+            text.push_str(&format!("mass[{row}][{column}] = {entry};\n"));
+        }
+    }
     text
 }
 

@@ -41,6 +41,15 @@ impl Graph {
         match function {
             Binary::Atan2 => self.atan2(first, second),
             Binary::Powf => self.powf(first, second),
+            Binary::Pivot => self.pivot(first, second),
+        }
+    }
+
+    /// A pivot that must stay above the rounding errors of `scale`.
+    pub fn pivot(&mut self, value: NodeId, scale: NodeId) -> NodeId {
+        match self.as_constant(value) {
+            Some(number) if !number.is_zero() && !number.is_negative() => value,
+            _ => self.intern(Node::Binary(Binary::Pivot, value, scale)),
         }
     }
 

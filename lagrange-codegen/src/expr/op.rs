@@ -54,6 +54,8 @@ pub enum Binary {
     Atan2,
     /// A power with an exponent that is not a half-integer constant.
     Powf,
+    /// A pivot, the first argument, or NaN where it is lost in the roundings of the second.
+    Pivot,
 }
 
 impl Unary {
@@ -188,6 +190,7 @@ impl Binary {
         match self {
             Binary::Atan2 => "atan2",
             Binary::Powf => "powf",
+            Binary::Pivot => "pivot",
         }
     }
 
@@ -196,6 +199,13 @@ impl Binary {
         match self {
             Binary::Atan2 => x.atan2(y),
             Binary::Powf => x.powf(y),
+            Binary::Pivot => {
+                if x > 8.0 * f64::EPSILON * y {
+                    x
+                } else {
+                    f64::NAN
+                }
+            }
         }
     }
 }

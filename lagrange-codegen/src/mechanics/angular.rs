@@ -10,7 +10,11 @@ use crate::model::{Rotation, RotationForm};
 use crate::number::Number;
 
 /// The angular velocity in body axes, for total time derivatives along `direction`.
-pub(super) fn body_rate(graph: &mut Graph, rotation: &Rotation, direction: &[(NodeId, NodeId)]) -> [NodeId; 3] {
+pub(super) fn body_rate(
+    graph: &mut Graph,
+    rotation: &Rotation,
+    direction: &[(NodeId, NodeId)],
+) -> [NodeId; 3] {
     match &rotation.form {
         RotationForm::Axis { axis, angle } => {
             let rate = pushforward(graph, &[*angle], direction)[0];
@@ -45,14 +49,17 @@ pub(super) fn body_rate(graph: &mut Graph, rotation: &Rotation, direction: &[(No
 /// `matrix · vector`.
 pub(super) fn times(graph: &mut Graph, matrix: &[[NodeId; 3]; 3], vector: &[NodeId; 3]) -> [NodeId; 3] {
     [0, 1, 2].map(|row| {
-        let terms: Vec<_> =
-            (0..3).map(|k| (graph.mul(matrix[row][k], vector[k]), Number::ONE)).collect();
+        let terms: Vec<_> = (0..3).map(|k| (graph.mul(matrix[row][k], vector[k]), Number::ONE)).collect();
         graph.sum(Number::ZERO, &terms)
     })
 }
 
 /// `matrixᵀ · vector`.
-pub(super) fn transposed_times(graph: &mut Graph, matrix: &[[NodeId; 3]; 3], vector: &[NodeId; 3]) -> [NodeId; 3] {
+pub(super) fn transposed_times(
+    graph: &mut Graph,
+    matrix: &[[NodeId; 3]; 3],
+    vector: &[NodeId; 3],
+) -> [NodeId; 3] {
     let transposed = [0, 1, 2].map(|row| [0, 1, 2].map(|column| matrix[column][row]));
     times(graph, &transposed, vector)
 }

@@ -106,7 +106,8 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
         }
     }
     // Energies given as functions: d/dt ∂L/∂v at a = 0, less ∂L/∂q.
-    let functions: Vec<NodeId> = model.kinetic.iter().chain(&model.lagrangian).map(|term| term.value).collect();
+    let functions: Vec<NodeId> =
+        model.kinetic.iter().chain(&model.lagrangian).map(|term| term.value).collect();
     if functions.is_empty() {
         return loads;
     }

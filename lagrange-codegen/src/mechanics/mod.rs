@@ -63,7 +63,11 @@ impl Equations {
 }
 
 /// Derives the equations of motion, or reports why there are none.
-pub fn derive(model: &mut Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mut Diagnostics) -> Option<Equations> {
+pub fn derive(
+    model: &mut Model,
+    allows: &dyn Fn(&str) -> bool,
+    diagnostics: &mut Diagnostics,
+) -> Option<Equations> {
     let motion = Motion::of(model);
     validate::contributions(model, allows, diagnostics);
     if diagnostics.has_errors() {

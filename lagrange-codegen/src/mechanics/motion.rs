@@ -70,8 +70,12 @@ impl Motion {
         for body in &model.bodies {
             moving.push((body.mass, body.position.clone(), body.name.clone()));
             match &body.attitude {
-                Attitude::Planar { angle, inertia } => moving.push((*inertia, vec![*angle], body.name.clone())),
-                Attitude::Spatial { rotation, inertia } => turning.push((rotation.clone(), *inertia, body.name.clone())),
+                Attitude::Planar { angle, inertia } => {
+                    moving.push((*inertia, vec![*angle], body.name.clone()))
+                }
+                Attitude::Spatial { rotation, inertia } => {
+                    turning.push((rotation.clone(), *inertia, body.name.clone()))
+                }
             }
         }
 
@@ -99,7 +103,11 @@ impl Motion {
             for (component, axis) in rate.iter().zip(["x", "y", "z"]) {
                 model.hints.suggest(*component, format!("{name}_rate_{axis}"));
             }
-            rotations.push(Turning { inertia, rate, acceleration: [acceleration[0], acceleration[1], acceleration[2]] });
+            rotations.push(Turning {
+                inertia,
+                rate,
+                acceleration: [acceleration[0], acceleration[1], acceleration[2]],
+            });
         }
         Motion { q, v, translations, rotations }
     }

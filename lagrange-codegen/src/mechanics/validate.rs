@@ -6,11 +6,7 @@ use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::{Action, Attitude, Model};
 
 /// Contributions that have no effect or the wrong form.
-pub(super) fn contributions(
-    model: &Model,
-    allows: &dyn Fn(&str) -> bool,
-    diagnostics: &mut Diagnostics,
-) {
+pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mut Diagnostics) {
     for term in &model.kinetic {
         if let Some(node) = first_beyond_degree(&model.graph, term.value, 2) {
             let origin = model.origins.get(&node).copied().unwrap_or(term.origin);
@@ -60,9 +56,10 @@ pub(super) fn contributions(
     for force in &model.forces {
         let has_effect = match &force.action {
             Action::Generalized(entries) => entries.iter().any(|&(_, value)| !graph.is_zero(value)),
-            Action::AtPosition { position, force } => {
-                position.iter().zip(force).any(|(&x, &f)| !idle(x, Dependence::COORDINATES) && !graph.is_zero(f))
-            }
+            Action::AtPosition { position, force } => position
+                .iter()
+                .zip(force)
+                .any(|(&x, &f)| !idle(x, Dependence::COORDINATES) && !graph.is_zero(f)),
             Action::PlanarTorque { angle, torque } => !fixed(&[*angle]) && !graph.is_zero(*torque),
             Action::SpatialTorque { torque, .. } => torque.iter().any(|&component| !graph.is_zero(component)),
         };

@@ -87,7 +87,9 @@ impl<'g> Lowering<'g> {
                     Vec::new()
                 }
                 (false, Division::Split { reciprocals, rest }) => {
-                    reciprocals.into_iter().for_each(|(base, unit, count)| add(Factor::BaseReciprocal(base, unit, count)));
+                    reciprocals
+                        .into_iter()
+                        .for_each(|(base, unit, count)| add(Factor::BaseReciprocal(base, unit, count)));
                     rest
                 }
             };
@@ -253,7 +255,8 @@ impl<'g> Lowering<'g> {
         }
         let multiplier = self.multiplier(term, coefficient);
         let numerator = self.numerator(term);
-        let divisor = self.moving[term.index()].as_ref().map(|moving| moving.divisor.clone()).unwrap_or_default();
+        let divisor =
+            self.moving[term.index()].as_ref().map(|moving| moving.divisor.clone()).unwrap_or_default();
         let above = match (multiplier, numerator) {
             (Some(multiplier), Some(numerator)) => Some(self.multiply(multiplier, numerator)),
             (above, None) | (None, above) => above,
@@ -276,7 +279,8 @@ impl<'g> Lowering<'g> {
     fn multiplier(&mut self, product: NodeId, coefficient: Number) -> Option<Slot> {
         let graph = self.graph;
         let Node::Product(factors) = graph.node(product) else { return None };
-        let fixed: Vec<_> = factors.iter().copied().filter(|&(f, _)| graph.dependence(f).is_fixed()).collect();
+        let fixed: Vec<_> =
+            factors.iter().copied().filter(|&(f, _)| graph.dependence(f).is_fixed()).collect();
         (!fixed.is_empty() || !coefficient.is_one()).then(|| self.fixed_product(&fixed, coefficient))
     }
 

@@ -161,7 +161,9 @@ impl Program {
             }
             match self.instruction(slot) {
                 Instruction::Variable(_) | Instruction::Literal(_) => {}
-                Instruction::Add(..) | Instruction::Sub(..) | Instruction::Neg(_) => operations.additions += 1,
+                Instruction::Add(..) | Instruction::Sub(..) | Instruction::Neg(_) => {
+                    operations.additions += 1
+                }
                 Instruction::Mul(..) => operations.multiplications += 1,
                 Instruction::Div(..) => operations.divisions += 1,
                 Instruction::Sqrt(_) => operations.square_roots += 1,
@@ -170,6 +172,8 @@ impl Program {
                     let paired = self.known.contains(&Instruction::Unary(Unary::Sin, a));
                     operations.functions += u32::from(!paired);
                 }
+                // A comparison: no arithmetic of the user's.
+                Instruction::Binary(Binary::Pivot, ..) => {}
                 Instruction::Unary(..) | Instruction::Binary(..) => operations.functions += 1,
             }
         }

@@ -2,7 +2,7 @@
 //!
 //! Parts that depend on parameters alone are free: they are computed once per run.
 
-use crate::expr::{Exponent, Graph, Node, NodeId, Unary};
+use crate::expr::{Binary, Exponent, Graph, Node, NodeId, Unary};
 
 /// Weights measured on x86-64 (throughput of independent operations, rounded).
 const DIVISION: u32 = 4;
@@ -27,7 +27,9 @@ fn node_cost(graph: &Graph, id: NodeId) -> u32 {
             let additions = moving - 1 + usize::from(fixed > 0 || !offset.is_zero());
             let scalings = terms
                 .iter()
-                .filter(|&&(term, c)| !c.abs().is_one() && !graph.dependence(term).is_fixed() && !absorbs(graph, term))
+                .filter(|&&(term, c)| {
+                    !c.abs().is_one() && !graph.dependence(term).is_fixed() && !absorbs(graph, term)
+                })
                 .count();
             (additions + scalings) as u32
         }
@@ -47,6 +49,7 @@ fn node_cost(graph: &Graph, id: NodeId) -> u32 {
         }
         Node::Unary(Unary::Sin | Unary::Cos, _) => HALF_OF_SINE_AND_COSINE,
         Node::Unary(Unary::Abs | Unary::Signum, _) => 1,
+        Node::Binary(Binary::Pivot, ..) => 2,
         Node::Unary(..) | Node::Binary(..) => FUNCTION,
     }
 }

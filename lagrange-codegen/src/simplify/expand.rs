@@ -80,10 +80,12 @@ fn monomials(graph: &Graph, id: NodeId, depth: u32) -> u32 {
             }
             sum
         }
-        Node::Product(factors) => factors.iter().filter(|&&(f, e)| opens(graph, f, e)).fold(1, |product, &(f, e)| {
-            let count = monomials(graph, f, depth + 1);
-            capped(product * if e.0 == 4 { count * count } else { count })
-        }),
+        Node::Product(factors) => {
+            factors.iter().filter(|&&(f, e)| opens(graph, f, e)).fold(1, |product, &(f, e)| {
+                let count = monomials(graph, f, depth + 1);
+                capped(product * if e.0 == 4 { count * count } else { count })
+            })
+        }
         _ => 1,
     }
 }
@@ -155,7 +157,12 @@ fn multiply(
     }
 }
 
-fn finish(graph: &mut Graph, coefficient: Number, factors: &[(NodeId, Exponent)], polynomial: &mut Polynomial) {
+fn finish(
+    graph: &mut Graph,
+    coefficient: Number,
+    factors: &[(NodeId, Exponent)],
+    polynomial: &mut Polynomial,
+) {
     let product = graph.product(factors);
     match graph.as_constant(product) {
         Some(value) => polynomial.offset = polynomial.offset + coefficient * value,

@@ -5,7 +5,7 @@
 //! Algorithms*, 2nd ed., chapter 10). Constant pivots go first: their quotients are computed
 //! once per run, and what is left is simplified by the graph.
 
-use crate::expr::{Graph, NodeId};
+use crate::expr::{Graph, Node, NodeId};
 
 /// A factorisation with its solution.
 pub(super) struct Elimination {
@@ -16,10 +16,16 @@ pub(super) struct Elimination {
 }
 
 /// An order of elimination for the pattern: fixed pivots first, then fewest neighbours.
-pub(super) fn order(graph: &Graph, block: &[usize], entry: &dyn Fn(usize, usize) -> NodeId) -> (Vec<usize>, usize) {
+pub(super) fn order(
+    graph: &Graph,
+    block: &[usize],
+    entry: &dyn Fn(usize, usize) -> NodeId,
+) -> (Vec<usize>, usize) {
     let count = block.len();
-    let mut linked: Vec<Vec<bool>> =
-        block.iter().map(|&i| block.iter().map(|&j| i != j && !graph.is_zero(entry(i, j))).collect()).collect();
+    let mut linked: Vec<Vec<bool>> = block
+        .iter()
+        .map(|&i| block.iter().map(|&j| i != j && !graph.is_zero(entry(i, j))).collect())
+        .collect();
     let mut remaining: Vec<usize> = (0..count).collect();
     let mut order = Vec::with_capacity(count);
     let mut operations = 0;
@@ -27,10 +33,11 @@ pub(super) fn order(graph: &Graph, block: &[usize], entry: &dyn Fn(usize, usize)
         let degree = |place: usize| remaining.iter().filter(|&&other| linked[place][other]).count();
         // A pivot that an earlier elimination touched is no longer the fixed entry it was.
         let touched = |place: usize| order.iter().any(|&earlier: &usize| linked[earlier][place]);
-        let fixed = |place: usize| {
-            !touched(place) && graph.dependence(entry(block[place], block[place])).is_fixed()
+        let fixed =
+            |place: usize| !touched(place) && graph.dependence(entry(block[place], block[place])).is_fixed();
+        let Some(&next) = remaining.iter().min_by_key(|&&place| (degree(place), !fixed(place), place)) else {
+            break;
         };
-        let Some(&next) = remaining.iter().min_by_key(|&&place| (degree(place), !fixed(place), place)) else { break };
         let next = *remaining
             .iter()
             .filter(|&&place| fixed(place) && degree(place) <= degree(next) + 1)
@@ -62,11 +69,14 @@ pub(super) fn eliminate(
         order.iter().map(|&i| order.iter().map(|&j| entry(block[i], block[j])).collect()).collect();
     let mut x: Vec<NodeId> = order.iter().map(|&i| right[block[i]]).collect();
     let mut pivots = Vec::with_capacity(count);
+    let mut divisors = Vec::with_capacity(count);
     let mut factors: Vec<Vec<(usize, NodeId)>> = vec![Vec::new(); count];
     for k in 0..count {
         let coordinate = block[order[k]];
-        let pivot = a[k][k];
-        pivots.push((coordinate, pivot, entry(coordinate, coordinate)));
+        let (pivot, diagonal) = (a[k][k], entry(coordinate, coordinate));
+        pivots.push((coordinate, pivot, diagonal));
+        let pivot = guarded(graph, pivot, diagonal);
+        divisors.push(pivot);
         for i in k + 1..count {
             if graph.is_zero(a[i][k]) {
                 continue;
@@ -85,7 +95,7 @@ pub(super) fn eliminate(
         }
     }
     for k in (0..count).rev() {
-        let mut value = graph.div(x[k], pivots[k].1);
+        let mut value = graph.div(x[k], divisors[k]);
         for &(i, factor) in &factors[k] {
             let correction = graph.mul(factor, x[i]);
             value = graph.sub(value, correction);
@@ -97,4 +107,27 @@ pub(super) fn eliminate(
         solution[i] = x[place];
     }
     Elimination { pivots, solution }
+}
+
+/// The pivot, or NaN where subtractions left nothing but roundings of the diagonal entry. The guard
+/// stands around the sum in it alone, so that the factors beside that can still cancel.
+fn guarded(graph: &mut Graph, pivot: NodeId, diagonal: NodeId) -> NodeId {
+    if pivot == diagonal || graph.is_zero(pivot) {
+        return pivot;
+    }
+    let (coefficient, product) = graph.scaled(pivot);
+    let moving_sum = graph.factors(product).into_iter().find(|&(factor, exponent)| {
+        exponent.0 == 2
+            && matches!(graph.node(factor), Node::Sum { .. })
+            && !graph.dependence(factor).is_fixed()
+    });
+    let Some((sum, _)) = moving_sum else {
+        // A product of squares lost nothing; a fixed pivot is computed once and guarded as it is.
+        return if graph.dependence(pivot).is_fixed() { graph.pivot(pivot, diagonal) } else { pivot };
+    };
+    let sum = if coefficient.is_negative() { graph.neg(sum) } else { sum };
+    let beside = graph.div(pivot, sum);
+    let scale = graph.div(diagonal, beside);
+    let guard = graph.pivot(sum, scale);
+    graph.mul(beside, guard)
 }

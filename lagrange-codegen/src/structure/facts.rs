@@ -28,8 +28,10 @@ impl Facts {
         let graph = &model.graph;
         let count = equations.mass.len();
         let entries = || equations.mass.iter().flatten().copied();
-        let roots: Vec<NodeId> =
-            entries().chain(equations.bias.iter().copied()).chain(equations.applied.iter().copied()).collect();
+        let roots: Vec<NodeId> = entries()
+            .chain(equations.bias.iter().copied())
+            .chain(equations.applied.iter().copied())
+            .collect();
         let uses = |kind: Dependence| roots.iter().any(|&root| graph.dependence(root).meets(kind));
         let fixed = |root: NodeId| graph.dependence(root).is_fixed();
         let conservative = model.forces.is_empty() && model.dissipation.is_empty();
@@ -56,7 +58,9 @@ impl Facts {
             let names: Vec<String> = self
                 .blocks
                 .iter()
-                .map(|block| block.iter().map(|&i| model.coordinates[i].label()).collect::<Vec<_>>().join(", "))
+                .map(|block| {
+                    block.iter().map(|&i| model.coordinates[i].label()).collect::<Vec<_>>().join(", ")
+                })
                 .collect();
             found.push(format!("inertially decoupled blocks: {}", names.join(" | ")));
         }

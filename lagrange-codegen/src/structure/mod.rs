@@ -3,8 +3,8 @@
 //! Reads the equations of motion and reports; [`solve`] picks a factorisation for each
 //! decoupled block of the mass matrix and writes small ones out on the graph.
 
-pub mod facts;
 mod elimination;
+pub mod facts;
 pub mod solve;
 
 pub use facts::Facts;

@@ -15,9 +15,9 @@ const WRITTEN_OUT: usize = 48;
 /// How one block is solved.
 #[derive(Clone, Debug)]
 pub enum Method {
-    /// Written out: pivots to check and the accelerations.
+    /// Written out: pivots, to find the singular one, and the accelerations.
     WrittenOut {
-        /// Pivots that can vanish during a run.
+        /// Pivots that are not known to be positive.
         pivots: Vec<Pivot>,
         /// Accelerations, in the order of the block.
         solution: Vec<NodeId>,
@@ -71,18 +71,21 @@ impl Solution {
         let mut blocks = Vec::with_capacity(facts.blocks.len());
         for coordinates in &facts.blocks {
             let graph = &mut model.graph;
-            let constant =
-                coordinates.iter().all(|&i| coordinates.iter().all(|&j| graph.dependence(entry(i, j)).is_fixed()));
+            let constant = coordinates
+                .iter()
+                .all(|&i| coordinates.iter().all(|&j| graph.dependence(entry(i, j)).is_fixed()));
             let (order, operations) = elimination::order(graph, coordinates, &entry);
             let small = coordinates.len() <= 3 || operations <= WRITTEN_OUT;
             let method = match (equations.definite || coordinates.len() == 1, small) {
                 (true, true) => {
                     let result = eliminate(graph, coordinates, &order, &entry, &equations.force);
-                    if let Some(&(coordinate, ..)) = result.pivots.iter().find(|(_, pivot, _)| graph.is_zero(*pivot)) {
+                    if let Some(&(coordinate, ..)) =
+                        result.pivots.iter().find(|(_, pivot, _)| graph.is_zero(*pivot))
+                    {
                         let quantity = &model.coordinates[coordinate];
                         diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.label()));
                     }
-                    Method::WrittenOut { pivots: checked(graph, &result.pivots), solution: result.solution }
+                    Method::WrittenOut { pivots: unknown(graph, &result.pivots), solution: result.solution }
                 }
                 (true, false) => Method::Ldlt,
                 (false, _) if coordinates.len() == 2 => cramer(graph, coordinates, &entry, &equations.force),
@@ -122,18 +125,22 @@ impl Solution {
     }
 }
 
-/// The pivots that can vanish during a run. A fixed one shows at the first step, as values
-/// that are not finite.
-fn checked(graph: &Graph, pivots: &[(usize, NodeId, NodeId)]) -> Vec<Pivot> {
+/// The pivots that are not constants.
+fn unknown(graph: &Graph, pivots: &[(usize, NodeId, NodeId)]) -> Vec<Pivot> {
     pivots
         .iter()
-        .filter(|&&(_, value, _)| !graph.dependence(value).is_fixed())
+        .filter(|&&(_, value, _)| graph.as_constant(value).is_none())
         .map(|&(coordinate, value, scale)| Pivot { coordinate, value, scale })
         .collect()
 }
 
 /// Two equations of any signature by determinants, which are stable at this size.
-fn cramer(graph: &mut Graph, block: &[usize], entry: &dyn Fn(usize, usize) -> NodeId, force: &[NodeId]) -> Method {
+fn cramer(
+    graph: &mut Graph,
+    block: &[usize],
+    entry: &dyn Fn(usize, usize) -> NodeId,
+    force: &[NodeId],
+) -> Method {
     let (i, j) = (block[0], block[1]);
     let (a, b, c) = (entry(i, i), entry(i, j), entry(j, j));
     let (diagonal, off) = (graph.mul(a, c), graph.powi(b, 2));
@@ -144,10 +151,8 @@ fn cramer(graph: &mut Graph, block: &[usize], entry: &dyn Fn(usize, usize) -> No
         graph.div(numerator, determinant)
     };
     let solution = vec![component(c, b, force[i], force[j]), component(a, b, force[j], force[i])];
-    let pivots = if graph.dependence(determinant).is_fixed() {
-        Vec::new()
-    } else {
-        vec![Pivot { coordinate: i, value: graph.powi(determinant, 2), scale: graph.powi(determinant, 2) }]
-    };
+    // Of either sign, so its square is what must be positive.
+    let square = graph.powi(determinant, 2);
+    let pivots = vec![Pivot { coordinate: i, value: square, scale: square }];
     Method::WrittenOut { pivots, solution }
 }

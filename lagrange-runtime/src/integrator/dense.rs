@@ -4,6 +4,7 @@
 //! step to step. Costs three further evaluations, made only if a sample is asked for. Error O(h⁸) in each step,
 //! of the order of the tolerance. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.6 and II.10.
 
+use super::Field;
 use super::dop853::{Dop853, Slope, combine, reach};
 use super::tableau::dop853::{A, C, D, STAGES, STAGES_DENSE};
 use crate::error::Cause;
@@ -21,7 +22,7 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
     #[inline]
     pub(crate) fn sample<F>(&mut self, f: &F, t: R) -> Result<State<R, N>, Cause>
     where
-        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+        F: Field<R, N>,
     {
         let (start, end) = (&self.start.state, &self.end.state);
         if t == end.t {
@@ -55,7 +56,7 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
     #[inline]
     fn interpolate<F>(&mut self, f: &F) -> Result<Dense<R, N>, Cause>
     where
-        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+        F: Field<R, N>,
     {
         let from = &self.start.state;
         let end = &self.end.state;
@@ -69,7 +70,11 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
             ($($i:literal)*) => {$(
                 let (q, v) = reach(from, h, &combine::<R, N, $i, _, _>(&A[$i], &slopes));
                 self.counts.evaluations += 1;
-                slopes[$i] = Slope { q: v, v: f(from.t + R::from_f64(C[$i]) * h, &q, &v)? };
+                let a = f.accelerations(from.t + R::from_f64(C[$i]) * h, &q, &v);
+                if !a.iter().all(|x| x.is_finite()) {
+                    return Err(f.cause(from.t + R::from_f64(C[$i]) * h, &q, &v));
+                }
+                slopes[$i] = Slope { q: v, v: a };
             )*};
         }
         stages!(13 14 15);

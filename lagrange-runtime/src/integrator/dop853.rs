@@ -9,6 +9,7 @@
 
 use core::cmp::Ordering;
 
+use super::Field;
 use super::dense::Dense;
 use super::step_size::{self, Limits};
 use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
@@ -96,12 +97,6 @@ pub(crate) fn reach<R: Real, const N: usize>(
     (q, v)
 }
 
-/// What a failed stage means: a singular matrix at a state that is not finite is no fact about the system.
-#[cold]
-fn refusal<R: Real, const N: usize>(cause: Cause, q: &[R; N], v: &[R; N]) -> Cause {
-    if q.iter().chain(v).all(|x| x.is_finite()) { cause } else { Cause::NotFinite }
-}
-
 /// Compensated x + d (Kahan).
 #[inline(always)]
 fn add<R: Real>(x: R, residue: R, d: R) -> (R, R) {
@@ -163,7 +158,7 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
         attempts: &mut u64,
     ) -> Result<(), MotionError<R>>
     where
-        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+        F: Field<R, N>,
     {
         let t = self.end.state.t;
         // The next attempt from here, perhaps with other inputs, starts without the lengths that failed.
@@ -242,7 +237,7 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
     #[inline]
     fn attempt<F>(&mut self, f: &F, limits: &Limits<R>, h: R) -> Result<R, Cause>
     where
-        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+        F: Field<R, N>,
     {
         let from = &self.start.state;
         let slopes = &mut self.slopes;
@@ -251,10 +246,8 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
                 let sum = combine::<R, N, $i, _, _>(&A[$i], slopes);
                 let (q, v) = reach(from, h, &sum);
                 self.counts.evaluations += 1;
-                match f(from.t + R::from_f64(C[$i]) * h, &q, &v) {
-                    Ok(a) => slopes[$i] = Slope { q: v, v: a },
-                    Err(cause) => return Err(refusal(cause, &q, &v)),
-                }
+                let a = f.accelerations(from.t + R::from_f64(C[$i]) * h, &q, &v);
+                slopes[$i] = Slope { q: v, v: a };
             )*};
         }
         stages!(1 2 3 4 5 6 7 8 9 10 11);
@@ -277,18 +270,15 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
         }
         let error = step_size::error(h, sum5, sum3, 2 * N);
         if !error.is_finite() {
-            return Err(Cause::NotFinite);
+            return Err(self.failed_stage(f, h));
         }
         if error <= R::one() {
             (end.state.t, end.residue.t) = add(from.t, end.residue.t, h);
             let (q, v) = (&end.state.q, &end.state.v);
             self.counts.evaluations += 1;
-            let a = match f(from.t + h, q, v) {
-                Ok(a) => a,
-                Err(cause) => return Err(refusal(cause, q, v)),
-            };
+            let a = f.accelerations(from.t + h, q, v);
             if !(end.state.is_finite() && a.iter().all(|x| x.is_finite())) {
-                return Err(Cause::NotFinite);
+                return Err(f.cause(from.t + h, q, v));
             }
             self.slope = Some(Slope { q: *v, v: a });
             self.end = end;
@@ -296,20 +286,44 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
         Ok(error)
     }
 
+    /// Why a step of `h` gave no number: the cause at its first stage without finite accelerations.
+    #[cold]
+    fn failed_stage<F: Field<R, N>>(&self, f: &F, h: R) -> Cause {
+        let from = &self.start.state;
+        for ((weights, node), slope) in A.iter().zip(C).zip(&self.slopes) {
+            if slope.v.iter().all(|x| x.is_finite()) {
+                continue;
+            }
+            let (mut q, mut v) = (from.q, from.v);
+            for (weight, earlier) in weights.iter().zip(&self.slopes) {
+                let weight = h * R::from_f64(*weight);
+                // Weights of later stages are zero, but their slopes may be NaN.
+                if weight != R::zero() {
+                    for n in 0..N {
+                        q[n] += weight * earlier.q[n];
+                        v[n] += weight * earlier.v[n];
+                    }
+                }
+            }
+            return f.cause(from.t + R::from_f64(node) * h, &q, &v);
+        }
+        Cause::NotFinite
+    }
+
     /// The slope at `end`, from which everything starts.
     #[cold]
     fn slope_at_end<F>(&mut self, f: &F) -> Result<Slope<R, N>, Cause>
     where
-        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+        F: Field<R, N>,
     {
         let state = &self.end.state;
         if !state.is_finite() {
             return Err(Cause::NotFinite);
         }
         self.counts.evaluations += 1;
-        let a = f(state.t, &state.q, &state.v)?;
+        let a = f.accelerations(state.t, &state.q, &state.v);
         if !a.iter().all(|x| x.is_finite()) {
-            return Err(Cause::NotFinite);
+            return Err(f.cause(state.t, &state.q, &state.v));
         }
         let slope = Slope { q: state.v, v: a };
         self.slope = Some(slope);
@@ -320,7 +334,7 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
     #[cold]
     fn first_length<F>(&mut self, f: &F, limits: &Limits<R>, slope: &Slope<R, N>, direction: R) -> R
     where
-        F: Fn(R, &[R; N], &[R; N]) -> Result<[R; N], Cause>,
+        F: Field<R, N>,
     {
         let from = &self.end.state;
         let scale = limits.scale();
@@ -338,13 +352,9 @@ impl<R: Ordered, const N: usize> Dop853<R, N> {
         let probe = limits.clip(step_size::probe(size, rate));
         let (q, v) = reach(from, direction * probe, slope);
         self.counts.evaluations += 1;
-        let length = match f(from.t + direction * probe, &q, &v) {
-            Ok(a) => {
-                let change = norm(&|n| (v[n] - slope.q[n], a[n] - slope.v[n]));
-                step_size::first(probe, rate, change)
-            }
-            Err(_) => probe,
-        };
+        let a = f.accelerations(from.t + direction * probe, &q, &v);
+        let change = norm(&|n| (v[n] - slope.q[n], a[n] - slope.v[n]));
+        let length = step_size::first(probe, rate, change);
         // A probe into a singularity gives no number; the control takes it from there.
         if length.is_finite() && length.is_positive() { limits.clip(length) } else { probe }
     }

@@ -13,7 +13,7 @@ mod tableau;
 
 pub use rk4::Rk4;
 
-use crate::error::{Cause, MotionError};
+use crate::error::Cause;
 use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
@@ -21,9 +21,7 @@ use crate::system::System;
 /// A method that takes steps of a size chosen by the caller. `default()` is its memory before the first step.
 pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize>: Default {
     /// The state after a step of `h` from `from`, with the inputs `u` held. The time of the result is `from.t + h`.
-    ///
-    /// # Errors
-    /// The cause that the system reports at a stage. A result that is not finite is left to the caller.
+    /// A result that is not finite is left to the caller.
     fn step(
         &mut self,
         system: &S,
@@ -31,23 +29,32 @@ pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize>: Default {
         from: &State<S::Scalar, N>,
         h: S::Scalar,
         u: &[S::Scalar; K],
-    ) -> Result<State<S::Scalar, N>, Cause>;
+    ) -> State<S::Scalar, N>;
 }
 
-/// An error at `state`, with [`Cause::NotFinite`] where a NaN only looks like a singular matrix.
+/// The right-hand side of q″ = a(t, q, v).
+pub(crate) trait Field<R, const N: usize> {
+    /// a(t, q, v); not finite where there is none.
+    fn accelerations(&self, t: R, q: &[R; N], v: &[R; N]) -> [R; N];
+    /// Why it is not finite there.
+    fn cause(&self, t: R, q: &[R; N], v: &[R; N]) -> Cause;
+}
+
+/// Why the motion fails at a state.
 ///
 /// A factorisation stops at a NaN as it stops at a zero pivot, but the energy tells them apart.
 #[cold]
 pub(crate) fn diagnose<S: System<N, K>, const N: usize, const K: usize>(
     system: &S,
     constants: &S::Constants,
-    state: &State<S::Scalar, N>,
-    cause: Cause,
-) -> MotionError<S::Scalar> {
-    let finite = state.is_finite() && system.energy_at(constants, state.t, &state.q, &state.v).is_finite();
-    let cause = match cause {
-        Cause::SingularMassMatrix { .. } if !finite => Cause::NotFinite,
-        other => other,
-    };
-    MotionError { cause, t: state.t }
+    t: S::Scalar,
+    q: &[S::Scalar; N],
+    v: &[S::Scalar; N],
+) -> Cause {
+    let state = q.iter().chain(v).all(|x| x.is_finite()) && t.is_finite();
+    if state && system.energy_at(constants, t, q, v).is_finite() {
+        system.check_at(constants, t, q, v).err().unwrap_or(Cause::NotFinite)
+    } else {
+        Cause::NotFinite
+    }
 }

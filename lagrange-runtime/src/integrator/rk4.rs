@@ -5,7 +5,6 @@
 
 use super::FixedStep;
 use super::tableau::rk4::{B, C};
-use crate::error::Cause;
 use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
@@ -23,9 +22,9 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
         from: &State<S::Scalar, N>,
         h: S::Scalar,
         u: &[S::Scalar; K],
-    ) -> Result<State<S::Scalar, N>, Cause> {
+    ) -> State<S::Scalar, N> {
         let mut slope_q = from.v;
-        let mut slope_v = system.accelerations_at(constants, from.t, &from.q, &from.v, u)?;
+        let mut slope_v = system.accelerations_at(constants, from.t, &from.q, &from.v, u);
         let first = S::Scalar::from_f64(B[0]);
         let mut sum_q = slope_q.map(|x| first * x);
         let mut sum_v = slope_v.map(|x| first * x);
@@ -38,7 +37,7 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
                 q[n] += reach * slope_q[n];
                 v[n] += reach * slope_v[n];
             }
-            slope_v = system.accelerations_at(constants, from.t + reach, &q, &v, u)?;
+            slope_v = system.accelerations_at(constants, from.t + reach, &q, &v, u);
             slope_q = v;
             for n in 0..N {
                 sum_q[n] += weight * slope_q[n];
@@ -50,7 +49,7 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
             next.q[n] += h * sum_q[n];
             next.v[n] += h * sum_v[n];
         }
-        Ok(next)
+        next
     }
 }
 

@@ -7,6 +7,12 @@ use crate::system::System;
 /// Systems of `f64` without constants: accelerations and energy as expressions.
 macro_rules! system {
     ($name:ident, $n:literal, $k:literal, |$t:ident, $q:ident, $v:ident, $u:ident| $a:expr, $energy:expr) => {
+        system!($name, $n, $k, |$t, $q, $v, $u| $a, $energy, {
+            let _ = $q;
+            Ok(())
+        });
+    };
+    ($name:ident, $n:literal, $k:literal, |$t:ident, $q:ident, $v:ident, $u:ident| $a:expr, $energy:expr, $check:expr) => {
         pub(crate) struct $name;
 
         impl System<$n, $k> for $name {
@@ -22,8 +28,12 @@ macro_rules! system {
                 $q: &[f64; $n],
                 #[allow(unused_variables)] $v: &[f64; $n],
                 $u: &[f64; $k],
-            ) -> Result<[f64; $n], Cause> {
+            ) -> [f64; $n] {
                 $a
+            }
+
+            fn check_at(&self, (): &(), _: f64, $q: &[f64; $n], _: &[f64; $n]) -> Result<(), Cause> {
+                $check
             }
 
             fn energy_at(&self, (): &(), _: f64, $q: &[f64; $n], $v: &[f64; $n]) -> f64 {
@@ -34,7 +44,7 @@ macro_rules! system {
 }
 
 // q = cos t from (1, 0), with a force as input.
-system!(Oscillator, 1, 1, |_t, q, v, u| Ok([u[0] - q[0]]), 0.5 * (v[0] * v[0] + q[0] * q[0]));
+system!(Oscillator, 1, 1, |_t, q, v, u| [u[0] - q[0]], 0.5 * (v[0] * v[0] + q[0] * q[0]));
 
 // Two bodies, a = μ = 1.
 system!(
@@ -43,24 +53,25 @@ system!(
     0,
     |_t, q, v, _u| {
         let r = q[0].hypot(q[1]);
-        Ok([-q[0] / (r * r * r), -q[1] / (r * r * r)])
+        [-q[0] / (r * r * r), -q[1] / (r * r * r)]
     },
     0.5 * (v[0] * v[0] + v[1] * v[1]) - 1.0 / q[0].hypot(q[1])
 );
 
 // q = exp(sin t): linear, but driven by time in every term.
-system!(Driven, 1, 0, |t, q, v, _u| Ok([t.cos() * v[0] - t.sin() * q[0]]), 0.5 * v[0] * v[0] + q[0]);
+system!(Driven, 1, 0, |t, q, v, _u| [t.cos() * v[0] - t.sin() * q[0]], 0.5 * v[0] * v[0] + q[0]);
 
 // q = 1/(1 − t) from (1, 1): infinite at t = 1.
-system!(BlowUp, 1, 0, |_t, q, v, _u| Ok([2.0 * q[0] * q[0] * q[0]]), 0.5 * v[0] * v[0] - 0.5 * q[0].powi(4));
+system!(BlowUp, 1, 0, |_t, q, v, _u| [2.0 * q[0] * q[0] * q[0]], 0.5 * v[0] * v[0] - 0.5 * q[0].powi(4));
 
 // Free motion until the mass is gone at q = 2.
 system!(
     Vanishing,
     1,
     0,
-    |_t, q, v, _u| if q[0] < 2.0 { Ok([0.0]) } else { Err(Cause::SingularMassMatrix { pivot: 0 }) },
-    0.5 * v[0] * v[0] + 0.0 * q[0]
+    |_t, q, v, _u| [if q[0] < 2.0 { 0.0 } else { f64::NAN }],
+    0.5 * v[0] * v[0] + 0.0 * q[0],
+    if q[0] < 2.0 { Ok(()) } else { Err(Cause::SingularMassMatrix { pivot: 0 }) }
 );
 
 // Free motion until the force has no value at q = 2.
@@ -68,7 +79,7 @@ system!(
     Undefined,
     1,
     0,
-    |_t, q, v, _u| Ok([if q[0] < 2.0 { 0.0 } else { f64::NAN }]),
+    |_t, q, v, _u| [if q[0] < 2.0 { 0.0 } else { f64::NAN }],
     0.5 * v[0] * v[0] + 0.0 * q[0]
 );
 

@@ -1,0 +1,377 @@
+impl<R: Real> CartPole<R> {
+    #[allow(dead_code)]
+    fn cart(&self, q: &CartPoleCoordinates<R>) -> Vector2<R> {
+        Vector2::new(q.x, R::zero())
+    }
+    #[allow(dead_code)]
+    fn tip(&self, q: &CartPoleCoordinates<R>) -> Vector2<R> {
+        self.cart(q) + Vector2::new(q.theta.sin(), q.theta.cos()) * self.length
+    }
+    #[allow(dead_code)]
+    fn gravity(&self, q: &CartPoleCoordinates<R>) -> R {
+        self.pole_mass * self.g * self.tip(q).y
+    }
+    #[allow(dead_code)]
+    fn bearing(&self, v: &CartPoleVelocities<R>) -> R {
+        <R as ::lagrangian::Real>::from_f64(0.5) * self.damping * v.theta.powi(2)
+    }
+    #[allow(dead_code)]
+    fn motor(&self, u: &CartPoleInputs<R>) -> Vector2<R> {
+        Vector2::new(u.motor, R::zero())
+    }
+}
+///Generalized coordinates of [`CartPole`].
+pub struct CartPoleCoordinates<R = f64> {
+    ///`x`
+    pub x: R,
+    ///`theta`
+    pub theta: R,
+}
+impl<R: ::core::marker::Copy> ::core::marker::Copy for CartPoleCoordinates<R> {}
+impl<R: ::core::marker::Copy> ::core::clone::Clone for CartPoleCoordinates<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R: ::core::fmt::Debug> ::core::fmt::Debug for CartPoleCoordinates<R> {
+    fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        f.debug_struct("CartPoleCoordinates")
+            .field("x", &self.x)
+            .field("theta", &self.theta)
+            .finish()
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<[R; 2usize]>
+for CartPoleCoordinates<R> {
+    fn from(values: [R; 2usize]) -> Self {
+        Self {
+            x: values[0usize],
+            theta: values[1usize],
+        }
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<CartPoleCoordinates<R>>
+for [R; 2usize] {
+    fn from(record: CartPoleCoordinates<R>) -> Self {
+        [record.x, record.theta]
+    }
+}
+impl<R: ::lagrangian::__private::Real> CartPoleCoordinates<R> {
+    /// All components in order.
+    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 2usize> {
+        <[R; 2usize]>::from(*self).into()
+    }
+}
+///Generalized velocities of [`CartPole`].
+pub struct CartPoleVelocities<R = f64> {
+    ///`x`
+    pub x: R,
+    ///`theta`
+    pub theta: R,
+}
+impl<R: ::core::marker::Copy> ::core::marker::Copy for CartPoleVelocities<R> {}
+impl<R: ::core::marker::Copy> ::core::clone::Clone for CartPoleVelocities<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R: ::core::fmt::Debug> ::core::fmt::Debug for CartPoleVelocities<R> {
+    fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        f.debug_struct("CartPoleVelocities")
+            .field("x", &self.x)
+            .field("theta", &self.theta)
+            .finish()
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<[R; 2usize]>
+for CartPoleVelocities<R> {
+    fn from(values: [R; 2usize]) -> Self {
+        Self {
+            x: values[0usize],
+            theta: values[1usize],
+        }
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<CartPoleVelocities<R>>
+for [R; 2usize] {
+    fn from(record: CartPoleVelocities<R>) -> Self {
+        [record.x, record.theta]
+    }
+}
+impl<R: ::lagrangian::__private::Real> CartPoleVelocities<R> {
+    /// All components in order.
+    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 2usize> {
+        <[R; 2usize]>::from(*self).into()
+    }
+}
+///Inputs of [`CartPole`].
+pub struct CartPoleInputs<R = f64> {
+    ///`motor`
+    pub motor: R,
+}
+impl<R: ::core::marker::Copy> ::core::marker::Copy for CartPoleInputs<R> {}
+impl<R: ::core::marker::Copy> ::core::clone::Clone for CartPoleInputs<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R: ::core::fmt::Debug> ::core::fmt::Debug for CartPoleInputs<R> {
+    fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        f.debug_struct("CartPoleInputs").field("motor", &self.motor).finish()
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<[R; 1usize]> for CartPoleInputs<R> {
+    fn from(values: [R; 1usize]) -> Self {
+        Self { motor: values[0usize] }
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<CartPoleInputs<R>> for [R; 1usize] {
+    fn from(record: CartPoleInputs<R>) -> Self {
+        [record.motor]
+    }
+}
+impl<R: ::lagrangian::__private::Real> CartPoleInputs<R> {
+    /// All components in order.
+    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 1usize> {
+        <[R; 1usize]>::from(*self).into()
+    }
+}
+const _: () = {
+    use ::lagrangian::__private as lagrange;
+    impl<R: Real> CartPole<R> {
+        /// Operations of one evaluation of the accelerations, as derived and as emitted; what is
+        /// computed once per run and the factorisation in the runtime, if any, are not counted.
+        pub const COST: lagrange::Costs = lagrange::Costs {
+            before: lagrange::Cost {
+                additions: 3u32,
+                multiplications: 10u32,
+                divisions: 0u32,
+                square_roots: 0u32,
+                functions: 1u32,
+            },
+            after: lagrange::Cost {
+                additions: 5u32,
+                multiplications: 14u32,
+                divisions: 1u32,
+                square_roots: 0u32,
+                functions: 1u32,
+            },
+        };
+        /// What was found in this system, and what its code therefore leaves out.
+        pub const STRUCTURE: lagrange::Structure = lagrange::Structure {
+            mass_matrix: "dense, solved by a factorisation written out (2 × 2)",
+            facts: &[],
+            skipped: &["time: nothing depends on it", "constraints and multipliers"],
+        };
+        /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
+
+The mass matrix is dense, solved by a factorisation written out (2 × 2).
+
+# Errors
+
+A singular mass matrix, with the coordinate and the time.*/
+        #[inline]
+        pub fn accelerations(
+            &self,
+            state: &lagrange::State<R, 2>,
+            inputs: &[R; 1],
+        ) -> ::core::result::Result<[R; 2], lagrange::MotionError<R>> {
+            let constants = lagrange::System::constants(self);
+            lagrange::System::accelerations_at(
+                    self,
+                    &constants,
+                    state.t,
+                    &state.q,
+                    &state.v,
+                    inputs,
+                )
+                .map_err(|cause| lagrange::MotionError {
+                    cause,
+                    t: state.t,
+                })
+        }
+        ///Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].
+        #[inline]
+        pub fn mass_matrix(
+            &self,
+            state: &lagrange::State<R, 2>,
+        ) -> lagrange::nalgebra::SMatrix<R, 2, 2> {
+            use lagrange::Real;
+            let [_, theta] = state.q;
+            [
+                [
+                    self.cart_mass + self.pole_mass,
+                    self.pole_mass * self.length * Real::cos(theta),
+                ],
+                [
+                    self.pole_mass * self.length * Real::cos(theta),
+                    self.pole_mass * (self.length * self.length),
+                ],
+            ]
+                .into()
+        }
+        /**Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
+
+- `b(x) = −theta′^2·pole_mass·sin(theta)·length`
+- `b(theta) = −pole_mass·sin(theta)·length·g`*/
+        #[inline]
+        pub fn bias(&self, state: &lagrange::State<R, 2>) -> [R; 2] {
+            use lagrange::Real;
+            let [_, theta] = state.q;
+            let [_, theta_dot] = state.v;
+            let sin_theta = Real::sin(theta);
+            let pole_mass_length = self.pole_mass * self.length;
+            [
+                -(pole_mass_length * (theta_dot * theta_dot * sin_theta)),
+                -(pole_mass_length * self.g * sin_theta),
+            ]
+        }
+        /**Generalized applied forces Q − ∂D/∂v.
+
+- `Q(x) = motor`
+- `Q(theta) = −theta′·damping`*/
+        #[inline]
+        pub fn applied_forces(
+            &self,
+            state: &lagrange::State<R, 2>,
+            inputs: &[R; 1],
+        ) -> [R; 2] {
+            let [_, theta_dot] = state.v;
+            let [motor] = *inputs;
+            [motor, -(self.damping * theta_dot)]
+        }
+        /**Generalized momenta p = ∂L/∂v.
+
+- `p(x) = theta′·pole_mass·cos(theta)·length + x′·(cart_mass + pole_mass)`
+- `p(theta) = pole_mass·length·(theta′·length + x′·cos(theta))`*/
+        #[inline]
+        pub fn momenta(&self, state: &lagrange::State<R, 2>) -> [R; 2] {
+            use lagrange::Real;
+            let [_, theta] = state.q;
+            let [x_dot, theta_dot] = state.v;
+            let cos_theta = Real::cos(theta);
+            let pole_mass_length = self.pole_mass * self.length;
+            [
+                pole_mass_length * (theta_dot * cos_theta)
+                    + (self.cart_mass + self.pole_mass) * x_dot,
+                pole_mass_length * (self.length * theta_dot + x_dot * cos_theta),
+            ]
+        }
+        /**Kinetic energy T [J].
+
+`T = 0.5·theta′^2·pole_mass·length^2 + x′·(theta′·pole_mass·cos(theta)·length + 0.5·x′·(cart_mass + pole_mass))`*/
+        #[inline]
+        pub fn kinetic_energy(&self, state: &lagrange::State<R, 2>) -> R {
+            use lagrange::Real;
+            let [_, theta] = state.q;
+            let [x_dot, theta_dot] = state.v;
+            let w1 = self.pole_mass * self.length * (theta_dot * Real::cos(theta))
+                + R::from_f64(0.5) * (self.cart_mass + self.pole_mass) * x_dot;
+            let w2 = R::from_f64(0.5) * self.pole_mass * (self.length * self.length)
+                * (theta_dot * theta_dot);
+            w2 + x_dot * w1
+        }
+        /**Potential energy V [J].
+
+`V = pole_mass·cos(theta)·length·g`*/
+        #[inline]
+        pub fn potential_energy(&self, state: &lagrange::State<R, 2>) -> R {
+            use lagrange::Real;
+            let [_, theta] = state.q;
+            let gravity = self.pole_mass * self.length * self.g * Real::cos(theta);
+            gravity
+        }
+        ///Energy T + V [J].
+        #[inline]
+        pub fn energy(&self, state: &lagrange::State<R, 2>) -> R {
+            use lagrange::Real;
+            let [_, theta] = state.q;
+            let [x_dot, theta_dot] = state.v;
+            let cos_theta = Real::cos(theta);
+            let w1 = R::from_f64(2.0) * self.pole_mass * self.length
+                * (theta_dot * cos_theta) + (self.cart_mass + self.pole_mass) * x_dot;
+            let w2 = R::from_f64(0.5)
+                * (self.pole_mass * (self.length * self.length) * (theta_dot * theta_dot)
+                    + x_dot * w1);
+            self.pole_mass * self.length * self.g * cos_theta + w2
+        }
+        /**Power v·(Q − ∂D/∂v) of the applied forces [W].
+
+`P = −(theta′^2·damping − x′·motor)`*/
+        #[inline]
+        pub fn power(&self, state: &lagrange::State<R, 2>, inputs: &[R; 1]) -> R {
+            let [x_dot, theta_dot] = state.v;
+            let [motor] = *inputs;
+            -(self.damping * (theta_dot * theta_dot) - x_dot * motor)
+        }
+    }
+    impl<R: Real> lagrange::System<2usize, 1usize> for CartPole<R> {
+        type Scalar = R;
+        type Constants = [R; 8];
+        #[inline]
+        fn constants(&self) -> Self::Constants {
+            let cart_mass_plus_pole_mass = self.cart_mass + self.pole_mass;
+            let pole_mass_length = self.pole_mass * self.length;
+            let pole_mass_length_squared = self.pole_mass * (self.length * self.length);
+            [
+                pole_mass_length,
+                pole_mass_length * self.g,
+                self.pole_mass / cart_mass_plus_pole_mass,
+                pole_mass_length / cart_mass_plus_pole_mass,
+                R::one() / self.length,
+                pole_mass_length_squared,
+                R::one() / cart_mass_plus_pole_mass,
+                R::one() / pole_mass_length_squared,
+            ]
+        }
+        #[inline]
+        fn accelerations_at(
+            &self,
+            constants: &Self::Constants,
+            _t: R,
+            q: &[R; 2],
+            v: &[R; 2],
+            u: &[R; 1],
+        ) -> ::core::result::Result<[R; 2], lagrange::Cause> {
+            use lagrange::Real;
+            let [_, theta] = *q;
+            let [_, theta_dot] = *v;
+            let [motor] = *u;
+            let [pole_mass_length, pole_mass_length_g, w1, w2, inverse_length,
+            pole_mass_length_squared, w3, w4] = *constants;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let w5 = motor + pole_mass_length * (theta_dot * theta_dot * sin_theta);
+            let w6 = R::one() - w1 * (cos_theta * cos_theta);
+            let w7 = (pole_mass_length_g * sin_theta - self.damping * theta_dot
+                - w2 * (cos_theta * w5)) / w6;
+            lagrange::solve::pivot(
+                pole_mass_length_squared * w6,
+                pole_mass_length_squared,
+                1,
+            )?;
+            ::core::result::Result::Ok([
+                w3 * (w5 - inverse_length * (cos_theta * w7)),
+                w4 * w7,
+            ])
+        }
+        #[inline]
+        fn energy_at(
+            &self,
+            _constants: &Self::Constants,
+            _t: R,
+            q: &[R; 2],
+            v: &[R; 2],
+        ) -> R {
+            use lagrange::Real;
+            let [_, theta] = *q;
+            let [x_dot, theta_dot] = *v;
+            let cos_theta = Real::cos(theta);
+            let w1 = R::from_f64(2.0) * self.pole_mass * self.length
+                * (theta_dot * cos_theta) + (self.cart_mass + self.pole_mass) * x_dot;
+            let w2 = R::from_f64(0.5)
+                * (self.pole_mass * (self.length * self.length) * (theta_dot * theta_dot)
+                    + x_dot * w1);
+            self.pole_mass * self.length * self.g * cos_theta + w2
+        }
+    }
+};

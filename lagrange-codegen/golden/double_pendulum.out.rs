@@ -1,0 +1,334 @@
+impl DoublePendulum {
+    #[allow(dead_code)]
+    fn upper(&self, q: &DoublePendulumCoordinates) -> Vector2<f64> {
+        self.l[0] * Vector2::new(q.theta[0].sin(), -q.theta[0].cos())
+    }
+    #[allow(dead_code)]
+    fn lower(&self, q: &DoublePendulumCoordinates) -> Vector2<f64> {
+        self.upper(q) + self.l[1] * Vector2::new(q.theta[1].sin(), -q.theta[1].cos())
+    }
+    #[allow(dead_code)]
+    fn gravity(&self, q: &DoublePendulumCoordinates) -> f64 {
+        self.g * (self.m[0] * self.upper(q).y + self.m[1] * self.lower(q).y)
+    }
+}
+///Generalized coordinates of [`DoublePendulum`].
+pub struct DoublePendulumCoordinates<R = f64> {
+    ///`theta`
+    pub theta: [R; 2usize],
+}
+impl<R: ::core::marker::Copy> ::core::marker::Copy for DoublePendulumCoordinates<R> {}
+impl<R: ::core::marker::Copy> ::core::clone::Clone for DoublePendulumCoordinates<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R: ::core::fmt::Debug> ::core::fmt::Debug for DoublePendulumCoordinates<R> {
+    fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        f.debug_struct("DoublePendulumCoordinates").field("theta", &self.theta).finish()
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<[R; 2usize]>
+for DoublePendulumCoordinates<R> {
+    fn from(values: [R; 2usize]) -> Self {
+        Self {
+            theta: ::core::array::from_fn(|i| values[0usize + i]),
+        }
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<DoublePendulumCoordinates<R>>
+for [R; 2usize] {
+    fn from(record: DoublePendulumCoordinates<R>) -> Self {
+        [record.theta[0usize], record.theta[1usize]]
+    }
+}
+impl<R: ::lagrangian::__private::Real> DoublePendulumCoordinates<R> {
+    /// All components in order.
+    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 2usize> {
+        <[R; 2usize]>::from(*self).into()
+    }
+}
+///Generalized velocities of [`DoublePendulum`].
+pub struct DoublePendulumVelocities<R = f64> {
+    ///`theta`
+    pub theta: [R; 2usize],
+}
+impl<R: ::core::marker::Copy> ::core::marker::Copy for DoublePendulumVelocities<R> {}
+impl<R: ::core::marker::Copy> ::core::clone::Clone for DoublePendulumVelocities<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R: ::core::fmt::Debug> ::core::fmt::Debug for DoublePendulumVelocities<R> {
+    fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        f.debug_struct("DoublePendulumVelocities").field("theta", &self.theta).finish()
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<[R; 2usize]>
+for DoublePendulumVelocities<R> {
+    fn from(values: [R; 2usize]) -> Self {
+        Self {
+            theta: ::core::array::from_fn(|i| values[0usize + i]),
+        }
+    }
+}
+impl<R: ::core::marker::Copy> ::core::convert::From<DoublePendulumVelocities<R>>
+for [R; 2usize] {
+    fn from(record: DoublePendulumVelocities<R>) -> Self {
+        [record.theta[0usize], record.theta[1usize]]
+    }
+}
+impl<R: ::lagrangian::__private::Real> DoublePendulumVelocities<R> {
+    /// All components in order.
+    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 2usize> {
+        <[R; 2usize]>::from(*self).into()
+    }
+}
+const _: () = {
+    use ::lagrangian::__private as lagrange;
+    impl DoublePendulum {
+        /// Operations of one evaluation of the accelerations, as derived and as emitted; what is
+        /// computed once per run and the factorisation in the runtime, if any, are not counted.
+        pub const COST: lagrange::Costs = lagrange::Costs {
+            before: lagrange::Cost {
+                additions: 12u32,
+                multiplications: 32u32,
+                divisions: 0u32,
+                square_roots: 0u32,
+                functions: 2u32,
+            },
+            after: lagrange::Cost {
+                additions: 10u32,
+                multiplications: 24u32,
+                divisions: 1u32,
+                square_roots: 0u32,
+                functions: 2u32,
+            },
+        };
+        /// What was found in this system, and what its code therefore leaves out.
+        pub const STRUCTURE: lagrange::Structure = lagrange::Structure {
+            mass_matrix: "dense, solved by a factorisation written out (2 × 2)",
+            facts: &["conservative and autonomous: the energy is conserved"],
+            skipped: &[
+                "time: nothing depends on it",
+                "inputs",
+                "dissipation",
+                "applied forces",
+                "constraints and multipliers",
+            ],
+        };
+        /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
+
+The mass matrix is dense, solved by a factorisation written out (2 × 2).
+
+# Errors
+
+A singular mass matrix, with the coordinate and the time.*/
+        #[inline]
+        pub fn accelerations(
+            &self,
+            state: &lagrange::State<f64, 2>,
+        ) -> ::core::result::Result<[f64; 2], lagrange::MotionError<f64>> {
+            let constants = lagrange::System::constants(self);
+            lagrange::System::accelerations_at(
+                    self,
+                    &constants,
+                    state.t,
+                    &state.q,
+                    &state.v,
+                    &[],
+                )
+                .map_err(|cause| lagrange::MotionError {
+                    cause,
+                    t: state.t,
+                })
+        }
+        ///Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].
+        #[inline]
+        pub fn mass_matrix(
+            &self,
+            state: &lagrange::State<f64, 2>,
+        ) -> lagrange::nalgebra::SMatrix<f64, 2, 2> {
+            use lagrange::Real;
+            let [theta_0, theta_1] = state.q;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
+            [
+                [
+                    self.l[0] * self.l[0] * (self.m[0] + self.m[1]),
+                    self.l[0] * self.m[1] * self.l[1]
+                        * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1),
+                ],
+                [
+                    self.l[0] * self.m[1] * self.l[1]
+                        * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1),
+                    self.m[1] * (self.l[1] * self.l[1]),
+                ],
+            ]
+                .into()
+        }
+        ///Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
+        #[inline]
+        pub fn bias(&self, state: &lagrange::State<f64, 2>) -> [f64; 2] {
+            use lagrange::Real;
+            let [theta_0, theta_1] = state.q;
+            let [theta_0_dot, theta_1_dot] = state.v;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
+            let sin_theta_1_cos_theta_0 = sin_theta_1 * cos_theta_0;
+            let w1 = self.l[0]
+                * (theta_0_dot * theta_0_dot
+                    * (sin_theta_1_cos_theta_0 - sin_theta_0 * cos_theta_1));
+            let theta_1_dot_squared = theta_1_dot * theta_1_dot;
+            let w2 = self.m[1]
+                * (self.l[1] * (theta_1_dot_squared * cos_theta_1) + self.g)
+                + self.m[0] * self.g;
+            let m_1_l_1 = self.m[1] * self.l[1];
+            let w3 = self.l[0]
+                * (m_1_l_1 * (theta_1_dot_squared * sin_theta_1_cos_theta_0)
+                    - sin_theta_0 * w2);
+            [-w3, m_1_l_1 * (self.g * sin_theta_1 + w1)]
+        }
+        /**Generalized momenta p = ∂L/∂v.
+
+- `p(theta[0]) = l[0]·(theta′[0]·l[0]·(m[0] + m[1]) + theta′[1]·m[1]·l[1]·(sin(theta[0])·sin(theta[1]) + cos(theta[0])·cos(theta[1])))`
+- `p(theta[1]) = m[1]·l[1]·(theta′[1]·l[1] + theta′[0]·l[0]·(sin(theta[0])·sin(theta[1]) + cos(theta[0])·cos(theta[1])))`*/
+        #[inline]
+        pub fn momenta(&self, state: &lagrange::State<f64, 2>) -> [f64; 2] {
+            use lagrange::Real;
+            let [theta_0, theta_1] = state.q;
+            let [theta_0_dot, theta_1_dot] = state.v;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
+            let w1 = sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1;
+            let m_1_l_1 = self.m[1] * self.l[1];
+            let w2 = self.l[0] * (self.m[0] + self.m[1]) * theta_0_dot
+                + m_1_l_1 * (theta_1_dot * w1);
+            [
+                self.l[0] * w2,
+                m_1_l_1 * (self.l[1] * theta_1_dot + self.l[0] * (theta_0_dot * w1)),
+            ]
+        }
+        ///Kinetic energy T [J].
+        #[inline]
+        pub fn kinetic_energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
+            use lagrange::Real;
+            let [theta_0, theta_1] = state.q;
+            let [theta_0_dot, theta_1_dot] = state.v;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
+            let w1 = self.l[1]
+                * (theta_1_dot
+                    * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1));
+            let w2 = 0.5 * self.m[0] * self.l[0] * theta_0_dot
+                + self.m[1] * (0.5 * self.l[0] * theta_0_dot + w1);
+            0.5 * self.m[1] * (self.l[1] * self.l[1]) * (theta_1_dot * theta_1_dot)
+                + self.l[0] * (theta_0_dot * w2)
+        }
+        /**Potential energy V [J].
+
+`V = −g·(cos(theta[0])·l[0]·(m[0] + m[1]) + m[1]·cos(theta[1])·l[1])`*/
+        #[inline]
+        pub fn potential_energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
+            use lagrange::Real;
+            let [theta_0, theta_1] = state.q;
+            let w1 = self.l[0] * (self.m[0] + self.m[1]) * Real::cos(theta_0)
+                + self.m[1] * self.l[1] * Real::cos(theta_1);
+            -(self.g * w1)
+        }
+        ///Energy T + V [J].
+        #[inline]
+        pub fn energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
+            use lagrange::Real;
+            let [theta_0, theta_1] = state.q;
+            let [theta_0_dot, theta_1_dot] = state.v;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
+            let w1 = self.l[1]
+                * (theta_1_dot
+                    * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1));
+            let w2 = 0.5 * self.m[0] * self.l[0] * theta_0_dot
+                + self.m[1] * (0.5 * self.l[0] * theta_0_dot + w1);
+            let w3 = self.l[0]
+                * (self.g * (self.m[0] + self.m[1]) * cos_theta_0 - theta_0_dot * w2);
+            let w4 = self.m[1] * self.l[1]
+                * (self.g * cos_theta_1 - 0.5 * self.l[1] * (theta_1_dot * theta_1_dot));
+            -(w3 + w4)
+        }
+    }
+    impl lagrange::System<2usize, 0usize> for DoublePendulum {
+        type Scalar = f64;
+        type Constants = [f64; 7];
+        #[inline]
+        fn constants(&self) -> Self::Constants {
+            let m_0_plus_m_1 = self.m[0] + self.m[1];
+            [
+                self.m[0] * self.g,
+                self.m[1] * self.l[1],
+                self.m[1] / m_0_plus_m_1,
+                1.0 / m_0_plus_m_1,
+                self.m[1] * (self.l[1] * self.l[1]),
+                1.0 / (self.l[0] * m_0_plus_m_1),
+                1.0 / self.l[1],
+            ]
+        }
+        #[inline]
+        fn accelerations_at(
+            &self,
+            constants: &Self::Constants,
+            _t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+            _u: &[f64; 0],
+        ) -> ::core::result::Result<[f64; 2], lagrange::Cause> {
+            use lagrange::Real;
+            let [theta_0, theta_1] = *q;
+            let [theta_0_dot, theta_1_dot] = *v;
+            let [m_0_g, m_1_l_1, m_1_over_m_0_plus_m_1, inverse_m_0_plus_m_1,
+            m_1_l_1_squared, inverse_l_0_m_0_plus_m_1, inverse_l_1] = *constants;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
+            let w1 = sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1;
+            let sin_theta_1_cos_theta_0 = sin_theta_1 * cos_theta_0;
+            let w2 = self.l[0]
+                * (theta_0_dot * theta_0_dot
+                    * (sin_theta_1_cos_theta_0 - sin_theta_0 * cos_theta_1));
+            let theta_1_dot_squared = theta_1_dot * theta_1_dot;
+            let w3 = self.m[1]
+                * (self.l[1] * (theta_1_dot_squared * cos_theta_1) + self.g) + m_0_g;
+            let w4 = m_1_l_1 * (theta_1_dot_squared * sin_theta_1_cos_theta_0)
+                - sin_theta_0 * w3;
+            let w5 = 1.0 - m_1_over_m_0_plus_m_1 * (w1 * w1);
+            let w6 = (self.g * sin_theta_1 + w2 + inverse_m_0_plus_m_1 * (w1 * w4)) / w5;
+            lagrange::solve::pivot(m_1_l_1_squared * w5, m_1_l_1_squared, 1)?;
+            ::core::result::Result::Ok([
+                inverse_l_0_m_0_plus_m_1 * (w4 + self.m[1] * (w1 * w6)),
+                -(inverse_l_1 * w6),
+            ])
+        }
+        #[inline]
+        fn energy_at(
+            &self,
+            _constants: &Self::Constants,
+            _t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+        ) -> f64 {
+            use lagrange::Real;
+            let [theta_0, theta_1] = *q;
+            let [theta_0_dot, theta_1_dot] = *v;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
+            let w1 = self.l[1]
+                * (theta_1_dot
+                    * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1));
+            let w2 = 0.5 * self.m[0] * self.l[0] * theta_0_dot
+                + self.m[1] * (0.5 * self.l[0] * theta_0_dot + w1);
+            let w3 = self.l[0]
+                * (self.g * (self.m[0] + self.m[1]) * cos_theta_0 - theta_0_dot * w2);
+            let w4 = self.m[1] * self.l[1]
+                * (self.g * cos_theta_1 - 0.5 * self.l[1] * (theta_1_dot * theta_1_dot));
+            -(w3 + w4)
+        }
+    }
+};

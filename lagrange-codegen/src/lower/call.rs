@@ -1,0 +1,169 @@
+//! Calls of functions of the impl block: inlined, each once for equal arguments.
+
+use super::interpreter::{Flow, Interpreter};
+use super::shape::Shape;
+use super::value::Value;
+use crate::diagnostics::{Origin, catalogue};
+use crate::syntax::body::{Block, Closure, Expr, ExprKind, Name, Path, Word};
+
+/// What can be passed where a closure is expected.
+#[derive(Clone, Copy)]
+pub enum Callable<'a> {
+    /// `|x| …`.
+    Closure(&'a Closure),
+    /// `f64::sin`, `Self::rate`.
+    Path(&'a Path),
+}
+
+impl<'a> Interpreter<'a> {
+    /// `self.name(arguments)` or `Self::name(arguments)`; `with_self` tells whether `self` was
+    /// given.
+    pub fn call_helper(
+        &mut self,
+        word: &Word,
+        arguments: Vec<Value>,
+        with_self: bool,
+        origin: Origin,
+    ) -> Value {
+        let item = self.item;
+        let Some(index) = item.functions.iter().position(|function| function.name == word.name) else {
+            let names: Vec<Name> = item.functions.iter().map(|function| function.name.clone()).collect();
+            let near = self.near(&word.name, &names);
+            return self.refuse(word.origin, catalogue::unknown_helper(&word.name, near));
+        };
+        let function = &item.functions[index];
+        if function.receiver != with_self {
+            let message = if with_self {
+                catalogue::not_a_method(&word.name)
+            } else {
+                catalogue::needs_self(&word.name)
+            };
+            return self.refuse(word.origin, message);
+        }
+        self.call(index, arguments, origin)
+    }
+
+    /// The arguments for a function of the block, whose parameters tell their shapes.
+    pub fn arguments(&mut self, name: &str, arguments: &'a [Expr]) -> Vec<Value> {
+        let item = self.item;
+        let function = item.functions.iter().find(|function| *function.name == *name);
+        let parameters = function.map_or(&[][..], |function| &function.parameters);
+        let mut values = Vec::with_capacity(arguments.len());
+        for (position, argument) in arguments.iter().enumerate() {
+            let shape = match parameters.get(position) {
+                Some(parameter) => self.shape(&parameter.ty),
+                None => Shape::Any,
+            };
+            values.push(self.expression_as(argument, &shape));
+        }
+        values
+    }
+
+    /// The result of a function for some arguments, without `self`.
+    pub fn call(&mut self, index: usize, arguments: Vec<Value>, origin: Origin) -> Value {
+        let item = self.item;
+        let function = &item.functions[index];
+        if arguments.len() != function.parameters.len() {
+            let message =
+                catalogue::argument_count(&function.name, function.parameters.len(), arguments.len());
+            return self.refuse(origin, message);
+        }
+        if self.calls.contains(&index) {
+            let start = self.calls.iter().position(|&other| other == index).unwrap_or(0);
+            let cycle: Vec<String> = self.calls[start..]
+                .iter()
+                .chain([&index])
+                .map(|&i| item.functions[i].name.to_string())
+                .collect();
+            return self.refuse(origin, catalogue::recursion(cycle.join("` → `")));
+        }
+        let mut shaped = Vec::with_capacity(arguments.len());
+        for (argument, parameter) in arguments.into_iter().zip(&function.parameters) {
+            let shape = self.shape(&parameter.ty);
+            shaped.push(self.coerce(argument, &shape, origin));
+        }
+        let mut key = Vec::new();
+        shaped.iter().for_each(|argument| argument.fingerprint(&mut key));
+        let key = (index, key);
+        if let Some(value) = self.memo.get(&key) {
+            return value.clone();
+        }
+        if !self.pay(origin) {
+            self.stop();
+            return Value::Unknown;
+        }
+        self.calls.push(index);
+        let was_in_attribute = std::mem::replace(&mut self.in_attribute, false);
+        let mark = self.scope.enter();
+        for (argument, parameter) in shaped.into_iter().zip(&function.parameters) {
+            self.bind(&parameter.pattern, argument);
+        }
+        let value = match &function.output {
+            Some(ty) => {
+                let shape = self.shape(ty);
+                let value = self.body_value(&function.body, &shape);
+                let origin = function.body.value.as_ref().map_or(function.origin, |value| value.origin);
+                self.coerce(value, &shape, origin)
+            }
+            None => self.body_value(&function.body, &Shape::Any),
+        };
+        self.scope.leave(mark);
+        self.calls.pop();
+        self.in_attribute = was_in_attribute;
+        self.memo.insert(key, value.clone());
+        value
+    }
+
+    /// The value of a function body: of its last expression or of `return`.
+    fn body_value(&mut self, body: &'a Block, shape: &Shape) -> Value {
+        let value = self.block_as(body, shape);
+        match std::mem::replace(&mut self.flow, Flow::Next) {
+            Flow::Return(value) => value,
+            Flow::Next => value,
+            Flow::Break(_) | Flow::Continue(_) => Value::Unknown,
+        }
+    }
+
+    /// An argument that is called: a closure or the path of a function.
+    pub fn callable(&mut self, expr: &'a Expr) -> Option<Callable<'a>> {
+        match &expr.kind {
+            ExprKind::Closure(closure) => Some(Callable::Closure(closure)),
+            ExprKind::Path(path) => Some(Callable::Path(path)),
+            _ => {
+                self.report(expr.origin, catalogue::closure_expected());
+                None
+            }
+        }
+    }
+
+    /// Calls a closure or a function.
+    pub fn apply(&mut self, callable: Callable<'a>, arguments: Vec<Value>, origin: Origin) -> Value {
+        match callable {
+            Callable::Path(path) => self.call_values(path, arguments, origin),
+            Callable::Closure(closure) => {
+                if closure.parameters.len() != arguments.len() {
+                    let message = catalogue::closure_arguments(arguments.len(), closure.parameters.len());
+                    return self.refuse(origin, message);
+                }
+                if !self.pay(origin) {
+                    self.stop();
+                    return Value::Unknown;
+                }
+                let mark = self.scope.mark();
+                for (pattern, argument) in closure.parameters.iter().zip(arguments) {
+                    self.bind(pattern, argument);
+                }
+                let value = self.expression(&closure.body);
+                self.scope.leave(mark);
+                match &self.flow {
+                    Flow::Return(value) => {
+                        let value = value.clone();
+                        self.flow = Flow::Next;
+                        value
+                    }
+                    Flow::Next | Flow::Break(_) | Flow::Continue(_) => value,
+                }
+            }
+        }
+    }
+}

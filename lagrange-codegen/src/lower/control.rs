@@ -1,0 +1,183 @@
+//! Conditionals and loops whose course is known while the macro runs.
+
+use std::rc::Rc;
+
+use super::interpreter::{Flow, Interpreter};
+use super::value::Value;
+use crate::diagnostics::{Origin, catalogue};
+use crate::syntax::body::{Arm, Expr, ExprKind, For, If, Name, RangeExpr};
+
+impl<'a> Interpreter<'a> {
+    /// The truth of a condition; `None` if it is not known, which is reported.
+    pub fn condition(&mut self, expr: &'a Expr) -> Option<bool> {
+        match self.expression(expr) {
+            Value::Boolean(value) => Some(value),
+            Value::Unknown => None,
+            Value::Parameter(id) => {
+                let text = format!("the parameter `{}`", self.parameters.text(id));
+                self.report(expr.origin, catalogue::branch_on_variable(text));
+                None
+            }
+            other => {
+                self.report(expr.origin, catalogue::wrong_shape("a `bool`", other.describe()));
+                None
+            }
+        }
+    }
+
+    /// `if … else …`.
+    pub fn branch(&mut self, branch: &'a If, _: Origin) -> Value {
+        match self.condition(&branch.condition) {
+            Some(true) => self.block(&branch.then),
+            Some(false) => match &branch.otherwise {
+                Some(otherwise) => self.expression(otherwise),
+                None => Value::Unit,
+            },
+            None => Value::Unknown,
+        }
+    }
+
+    /// `match … { … }`.
+    pub fn matching(&mut self, value: &'a Expr, arms: &'a [Arm], origin: Origin) -> Value {
+        let place = value.origin;
+        let value = self.expression(value);
+        match &value {
+            Value::Unknown => return Value::Unknown,
+            Value::Scalar(node) if self.model.graph.as_constant(*node).is_none() => {
+                let on = super::operator::dependence_words(self.model.graph.dependence(*node));
+                return self.refuse(place, catalogue::branch_on_variable(on));
+            }
+            Value::Parameter(id) => {
+                let text = format!("the parameter `{}`", self.parameters.text(*id));
+                return self.refuse(place, catalogue::branch_on_variable(text));
+            }
+            _ => {}
+        }
+        for arm in arms {
+            let mark = self.scope.mark();
+            let result = match self.matches(&arm.pattern, &value) {
+                None => Some(Value::Unknown),
+                Some(false) => None,
+                Some(true) => match arm.guard.as_ref().map(|guard| self.condition(guard)) {
+                    None | Some(Some(true)) => Some(self.expression(&arm.body)),
+                    Some(Some(false)) => None,
+                    Some(None) => Some(Value::Unknown),
+                },
+            };
+            self.scope.leave(mark);
+            if let Some(result) = result {
+                return result;
+            }
+        }
+        self.refuse(origin, catalogue::no_arm())
+    }
+
+    /// `for … in … { … }`.
+    pub fn each(&mut self, each: &'a For) -> Value {
+        let over = match &each.over.kind {
+            ExprKind::Range(range) => self.bounded_range(range, each.over.origin),
+            _ => {
+                let over = self.expression(&each.over);
+                self.elements(over, each.over.origin)
+            }
+        };
+        let Some(over) = over else { return Value::Unknown };
+        for element in over.iter() {
+            if !self.pay(each.over.origin) {
+                self.stop();
+                return Value::Unknown;
+            }
+            let mark = self.scope.mark();
+            self.bind(&each.pattern, element.clone());
+            self.block(&each.body);
+            self.scope.leave(mark);
+            let mine = |label: &Option<Name>| label.is_none() || *label == each.label;
+            match &self.flow {
+                Flow::Next => {}
+                Flow::Break(label) if mine(label) => {
+                    self.flow = Flow::Next;
+                    break;
+                }
+                Flow::Continue(label) if mine(label) => self.flow = Flow::Next,
+                Flow::Break(_) | Flow::Continue(_) | Flow::Return(_) => return Value::Unknown,
+            }
+        }
+        Value::Unit
+    }
+
+    /// A range as a value.
+    pub fn range(&mut self, range: &'a RangeExpr) -> Value {
+        let mut valid = true;
+        let mut bound = |interpreter: &mut Self, expr: &'a Option<Box<Expr>>| {
+            let expr = expr.as_ref()?;
+            let value = interpreter.bound(expr);
+            valid &= value.is_some();
+            value
+        };
+        let start = bound(self, &range.start);
+        let end = bound(self, &range.end);
+        match valid {
+            true => Value::Range(start, end.map(|end| end.saturating_add(i128::from(range.inclusive)))),
+            false => Value::Unknown,
+        }
+    }
+
+    fn bound(&mut self, expr: &'a Expr) -> Option<i128> {
+        match self.expression(expr) {
+            Value::Integer(value) => Some(value),
+            Value::Unknown => None,
+            Value::Parameter(id) => {
+                let text = self.parameters.text(id).to_string();
+                self.report(expr.origin, catalogue::parameter_bound(text));
+                None
+            }
+            other => {
+                self.report(expr.origin, catalogue::bound_not_constant(other.describe()));
+                None
+            }
+        }
+    }
+
+    fn bounded_range(&mut self, range: &'a RangeExpr, origin: Origin) -> Option<Rc<Vec<Value>>> {
+        let range = self.range(range);
+        self.elements(range, origin)
+    }
+
+    /// What a loop or an iterator runs over.
+    pub fn elements(&mut self, value: Value, origin: Origin) -> Option<Rc<Vec<Value>>> {
+        /// Ranges beyond this would only exhaust the budget.
+        const LONGEST: i128 = 1_000_001;
+        match value {
+            Value::Array(elements) | Value::Iterator(elements) => Some(elements),
+            Value::Range(Some(start), Some(end)) => {
+                let end = end.min(start.saturating_add(LONGEST));
+                Some(Rc::new((start..end).map(Value::Integer).collect()))
+            }
+            Value::Range(..) => {
+                self.report(origin, catalogue::open_range());
+                None
+            }
+            Value::Vector(nodes) | Value::Point(nodes) => {
+                Some(Rc::new(nodes.iter().map(|&node| Value::Scalar(node)).collect()))
+            }
+            Value::Matrix(matrix) => {
+                let column_major = (0..matrix.columns)
+                    .flat_map(|column| (0..matrix.rows).map(move |row| (row, column)))
+                    .map(|(row, column)| Value::Scalar(matrix.at(row, column)));
+                Some(Rc::new(column_major.collect()))
+            }
+            Value::Parameter(id) => {
+                let text = self.parameters.text(id).to_string();
+                let label = self.parameters.label(id).to_string();
+                let scalar = self.item.scalar.to_string();
+                self.report(origin, catalogue::loop_over_parameter(text, label, scalar));
+                None
+            }
+            Value::Unknown => None,
+            other => {
+                self.report(origin, catalogue::not_iterable(other.describe()));
+                None
+            }
+        }
+    }
+}

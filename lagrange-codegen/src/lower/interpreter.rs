@@ -1,0 +1,297 @@
+//! The state of the abstract interpretation, and the dispatch over expressions.
+
+use std::rc::Rc;
+
+use super::parameter::Parameters;
+use super::scope::Scope;
+use super::value::Value;
+use crate::collections::Lookup;
+use crate::diagnostics::{Diagnostics, Origin, catalogue};
+use crate::expr::{Graph, NodeId, Variable};
+use crate::model::{Model, Quantity};
+use crate::syntax::body::{Expr, ExprKind, Name, Owner};
+use crate::syntax::{Group, Item};
+
+/// Statements and iterations after which a description counts as runaway.
+const BUDGET: usize = 1_000_000;
+
+/// Where execution goes after a statement.
+#[derive(Debug)]
+pub enum Flow {
+    /// To the next statement.
+    Next,
+    /// Out of a loop.
+    Break(Option<Name>),
+    /// To the next turn of a loop.
+    Continue(Option<Name>),
+    /// Out of the function.
+    Return(Value),
+}
+
+/// How much may still be unrolled.
+#[derive(Debug)]
+enum Budget {
+    Left(usize),
+    /// The runaway is reported.
+    Exhausted,
+}
+
+/// An interpreter of the user's functions.
+pub struct Interpreter<'a> {
+    /// The description.
+    pub item: &'a Item,
+    /// Where mistakes go.
+    pub diagnostics: &'a mut Diagnostics,
+    /// What is being built.
+    pub model: Model,
+    /// Paths that start at `self`.
+    pub parameters: Parameters,
+    /// Local variables.
+    pub scope: Scope,
+    /// Where execution goes next.
+    pub flow: Flow,
+    /// Results of calls: function and arguments to value.
+    pub memo: Lookup<(usize, Vec<u64>), Value>,
+    /// The functions being evaluated.
+    pub calls: Vec<usize>,
+    /// Constants of the impl block: evaluated, or being evaluated (`Unknown`).
+    pub constants: Vec<Option<Value>>,
+    /// The fields of each record, in the order of [`crate::syntax::Record::ALL`].
+    pub fields: [Vec<Value>; 3],
+    /// Whether an attribute argument such as a mass is evaluated.
+    pub in_attribute: bool,
+    budget: Budget,
+}
+
+impl<'a> Interpreter<'a> {
+    /// An interpreter with the variables of a description.
+    pub fn new(item: &'a Item, diagnostics: &'a mut Diagnostics) -> Interpreter<'a> {
+        let mut model = Model {
+            coordinates: quantities(&item.coordinates),
+            inputs: quantities(&item.inputs),
+            ..Model::default()
+        };
+        let graph = &mut model.graph;
+        let fields = [
+            variables(graph, &item.coordinates, Variable::Coordinate),
+            variables(graph, &item.coordinates, Variable::Velocity),
+            variables(graph, &item.inputs, Variable::Input),
+        ];
+        Interpreter {
+            item,
+            diagnostics,
+            model,
+            parameters: Parameters::default(),
+            scope: Scope::default(),
+            flow: Flow::Next,
+            memo: Lookup::default(),
+            calls: Vec::new(),
+            constants: vec![None; item.constants.len()],
+            fields,
+            in_attribute: false,
+            budget: Budget::Left(BUDGET),
+        }
+    }
+
+    /// The graph under construction.
+    pub fn graph(&mut self) -> &mut Graph {
+        &mut self.model.graph
+    }
+
+    /// Reports a mistake.
+    pub fn report(&mut self, origin: Origin, message: String) {
+        self.diagnostics.at(origin, message);
+    }
+
+    /// Reports a mistake and gives the value that silences its consequences.
+    pub fn refuse(&mut self, origin: Origin, message: String) -> Value {
+        self.report(origin, message);
+        Value::Unknown
+    }
+
+    /// Pays for one statement or iteration; false when the description runs away.
+    pub fn pay(&mut self, origin: Origin) -> bool {
+        match self.budget {
+            Budget::Left(0) => {
+                self.report(origin, catalogue::runaway(BUDGET));
+                self.budget = Budget::Exhausted;
+                false
+            }
+            Budget::Left(left) => {
+                self.budget = Budget::Left(left - 1);
+                true
+            }
+            Budget::Exhausted => false,
+        }
+    }
+
+    /// The value of an expression.
+    pub fn expression(&mut self, expr: &'a Expr) -> Value {
+        if !matches!(self.flow, Flow::Next) {
+            return Value::Unknown;
+        }
+        let origin = expr.origin;
+        let value = match &expr.kind {
+            ExprKind::Float(number) => Value::Scalar(self.graph().constant(*number)),
+            ExprKind::Integer(value) => Value::Integer(*value),
+            ExprKind::Boolean(value) => Value::Boolean(*value),
+            ExprKind::Path(path) => self.path(path),
+            ExprKind::Unary(operator, operand) => {
+                let operand = self.expression(operand);
+                self.unary(*operator, operand, origin)
+            }
+            ExprKind::Binary(operator, left, right) => self.binary(*operator, left, right, origin),
+            ExprKind::Assign(place, value) => self.assign(place, value),
+            ExprKind::Update(operator, place, value) => self.update(*operator, place, value, origin),
+            ExprKind::Cast(value, ty) => self.cast(value, ty, origin),
+            ExprKind::Field(base, word) => {
+                let base = self.expression(base);
+                self.field(base, word, origin)
+            }
+            ExprKind::Index(base, index) => self.index(base, index),
+            ExprKind::Call(path, arguments) => self.call_path(path, arguments, origin),
+            ExprKind::Method(call) => self.method(call, origin),
+            ExprKind::Tuple(elements) if elements.is_empty() => Value::Unit,
+            ExprKind::Tuple(elements) => Value::tuple(self.expressions(elements)),
+            ExprKind::Array(elements) => {
+                let elements = self.expressions(elements);
+                Value::array(elements)
+            }
+            ExprKind::Repeat(element, length) => {
+                let element = self.expression(element);
+                match self.length(length) {
+                    Some(length) => Value::array(vec![element; length]),
+                    None => Value::Unknown,
+                }
+            }
+            ExprKind::Vector(components) => self.vector_of(components).map_or(Value::Unknown, Value::Vector),
+            ExprKind::Point(components) => self.vector_of(components).map_or(Value::Unknown, Value::Point),
+            ExprKind::Matrix(rows) => self.matrix_literal(rows, origin),
+            ExprKind::Range(range) => self.range(range),
+            ExprKind::Block(block) => self.block(block),
+            ExprKind::If(branch) => self.branch(branch, origin),
+            ExprKind::Match(value, arms) => self.matching(value, arms, origin),
+            ExprKind::For(each) => self.each(each),
+            ExprKind::Return(value) => {
+                let value = value.as_ref().map_or(Value::Unit, |value| self.expression(value));
+                self.leave(Flow::Return(value))
+            }
+            ExprKind::Break(label) => self.leave(Flow::Break(label.clone())),
+            ExprKind::Continue(label) => self.leave(Flow::Continue(label.clone())),
+            ExprKind::Closure(_) => self.refuse(origin, catalogue::stored_closure()),
+            ExprKind::Unsupported(message) => self.refuse(origin, message.clone()),
+        };
+        self.record(&value, origin);
+        value
+    }
+
+    /// The values of some expressions.
+    pub fn expressions(&mut self, list: &'a [Expr]) -> Vec<Value> {
+        list.iter().map(|expr| self.expression(expr)).collect()
+    }
+
+    /// The node of an expression that must be a scalar.
+    pub fn scalar_of(&mut self, expr: &'a Expr) -> Option<NodeId> {
+        let value = self.expression(expr);
+        self.scalar(value, expr.origin)
+    }
+
+    /// The components of a vector literal.
+    pub fn vector_of(&mut self, components: &'a [Expr]) -> Option<Rc<[NodeId]>> {
+        // All are evaluated, so that all mistakes are found.
+        let nodes: Vec<Option<NodeId>> = components.iter().map(|expr| self.scalar_of(expr)).collect();
+        nodes.into_iter().collect()
+    }
+
+    /// The value of an expression that must be a constant integer.
+    pub fn integer_of(&mut self, expr: &'a Expr) -> Option<i128> {
+        match self.expression(expr) {
+            Value::Integer(value) => Some(value),
+            Value::Unknown => None,
+            Value::Parameter(id) => {
+                let text = self.parameters.text(id).to_string();
+                self.report(expr.origin, catalogue::parameter_as_integer(text));
+                None
+            }
+            other => {
+                self.report(expr.origin, catalogue::not_an_integer(other.describe()));
+                None
+            }
+        }
+    }
+
+    /// The value of an expression that must be a length or an index.
+    pub fn length(&mut self, expr: &'a Expr) -> Option<usize> {
+        /// Longer arrays could not be unrolled anyway.
+        const LONGEST: usize = BUDGET;
+        match usize::try_from(self.integer_of(expr)?) {
+            Ok(length) if length <= LONGEST => Some(length),
+            Ok(_) | Err(_) => {
+                self.report(expr.origin, catalogue::integer_overflow());
+                None
+            }
+        }
+    }
+
+    fn leave(&mut self, flow: Flow) -> Value {
+        self.flow = flow;
+        Value::Unknown
+    }
+
+    /// Remembers where the nodes of a value were first written. Operands that have no place of
+    /// their own, such as the products within a dot product, share it.
+    pub fn record(&mut self, value: &Value, origin: Origin) {
+        let mut stack = Vec::new();
+        for &node in value.nodes() {
+            if !self.model.origins.contains(&node) {
+                stack.push(node);
+            }
+        }
+        while let Some(node) = stack.pop() {
+            if self.model.origins.contains(&node) {
+                continue;
+            }
+            self.model.origins.insert(node, origin);
+            self.model.graph.operands(node, |operand| stack.push(operand));
+        }
+    }
+
+    /// Whether a path is the bare word `self`.
+    pub fn is_self(expr: &Expr) -> bool {
+        match &expr.kind {
+            ExprKind::Path(path) => matches!(path.owner, Owner::None) && &*path.last == "self",
+            _ => false,
+        }
+    }
+}
+
+fn quantities(groups: &[Group]) -> Vec<Quantity> {
+    let mut quantities = Vec::new();
+    for group in groups {
+        let name = group.name().to_string();
+        match group.length {
+            None => quantities.push(Quantity { name, index: None, origin: group.origin }),
+            Some(length) => quantities.extend((0..length).map(|index| Quantity {
+                name: name.clone(),
+                index: Some(index),
+                origin: group.origin,
+            })),
+        }
+    }
+    quantities
+}
+
+fn variables(graph: &mut Graph, groups: &[Group], kind: impl Fn(u32) -> Variable) -> Vec<Value> {
+    let mut next = 0;
+    let mut variable = || {
+        next += 1;
+        Value::Scalar(graph.variable(kind(next - 1)))
+    };
+    groups
+        .iter()
+        .map(|group| match group.length {
+            None => variable(),
+            Some(length) => Value::array((0..length).map(|_| variable()).collect()),
+        })
+        .collect()
+}

@@ -1,0 +1,223 @@
+//! Method calls: which kind of receiver knows which method.
+
+use super::interpreter::Interpreter;
+use super::iterate;
+use super::scalar;
+use super::value::{ParameterId, Value};
+use super::vector;
+use crate::diagnostics::{Origin, catalogue};
+use crate::syntax::Record;
+use crate::syntax::body::{MethodCall, Word};
+use crate::syntax::suggest::nearest;
+
+/// Methods that change nothing here: conversions take effect where the target is known.
+const TRANSPARENT: [&str; 12] = [
+    "clone",
+    "into",
+    "to_owned",
+    "borrow",
+    "as_ref",
+    "into_inner",
+    "as_slice",
+    "by_ref",
+    "to_homogeneous_coords",
+    "into_owned",
+    "clone_owned",
+    "as_array",
+];
+
+impl<'a> Interpreter<'a> {
+    /// `receiver.method(arguments)`.
+    pub fn method(&mut self, call: &'a MethodCall, origin: Origin) -> Value {
+        let word = &call.method;
+        if Self::is_self(&call.receiver) {
+            let arguments = self.arguments(&word.name, &call.arguments);
+            if arguments.iter().any(Value::is_unknown) {
+                return Value::Unknown;
+            }
+            return self.call_helper(word, arguments, true, origin);
+        }
+        let receiver = self.expression(&call.receiver);
+        if receiver.is_unknown() {
+            return Value::Unknown;
+        }
+        if let Some(value) = self.closure_method(&receiver, call, origin) {
+            return value;
+        }
+        let arguments = self.expressions(&call.arguments);
+        if arguments.iter().any(Value::is_unknown) {
+            return Value::Unknown;
+        }
+        if let ("sum" | "product", Some(generic), Value::Iterator(_)) =
+            (&*word.name, &call.generic, &receiver)
+        {
+            let shape = self.shape(generic);
+            let total = self.plain_method(receiver, word, arguments, origin);
+            return self.coerce(total, &shape, origin);
+        }
+        self.plain_method(receiver, word, arguments, origin)
+    }
+
+    /// A method whose arguments are known.
+    pub fn plain_method(
+        &mut self,
+        receiver: Value,
+        word: &Word,
+        arguments: Vec<Value>,
+        origin: Origin,
+    ) -> Value {
+        let name = &*word.name;
+        if TRANSPARENT.contains(&name) && arguments.is_empty() {
+            return receiver;
+        }
+        match receiver {
+            Value::Unknown => Value::Unknown,
+            Value::Scalar(node) => self.scalar_method(node, word, arguments, origin),
+            Value::Integer(value) => self.integer_method(value, word, arguments, origin),
+            Value::Parameter(id) => self.parameter_value_method(id, word, arguments, origin),
+            Value::Vector(ref nodes) | Value::Point(ref nodes) | Value::Translation(ref nodes) => {
+                let nodes = nodes.clone();
+                self.vector_method(receiver, nodes, word, arguments, origin)
+            }
+            Value::Matrix(matrix) => self.matrix_method(matrix, word, arguments, origin),
+            Value::Rotation(turn) => self.rotation_method(turn, word, arguments, origin),
+            Value::Isometry(shift, turn) => self.isometry_method(shift, turn, word, arguments, origin),
+            Value::Array(_) | Value::Iterator(_) | Value::Range(..) => {
+                self.iterator_method(receiver, word, arguments, origin)
+            }
+            Value::Record(record) => self.record_method(record, word, arguments),
+            Value::Unit | Value::Boolean(_) | Value::Tuple(_) => self.unknown_method(&receiver, word),
+        }
+    }
+
+    /// No such method: a near miss, or what can be called.
+    pub fn unknown_method(&mut self, receiver: &Value, word: &Word) -> Value {
+        let candidates: &[&str] = match receiver {
+            Value::Scalar(_) | Value::Parameter(_) => &scalar::METHODS,
+            Value::Vector(_) | Value::Point(_) | Value::Translation(_) | Value::Matrix(_) => &vector::METHODS,
+            Value::Rotation(_) | Value::Isometry(..) => &vector::POSE_METHODS,
+            Value::Array(_) | Value::Iterator(_) | Value::Range(..) => &iterate::METHODS,
+            Value::Unknown
+            | Value::Unit
+            | Value::Boolean(_)
+            | Value::Integer(_)
+            | Value::Tuple(_)
+            | Value::Record(_) => &["to_array", "as_vector"],
+        };
+        let near = nearest(&word.name, candidates.iter().copied()).map(String::from);
+        self.refuse(word.origin, catalogue::unknown_method(receiver.describe(), &word.name, near))
+    }
+
+    /// The number of arguments, checked.
+    pub fn exactly<const N: usize>(
+        &mut self,
+        word: &Word,
+        arguments: Vec<Value>,
+        origin: Origin,
+    ) -> Option<[Value; N]> {
+        let count = arguments.len();
+        match <[Value; N]>::try_from(arguments) {
+            Ok(arguments) => Some(arguments),
+            Err(_) => {
+                self.report(origin, catalogue::argument_count(&word.name, N, count));
+                None
+            }
+        }
+    }
+
+    fn parameter_value_method(
+        &mut self,
+        id: ParameterId,
+        word: &Word,
+        arguments: Vec<Value>,
+        origin: Origin,
+    ) -> Value {
+        let name = &*word.name;
+        match (name, arguments.as_slice()) {
+            // A partner may still tell the length.
+            ("iter" | "into_iter" | "copied" | "cloned", []) => return Value::Parameter(id),
+            ("zip", [Value::Array(partner) | Value::Iterator(partner)]) => {
+                let pairs = partner.iter().enumerate().map(|(index, element)| {
+                    let own = Value::Parameter(self.parameter_index(id, index, origin));
+                    Value::tuple(vec![own, element.clone()])
+                });
+                return Value::iterator(pairs.collect());
+            }
+            ("sum" | "product", []) => {
+                self.elements(Value::Parameter(id), origin);
+                return Value::Unknown;
+            }
+            _ if iterate::METHODS.contains(&name) && !vector::METHODS.contains(&name)
+                || matches!(name, "len" | "map") =>
+            {
+                self.elements(Value::Parameter(id), origin);
+                return Value::Unknown;
+            }
+            _ => {}
+        }
+        // The other operand tells the shape.
+        if let (true, [Value::Vector(nodes)]) = (vector::METHODS.contains(&name), arguments.as_slice()) {
+            let length = nodes.len();
+            return match self.vector(Value::Parameter(id), length, origin) {
+                Some(nodes) => {
+                    let receiver = Value::Vector(nodes);
+                    self.plain_method(receiver, word, arguments, origin)
+                }
+                None => Value::Unknown,
+            };
+        }
+        if scalar::METHODS.contains(&name) || scalar::REFUSED.contains(&name) {
+            return match self.scalar_parameter(id, origin) {
+                Some(node) => self.scalar_method(node, word, arguments, origin),
+                None => Value::Unknown,
+            };
+        }
+        let text = self.parameters.text(id).to_string();
+        if vector::METHODS.contains(&name) || vector::POSE_METHODS.contains(&name) {
+            return self.refuse(word.origin, catalogue::unknown_shape(text));
+        }
+        let near = nearest(name, scalar::METHODS).map(String::from);
+        self.refuse(word.origin, catalogue::foreign_method(text, name, near))
+    }
+
+    fn record_method(&mut self, record: Record, word: &Word, arguments: Vec<Value>) -> Value {
+        match (&*word.name, arguments.as_slice()) {
+            ("to_array", []) => Value::array(self.record_values(record)),
+            ("as_vector" | "to_vector", []) => {
+                let values = self.record_values(record);
+                Value::Vector(values.iter().flat_map(|value| value.nodes().to_vec()).collect())
+            }
+            _ => self.unknown_method(&Value::Record(record), word),
+        }
+    }
+
+    fn integer_method(&mut self, value: i128, word: &Word, arguments: Vec<Value>, origin: Origin) -> Value {
+        let name = &*word.name;
+        let result = match (name, arguments.as_slice()) {
+            ("abs", []) => value.checked_abs(),
+            ("pow", [Value::Integer(power)]) => {
+                u32::try_from(*power).ok().and_then(|power| value.checked_pow(power))
+            }
+            ("min", [Value::Integer(other)]) => Some(value.min(*other)),
+            ("max", [Value::Integer(other)]) => Some(value.max(*other)),
+            ("rem_euclid", [Value::Integer(other)]) => value.checked_rem_euclid(*other),
+            ("div_euclid", [Value::Integer(other)]) => value.checked_div_euclid(*other),
+            ("div_ceil", [Value::Integer(other)]) if *other > 0 => {
+                Some(value.div_euclid(*other) + i128::from(value.rem_euclid(*other) > 0))
+            }
+            ("abs_diff", [Value::Integer(other)]) => Some((value - other).abs()),
+            ("saturating_sub", [Value::Integer(other)]) => Some((value - other).max(0)),
+            ("is_multiple_of", [Value::Integer(other)]) if *other != 0 => {
+                return Value::Boolean(value % other == 0);
+            }
+            _ if scalar::METHODS.contains(&name) => {
+                return self.refuse(origin, catalogue::integer_for_scalar(value));
+            }
+            _ => return self.unknown_method(&Value::Integer(value), word),
+        };
+        match result {
+            Some(result) => Value::Integer(result),
+            None => self.refuse(origin, catalogue::integer_overflow()),
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Item to [`Model`]: names resolved, shapes checked, loops unrolled, helpers inlined.
+//!
+//! An abstract interpreter runs every role function once on symbolic coordinates. Integers,
+//! truth values and shapes are concrete, numbers are nodes of the graph. What depends on more
+//! than that (a branch on `q`, a loop over a field of unknown length) is refused with a message
+//! on the expression. A refused expression becomes an unknown value, which is silent.
+
+mod access;
+mod call;
+mod construct;
+mod control;
+mod force;
+mod hint;
+mod interpreter;
+mod iterate;
+mod method;
+mod operator;
+mod parameter;
+mod path;
+mod pattern;
+mod roles;
+mod rotation;
+mod scalar;
+mod scope;
+mod shape;
+mod statement;
+#[cfg(test)]
+mod tests;
+mod value;
+mod vector;
+
+use crate::diagnostics::Diagnostics;
+use crate::model::Model;
+use crate::syntax::Item;
+use interpreter::Interpreter;
+
+/// Lowers a description. After an error the model lacks what the error concerns.
+pub fn lower(item: &Item, diagnostics: &mut Diagnostics) -> Model {
+    let mut interpreter = Interpreter::new(item, diagnostics);
+    interpreter.roles();
+    interpreter.model
+}

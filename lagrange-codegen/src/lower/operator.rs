@@ -1,0 +1,398 @@
+//! Operators: numbers, vectors, matrices, rotations and poses.
+
+use std::rc::Rc;
+
+use super::interpreter::Interpreter;
+use super::statement::like;
+use super::value::{Matrix, Turn, Value};
+use crate::diagnostics::{Origin, catalogue};
+use crate::expr::NodeId;
+use crate::number::Number;
+use crate::syntax::body::{BinaryOperator, Expr, UnaryOperator};
+use crate::syntax::constant;
+
+impl<'a> Interpreter<'a> {
+    /// `-x`, `!x`.
+    pub fn unary(&mut self, operator: UnaryOperator, operand: Value, origin: Origin) -> Value {
+        match (operator, operand) {
+            (_, Value::Unknown) => Value::Unknown,
+            (UnaryOperator::Not, Value::Boolean(value)) => Value::Boolean(!value),
+            (UnaryOperator::Negate, Value::Integer(value)) => match value.checked_neg() {
+                Some(value) => Value::Integer(value),
+                None => self.refuse(origin, catalogue::integer_overflow()),
+            },
+            (UnaryOperator::Negate, operand @ (Value::Scalar(_) | Value::Parameter(_))) => {
+                match self.scalar(operand, origin) {
+                    Some(node) => Value::Scalar(self.graph().neg(node)),
+                    None => Value::Unknown,
+                }
+            }
+            (UnaryOperator::Negate, Value::Vector(nodes)) => {
+                Value::Vector(nodes.iter().map(|&node| self.graph().neg(node)).collect())
+            }
+            (UnaryOperator::Negate, Value::Matrix(matrix)) => {
+                self.scale_matrix(&matrix, |graph, node| graph.neg(node))
+            }
+            (operator, operand) => {
+                let sign = match operator {
+                    UnaryOperator::Negate => "-",
+                    UnaryOperator::Not => "!",
+                };
+                self.refuse(origin, catalogue::bad_operand(sign, operand.describe()))
+            }
+        }
+    }
+
+    /// `left operator right`; conditions are not evaluated further than needed.
+    pub fn binary(
+        &mut self,
+        operator: BinaryOperator,
+        left: &'a Expr,
+        right: &'a Expr,
+        origin: Origin,
+    ) -> Value {
+        let first = self.expression(left);
+        match (operator, &first) {
+            (BinaryOperator::And, Value::Boolean(false)) | (BinaryOperator::Or, Value::Boolean(true)) => {
+                first
+            }
+            _ => {
+                let second = self.expression(right);
+                self.arithmetic(operator, first, second, origin)
+            }
+        }
+    }
+
+    /// An operator on two values.
+    pub fn arithmetic(
+        &mut self,
+        operator: BinaryOperator,
+        left: Value,
+        right: Value,
+        origin: Origin,
+    ) -> Value {
+        if left.is_unknown() || right.is_unknown() {
+            return Value::Unknown;
+        }
+        if let (Value::Integer(a), Value::Integer(b)) = (&left, &right)
+            && !is_comparison(operator)
+        {
+            return match constant::arithmetic(operator, *a, *b) {
+                Some(value) => Value::Integer(value),
+                None if *b == 0 => self.refuse(origin, catalogue::integer_division_by_zero()),
+                None => self.refuse(origin, catalogue::integer_overflow()),
+            };
+        }
+        match operator {
+            BinaryOperator::Add | BinaryOperator::Subtract => self.additive(operator, left, right, origin),
+            BinaryOperator::Multiply => self.multiply(left, right, origin),
+            BinaryOperator::Divide => self.divide(left, right, origin),
+            BinaryOperator::Remainder => self.refuse(origin, catalogue::remainder()),
+            BinaryOperator::And | BinaryOperator::Or => match (left, right) {
+                (Value::Boolean(a), Value::Boolean(b)) => {
+                    Value::Boolean(if operator == BinaryOperator::And { a && b } else { a || b })
+                }
+                (left, right) => self.mismatch(operator, &left, &right, origin),
+            },
+            BinaryOperator::Equal
+            | BinaryOperator::NotEqual
+            | BinaryOperator::Less
+            | BinaryOperator::LessEqual
+            | BinaryOperator::Greater
+            | BinaryOperator::GreaterEqual => self.compare(operator, left, right, origin),
+        }
+    }
+
+    fn mismatch(&mut self, operator: BinaryOperator, left: &Value, right: &Value, origin: Origin) -> Value {
+        let (a, b) = (left.describe(), right.describe());
+        let message = match (operator, left, right) {
+            (_, Value::Integer(value), other) | (_, other, Value::Integer(value))
+                if matches!(
+                    other,
+                    Value::Scalar(_) | Value::Parameter(_) | Value::Vector(_) | Value::Matrix(_)
+                ) =>
+            {
+                catalogue::integer_for_scalar(value)
+            }
+            (BinaryOperator::Add, ..) => catalogue::cannot_add(b, a),
+            (BinaryOperator::Subtract, ..) => catalogue::cannot_subtract(b, a),
+            (BinaryOperator::Multiply, ..) => catalogue::cannot_multiply(a, b),
+            (BinaryOperator::Divide, ..) => catalogue::cannot_divide(a, b),
+            _ => catalogue::cannot_compare(a, b),
+        };
+        self.refuse(origin, message)
+    }
+
+    fn additive(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
+        let combine = |graph: &mut crate::expr::Graph, a: NodeId, b: NodeId| match operator {
+            BinaryOperator::Subtract => graph.sub(a, b),
+            _ => graph.add(a, b),
+        };
+        // A parameter takes the shape of its partner.
+        let (left, right) = match (left, right) {
+            (Value::Parameter(a), Value::Parameter(b)) => {
+                let (a, b) = (self.scalar_parameter(a, origin), self.scalar_parameter(b, origin));
+                match (a, b) {
+                    (Some(a), Some(b)) => (Value::Scalar(a), Value::Scalar(b)),
+                    _ => return Value::Unknown,
+                }
+            }
+            (left @ Value::Parameter(_), right) if !matches!(right, Value::Integer(_)) => {
+                (self.coerce(left, &like(&right), origin), right)
+            }
+            (left, right @ Value::Parameter(_)) if !matches!(left, Value::Integer(_)) => {
+                let shape = match &left {
+                    // A point moves by a vector; the difference of points needs an annotation.
+                    Value::Point(nodes) => super::shape::Shape::Vector(nodes.len()),
+                    other => like(other),
+                };
+                let right = self.coerce(right, &shape, origin);
+                (left, right)
+            }
+            known => known,
+        };
+        match (&left, &right) {
+            (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
+            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(combine(self.graph(), *a, *b)),
+            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
+                Value::Vector(self.zip_nodes(a, b, combine))
+            }
+            (Value::Point(a), Value::Vector(b)) if a.len() == b.len() => {
+                Value::Point(self.zip_nodes(a, b, combine))
+            }
+            (Value::Point(a), Value::Point(b))
+                if a.len() == b.len() && operator == BinaryOperator::Subtract =>
+            {
+                Value::Vector(self.zip_nodes(a, b, combine))
+            }
+            (Value::Matrix(a), Value::Matrix(b)) if a.rows == b.rows && a.columns == b.columns => {
+                let entries = self.zip_nodes(&a.entries, &b.entries, combine).to_vec();
+                Value::Matrix(Rc::new(Matrix { rows: a.rows, columns: a.columns, entries }))
+            }
+            _ => self.mismatch(operator, &left, &right, origin),
+        }
+    }
+
+    fn zip_nodes(
+        &mut self,
+        a: &[NodeId],
+        b: &[NodeId],
+        mut combine: impl FnMut(&mut crate::expr::Graph, NodeId, NodeId) -> NodeId,
+    ) -> Rc<[NodeId]> {
+        a.iter().zip(b).map(|(&a, &b)| combine(&mut self.model.graph, a, b)).collect()
+    }
+
+    /// A matrix with a function applied to every entry.
+    pub fn scale_matrix(
+        &mut self,
+        matrix: &Matrix,
+        mut each: impl FnMut(&mut crate::expr::Graph, NodeId) -> NodeId,
+    ) -> Value {
+        let entries = matrix.entries.iter().map(|&node| each(&mut self.model.graph, node)).collect();
+        Value::matrix(matrix.rows, matrix.columns, entries)
+    }
+
+    fn multiply(&mut self, left: Value, right: Value, origin: Origin) -> Value {
+        let (left, right) = match (left, right) {
+            // Only a scalar multiplies from either side, unless a rotation turns a vector.
+            (left @ Value::Rotation(_), Value::Parameter(id)) => {
+                let shape = match &left {
+                    Value::Rotation(turn) => super::shape::Shape::Vector(turn.dimension()),
+                    _ => super::shape::Shape::Any,
+                };
+                let right = self.coerce(Value::Parameter(id), &shape, origin);
+                (left, right)
+            }
+            (Value::Matrix(_) | Value::Isometry(..) | Value::Translation(_), Value::Parameter(id)) => {
+                let text = self.parameters.text(id).to_string();
+                return self.refuse(origin, catalogue::unknown_shape(text));
+            }
+            (Value::Parameter(id), right) => {
+                let Some(node) = self.scalar_parameter(id, origin) else { return Value::Unknown };
+                (Value::Scalar(node), self.parameter_scalar(right, origin))
+            }
+            (left, right) => (left, self.parameter_scalar(right, origin)),
+        };
+        match (&left, &right) {
+            (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
+            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.graph().mul(*a, *b)),
+            (Value::Scalar(factor), Value::Vector(nodes)) | (Value::Vector(nodes), Value::Scalar(factor)) => {
+                Value::Vector(nodes.iter().map(|&node| self.graph().mul(*factor, node)).collect())
+            }
+            (Value::Scalar(factor), Value::Point(nodes)) | (Value::Point(nodes), Value::Scalar(factor)) => {
+                Value::Point(nodes.iter().map(|&node| self.graph().mul(*factor, node)).collect())
+            }
+            (Value::Scalar(factor), Value::Matrix(matrix))
+            | (Value::Matrix(matrix), Value::Scalar(factor)) => {
+                self.scale_matrix(matrix, |graph, node| graph.mul(*factor, node))
+            }
+            (Value::Matrix(matrix), Value::Vector(nodes)) if matrix.columns == nodes.len() => {
+                let rows: Vec<NodeId> = (0..matrix.rows)
+                    .map(|row| {
+                        let row = &matrix.entries[row * matrix.columns..][..matrix.columns];
+                        self.dot(row, nodes)
+                    })
+                    .collect();
+                Value::Vector(rows.into())
+            }
+            (Value::Matrix(a), Value::Matrix(b)) if a.columns == b.rows => {
+                let entries = self.matrix_product(a, b);
+                Value::matrix(a.rows, b.columns, entries)
+            }
+            (Value::Vector(column), Value::Matrix(row)) if row.rows == 1 => {
+                let mut entries = Vec::with_capacity(column.len() * row.columns);
+                for &a in column.iter() {
+                    entries.extend(row.entries.iter().map(|&b| self.model.graph.mul(a, b)));
+                }
+                Value::matrix(column.len(), row.columns, entries)
+            }
+            (Value::Rotation(turn), _) => self.turn_value(turn, &right, origin),
+            (Value::Isometry(shift, turn), _) => self.move_value(shift, turn, &right, origin),
+            (Value::Translation(shift), _) => self.shift_value(shift, &right, origin),
+            (Value::Matrix(matrix), Value::Rotation(turn)) => {
+                let turned = self.rotation_matrix(turn);
+                match turned {
+                    Value::Matrix(other) if matrix.columns == other.rows => {
+                        let entries = self.matrix_product(matrix, &other);
+                        Value::matrix(matrix.rows, other.columns, entries)
+                    }
+                    _ => self.mismatch(BinaryOperator::Multiply, &left, &right, origin),
+                }
+            }
+            _ => self.mismatch(BinaryOperator::Multiply, &left, &right, origin),
+        }
+    }
+
+    /// The entries of a product, row by row.
+    pub fn matrix_product(&mut self, a: &Matrix, b: &Matrix) -> Vec<NodeId> {
+        let mut entries = Vec::with_capacity(a.rows * b.columns);
+        for row in 0..a.rows {
+            for column in 0..b.columns {
+                let left: Vec<NodeId> = (0..a.columns).map(|k| a.at(row, k)).collect();
+                let right: Vec<NodeId> = (0..a.columns).map(|k| b.at(k, column)).collect();
+                entries.push(self.dot(&left, &right));
+            }
+        }
+        entries
+    }
+
+    /// A parameter among operands of known shape is a scalar.
+    fn parameter_scalar(&mut self, value: Value, origin: Origin) -> Value {
+        match value {
+            Value::Parameter(id) => self.scalar_parameter(id, origin).map_or(Value::Unknown, Value::Scalar),
+            known => known,
+        }
+    }
+
+    fn divide(&mut self, left: Value, right: Value, origin: Origin) -> Value {
+        let (left, right) = (self.parameter_scalar(left, origin), self.parameter_scalar(right, origin));
+        if let Value::Scalar(divisor) = right
+            && self.graph().is_zero(divisor)
+        {
+            return self.refuse(origin, catalogue::division_by_zero());
+        }
+        match (&left, &right) {
+            (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
+            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.graph().div(*a, *b)),
+            (Value::Vector(nodes), Value::Scalar(b)) => {
+                Value::Vector(nodes.iter().map(|&node| self.graph().div(node, *b)).collect())
+            }
+            (Value::Point(nodes), Value::Scalar(b)) => {
+                Value::Point(nodes.iter().map(|&node| self.graph().div(node, *b)).collect())
+            }
+            (Value::Matrix(matrix), Value::Scalar(b)) => {
+                self.scale_matrix(matrix, |graph, node| graph.div(node, *b))
+            }
+            (Value::Rotation(turn), Value::Rotation(other)) if turn.dimension() == other.dimension() => {
+                let inverse = self.inverse_turn(other);
+                self.turn_value(turn, &Value::Rotation(inverse), origin)
+            }
+            _ => self.mismatch(BinaryOperator::Divide, &left, &right, origin),
+        }
+    }
+
+    fn compare(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
+        use std::cmp::Ordering::{Equal, Greater, Less};
+        let ordering = match (&left, &right) {
+            (Value::Integer(a), Value::Integer(b)) => Some(a.cmp(b)),
+            (Value::Boolean(a), Value::Boolean(b)) => Some(a.cmp(b)),
+            (Value::Scalar(_) | Value::Parameter(_), Value::Scalar(_) | Value::Parameter(_)) => {
+                let (a, b) = (self.scalar(left, origin), self.scalar(right, origin));
+                let (Some(a), Some(b)) = (a, b) else { return Value::Unknown };
+                let graph = self.graph();
+                match (graph.as_constant(a), graph.as_constant(b)) {
+                    (Some(a), Some(b)) => Number::partial_cmp(&a, &b),
+                    _ => {
+                        let dependence = graph.dependence(a).union(graph.dependence(b));
+                        let on = dependence_words(dependence);
+                        return self.refuse(origin, catalogue::branch_on_variable(on));
+                    }
+                }
+            }
+            (Value::Integer(_) | Value::Boolean(_), Value::Parameter(id))
+            | (Value::Parameter(id), Value::Integer(_) | Value::Boolean(_)) => {
+                let text = self.parameters.text(*id).to_string();
+                return self.refuse(origin, catalogue::branch_on_variable(format!("the parameter `{text}`")));
+            }
+            _ => return self.mismatch(operator, &left, &right, origin),
+        };
+        let Some(ordering) = ordering else { return Value::Boolean(false) };
+        Value::Boolean(match operator {
+            BinaryOperator::Equal => ordering == Equal,
+            BinaryOperator::NotEqual => ordering != Equal,
+            BinaryOperator::Less => ordering == Less,
+            BinaryOperator::LessEqual => ordering != Greater,
+            BinaryOperator::Greater => ordering == Greater,
+            BinaryOperator::GreaterEqual => ordering != Less,
+            BinaryOperator::Add
+            | BinaryOperator::Subtract
+            | BinaryOperator::Multiply
+            | BinaryOperator::Divide
+            | BinaryOperator::Remainder
+            | BinaryOperator::And
+            | BinaryOperator::Or => false,
+        })
+    }
+
+    /// The composition of two rotations.
+    pub fn compose(&mut self, left: &Turn, right: &Turn) -> Option<Turn> {
+        match (left, right) {
+            (Turn::Plane(a), Turn::Plane(b)) => Some(Turn::Plane(self.graph().add(*a, *b))),
+            (Turn::Space(a), Turn::Space(b)) => Some(Turn::Space(Rc::new(self.rotation_product(a, b)))),
+            (Turn::Plane(_), Turn::Space(_)) | (Turn::Space(_), Turn::Plane(_)) => None,
+        }
+    }
+}
+
+fn is_comparison(operator: BinaryOperator) -> bool {
+    match operator {
+        BinaryOperator::Equal
+        | BinaryOperator::NotEqual
+        | BinaryOperator::Less
+        | BinaryOperator::LessEqual
+        | BinaryOperator::Greater
+        | BinaryOperator::GreaterEqual => true,
+        BinaryOperator::Add
+        | BinaryOperator::Subtract
+        | BinaryOperator::Multiply
+        | BinaryOperator::Divide
+        | BinaryOperator::Remainder
+        | BinaryOperator::And
+        | BinaryOperator::Or => false,
+    }
+}
+
+/// The variables of a set, in words.
+pub fn dependence_words(dependence: crate::expr::Dependence) -> String {
+    use crate::expr::Dependence;
+    let kinds = [
+        (Dependence::COORDINATES, "`q`"),
+        (Dependence::VELOCITIES, "`v`"),
+        (Dependence::TIME, "`t`"),
+        (Dependence::INPUTS, "`u`"),
+        (Dependence::PARAMETERS, "a parameter"),
+    ];
+    let words: Vec<&str> =
+        kinds.into_iter().filter(|(kind, _)| dependence.meets(*kind)).map(|(_, word)| word).collect();
+    words.join(" and ")
+}

@@ -1,0 +1,122 @@
+//! Parameters: paths such as `self.m[0]` that stay symbolic until something tells their shape.
+
+use super::interpreter::Interpreter;
+use super::value::ParameterId;
+use crate::collections::Lookup;
+use crate::diagnostics::{Origin, catalogue};
+use crate::expr::{NodeId, Variable};
+use crate::model::Parameter;
+
+/// All paths met so far.
+#[derive(Debug, Default)]
+pub struct Parameters {
+    paths: Vec<PathEntry>,
+    known: Lookup<String, ParameterId>,
+}
+
+#[derive(Debug)]
+struct PathEntry {
+    text: String,
+    label: String,
+    origin: Origin,
+    node: Option<NodeId>,
+}
+
+impl Parameters {
+    /// The path of a text.
+    pub fn intern(&mut self, text: String, label: String, origin: Origin) -> ParameterId {
+        if let Some(&id) = self.known.get(&text) {
+            return id;
+        }
+        let id = ParameterId(self.paths.len());
+        self.known.insert(text.clone(), id);
+        self.paths.push(PathEntry { text, label, origin, node: None });
+        id
+    }
+
+    /// The Rust text of a path.
+    pub fn text(&self, id: ParameterId) -> &str {
+        &self.paths[id.0].text
+    }
+
+    /// The name of a path for a local variable.
+    pub fn label(&self, id: ParameterId) -> &str {
+        &self.paths[id.0].label
+    }
+}
+
+impl Interpreter<'_> {
+    /// The parameter of `self` itself.
+    pub fn self_parameter(&mut self, origin: Origin) -> ParameterId {
+        self.parameters.intern("self".into(), String::new(), origin)
+    }
+
+    /// `path.name`.
+    pub fn parameter_field(&mut self, id: ParameterId, name: &str, origin: Origin) -> ParameterId {
+        let written = if syn_keyword(name) { format!("r#{name}") } else { name.to_string() };
+        self.extend_parameter(id, &format!(".{written}"), name, origin)
+    }
+
+    /// `path[index]`.
+    pub fn parameter_index(&mut self, id: ParameterId, index: usize, origin: Origin) -> ParameterId {
+        self.extend_parameter(id, &format!("[{index}]"), &index.to_string(), origin)
+    }
+
+    /// `path[(row, column)]`.
+    pub fn parameter_entry(
+        &mut self,
+        id: ParameterId,
+        row: usize,
+        column: usize,
+        origin: Origin,
+    ) -> ParameterId {
+        self.extend_parameter(id, &format!("[({row}, {column})]"), &format!("{row}_{column}"), origin)
+    }
+
+    /// `path.name()`.
+    pub fn parameter_method(&mut self, id: ParameterId, name: &str, origin: Origin) -> ParameterId {
+        self.extend_parameter(id, &format!(".{name}()"), name, origin)
+    }
+
+    fn extend_parameter(
+        &mut self,
+        id: ParameterId,
+        suffix: &str,
+        label: &str,
+        origin: Origin,
+    ) -> ParameterId {
+        let text = format!("{}{suffix}", self.parameters.text(id));
+        let label = match self.parameters.label(id) {
+            "" if label.starts_with(|c: char| c.is_ascii_digit()) => format!("parameter_{label}"),
+            "" => label.to_string(),
+            before => format!("{before}_{label}"),
+        };
+        self.parameters.intern(text, label, origin)
+    }
+
+    /// The node of a parameter that is a scalar.
+    pub fn scalar_parameter(&mut self, id: ParameterId, origin: Origin) -> Option<NodeId> {
+        let entry = &mut self.parameters.paths[id.0];
+        if let Some(node) = entry.node {
+            return Some(node);
+        }
+        if entry.text == "self" {
+            self.report(origin, catalogue::self_as_value());
+            return None;
+        }
+        let index = self.model.parameters.len() as u32;
+        self.model.parameters.push(Parameter {
+            path: entry.text.clone(),
+            label: entry.label.clone(),
+            origin: entry.origin,
+        });
+        let node = self.model.graph.variable(Variable::Parameter(index));
+        entry.node = Some(node);
+        Some(node)
+    }
+}
+
+/// Whether a field can only be written raw.
+fn syn_keyword(name: &str) -> bool {
+    !name.starts_with(|c: char| c.is_ascii_digit()) && syn::parse_str::<syn::Ident>(name).is_err()
+}

@@ -1,0 +1,266 @@
+//! Names and paths: variables, constants, and what lies outside the macro's sight.
+
+use super::interpreter::Interpreter;
+use super::value::Value;
+use crate::diagnostics::{Origin, catalogue};
+use crate::number::Number;
+use crate::syntax::Scalar;
+use crate::syntax::body::{Expr, ExprKind, Name, Owner, Path, Word};
+use crate::syntax::types::{Type, TypeKind};
+
+impl<'a> Interpreter<'a> {
+    /// The value of a path.
+    pub fn path(&mut self, path: &'a Path) -> Value {
+        match &path.owner {
+            Owner::None => {
+                if let Some(value) = self.scope.get(&path.last) {
+                    return value.clone();
+                }
+                if &*path.last == "self" {
+                    return Value::Parameter(self.self_parameter(path.origin));
+                }
+                if self.in_attribute && matches!(&*path.last, "q" | "v" | "t" | "u") {
+                    return self.refuse(path.origin, catalogue::attribute_depends_on(&path.last));
+                }
+                if is_constant_name(&path.last) {
+                    return self.foreign_constant(path);
+                }
+                let near = self.near(&path.last, &self.scope.names());
+                self.refuse(path.origin, catalogue::unknown_variable(&path.last, near))
+            }
+            Owner::SelfType => match self.associated_constant(&path.last) {
+                Some(value) => value,
+                None if is_constant_name(&path.last) => self.foreign_constant(path),
+                None => {
+                    let names: Vec<Name> = self.item.constants.iter().map(|c| c.name.clone()).collect();
+                    let near = self.near(&path.last, &names);
+                    self.refuse(path.origin, catalogue::unknown_path(&path.text, near))
+                }
+            },
+            Owner::Other(module) if &**module == "consts" => match mathematical_constant(&path.last) {
+                Some(value) => Value::Scalar(self.graph().constant(Number::Float(value))),
+                None => self.foreign_constant(path),
+            },
+            Owner::Type(_) | Owner::Other(_) if is_constant_name(&path.last) => self.foreign_constant(path),
+            Owner::Type(_) | Owner::Other(_) => {
+                self.refuse(path.origin, catalogue::unknown_path(&path.text, None))
+            }
+        }
+    }
+
+    /// A constant that the macro cannot see: a parameter of the description.
+    fn foreign_constant(&mut self, path: &Path) -> Value {
+        let label = path.last.to_lowercase();
+        Value::Parameter(self.parameters.intern(path.text.to_string(), label, path.origin))
+    }
+
+    /// A constant of the impl block.
+    pub fn associated_constant(&mut self, name: &str) -> Option<Value> {
+        let item = self.item;
+        let index = item.constants.iter().position(|constant| *constant.name == *name)?;
+        if let Some(value) = &self.constants[index] {
+            return Some(value.clone());
+        }
+        // A cycle of constants finds this and is left to rustc.
+        self.constants[index] = Some(Value::Unknown);
+        let constant = &item.constants[index];
+        let mark = self.scope.enter();
+        let value = self.expression(&constant.value);
+        let shape = self.shape(&constant.ty);
+        let value = self.coerce(value, &shape, constant.value.origin);
+        self.scope.leave(mark);
+        self.constants[index] = Some(value.clone());
+        Some(value)
+    }
+
+    /// `value as type`.
+    pub fn cast(&mut self, value: &'a Expr, ty: &'a Type, origin: Origin) -> Value {
+        let value = self.expression(value);
+        match (&value, &ty.kind) {
+            (Value::Unknown, _) => Value::Unknown,
+            (Value::Integer(integer), TypeKind::Scalar) => Value::Scalar(self.graph().integer(*integer)),
+            (Value::Scalar(_), TypeKind::Scalar) | (Value::Integer(_), TypeKind::Integer) => value,
+            (Value::Boolean(truth), TypeKind::Integer) => Value::Integer(i128::from(*truth)),
+            (Value::Parameter(id), TypeKind::Scalar) => {
+                let target = match &self.item.scalar {
+                    Scalar::F32 => "f32",
+                    Scalar::F64 | Scalar::Generic(_) => "f64",
+                };
+                let text = format!("({} as {target})", self.parameters.text(*id));
+                let label = self.parameters.label(*id).to_string();
+                Value::Parameter(self.parameters.intern(text, label, origin))
+            }
+            (Value::Parameter(_), TypeKind::Integer) => value,
+            _ => self.refuse(origin, catalogue::bad_cast(value.describe())),
+        }
+    }
+
+    /// `path(arguments)`.
+    pub fn call_path(&mut self, path: &'a Path, arguments: &'a [Expr], origin: Origin) -> Value {
+        if &*path.last == "from_fn" {
+            return self.from_fn(path, arguments, origin);
+        }
+        if let Owner::SelfType = path.owner {
+            // `Self::f(self, …)` and `Self::f(…)`.
+            let with_self = arguments.first().is_some_and(Self::is_self);
+            let values = self.arguments(&path.last, &arguments[usize::from(with_self)..]);
+            if values.iter().any(Value::is_unknown) {
+                return Value::Unknown;
+            }
+            let word = Word { name: path.last.clone(), origin: path.origin };
+            return self.call_helper(&word, values, with_self, origin);
+        }
+        let values = self.expressions(arguments);
+        match values.iter().any(Value::is_unknown) {
+            true => Value::Unknown,
+            false => self.call_values(path, values, origin),
+        }
+    }
+
+    /// A call whose arguments are known.
+    pub fn call_values(&mut self, path: &'a Path, arguments: Vec<Value>, origin: Origin) -> Value {
+        let word = Word { name: path.last.clone(), origin: path.origin };
+        match &path.owner {
+            Owner::SelfType => self.call_helper(&word, arguments, false, origin),
+            Owner::None => {
+                let known = self.item.functions.iter().any(|function| function.name == path.last);
+                let message = if known {
+                    catalogue::helper_without_self(&path.last)
+                } else {
+                    catalogue::free_function(&path.last)
+                };
+                self.refuse(path.origin, message)
+            }
+            Owner::Type(ty) => self.construct(ty, &word, arguments, origin),
+            Owner::Other(owner) => match (&**owner, &*path.last) {
+                ("Unit", "new_normalize") => self.first_method(arguments, &word, "normalize", origin),
+                ("Unit", "new_unchecked") | ("convert", "identity") => {
+                    arguments.into_iter().next().unwrap_or(Value::Unknown)
+                }
+                ("Translation", "from") => match arguments.first() {
+                    Some(Value::Vector(nodes)) => Value::Translation(nodes.clone()),
+                    _ => self.refuse(path.origin, catalogue::free_function(&path.text)),
+                },
+                (
+                    "Real" | "Float" | "RealField" | "ComplexField" | "SimdRealField" | "SimdComplexField",
+                    _,
+                ) => self.scalar_function(&word, arguments, origin),
+                ("Iterator" | "IntoIterator" | "Clone" | "Into", name) => {
+                    let name = name.to_string();
+                    self.first_method(arguments, &word, &name, origin)
+                }
+                _ => self.refuse(path.origin, catalogue::free_function(&path.text)),
+            },
+        }
+    }
+
+    /// `Type::method(receiver, …)` as `receiver.method(…)`.
+    pub fn first_method(
+        &mut self,
+        mut arguments: Vec<Value>,
+        word: &Word,
+        method: &str,
+        origin: Origin,
+    ) -> Value {
+        if arguments.is_empty() {
+            return self.refuse(word.origin, catalogue::unknown_function(&word.name, None));
+        }
+        let receiver = arguments.remove(0);
+        let word = Word { name: method.into(), origin: word.origin };
+        self.plain_method(receiver, &word, arguments, origin)
+    }
+
+    /// An associated function of the scalar type: `f64::from(x)`, `R::pi()`, `f64::sin(x)`.
+    pub fn scalar_function(&mut self, word: &Word, arguments: Vec<Value>, origin: Origin) -> Value {
+        use std::f64::consts;
+        let number = match (&*word.name, arguments.as_slice()) {
+            ("zero", []) => Number::ZERO,
+            ("one", []) => Number::ONE,
+            ("pi", []) => Number::Float(consts::PI),
+            ("two_pi", []) => Number::Float(consts::TAU),
+            ("frac_pi_2", []) => Number::Float(consts::FRAC_PI_2),
+            ("frac_pi_3", []) => Number::Float(consts::FRAC_PI_3),
+            ("frac_pi_4", []) => Number::Float(consts::FRAC_PI_4),
+            ("frac_pi_6", []) => Number::Float(consts::FRAC_PI_6),
+            ("frac_pi_8", []) => Number::Float(consts::FRAC_PI_8),
+            ("e", []) => Number::Float(consts::E),
+            ("from" | "from_f64" | "from_f32" | "from_subset" | "lit", [value]) => {
+                return self.converted(&word.name, value.clone(), origin);
+            }
+            _ => return self.first_method(arguments, word, &word.name.to_string(), origin),
+        };
+        Value::Scalar(self.graph().constant(number))
+    }
+
+    /// A conversion into the scalar: exact for constants, part of the path for parameters.
+    fn converted(&mut self, function: &str, value: Value, origin: Origin) -> Value {
+        match value {
+            Value::Integer(integer) => Value::Scalar(self.graph().integer(integer)),
+            Value::Parameter(id) => {
+                let text = self.parameters.text(id);
+                let text = match (&self.item.scalar, function) {
+                    (scalar @ Scalar::Generic(_), "from_f64") => {
+                        format!("<{scalar} as {}::Real>::from_f64({text})", self.crate_text())
+                    }
+                    (scalar, function) => format!("{scalar}::{function}({text})"),
+                };
+                let label = self.parameters.label(id).to_string();
+                Value::Parameter(self.parameters.intern(text, label, origin))
+            }
+            Value::Scalar(node) => {
+                let generic = matches!(self.item.scalar, Scalar::Generic(_));
+                if generic && !self.graph().dependence(node).is_fixed() {
+                    return self.refuse(origin, catalogue::conversion_of_variable(function));
+                }
+                if generic && self.graph().as_constant(node).is_none() {
+                    return self.refuse(origin, catalogue::conversion_of_formula(function));
+                }
+                Value::Scalar(node)
+            }
+            other => self.refuse(origin, catalogue::wrong_shape("a scalar", other.describe())),
+        }
+    }
+
+    /// The path of the runtime crate as text.
+    pub fn crate_text(&self) -> String {
+        let path = &self.item.crate_path;
+        quote::quote!(#path).to_string().replace(' ', "")
+    }
+
+    /// Whether an expression is `[..]`, the whole of an array.
+    pub fn is_whole(expr: &Expr) -> bool {
+        matches!(&expr.kind, ExprKind::Range(range) if range.start.is_none() && range.end.is_none())
+    }
+}
+
+/// Constants are written in capitals.
+fn is_constant_name(name: &str) -> bool {
+    name.chars().any(char::is_alphabetic) && !name.chars().any(char::is_lowercase)
+}
+
+fn mathematical_constant(name: &str) -> Option<f64> {
+    use std::f64::consts::*;
+    let value = match name {
+        "PI" => PI,
+        "TAU" => TAU,
+        "E" => E,
+        "SQRT_2" => SQRT_2,
+        "LN_2" => LN_2,
+        "LN_10" => LN_10,
+        "LOG2_E" => LOG2_E,
+        "LOG10_E" => LOG10_E,
+        "LOG2_10" => LOG2_10,
+        "LOG10_2" => LOG10_2,
+        "FRAC_PI_2" => FRAC_PI_2,
+        "FRAC_PI_3" => FRAC_PI_3,
+        "FRAC_PI_4" => FRAC_PI_4,
+        "FRAC_PI_6" => FRAC_PI_6,
+        "FRAC_PI_8" => FRAC_PI_8,
+        "FRAC_1_PI" => FRAC_1_PI,
+        "FRAC_2_PI" => FRAC_2_PI,
+        "FRAC_2_SQRT_PI" => FRAC_2_SQRT_PI,
+        "FRAC_1_SQRT_2" => FRAC_1_SQRT_2,
+        _ => return None,
+    };
+    Some(value)
+}

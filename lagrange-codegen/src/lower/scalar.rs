@@ -1,0 +1,199 @@
+//! Methods of numbers.
+
+use super::interpreter::Interpreter;
+use super::value::Value;
+use crate::diagnostics::{Origin, catalogue};
+use crate::expr::{NodeId, Unary};
+use crate::number::Number;
+use crate::syntax::body::Word;
+
+/// What can be called on a number.
+pub const METHODS: [&str; 36] = [
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "sinh",
+    "cosh",
+    "tanh",
+    "asinh",
+    "acosh",
+    "atanh",
+    "exp",
+    "exp_m1",
+    "ln",
+    "ln_1p",
+    "cbrt",
+    "abs",
+    "signum",
+    "sqrt",
+    "powi",
+    "powf",
+    "exp2",
+    "log",
+    "log2",
+    "log10",
+    "sin_cos",
+    "sinh_cosh",
+    "atan2",
+    "hypot",
+    "recip",
+    "mul_add",
+    "to_radians",
+    "to_degrees",
+    "square",
+    "modulus",
+];
+
+/// What floats have and the language has not: the value or its slope jumps.
+pub const REFUSED: [&str; 14] = [
+    "min",
+    "max",
+    "clamp",
+    "floor",
+    "ceil",
+    "round",
+    "trunc",
+    "fract",
+    "rem_euclid",
+    "div_euclid",
+    "copysign",
+    "is_nan",
+    "is_finite",
+    "total_cmp",
+];
+
+/// Larger whole powers are hardly meant, and exact constants would take forever.
+const LARGEST_POWER: i128 = 1024;
+
+impl Interpreter<'_> {
+    /// `x.method(arguments)` for a number.
+    pub fn scalar_method(
+        &mut self,
+        node: NodeId,
+        word: &Word,
+        arguments: Vec<Value>,
+        origin: Origin,
+    ) -> Value {
+        let name = &*word.name;
+        if REFUSED.contains(&name) {
+            return self.refuse(word.origin, catalogue::not_smooth(name, alternative(name)));
+        }
+        let value = match name {
+            "powi" => self.whole_power(node, word, arguments, origin),
+            "sin_cos" | "sinh_cosh" => {
+                let (first, second) = match name {
+                    "sin_cos" => (Unary::Sin, Unary::Cos),
+                    _ => (Unary::Sinh, Unary::Cosh),
+                };
+                if self.exactly::<0>(word, arguments, origin).is_none() {
+                    return Value::Unknown;
+                }
+                let pair = [first, second].map(|function| self.graph().unary(function, node));
+                return Value::tuple(pair.map(Value::Scalar).to_vec());
+            }
+            "powf" | "log" | "atan2" | "hypot" => {
+                let Some([other]) = self.exactly(word, arguments, origin) else { return Value::Unknown };
+                let Some(other) = self.scalar(other, origin) else { return Value::Unknown };
+                Some(self.two_argument_function(name, node, other))
+            }
+            "mul_add" => {
+                let Some([factor, summand]) = self.exactly(word, arguments, origin) else {
+                    return Value::Unknown;
+                };
+                let (factor, summand) = (self.scalar(factor, origin), self.scalar(summand, origin));
+                let (Some(factor), Some(summand)) = (factor, summand) else { return Value::Unknown };
+                let product = self.graph().mul(node, factor);
+                Some(self.graph().add(product, summand))
+            }
+            _ => {
+                let function = Unary::ALL.into_iter().find(|function| function.name() == name);
+                let known = function.is_some() || METHODS.contains(&name);
+                if !known {
+                    return self.unknown_method(&Value::Scalar(node), word);
+                }
+                if self.exactly::<0>(word, arguments, origin).is_none() {
+                    return Value::Unknown;
+                }
+                Some(match function {
+                    Some(function) => self.graph().unary(function, node),
+                    None => self.one_argument_function(name, node),
+                })
+            }
+        };
+        value.map_or(Value::Unknown, Value::Scalar)
+    }
+
+    fn whole_power(
+        &mut self,
+        node: NodeId,
+        word: &Word,
+        arguments: Vec<Value>,
+        origin: Origin,
+    ) -> Option<NodeId> {
+        let [power] = self.exactly(word, arguments, origin)?;
+        match power {
+            Value::Integer(power) if power.abs() <= LARGEST_POWER => {
+                Some(self.graph().powi(node, power as i32))
+            }
+            Value::Unknown => None,
+            _ => {
+                self.report(origin, catalogue::bad_power(LARGEST_POWER));
+                None
+            }
+        }
+    }
+
+    fn two_argument_function(&mut self, name: &str, node: NodeId, other: NodeId) -> NodeId {
+        let graph = self.graph();
+        match name {
+            "powf" => graph.powf(node, other),
+            "atan2" => graph.atan2(node, other),
+            "hypot" => {
+                let squares = [node, other].map(|node| (graph.powi(node, 2), Number::ONE));
+                let sum = graph.sum(Number::ZERO, &squares);
+                graph.sqrt(sum)
+            }
+            _ => {
+                let (numerator, denominator) = (graph.unary(Unary::Ln, node), graph.unary(Unary::Ln, other));
+                graph.div(numerator, denominator)
+            }
+        }
+    }
+
+    fn one_argument_function(&mut self, name: &str, node: NodeId) -> NodeId {
+        use std::f64::consts;
+        let graph = self.graph();
+        match name {
+            "sqrt" => graph.sqrt(node),
+            "recip" => graph.powi(node, -1),
+            "square" => graph.powi(node, 2),
+            "modulus" => graph.unary(Unary::Abs, node),
+            "exp2" => {
+                let two = graph.integer(2);
+                graph.powf(two, node)
+            }
+            "log2" | "log10" => {
+                let base = if name == "log2" { consts::LN_2 } else { consts::LN_10 };
+                let logarithm = graph.unary(Unary::Ln, node);
+                let base = graph.constant(Number::Float(base));
+                graph.div(logarithm, base)
+            }
+            "to_radians" => graph.scale(node, Number::Float(consts::PI / 180.0)),
+            _ => graph.scale(node, Number::Float(180.0 / consts::PI)),
+        }
+    }
+}
+
+/// What to write instead of a function that is not smooth.
+fn alternative(name: &str) -> &'static str {
+    match name {
+        "min" | "max" | "clamp" => {
+            "describe the limit by a smooth potential, such as a stiff spring, or by a force"
+        }
+        "is_nan" | "is_finite" | "total_cmp" => "the generated solver checks its numbers itself",
+        _ => "use the unrounded value",
+    }
+}

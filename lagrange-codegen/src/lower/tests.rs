@@ -1,0 +1,40 @@
+//! Lowering of whole descriptions.
+
+mod diagnostics;
+mod language;
+mod mechanisms;
+mod nalgebra;
+
+use proc_macro2::TokenStream;
+
+use crate::diagnostics::Diagnostics;
+use crate::expr::{NodeId, Variable};
+use crate::model::Model;
+use crate::syntax;
+
+/// The model of a description, or the messages about it.
+pub fn lowered(args: TokenStream, item: TokenStream) -> Result<Model, Vec<String>> {
+    let mut diagnostics = Diagnostics::new();
+    let messages = |diagnostics: &Diagnostics| diagnostics.messages().map(String::from).collect();
+    let Some(item) = syntax::parse(args, item, "::lagrange_runtime", &mut diagnostics) else {
+        return Err(messages(&diagnostics));
+    };
+    let model = super::lower(&item, &mut diagnostics);
+    match diagnostics.has_errors() {
+        true => Err(messages(&diagnostics)),
+        false => Ok(model),
+    }
+}
+
+/// Values of the variables in tests: q = 0.3, 0.7, …; v = −0.4, 0.1, …; t = 0.9; parameters
+/// by the function.
+pub fn value(model: &Model, node: NodeId, parameter: impl Fn(&str) -> f64) -> f64 {
+    let variable = |variable: Variable| match variable {
+        Variable::Coordinate(i) => 0.3 + 0.4 * f64::from(i),
+        Variable::Velocity(i) => -0.4 + 0.5 * f64::from(i),
+        Variable::Time => 0.9,
+        Variable::Input(i) => 1.5 + f64::from(i),
+        Variable::Parameter(i) => parameter(&model.parameters[i as usize].path),
+    };
+    model.graph.evaluate(&[node], variable)[0]
+}

@@ -1,0 +1,228 @@
+//! The arguments of the attribute: `coordinates = […], inputs = […], crate = …, allow(…)`.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseStream, Parser};
+use syn::punctuated::Punctuated;
+use syn::{Token, bracketed, parenthesized};
+
+use super::body::{Constant, Name};
+use super::constant;
+use super::item::Group;
+use super::suggest::nearest;
+use super::translate::{Translator, bare};
+use crate::diagnostics::{Diagnostics, catalogue};
+
+/// The checks that `allow(…)` can switch off.
+pub const LINTS: [&str; 2] = ["unused_input", "no_effect"];
+
+const KNOWN: [&str; 4] = ["coordinates", "inputs", "crate", "allow"];
+
+/// The parsed arguments.
+#[derive(Default)]
+pub struct Args {
+    /// Declared coordinates.
+    pub coordinates: Vec<Declaration>,
+    /// Declared inputs.
+    pub inputs: Vec<Declaration>,
+    /// The `crate` argument.
+    pub crate_path: Option<syn::Path>,
+    /// The `allow` argument.
+    pub allowed: Vec<&'static str>,
+}
+
+/// A declared name with the length as written.
+pub struct Declaration {
+    /// The name.
+    pub ident: Ident,
+    /// The length of an array.
+    pub length: Option<syn::Expr>,
+}
+
+impl Parse for Declaration {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let ident = input.call(Ident::parse_any)?;
+        let length = match input.parse::<Option<Token![:]>>()? {
+            Some(_) => {
+                let content;
+                bracketed!(content in input);
+                Some(content.parse()?)
+            }
+            None => None,
+        };
+        Ok(Declaration { ident, length })
+    }
+}
+
+/// One argument as written.
+enum Argument {
+    Names(Ident, Vec<Declaration>),
+    Crate(Ident, syn::Path),
+    Allow(Ident, Vec<Ident>),
+    Unknown(Ident),
+}
+
+impl Argument {
+    fn key(&self) -> &Ident {
+        match self {
+            Argument::Names(key, _)
+            | Argument::Crate(key, _)
+            | Argument::Allow(key, _)
+            | Argument::Unknown(key) => key,
+        }
+    }
+}
+
+impl Parse for Argument {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let key = input.call(Ident::parse_any)?;
+        match key.to_string().as_str() {
+            "coordinates" | "inputs" => {
+                input.parse::<Token![=]>()?;
+                let content;
+                bracketed!(content in input);
+                let names = Punctuated::<Declaration, Token![,]>::parse_terminated(&content)?;
+                Ok(Argument::Names(key, names.into_iter().collect()))
+            }
+            "crate" => {
+                input.parse::<Token![=]>()?;
+                Ok(Argument::Crate(key, syn::Path::parse_mod_style(input)?))
+            }
+            "allow" => {
+                let content;
+                parenthesized!(content in input);
+                let names = Punctuated::<Ident, Token![,]>::parse_terminated(&content)?;
+                Ok(Argument::Allow(key, names.into_iter().collect()))
+            }
+            _ => {
+                // Skip the rest of the argument: the other arguments are still checked.
+                while !input.is_empty() && !input.peek(Token![,]) {
+                    input.parse::<proc_macro2::TokenTree>()?;
+                }
+                Ok(Argument::Unknown(key))
+            }
+        }
+    }
+}
+
+/// Parses the arguments; what is wrong is reported, the rest is returned.
+pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
+    let mut args = Args::default();
+    let list = match Punctuated::<Argument, Token![,]>::parse_terminated.parse2(tokens) {
+        Ok(list) => list,
+        Err(error) => {
+            diagnostics.error(error.span(), catalogue::bad_attribute(&error.to_string()));
+            return args;
+        }
+    };
+    let mut seen: Vec<String> = Vec::new();
+    let mut declared = false;
+    for argument in list {
+        let name = argument.key().to_string();
+        if seen.contains(&name) {
+            diagnostics.error(argument.key().span(), catalogue::duplicate_argument(&name));
+            continue;
+        }
+        seen.push(name);
+        match argument {
+            Argument::Names(key, names) => {
+                let target = if key == "inputs" {
+                    &mut args.inputs
+                } else {
+                    declared = true;
+                    &mut args.coordinates
+                };
+                target.extend(names);
+            }
+            Argument::Crate(_, path) => args.crate_path = Some(path),
+            Argument::Allow(_, names) => {
+                for name in names {
+                    match LINTS.into_iter().find(|lint| name == lint) {
+                        Some(lint) => args.allowed.push(lint),
+                        None => {
+                            let text = name.to_string();
+                            let near = nearest(&text, LINTS).map(String::from);
+                            let message = catalogue::unknown_lint(&text, &LINTS.join("`, `"), near);
+                            diagnostics.error(name.span(), message);
+                        }
+                    }
+                }
+            }
+            Argument::Unknown(key) => {
+                let text = key.to_string();
+                let near = nearest(&text, KNOWN).map(String::from);
+                diagnostics.error(key.span(), catalogue::unknown_attribute_argument(&text, near));
+            }
+        }
+    }
+    if args.coordinates.is_empty() && !diagnostics.has_errors() {
+        let message =
+            if declared { catalogue::empty_coordinates() } else { catalogue::missing_coordinates() };
+        diagnostics.error(Span::call_site(), message);
+    }
+    check_names(&args, diagnostics);
+    args
+}
+
+/// Settles the lengths of the declared arrays, which may be constants of the impl block.
+/// `None` stands for a group whose length is wrong; the mistake is reported.
+pub fn groups(
+    declarations: &[Declaration],
+    constants: &[Constant],
+    translator: &mut Translator,
+) -> Option<Vec<Group>> {
+    let groups: Vec<Option<Group>> = declarations
+        .iter()
+        .map(|declaration| {
+            let length = match &declaration.length {
+                None => None,
+                Some(expr) => Some(length(&declaration.ident, expr, constants, translator)?),
+            };
+            let origin = translator.origin(declaration.ident.span());
+            Some(Group { ident: declaration.ident.clone(), length, origin })
+        })
+        .collect();
+    groups.into_iter().collect()
+}
+
+/// More scalar coordinates than any macro could expand within reason.
+const LONGEST: usize = 100_000;
+
+fn length(
+    ident: &Ident,
+    expr: &syn::Expr,
+    constants: &[Constant],
+    translator: &mut Translator,
+) -> Option<usize> {
+    let expr = translator.expression(expr);
+    let message = match constant::integer(&expr, constants).map(usize::try_from) {
+        Some(Ok(0)) => catalogue::empty_array(ident),
+        Some(Ok(length)) if length <= LONGEST => return Some(length),
+        Some(Ok(_) | Err(_)) => catalogue::array_too_long(ident, LONGEST),
+        None => catalogue::length_not_constant(ident),
+    };
+    translator.diagnostics.at(expr.origin, message);
+    None
+}
+
+/// Names that are keywords, or declared more than once.
+fn check_names(args: &Args, diagnostics: &mut Diagnostics) {
+    let mut seen: Vec<(Name, &str)> = Vec::new();
+    let coordinates = args.coordinates.iter().map(|declaration| (declaration, "coordinate"));
+    let inputs = args.inputs.iter().map(|declaration| (declaration, "input"));
+    for (declaration, kind) in coordinates.chain(inputs) {
+        let name = bare(&declaration.ident);
+        let span = declaration.ident.span();
+        // Raw identifiers are fine; bare keywords got through `parse_any` only.
+        if syn::parse_str::<Ident>(&declaration.ident.to_string()).is_err() {
+            diagnostics.error(span, catalogue::keyword_name(&name));
+        }
+        match seen.iter().find(|(other, _)| *other == name) {
+            Some((_, earlier)) if *earlier == kind => {
+                diagnostics.error(span, catalogue::declared_twice(kind, &name));
+            }
+            Some(_) => diagnostics.error(span, catalogue::coordinate_and_input(&name)),
+            None => seen.push((name, kind)),
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! A description as the user wrote it: names, roles and function bodies, before any meaning.
+
+use std::fmt;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::format_ident;
+
+use super::args::LINTS;
+use super::body::{Block, Constant, Expr, Name, Pattern, Word};
+use super::translate::bare;
+use super::types::Type;
+use crate::diagnostics::Origin;
+
+/// A parsed `#[lagrangian(…)] impl … { … }`.
+#[derive(Debug)]
+pub struct Item {
+    /// The last segment of the type.
+    pub name: Ident,
+    /// The type of the impl block.
+    pub self_ty: syn::Type,
+    /// The generics of the impl block.
+    pub generics: syn::Generics,
+    /// The scalar type.
+    pub scalar: Scalar,
+    /// Generalized coordinates in declaration order.
+    pub coordinates: Vec<Group>,
+    /// Inputs in declaration order.
+    pub inputs: Vec<Group>,
+    /// The crate that generated code names.
+    pub crate_path: syn::Path,
+    /// Lints switched off with `allow(…)`.
+    pub allowed: Vec<&'static str>,
+    /// The impl block as it is emitted again.
+    pub cleaned: TokenStream,
+    /// Functions with and without a role, in order.
+    pub functions: Vec<Function>,
+    /// Associated constants.
+    pub constants: Vec<Constant>,
+    /// The name of the type.
+    pub origin: Origin,
+}
+
+impl Item {
+    /// Whether a lint was switched off.
+    pub fn allows(&self, lint: &str) -> bool {
+        debug_assert!(LINTS.contains(&lint), "item: a lint that is not in the list");
+        self.allowed.contains(&lint)
+    }
+
+    /// The name of a generated struct, such as `ChainCoordinates`.
+    pub fn record_ident(&self, record: Record) -> Ident {
+        record.ident(&self.name)
+    }
+}
+
+/// A declared coordinate or input.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// The name, possibly raw.
+    pub ident: Ident,
+    /// The length of an array.
+    pub length: Option<usize>,
+    /// Where it was declared.
+    pub origin: Origin,
+}
+
+impl Group {
+    /// The name without a raw prefix.
+    pub fn name(&self) -> Name {
+        bare(&self.ident)
+    }
+}
+
+/// The type of all quantities.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Scalar {
+    /// `f64`.
+    F64,
+    /// `f32`.
+    F32,
+    /// A type parameter with the bound `Real`.
+    Generic(Ident),
+}
+
+impl fmt::Display for Scalar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Scalar::F64 => f.write_str("f64"),
+            Scalar::F32 => f.write_str("f32"),
+            Scalar::Generic(ident) => write!(f, "{ident}"),
+        }
+    }
+}
+
+/// A struct that the macro generates for the arguments of the user's functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Record {
+    /// Generalized coordinates.
+    Coordinates,
+    /// Generalized velocities.
+    Velocities,
+    /// Inputs.
+    Inputs,
+}
+
+impl Record {
+    /// All of them.
+    pub const ALL: [Record; 3] = [Record::Coordinates, Record::Velocities, Record::Inputs];
+
+    /// The name that the user writes.
+    pub fn name(self) -> &'static str {
+        match self {
+            Record::Coordinates => "Coordinates",
+            Record::Velocities => "Velocities",
+            Record::Inputs => "Inputs",
+        }
+    }
+
+    /// The record of a name.
+    pub fn named(name: &str) -> Option<Record> {
+        Record::ALL.into_iter().find(|record| record.name() == name)
+    }
+
+    /// The name of the generated struct.
+    pub fn ident(self, type_name: &Ident) -> Ident {
+        format_ident!("{}{}", type_name, self.name(), span = type_name.span())
+    }
+}
+
+/// A function of the impl block.
+#[derive(Clone, Debug)]
+pub struct Function {
+    /// Its name.
+    pub name: Name,
+    /// Where the name stands.
+    pub origin: Origin,
+    /// Its role, if it has one.
+    pub role: Option<Role>,
+    /// Whether it takes `self`.
+    pub receiver: bool,
+    /// The parameters after `self`.
+    pub parameters: Vec<Parameter>,
+    /// The return type.
+    pub output: Option<Type>,
+    /// The body.
+    pub body: Block,
+}
+
+/// A parameter of a function.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// The pattern.
+    pub pattern: Pattern,
+    /// The type.
+    pub ty: Type,
+    /// What a role passes for it; `None` in a helper where it is anything else.
+    pub argument: Option<Argument>,
+}
+
+/// What a role function can ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Argument {
+    /// One of the generated structs.
+    Record(Record),
+    /// Time.
+    Time,
+}
+
+/// What a function means.
+#[derive(Clone, Debug)]
+pub struct Role {
+    /// Its kind and arguments.
+    pub kind: RoleKind,
+    /// The attribute.
+    pub origin: Origin,
+}
+
+/// The kinds of roles.
+#[derive(Clone, Debug)]
+pub enum RoleKind {
+    /// `#[point(mass = …)]`.
+    Point {
+        /// The mass.
+        mass: Expr,
+    },
+    /// `#[body(mass = …, inertia = …)]`.
+    Body {
+        /// The mass.
+        mass: Expr,
+        /// The moments of inertia about the centre of mass.
+        inertia: Expr,
+    },
+    /// `#[kinetic]`.
+    Kinetic,
+    /// `#[potential]`.
+    Potential,
+    /// `#[lagrangian]`.
+    Lagrangian,
+    /// `#[dissipation]`.
+    Dissipation,
+    /// `#[force]`.
+    Force(Target),
+}
+
+/// What a force acts on.
+#[derive(Clone, Debug)]
+pub enum Target {
+    /// `#[force]`: all coordinates in order.
+    Generalized,
+    /// `#[force(at = joints[3])]`: a point or body.
+    At(Word, Option<Expr>),
+    /// `#[force(on = theta[1])]`: a coordinate.
+    On(Word, Option<Expr>),
+}

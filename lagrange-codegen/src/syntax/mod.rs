@@ -1,0 +1,171 @@
+//! Tokens to [`Item`]: own types, spans kept, every rule of form checked.
+//!
+//! What is wrong is reported into [`Diagnostics`]; meaning (names, shapes, loops) is the business
+//! of [`crate::lower`].
+
+pub mod body;
+pub mod constant;
+pub mod item;
+pub mod suggest;
+pub mod types;
+
+mod args;
+mod place;
+mod recover;
+mod rewrite;
+mod role;
+mod signature;
+mod statements;
+#[cfg(test)]
+mod tests;
+mod translate;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use syn::{GenericParam, ImplItem, ItemImpl, TypeParamBound};
+
+pub use args::LINTS;
+pub use item::{Group, Item, Record, Scalar};
+pub use recover::recover;
+pub use signature::returns;
+
+use crate::diagnostics::{Diagnostics, catalogue};
+use body::Constant;
+use translate::{Translator, bare};
+
+/// Parses `#[lagrangian(args)] item`. `default_crate` is the crate that generated code names
+/// unless the user says `crate = path`. `None` if too little is left to look for more mistakes.
+pub fn parse(
+    args: TokenStream,
+    item: TokenStream,
+    default_crate: &str,
+    diagnostics: &mut Diagnostics,
+) -> Option<Item> {
+    let block = impl_block(item, diagnostics)?;
+    let name = match self_name(&block.self_ty) {
+        Some(name) if block.trait_.is_none() => name.clone(),
+        Some(_) | None => {
+            diagnostics.error(block.impl_token.span, catalogue::not_inherent());
+            return None;
+        }
+    };
+    let args = args::parse(args, diagnostics);
+    let scalar = scalar(&block, diagnostics);
+    let crate_path = match args.crate_path.clone() {
+        Some(path) => path,
+        None => syn::parse_str(default_crate).ok()?,
+    };
+    let cleaned = rewrite::clean(&block, &name, &scalar, &crate_path);
+    let mut translator = Translator { diagnostics, scalar, self_name: name.to_string() };
+    let mut constants = Vec::new();
+    let mut functions = Vec::new();
+    for item in &block.items {
+        match item {
+            ImplItem::Const(constant) => constants.push(Constant {
+                name: bare(&constant.ident),
+                ty: translator.ty(&constant.ty),
+                value: translator.expression(&constant.expr),
+            }),
+            ImplItem::Fn(function) => functions.push(signature::parse(function, &mut translator)),
+            _ => {}
+        }
+    }
+    let coordinates = args::groups(&args.coordinates, &constants, &mut translator);
+    let inputs = args::groups(&args.inputs, &constants, &mut translator);
+    let origin = translator.origin(name.span());
+    let scalar = translator.scalar;
+    if functions.iter().all(|function| function.role.is_none()) && !diagnostics.has_errors() {
+        diagnostics.error(name.span(), catalogue::no_roles(&name));
+    }
+    let (coordinates, inputs) = (coordinates?, inputs?);
+    if coordinates.is_empty() {
+        return None;
+    }
+    Some(Item {
+        name,
+        self_ty: (*block.self_ty).clone(),
+        generics: block.generics.clone(),
+        scalar,
+        coordinates,
+        inputs,
+        crate_path,
+        allowed: args.allowed,
+        cleaned,
+        functions,
+        constants,
+        origin,
+    })
+}
+
+fn impl_block(item: TokenStream, diagnostics: &mut Diagnostics) -> Option<ItemImpl> {
+    match syn::parse2::<syn::Item>(item) {
+        Ok(syn::Item::Impl(block)) => Some(block),
+        Ok(other) => {
+            diagnostics.error(place::span(&other), catalogue::not_an_impl());
+            None
+        }
+        Err(error) => {
+            diagnostics.error(error.span(), error.to_string());
+            None
+        }
+    }
+}
+
+/// The last segment of a type's path.
+fn self_name(ty: &syn::Type) -> Option<&Ident> {
+    match ty {
+        syn::Type::Path(path) => path.path.segments.last().map(|segment| &segment.ident),
+        syn::Type::Group(group) => self_name(&group.elem),
+        syn::Type::Paren(paren) => self_name(&paren.elem),
+        _ => None,
+    }
+}
+
+/// The type parameter with the bound `Real`.
+fn generic_scalar(generics: &syn::Generics) -> Option<Ident> {
+    let real = |bound: &TypeParamBound| match bound {
+        TypeParamBound::Trait(bound) => {
+            bound.path.segments.last().is_some_and(|segment| segment.ident == "Real")
+        }
+        _ => false,
+    };
+    let clauses = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
+    let bound_below = |ident: &Ident| {
+        clauses.clone().any(|predicate| match predicate {
+            syn::WherePredicate::Type(predicate) => {
+                matches!(&predicate.bounded_ty, syn::Type::Path(path) if path.path.is_ident(ident))
+                    && predicate.bounds.iter().any(real)
+            }
+            _ => false,
+        })
+    };
+    generics.params.iter().find_map(|param| match param {
+        GenericParam::Type(ty) => {
+            (ty.bounds.iter().any(real) || bound_below(&ty.ident)).then(|| ty.ident.clone())
+        }
+        GenericParam::Lifetime(_) | GenericParam::Const(_) => None,
+    })
+}
+
+/// The scalar of a description: the parameter bound by `Real`, else the float of the roles.
+fn scalar(block: &ItemImpl, diagnostics: &mut Diagnostics) -> Scalar {
+    if let Some(ident) = generic_scalar(&block.generics) {
+        return Scalar::Generic(ident);
+    }
+    let mut first: Option<bool> = None;
+    let mut mixed: Option<Span> = None;
+    for item in &block.items {
+        let ImplItem::Fn(function) = item else { continue };
+        if !function.attrs.iter().any(role::is_role) {
+            continue;
+        }
+        for (span, single) in signature::float_types(function) {
+            if *first.get_or_insert(single) != single {
+                mixed.get_or_insert(span);
+            }
+        }
+    }
+    if let Some(span) = mixed {
+        diagnostics.error(span, catalogue::mixed_precision());
+    }
+    if first == Some(true) { Scalar::F32 } else { Scalar::F64 }
+}

@@ -1,0 +1,99 @@
+//! What stands in for the expansion after a mistake, so that only our messages are reported.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::{Attribute, ImplItem, Item, ItemImpl};
+
+use super::args::{self, Declaration};
+use super::item::{Record, Scalar};
+use super::{generic_scalar, rewrite, role, self_name};
+use crate::diagnostics::Diagnostics;
+
+/// The item without our attributes and without bodies, and the structs that its signatures
+/// name. Works for whatever part of the input can be read.
+pub fn recover(args: TokenStream, item: TokenStream) -> TokenStream {
+    let Ok(item) = syn::parse2::<Item>(item) else { return TokenStream::new() };
+    match item {
+        Item::Impl(mut block) => {
+            block.attrs.push(syn::parse_quote!(#[allow(unused, clippy::all)]));
+            match self_name(&block.self_ty).cloned() {
+                Some(name) if block.trait_.is_none() => inherent(args, block, &name),
+                Some(_) | None => {
+                    without_bodies(&mut block);
+                    block.into_token_stream()
+                }
+            }
+        }
+        // A role on a free function, say.
+        Item::Fn(mut function) => {
+            strip(&mut function.attrs);
+            function.into_token_stream()
+        }
+        other => other.into_token_stream(),
+    }
+}
+
+fn inherent(args: TokenStream, mut block: ItemImpl, name: &syn::Ident) -> TokenStream {
+    let mut diagnostics = Diagnostics::new();
+    let args = args::parse(args, &mut diagnostics);
+    let structs = Record::ALL.map(|record| {
+        let ident = record.ident(name);
+        let fields = match record {
+            Record::Coordinates | Record::Velocities => fields(&args.coordinates),
+            Record::Inputs => fields(&args.inputs),
+        };
+        quote! {
+            #[doc(hidden)]
+            #[allow(missing_docs, dead_code)]
+            #[derive(Clone, Copy, Debug)]
+            pub struct #ident<R = f64> {
+                #(#fields,)*
+                #[doc(hidden)]
+                pub __scalar: ::core::marker::PhantomData<R>,
+            }
+        }
+    });
+    without_bodies(&mut block);
+    let scalar = generic_scalar(&block.generics).map_or(Scalar::F64, Scalar::Generic);
+    let block = rewrite::rename(block, name, &scalar);
+    quote!(#(#structs)* #block)
+}
+
+/// The declared names that can be fields.
+fn fields(declarations: &[Declaration]) -> Vec<TokenStream> {
+    let mut names: Vec<String> = Vec::new();
+    let mut fields = Vec::new();
+    for Declaration { ident, length } in declarations {
+        let name = ident.to_string();
+        if names.contains(&name) || syn::parse_str::<syn::Ident>(&name).is_err() {
+            continue;
+        }
+        names.push(name);
+        match length {
+            None => fields.push(quote!(pub #ident: R)),
+            Some(syn::Expr::Lit(length)) => fields.push(quote!(pub #ident: [R; #length])),
+            Some(_) => {}
+        }
+    }
+    fields
+}
+
+/// Takes the role attributes off and empties the bodies, in which unknown names may stand.
+fn without_bodies(block: &mut ItemImpl) {
+    for item in &mut block.items {
+        let ImplItem::Fn(function) = item else { continue };
+        let has_role = strip(&mut function.attrs);
+        let opaque = matches!(&function.sig.output, syn::ReturnType::Type(_, ty)
+            if matches!(&**ty, syn::Type::ImplTrait(_)));
+        if has_role || !opaque {
+            function.block = syn::parse_quote!({ loop {} });
+        }
+    }
+}
+
+/// Removes role attributes; whether there were any.
+fn strip(attributes: &mut Vec<Attribute>) -> bool {
+    let before = attributes.len();
+    attributes.retain(|attribute| !role::is_role(attribute));
+    attributes.len() < before
+}

@@ -1,0 +1,206 @@
+//! Role attributes: which function means what.
+
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Expr, Ident, Meta, Token};
+
+use super::body::{ExprKind, Owner, Word};
+use super::item::{Role, RoleKind, Target};
+use super::place;
+use super::suggest::nearest;
+use super::translate::{Translator, bare};
+use crate::diagnostics::catalogue;
+
+/// Roles of the language.
+const SUPPORTED: [&str; 7] = ["point", "body", "kinetic", "potential", "lagrangian", "dissipation", "force"];
+
+/// Roles that are refused until they are honoured.
+const PLANNED: [&str; 5] = ["holonomic", "nonholonomic", "friction", "unilateral", "event"];
+
+/// Attributes of the language and of common tools that resemble no role.
+const FOREIGN: [&str; 16] = [
+    "allow",
+    "expect",
+    "warn",
+    "deny",
+    "forbid",
+    "doc",
+    "inline",
+    "cold",
+    "cfg",
+    "cfg_attr",
+    "must_use",
+    "deprecated",
+    "track_caller",
+    "rustfmt",
+    "clippy",
+    "test",
+];
+
+/// Whether an attribute is one of ours, misspelt ones included.
+pub fn is_role(attribute: &Attribute) -> bool {
+    name(attribute).is_some_and(|name| known(&name) || misspelt(&name).is_some())
+}
+
+fn name(attribute: &Attribute) -> Option<String> {
+    attribute.path().get_ident().map(Ident::to_string)
+}
+
+fn known(name: &str) -> bool {
+    SUPPORTED.contains(&name) || PLANNED.contains(&name)
+}
+
+fn misspelt(name: &str) -> Option<&'static str> {
+    if FOREIGN.contains(&name) {
+        return None;
+    }
+    nearest(&name.to_lowercase(), SUPPORTED.into_iter().chain(PLANNED)).or_else(|| {
+        SUPPORTED.into_iter().chain(PLANNED).find(|role| *role == name.to_lowercase() && *role != name)
+    })
+}
+
+/// Reads the role of a function from its attributes; mistakes are reported.
+pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> Option<Role> {
+    let mut role: Option<(Role, String)> = None;
+    for attribute in attributes {
+        let Some(name) = name(attribute) else { continue };
+        let span = place::span(attribute.path());
+        if !known(&name) {
+            if let Some(near) = misspelt(&name) {
+                translator.diagnostics.error(span, catalogue::unknown_role(&name, near));
+            }
+            continue;
+        }
+        if PLANNED.contains(&name.as_str()) {
+            translator.diagnostics.error(span, catalogue::planned_role(&name));
+            continue;
+        }
+        if let Some((_, first)) = &role {
+            translator.diagnostics.error(span, catalogue::two_roles(first, &name));
+            continue;
+        }
+        if let Some(kind) = kind(&name, attribute, translator) {
+            let origin = translator.origin(span);
+            role = Some((Role { kind, origin }, name));
+        }
+    }
+    role.map(|(role, _)| role)
+}
+
+fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Option<RoleKind> {
+    let accepted: &[&str] = match name {
+        "point" => &["mass"],
+        "body" => &["mass", "inertia"],
+        "force" => &["at", "on"],
+        _ => &[],
+    };
+    let given = arguments(name, attribute, accepted, translator)?;
+    let take = |key: &str| given.iter().find(|(word, _)| word == key).map(|(_, expr)| expr);
+    let required = |key: &str, translator: &mut Translator| {
+        let expr = take(key);
+        if expr.is_none() {
+            let span = place::span(attribute.path());
+            translator.diagnostics.error(span, catalogue::missing_role_argument(name, key));
+        }
+        expr.map(|expr| translator.expression(expr))
+    };
+    match name {
+        "point" => Some(RoleKind::Point { mass: required("mass", translator)? }),
+        "body" => {
+            let (mass, inertia) = (required("mass", translator), required("inertia", translator));
+            Some(RoleKind::Body { mass: mass?, inertia: inertia? })
+        }
+        "kinetic" => Some(RoleKind::Kinetic),
+        "potential" => Some(RoleKind::Potential),
+        "lagrangian" => Some(RoleKind::Lagrangian),
+        "dissipation" => Some(RoleKind::Dissipation),
+        _ => match (take("at"), take("on")) {
+            (Some(_), Some(on)) => {
+                translator.diagnostics.error(place::expression(on), catalogue::force_at_and_on());
+                None
+            }
+            (Some(at), None) => target(at, "at", translator).map(|(w, i)| RoleKind::Force(Target::At(w, i))),
+            (None, Some(on)) => target(on, "on", translator).map(|(w, i)| RoleKind::Force(Target::On(w, i))),
+            (None, None) => Some(RoleKind::Force(Target::Generalized)),
+        },
+    }
+}
+
+struct KeyValue {
+    key: Ident,
+    value: Expr,
+}
+
+impl Parse for KeyValue {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let key = input.call(Ident::parse_any)?;
+        input.parse::<Token![=]>()?;
+        Ok(KeyValue { key, value: input.parse()? })
+    }
+}
+
+fn arguments(
+    role: &str,
+    attribute: &Attribute,
+    accepted: &[&str],
+    translator: &mut Translator,
+) -> Option<Vec<(String, Expr)>> {
+    let list = match &attribute.meta {
+        Meta::Path(_) => return Some(Vec::new()),
+        Meta::NameValue(pair) => {
+            let message = catalogue::role_form(role);
+            translator.diagnostics.error(place::expression(&pair.value), message);
+            return None;
+        }
+        Meta::List(list) => list,
+    };
+    let parsed = list.parse_args_with(Punctuated::<KeyValue, Token![,]>::parse_terminated);
+    let pairs = match parsed {
+        Ok(pairs) => pairs,
+        Err(error) => {
+            let message = catalogue::bad_role_arguments(role, error);
+            translator.diagnostics.error(list.delimiter.span().open(), message);
+            return None;
+        }
+    };
+    let mut given: Vec<(String, Expr)> = Vec::new();
+    let mut valid = true;
+    for KeyValue { key, value } in pairs {
+        let text = bare(&key).to_string();
+        if !accepted.contains(&text.as_str()) {
+            let near = nearest(&text, accepted.iter().copied());
+            let message = match (near, accepted) {
+                (Some(near), _) => catalogue::misspelt_role_argument(role, &text, near),
+                (None, []) => catalogue::role_without_arguments(role),
+                (None, _) => catalogue::unknown_role_argument(role, &text, accepted.join("`, `")),
+            };
+            translator.diagnostics.error(key.span(), message);
+            valid = false;
+        } else if given.iter().any(|(other, _)| *other == text) {
+            translator.diagnostics.error(key.span(), catalogue::duplicate_argument(&text));
+            valid = false;
+        } else {
+            given.push((text, value));
+        }
+    }
+    valid.then_some(given)
+}
+
+/// `name` or `name[index]`.
+fn target(expr: &Expr, key: &str, translator: &mut Translator) -> Option<(Word, Option<super::body::Expr>)> {
+    let translated = translator.expression(expr);
+    let (base, index) = match translated.kind {
+        ExprKind::Index(base, index) => (*base, Some(*index)),
+        _ => (translated, None),
+    };
+    match base.kind {
+        ExprKind::Path(path) if matches!(path.owner, Owner::None | Owner::SelfType) => {
+            Some((Word { name: path.last, origin: path.origin }, index))
+        }
+        _ => {
+            translator.diagnostics.at(base.origin, catalogue::bad_force_target(key));
+            None
+        }
+    }
+}

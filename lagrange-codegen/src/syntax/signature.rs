@@ -1,0 +1,170 @@
+//! Functions of the impl block: parameters, return types, and what a role may ask for.
+
+use proc_macro2::{Span, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::{FnArg, ImplItemFn, ReceiverKind, ReturnType};
+
+use super::body::PatternKind;
+use super::item::{Argument, Function, Parameter, Record, Role, RoleKind};
+use super::role;
+use super::translate::{Translator, bare};
+use super::types::TypeKind;
+use crate::diagnostics::catalogue;
+
+/// Reads a function.
+pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
+    let role = role::parse(&function.attrs, translator);
+    let name = bare(&function.sig.ident);
+    let origin = translator.origin(function.sig.ident.span());
+    let mut parameters = Vec::new();
+    for input in &function.sig.inputs {
+        if let FnArg::Typed(typed) = input {
+            let pattern = translator.pattern(&typed.pat);
+            let ty = translator.ty(&typed.ty);
+            let argument = argument(&pattern.kind, &ty.kind);
+            parameters.push(Parameter { pattern, ty, argument });
+        }
+    }
+    let output = match &function.sig.output {
+        ReturnType::Default => None,
+        ReturnType::Type(_, ty) => Some(translator.ty(ty)),
+    };
+    if let Some(role) = &role {
+        check_form(function, translator);
+        check_parameters(role, &parameters, translator);
+        if output.as_ref().is_none_or(|ty| matches!(ty.kind, TypeKind::Unit)) {
+            translator.diagnostics.at(origin, catalogue::missing_return_type(&name, returns(&role.kind)));
+        }
+    }
+    Function {
+        name,
+        origin,
+        receiver: function.sig.receiver().is_some(),
+        parameters,
+        output,
+        body: translator.block(&function.block),
+        role,
+    }
+}
+
+/// Structs are recognised by type, time by its name.
+fn argument(pattern: &PatternKind, ty: &TypeKind) -> Option<Argument> {
+    match (ty, pattern) {
+        (TypeKind::Record(record), _) => Some(Argument::Record(*record)),
+        (TypeKind::Scalar, PatternKind::Name(name)) if matches!(&**name, "t" | "time" | "_t" | "_time") => {
+            Some(Argument::Time)
+        }
+        _ => None,
+    }
+}
+
+fn check_form(function: &ImplItemFn, translator: &mut Translator) {
+    let ident = &function.sig.ident;
+    let name = bare(ident);
+    match function.sig.receiver().map(|receiver| (receiver, &receiver.kind)) {
+        Some((_, ReceiverKind::Reference(_, _, None))) => {}
+        Some((receiver, _)) => {
+            translator.diagnostics.error(receiver.self_token.span, catalogue::wrong_receiver(&name));
+        }
+        None => translator.diagnostics.error(ident.span(), catalogue::missing_receiver(&name)),
+    }
+    let generics = &function.sig.generics;
+    let free = generics.params.iter().any(|param| !matches!(param, syn::GenericParam::Lifetime(_)));
+    if free {
+        let origin = translator.place(generics);
+        translator.diagnostics.at(origin, catalogue::generic_role(&name));
+    }
+    if let Some(token) = &function.sig.asyncness {
+        translator.diagnostics.error(token.span, catalogue::asynchronous_role(&name));
+    }
+}
+
+fn check_parameters(role: &Role, parameters: &[Parameter], translator: &mut Translator) {
+    let mut seen = Vec::new();
+    for parameter in parameters {
+        let Some(argument) = parameter.argument else {
+            let message = match (&parameter.ty.kind, &parameter.pattern.kind) {
+                (TypeKind::Scalar, PatternKind::Name(name)) => catalogue::unnamed_time(name),
+                (TypeKind::Other(name), _) if near_record(name).is_some() => {
+                    catalogue::misspelt_record(name, near_record(name).unwrap_or_default())
+                }
+                _ => catalogue::unknown_parameter(),
+            };
+            translator.diagnostics.at(parameter.pattern.origin, message);
+            continue;
+        };
+        if seen.contains(&argument) {
+            translator.diagnostics.at(parameter.pattern.origin, catalogue::parameter_twice());
+        }
+        seen.push(argument);
+        if let Some(message) = refused(&role.kind, argument) {
+            translator.diagnostics.at(parameter.pattern.origin, message);
+        }
+    }
+}
+
+fn near_record(name: &str) -> Option<&'static str> {
+    let name = name.split('<').next().unwrap_or(name);
+    super::suggest::nearest(name, Record::ALL.map(Record::name)).or(match name {
+        "Velocity" => Some("Velocities"),
+        "Coordinate" | "Positions" => Some("Coordinates"),
+        "Input" => Some("Inputs"),
+        _ => None,
+    })
+}
+
+/// Why a role may not depend on an argument, if it may not.
+fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
+    match (role, argument) {
+        (RoleKind::Force(_), _) => None,
+        (_, Argument::Record(Record::Coordinates) | Argument::Time) => None,
+        (RoleKind::Kinetic | RoleKind::Lagrangian | RoleKind::Dissipation, Argument::Record(record)) => {
+            (record == Record::Inputs).then(catalogue::input_outside_force)
+        }
+        (RoleKind::Potential, Argument::Record(Record::Velocities)) => {
+            Some(catalogue::velocity_in_potential())
+        }
+        (RoleKind::Point { .. } | RoleKind::Body { .. }, Argument::Record(Record::Velocities)) => {
+            Some(catalogue::velocity_in_position())
+        }
+        (
+            RoleKind::Potential | RoleKind::Point { .. } | RoleKind::Body { .. },
+            Argument::Record(Record::Inputs),
+        ) => Some(catalogue::input_outside_force()),
+    }
+}
+
+/// What a role function returns, in words.
+pub fn returns(role: &RoleKind) -> &'static str {
+    match role {
+        RoleKind::Point { .. } => "a position such as `Vector2<f64>`, or an array of them",
+        RoleKind::Body { .. } => "a pose such as `Isometry2<f64>`, or an array of them",
+        RoleKind::Kinetic | RoleKind::Potential | RoleKind::Lagrangian | RoleKind::Dissipation => {
+            "a scalar energy"
+        }
+        RoleKind::Force(_) => "a force",
+    }
+}
+
+/// The float types in a signature, in order: `(place, whether it is f32)`.
+pub fn float_types(function: &ImplItemFn) -> Vec<(Span, bool)> {
+    let mut found = Vec::new();
+    let mut stack: Vec<TokenStream> = Vec::new();
+    for input in &function.sig.inputs {
+        if let FnArg::Typed(typed) = input {
+            stack.push(typed.ty.to_token_stream());
+        }
+    }
+    stack.push(function.sig.output.to_token_stream());
+    while let Some(stream) = stack.pop() {
+        for tree in stream {
+            match tree {
+                TokenTree::Group(group) => stack.push(group.stream()),
+                TokenTree::Ident(ident) if ident == "f32" => found.push((ident.span(), true)),
+                TokenTree::Ident(ident) if ident == "f64" => found.push((ident.span(), false)),
+                _ => {}
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,181 @@
+//! Parsing, the emitted impl block, and recovery.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::{Item, Scalar, parse, recover};
+use crate::diagnostics::Diagnostics;
+
+fn parsed(args: TokenStream, item: TokenStream) -> Item {
+    let mut diagnostics = Diagnostics::new();
+    let item = parse(args, item, "::lagrangian", &mut diagnostics);
+    let messages: Vec<&str> = diagnostics.messages().collect();
+    assert!(messages.is_empty(), "{messages:?}");
+    item.expect("an item")
+}
+
+fn flat(tokens: TokenStream) -> String {
+    tokens.to_string().split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn the_attribute_is_read() {
+    let item = parsed(
+        quote! {
+            coordinates = [x, höhe: [Self::N + 1], r#type], inputs = [motor], crate = my::own,
+            allow(unused_input)
+        },
+        quote! {
+            impl<'a, T> System<'a, T> {
+                const N: usize = 2;
+                #[kinetic]
+                fn energy(&self, v: &Velocities) -> f32 { 0.5 * v.x * v.x }
+            }
+        },
+    );
+    let groups: Vec<(String, Option<usize>)> =
+        item.coordinates.iter().map(|group| (group.name().to_string(), group.length)).collect();
+    assert_eq!(groups, [("x".into(), None), ("höhe".into(), Some(3)), ("type".into(), None)]);
+    assert_eq!(item.inputs[0].name().as_ref(), "motor");
+    assert_eq!(item.scalar, Scalar::F32);
+    assert_eq!(item.name, "System");
+    let path = &item.crate_path;
+    assert_eq!(flat(quote!(#path)), "my :: own");
+    assert!(item.allows("unused_input") && !item.allows("no_effect"));
+}
+
+#[test]
+fn a_concrete_block_stays_as_written() {
+    let item = parsed(
+        quote!(coordinates = [x]),
+        quote! {
+            impl Spring {
+                /// Stiffness.
+                const K: f64 = 2.0;
+                /// Energy.
+                #[potential]
+                #[inline]
+                pub fn energy(&self, q: &Coordinates) -> f64 { let Coordinates { x } = q; 0.5 * Self::K * x.powi(2) }
+                #[point(mass = self.total())]
+                fn bob(&self, q: &Coordinates) -> f64 { q.x }
+                fn total(&self) -> f64 { 1.0 }
+            }
+        },
+    );
+    assert_eq!(
+        flat(item.cleaned),
+        flat(quote! {
+            impl Spring {
+                /// Stiffness.
+                const K: f64 = 2.0;
+                /// Energy.
+                #[inline]
+                #[allow(dead_code)]
+                pub fn energy(&self, q: &SpringCoordinates) -> f64 {
+                    let SpringCoordinates { x } = q;
+                    0.5 * Self::K * x.powi(2)
+                }
+                #[allow(dead_code)]
+                fn bob(&self, q: &SpringCoordinates) -> f64 { q.x }
+                #[allow(dead_code)]
+                fn total(&self) -> f64 { 1.0 }
+            }
+        })
+    );
+}
+
+#[test]
+fn a_generic_block_takes_its_literals_from_the_scalar() {
+    let item = parsed(
+        quote!(coordinates = [x]),
+        quote! {
+            impl<R: Real> Spring<R> {
+                const K: f64 = 2.0;
+                #[potential]
+                fn energy(&self, q: &Coordinates) -> R {
+                    const HALF: f64 = 0.5;
+                    let p = vector![q.x, 1.5];
+                    let r = Rotation2::new(q.x);
+                    R::from_f64(Self::K) * 0.5 * (r * p).norm() + R::from_f64(0.25) * q.x.powi(2)
+                }
+                fn in_doubles(x: f64) -> f64 { 2.0 * x }
+            }
+        },
+    );
+    let half = quote!(<R as ::lagrangian::Real>::from_f64(0.5));
+    let literal = quote!(<R as ::lagrangian::Real>::from_f64(1.5));
+    assert_eq!(
+        flat(item.cleaned),
+        flat(quote! {
+            impl<R: Real> Spring<R> {
+                const K: f64 = 2.0;
+                #[allow(dead_code)]
+                fn energy(&self, q: &SpringCoordinates<R>) -> R {
+                    const HALF: f64 = 0.5;
+                    let p = vector![q.x, #literal];
+                    let r = ::lagrangian::__private::algebra::rotation2(q.x);
+                    R::from_f64(Self::K) * #half * ::lagrangian::__private::algebra::norm(&((r * p)))
+                        + R::from_f64(0.25) * q.x.powi(2)
+                }
+                fn in_doubles(x: f64) -> f64 { 2.0 * x }
+            }
+        })
+    );
+}
+
+#[test]
+fn single_precision_is_named_in_signatures() {
+    let item = parsed(
+        quote!(coordinates = [x]),
+        quote! { impl S { #[point(mass = 1.0)] fn bob(&self, q: &Coordinates) -> f32 { q.x } } },
+    );
+    assert_eq!(item.scalar, Scalar::F32);
+    assert!(flat(item.cleaned).contains("q : & SCoordinates < f32 >"));
+}
+
+#[test]
+fn recovery_keeps_signatures_and_drops_bodies() {
+    let recovered = recover(
+        quote!(coordinates = [x, theta: [2], x], inputs = ),
+        quote! {
+            impl Arm {
+                #[potental]
+                fn energy(&self, q: &Coordinates) -> f64 { q.unknown }
+                fn helper() -> impl Iterator<Item = f64> { [1.0].into_iter() }
+            }
+        },
+    );
+    let text = flat(recovered.clone());
+    assert!(syn::parse2::<syn::File>(recovered).is_ok());
+    assert!(text.contains("fn energy (& self , q : & ArmCoordinates) -> f64 { loop { } }"), "{text}");
+    assert!(text.contains("[1.0] . into_iter ()"), "{text}");
+    assert!(!text.contains("potental"));
+    let recovered = flat(recover(quote!(coordinates = [x, theta: [2], x]), quote!(impl Arm {})));
+    assert!(recovered.contains("pub x : R , pub theta : [R ; 2] ,"), "{recovered}");
+}
+
+#[test]
+fn recovery_survives_anything() {
+    for (args, item) in [
+        (quote!(), quote!()),
+        (quote!(= = ), quote!(impl)),
+        (
+            quote!(coordinates = [x]),
+            quote!(
+                struct S;
+            ),
+        ),
+        (
+            quote!(coordinates = [x]),
+            quote!(
+                #[potential]
+                fn f() {}
+            ),
+        ),
+        (quote!(coordinates = [x]), quote!(impl Drop for S { #[potential] fn drop(&mut self) {} })),
+        (quote!(coordinates), quote!(impl [f64; 3] { fn f(&self) -> f64 { } })),
+    ] {
+        let recovered = flat(recover(args, item));
+        assert!(!recovered.contains("potential"), "{recovered}");
+    }
+}

@@ -1,0 +1,138 @@
+//! One system at one state: every emitted quantity against the oracle.
+
+use std::collections::BTreeMap;
+
+use crate::close::compare;
+use crate::expansion::Expansion;
+use crate::expression::Instant;
+use crate::interpreter::{Interpreter, Point, Stop, Value};
+use crate::number::{Number, Tracked};
+use crate::oracle::Quantities;
+use crate::source::PARAMETERS;
+use crate::system::System;
+
+/// Numbers enough for the state, the inputs and the parameters of any system.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    pub t: f64,
+    pub q: Vec<f64>,
+    pub v: Vec<f64>,
+    pub u: Vec<f64>,
+    pub parameters: Vec<f64>,
+}
+
+/// Mass matrices of a larger condition are not solved: the accelerations have too few digits.
+const CONDITION: f64 = 1e6;
+
+/// What became of a comparison that found nothing wrong.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// The relative error of every quantity.
+    Compared(Vec<(&'static str, f64)>),
+    /// All but the accelerations, because the mass matrix is ill-conditioned.
+    IllConditioned(Vec<(&'static str, f64)>),
+    /// Outside the domain of the system's functions, or at a kink of one.
+    OutsideDomain,
+}
+
+/// The expected quantities of a system at a sample.
+pub fn expected(system: &System, sample: &Sample) -> Quantities {
+    let tracked =
+        |values: &[f64], count: usize| values[..count].iter().map(|&x| Tracked::constant(x)).collect();
+    Quantities::of(
+        system,
+        &Instant {
+            q: tracked(&sample.q, system.count()),
+            v: tracked(&sample.v, system.count()),
+            t: Tracked::constant(sample.t),
+            u: tracked(&sample.u, system.input_count()),
+            parameters: tracked(&sample.parameters, PARAMETERS.len()),
+        },
+    )
+}
+
+/// Compares an expansion with what is expected.
+pub fn check(
+    system: &System,
+    expansion: &Expansion,
+    sample: &Sample,
+    expected: &Quantities,
+) -> Result<Outcome, String> {
+    let parameters: BTreeMap<String, f64> =
+        PARAMETERS.iter().map(|name| (*name).to_owned()).zip(sample.parameters.iter().copied()).collect();
+    let point = Point {
+        t: sample.t,
+        q: sample.q[..system.count()].to_vec(),
+        v: sample.v[..system.count()].to_vec(),
+        u: sample.u[..system.input_count()].to_vec(),
+        parameters,
+    };
+    let run = Interpreter { expansion, point: &point };
+    let single = |value: Tracked| vec![value];
+    let quantities: [(&'static str, Vec<Tracked>); 9] = [
+        ("mass_matrix", expected.mass.concat()),
+        ("bias", expected.bias.clone()),
+        ("applied_forces", expected.applied.clone()),
+        ("momenta", expected.momenta.clone()),
+        ("kinetic_energy", single(expected.kinetic)),
+        ("potential_energy", single(expected.potential)),
+        ("energy", single(expected.energy)),
+        ("jacobi_integral", single(expected.jacobi)),
+        ("power", single(expected.power)),
+    ];
+    let all = || quantities.iter().flat_map(|(_, values)| values);
+    if !all().all(|x| x.value.is_finite() && x.roundings.is_finite()) {
+        return Ok(Outcome::OutsideDomain);
+    }
+    let mut errors = Vec::new();
+    for (name, wanted) in &quantities {
+        let found = match run.method(name) {
+            Some(value) => flat(name, value.and_then(succeeded))?,
+            // Left out: the energy is the Jacobi integral, or there is no force.
+            None => match *name {
+                "jacobi_integral" => flat(name, self_evident(&run, "energy"))?,
+                "applied_forces" | "power" if !system.is_driven() => continue,
+                _ => return Err(format!("`{name}` is not emitted")),
+            },
+        };
+        errors.push((*name, compare(name, &found, wanted)?));
+    }
+    let found = flat("energy_at", run.energy_at())?;
+    errors.push(("energy_at", compare("energy_at", &found, &single(expected.energy))?));
+
+    if expected.condition > CONDITION {
+        return Ok(Outcome::IllConditioned(errors));
+    }
+    let Some(value) = run.method("accelerations") else { return Err("no `accelerations`".to_owned()) };
+    let found = flat("accelerations", value.and_then(succeeded))?;
+    errors.push(("accelerations", compare("accelerations", &found, &expected.accelerations)?));
+    Ok(Outcome::Compared(errors))
+}
+
+fn self_evident(run: &Interpreter<'_>, name: &str) -> Result<Value, Stop> {
+    run.method(name).unwrap_or_else(|| Err(Stop::Unknown(format!("`{name}` is not emitted"))))
+}
+
+/// The value of a result.
+fn succeeded(value: Value) -> Result<Value, Stop> {
+    match value {
+        Value::Result(Ok(value)) => Ok(*value),
+        Value::Result(Err(cause)) => Err(Stop::Failure(cause)),
+        value => Ok(value),
+    }
+}
+
+/// All numbers of a value in order.
+fn flat(name: &str, value: Result<Value, Stop>) -> Result<Vec<f64>, String> {
+    match value {
+        Ok(Value::Number(value)) => Ok(vec![value]),
+        Ok(Value::List(elements)) => {
+            let parts: Result<Vec<Vec<f64>>, String> =
+                elements.into_iter().map(|element| flat(name, Ok(element))).collect();
+            Ok(parts?.concat())
+        }
+        Ok(other) => Err(format!("{name} is {other:?}")),
+        Err(Stop::Failure(cause)) => Err(format!("{name} fails: {cause}")),
+        Err(Stop::Unknown(what)) => Err(format!("{name} cannot be run: {what}")),
+    }
+}

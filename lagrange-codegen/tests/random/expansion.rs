@@ -1,0 +1,69 @@
+//! The emitted methods of one system, found in the tokens of its expansion.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::TokenStream;
+use syn::{Expr, ImplItem, ImplItemFn, Item, ItemImpl, Stmt};
+
+use crate::source::Source;
+
+/// Emitted functions by name.
+pub type Functions = BTreeMap<String, ImplItemFn>;
+
+/// What the engine emits for one system.
+#[derive(Clone)]
+pub struct Expansion {
+    /// Inherent methods.
+    pub methods: Functions,
+    /// The items of `impl System`.
+    pub system: Functions,
+}
+
+impl Expansion {
+    /// Expands a description and takes the expansion apart.
+    pub fn of(source: &Source) -> Result<Expansion, String> {
+        Expansion::parse(tokens(source)?)
+    }
+
+    fn parse(tokens: TokenStream) -> Result<Expansion, String> {
+        let file: syn::File = syn::parse2(tokens).map_err(|error| format!("the expansion is not Rust: {error}"))?;
+        let mut blocks = Vec::new();
+        for item in file.items {
+            match item {
+                Item::Macro(call) => return Err(format!("refused: {}", call.mac.tokens)),
+                Item::Const(constant) => match *constant.expr {
+                    Expr::Block(block) => blocks.extend(block.block.stmts),
+                    _ => return Err("a constant that is no block".to_owned()),
+                },
+                _ => {}
+            }
+        }
+        let mut expansion = Expansion { methods: Functions::new(), system: Functions::new() };
+        for statement in blocks {
+            if let Stmt::Item(Item::Impl(block)) = statement {
+                let target =
+                    if block.trait_.is_some() { &mut expansion.system } else { &mut expansion.methods };
+                collect(block, target)?;
+            }
+        }
+        Ok(expansion)
+    }
+}
+
+/// The expansion as tokens.
+pub fn tokens(source: &Source) -> Result<TokenStream, String> {
+    let parse = |text: &str| text.parse::<TokenStream>().map_err(|error| format!("the source has no tokens: {error}"));
+    Ok(lagrange_codegen::expand(parse(&source.arguments)?, parse(&source.item)?, "::lagrangian"))
+}
+
+fn collect(block: ItemImpl, target: &mut Functions) -> Result<(), String> {
+    for item in block.items {
+        if let ImplItem::Fn(function) = item {
+            let name = function.sig.ident.to_string();
+            if target.insert(name.clone(), function).is_some() {
+                return Err(format!("`{name}` is emitted twice"));
+            }
+        }
+    }
+    Ok(())
+}

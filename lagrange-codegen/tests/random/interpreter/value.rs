@@ -1,0 +1,140 @@
+//! Values of emitted code, and why a run of it can end.
+
+use crate::oracle::gauss;
+
+/// A value of emitted code.
+#[derive(Clone, Debug)]
+pub enum Value {
+    Number(f64),
+    Integer(usize),
+    Unit,
+    /// An array, a tuple, a vector, or a matrix as an array of rows.
+    List(Vec<Value>),
+    /// `&self`.
+    Model,
+    /// A `State`.
+    State(Box<[Value; 3]>),
+    /// A symmetric matrix that the runtime has factored.
+    Factored(Vec<Vec<f64>>),
+    Result(Result<Box<Value>, String>),
+}
+
+/// Why a run of emitted code ended early.
+#[derive(Clone, Debug)]
+pub enum Stop {
+    /// `?` on an error of the runtime.
+    Failure(String),
+    /// Something the interpreter does not know, or that rustc would refuse.
+    Unknown(String),
+}
+
+/// A step of a run.
+pub type Run<T> = Result<T, Stop>;
+
+/// The end of a run at something unknown.
+pub fn unknown<T>(what: impl Into<String>) -> Run<T> {
+    Err(Stop::Unknown(what.into()))
+}
+
+impl Value {
+    /// An array of numbers.
+    pub fn numbers(values: &[f64]) -> Value {
+        Value::List(values.iter().map(|&value| Value::Number(value)).collect())
+    }
+
+    /// The number this is.
+    pub fn number(&self) -> Run<f64> {
+        match self {
+            Value::Number(value) => Ok(*value),
+            other => unknown(format!("a number expected, not {other:?}")),
+        }
+    }
+
+    /// The elements of a list.
+    pub fn list(&self) -> Run<&[Value]> {
+        match self {
+            Value::List(elements) => Ok(elements),
+            other => unknown(format!("a list expected, not {other:?}")),
+        }
+    }
+
+    /// The numbers of a list.
+    pub fn to_numbers(&self) -> Run<Vec<f64>> {
+        self.list()?.iter().map(Value::number).collect()
+    }
+
+    /// The rows of a matrix.
+    pub fn to_rows(&self) -> Run<Vec<Vec<f64>>> {
+        self.list()?.iter().map(Value::to_numbers).collect()
+    }
+
+    /// The element at some indices, one for each level.
+    pub fn at(&mut self, indices: &[usize]) -> Run<&mut Value> {
+        let Some((&index, rest)) = indices.split_first() else { return Ok(self) };
+        match self {
+            Value::List(elements) if index < elements.len() => elements[index].at(rest),
+            other => unknown(format!("no element {index} in {other:?}")),
+        }
+    }
+}
+
+/// `lagrange::solve::pivot`: positive, and above the roundings of its scale.
+pub fn pivot(value: f64, scale: f64) -> Value {
+    let carried = value - 8.0 * f64::EPSILON * scale > 0.0;
+    Value::Result(if carried { Ok(Box::new(Value::Unit)) } else { Err("singular mass matrix".to_owned()) })
+}
+
+/// `lagrange::solve::ldlt` and `lu`: both read the lower triangle alone.
+pub fn factored(lower: &[Vec<f64>], coordinates: usize) -> Run<Value> {
+    let count = lower.len();
+    if coordinates != count || lower.iter().any(|row| row.len() != count) {
+        return unknown(format!("a block of {count} rows with {coordinates} coordinates"));
+    }
+    let full = (0..count).map(|i| (0..count).map(|j| lower[i.max(j)][i.min(j)]).collect());
+    Ok(Value::Result(Ok(Box::new(Value::Factored(full.collect())))))
+}
+
+/// `factor.solve(right)`.
+pub fn solved(matrix: &[Vec<f64>], right: &Value) -> Run<Value> {
+    let right = right.to_numbers()?;
+    if right.len() != matrix.len() {
+        return unknown(format!("{} equations with {} right-hand sides", matrix.len(), right.len()));
+    }
+    match gauss(matrix.to_vec(), vec![right]).and_then(|mut solution| solution.pop()) {
+        Some(solution) => Ok(Value::numbers(&solution)),
+        None => Err(Stop::Failure("singular mass matrix".to_owned())),
+    }
+}
+
+/// `Real::name(arguments)`.
+pub fn real(name: &str, arguments: &[f64]) -> Run<Value> {
+    let value = match (name, arguments) {
+        ("sin_cos", [x]) => return Ok(Value::numbers(&[x.sin(), x.cos()])),
+        ("sin", [x]) => x.sin(),
+        ("cos", [x]) => x.cos(),
+        ("tan", [x]) => x.tan(),
+        ("asin", [x]) => x.asin(),
+        ("acos", [x]) => x.acos(),
+        ("atan", [x]) => x.atan(),
+        ("sinh", [x]) => x.sinh(),
+        ("cosh", [x]) => x.cosh(),
+        ("tanh", [x]) => x.tanh(),
+        ("asinh", [x]) => x.asinh(),
+        ("acosh", [x]) => x.acosh(),
+        ("atanh", [x]) => x.atanh(),
+        ("exp", [x]) => x.exp(),
+        ("exp_m1", [x]) => x.exp_m1(),
+        ("ln", [x]) => x.ln(),
+        ("ln_1p", [x]) => x.ln_1p(),
+        ("sqrt", [x]) => x.sqrt(),
+        ("cbrt", [x]) => x.cbrt(),
+        ("abs", [x]) => x.abs(),
+        ("signum", [x]) => x.signum(),
+        ("recip", [x]) => x.recip(),
+        ("atan2", [y, x]) => y.atan2(*x),
+        ("powf", [x, y]) => x.powf(*y),
+        ("hypot", [x, y]) => x.hypot(*y),
+        _ => return unknown(format!("Real::{name} of {} arguments", arguments.len())),
+    };
+    Ok(Value::Number(value))
+}

@@ -1,0 +1,188 @@
+//! What every emitted quantity has to be: dual numbers on the energies and forces of the system.
+//!
+//! Straight from the definitions, d/dt ∂L/∂v − ∂L/∂q = Q − ∂D/∂v with L as a whole; nothing of the
+//! engine's shorter ways is used.
+
+use crate::expression::{Instant, Scope};
+use crate::motion::space_rate;
+use crate::number::{Number, Tracked};
+use crate::system::{Energy, Place, Role, System};
+
+/// The quantities of one system at one instant.
+#[derive(Clone, Debug)]
+pub struct Quantities {
+    pub mass: Vec<Vec<Tracked>>,
+    pub bias: Vec<Tracked>,
+    pub applied: Vec<Tracked>,
+    pub momenta: Vec<Tracked>,
+    pub kinetic: Tracked,
+    pub potential: Tracked,
+    pub energy: Tracked,
+    pub jacobi: Tracked,
+    pub power: Tracked,
+    pub accelerations: Vec<Tracked>,
+    /// Condition of the mass matrix in the maximum norm; infinite where it is singular.
+    pub condition: f64,
+}
+
+impl Quantities {
+    /// Evaluates the definitions.
+    pub fn of(system: &System, at: &Instant<Tracked>) -> Quantities {
+        let count = system.count();
+        let nothing = Tracked::constant(0.0);
+        let moving = at.in_motion();
+        let (mut momenta, mut bias) = (Vec::new(), Vec::new());
+        let mut mass = vec![vec![nothing; count]; count];
+        for i in 0..count {
+            // Outside the derivative by v[i], inside the one along the motion or by v[j].
+            let along_motion = system.energies(&moving.by_velocity(i)).lagrangian().slope;
+            let by_coordinate = system.energies(&at.by_coordinate(i)).lagrangian().slope;
+            momenta.push(along_motion.value);
+            bias.push(along_motion.slope - by_coordinate);
+            for j in 0..=i {
+                let entry = system.energies(&at.by_velocity(j).by_velocity(i)).lagrangian().slope.slope;
+                mass[i][j] = entry;
+                mass[j][i] = entry;
+            }
+        }
+        let applied: Vec<Tracked> = (0..count).map(|i| applied_force(system, at, i)).collect();
+        let sum = |terms: &[Tracked]| {
+            terms.iter().zip(&at.v).fold(nothing, |sum, (&term, &velocity)| sum + term * velocity)
+        };
+        let energies = system.energies(at);
+        let at_rest = system.energies(&Instant { v: vec![nothing; count], ..at.clone() });
+        let whole_momenta: Vec<Tracked> =
+            (0..count).map(|i| system.energies(&at.by_velocity(i)).whole.slope).collect();
+        let kinetic = energies.kinetic + sum(&whole_momenta) - energies.whole + at_rest.whole;
+        let potential = energies.potential - at_rest.whole;
+        let (accelerations, condition) = solve(&mass, &applied, &bias);
+        Quantities {
+            energy: kinetic + potential,
+            jacobi: sum(&momenta) - energies.lagrangian(),
+            power: sum(&applied),
+            mass,
+            bias,
+            applied,
+            momenta,
+            kinetic,
+            potential,
+            accelerations,
+            condition,
+        }
+    }
+}
+
+/// Qᵢ − ∂D/∂vᵢ: the virtual power of all forces per unit of the velocity i.
+fn applied_force(system: &System, at: &Instant<Tracked>, coordinate: usize) -> Tracked {
+    let displaced = at.by_coordinate(coordinate);
+    let work = |place: Place, force: &[Tracked]| {
+        let position = system.positions(place.role, &displaced).swap_remove(place.index);
+        position.iter().zip(force).fold(Tracked::constant(0.0), |sum, (x, &f)| sum + x.slope * f)
+    };
+    let mut total = Tracked::constant(0.0);
+    for (index, role) in system.roles.iter().enumerate() {
+        match role {
+            Role::Energy(Energy::Dissipation, body) => {
+                let changed = at.by_velocity(coordinate);
+                total = total - system.scalar_role(index, body, &changed).slope;
+            }
+            Role::ForceOn(which, body) => {
+                if which % system.count() == coordinate {
+                    total = total + system.scalar_role(index, body, at);
+                }
+            }
+            Role::ForceOnAll(body) => {
+                let scope = Scope::new(system, at, index);
+                total = total
+                    + scope.run(body, |scope, entries| scope.scalar(&entries[coordinate % entries.len()]));
+            }
+            Role::ForceAt(which, body) => {
+                if let Some((place, dimension)) = system.any_place(*which) {
+                    total = total + work(place, &system.vector_role(index, body, dimension, at));
+                }
+            }
+            Role::Wrench(which, body) => {
+                if let Some((place, dimension)) = system.any_body(*which) {
+                    let scope = Scope::new(system, at, index);
+                    let (force, torque) = scope.run(body, |scope, (force, torque)| {
+                        (scope.vector(force, dimension), scope.vector(torque, 3))
+                    });
+                    total = total + work(place, &force);
+                    if let Some(angle) = system.angle(place.role, &displaced) {
+                        total = total + angle.slope * torque[0];
+                    }
+                    if let Some(attitude) = system.attitude(place.role, &displaced) {
+                        let turn: [Tracked; 3] = space_rate(&attitude);
+                        total = turn.iter().zip(&torque).fold(total, |sum, (&a, &b)| sum + a * b);
+                    }
+                }
+            }
+            Role::Energy(..)
+            | Role::Point { .. }
+            | Role::Planar { .. }
+            | Role::Spatial { .. }
+            | Role::Chain { .. } => {}
+        }
+    }
+    total
+}
+
+/// M a = Q − b. The uncertainty of a follows from those of M and f through |M⁻¹|.
+fn solve(mass: &[Vec<Tracked>], applied: &[Tracked], bias: &[Tracked]) -> (Vec<Tracked>, f64) {
+    let count = mass.len();
+    let values: Vec<Vec<f64>> = mass.iter().map(|row| row.iter().map(|entry| entry.value).collect()).collect();
+    let force: Vec<Tracked> = applied.iter().zip(bias).map(|(&q, &b)| q - b).collect();
+    let column = |i: usize| (0..count).map(|j| f64::from(u8::from(i == j))).collect::<Vec<f64>>();
+    let mut right: Vec<Vec<f64>> = (0..count).map(column).collect();
+    right.push(force.iter().map(|f| f.value).collect());
+    let unknown = Tracked { value: f64::NAN, roundings: f64::NAN };
+    let Some(mut solved) = gauss(values.clone(), right) else { return (vec![unknown; count], f64::INFINITY) };
+    let solution = solved.pop().unwrap_or_default();
+    // `solved[j]` is column j of the inverse.
+    let disturbance: Vec<f64> = (0..count)
+        .map(|i| {
+            let entries = mass[i].iter().zip(&solution);
+            force[i].roundings + entries.map(|(entry, a)| entry.roundings * a.abs()).sum::<f64>()
+        })
+        .collect();
+    let accelerations = (0..count)
+        .map(|i| Tracked {
+            value: solution[i],
+            roundings: (0..count).map(|j| solved[j][i].abs() * disturbance[j]).sum(),
+        })
+        .collect();
+    let norm = |entry: &dyn Fn(usize, usize) -> f64| {
+        (0..count).map(|i| (0..count).map(|j| entry(i, j).abs()).sum::<f64>()).fold(0.0, f64::max)
+    };
+    let condition = norm(&|i, j| values[i][j]) * norm(&|i, j| solved[j][i]);
+    (accelerations, condition)
+}
+
+/// Gaussian elimination with partial pivoting, for several right-hand sides; `None` where the
+/// matrix is singular.
+pub fn gauss(mut a: Vec<Vec<f64>>, mut right: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
+    let count = a.len();
+    for k in 0..count {
+        let pivot = (k..count).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
+        if !(a[pivot][k].abs() > 0.0 && a[pivot][k].is_finite()) {
+            return None;
+        }
+        a.swap(k, pivot);
+        right.iter_mut().for_each(|b| b.swap(k, pivot));
+        for i in k + 1..count {
+            let factor = a[i][k] / a[k][k];
+            for j in k..count {
+                a[i][j] -= factor * a[k][j];
+            }
+            right.iter_mut().for_each(|b| b[i] -= factor * b[k]);
+        }
+    }
+    for b in &mut right {
+        for i in (0..count).rev() {
+            let known: f64 = (i + 1..count).map(|j| a[i][j] * b[j]).sum();
+            b[i] = (b[i] - known) / a[i][i];
+        }
+    }
+    Some(right)
+}
+
