@@ -41,25 +41,14 @@ impl<R: ::core::fmt::Debug> ::core::fmt::Debug for CartPoleCoordinates<R> {
             .finish()
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<[R; 2usize]>
-for CartPoleCoordinates<R> {
-    fn from(values: [R; 2usize]) -> Self {
-        Self {
-            x: values[0usize],
-            theta: values[1usize],
-        }
+impl<R> ::core::convert::From<[R; 2usize]> for CartPoleCoordinates<R> {
+    fn from([x0, x1]: [R; 2usize]) -> Self {
+        Self { x: x0, theta: x1 }
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<CartPoleCoordinates<R>>
-for [R; 2usize] {
-    fn from(record: CartPoleCoordinates<R>) -> Self {
-        [record.x, record.theta]
-    }
-}
-impl<R: ::lagrangian::__private::Real> CartPoleCoordinates<R> {
-    /// All components in order.
-    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 2usize> {
-        <[R; 2usize]>::from(*self).into()
+impl<R> ::core::convert::From<CartPoleCoordinates<R>> for [R; 2usize] {
+    fn from(CartPoleCoordinates { x: x0, theta: x1 }: CartPoleCoordinates<R>) -> Self {
+        [x0, x1]
     }
 }
 ///Generalized velocities of [`CartPole`].
@@ -83,25 +72,14 @@ impl<R: ::core::fmt::Debug> ::core::fmt::Debug for CartPoleVelocities<R> {
             .finish()
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<[R; 2usize]>
-for CartPoleVelocities<R> {
-    fn from(values: [R; 2usize]) -> Self {
-        Self {
-            x: values[0usize],
-            theta: values[1usize],
-        }
+impl<R> ::core::convert::From<[R; 2usize]> for CartPoleVelocities<R> {
+    fn from([x0, x1]: [R; 2usize]) -> Self {
+        Self { x: x0, theta: x1 }
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<CartPoleVelocities<R>>
-for [R; 2usize] {
-    fn from(record: CartPoleVelocities<R>) -> Self {
-        [record.x, record.theta]
-    }
-}
-impl<R: ::lagrangian::__private::Real> CartPoleVelocities<R> {
-    /// All components in order.
-    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 2usize> {
-        <[R; 2usize]>::from(*self).into()
+impl<R> ::core::convert::From<CartPoleVelocities<R>> for [R; 2usize] {
+    fn from(CartPoleVelocities { x: x0, theta: x1 }: CartPoleVelocities<R>) -> Self {
+        [x0, x1]
     }
 }
 ///Inputs of [`CartPole`].
@@ -120,42 +98,24 @@ impl<R: ::core::fmt::Debug> ::core::fmt::Debug for CartPoleInputs<R> {
         f.debug_struct("CartPoleInputs").field("motor", &self.motor).finish()
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<[R; 1usize]> for CartPoleInputs<R> {
-    fn from(values: [R; 1usize]) -> Self {
-        Self { motor: values[0usize] }
+impl<R> ::core::convert::From<[R; 1usize]> for CartPoleInputs<R> {
+    fn from([x0]: [R; 1usize]) -> Self {
+        Self { motor: x0 }
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<CartPoleInputs<R>> for [R; 1usize] {
-    fn from(record: CartPoleInputs<R>) -> Self {
-        [record.motor]
-    }
-}
-impl<R: ::lagrangian::__private::Real> CartPoleInputs<R> {
-    /// All components in order.
-    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 1usize> {
-        <[R; 1usize]>::from(*self).into()
+impl<R> ::core::convert::From<CartPoleInputs<R>> for [R; 1usize] {
+    fn from(CartPoleInputs { motor: x0 }: CartPoleInputs<R>) -> Self {
+        [x0]
     }
 }
 const _: () = {
     use ::lagrangian::__private as lagrange;
     impl<R: Real> CartPole<R> {
-        /// Operations of one evaluation of the accelerations, as derived and as emitted; what is
-        /// computed once per run and the factorisation in the runtime, if any, are not counted.
+        /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
+        /// computed once per run, and a factorisation in the runtime, are not counted.
         pub const COST: lagrange::Costs = lagrange::Costs {
-            before: lagrange::Cost {
-                additions: 3u32,
-                multiplications: 10u32,
-                divisions: 0u32,
-                square_roots: 0u32,
-                functions: 1u32,
-            },
-            after: lagrange::Cost {
-                additions: 5u32,
-                multiplications: 14u32,
-                divisions: 1u32,
-                square_roots: 0u32,
-                functions: 1u32,
-            },
+            before: lagrange::Cost::new(6u32, 17u32, 6u32, 0u32, 1u32),
+            after: lagrange::Cost::new(5u32, 13u32, 1u32, 0u32, 1u32),
         };
         /// What was found in this system, and what its code therefore leaves out.
         pub const STRUCTURE: lagrange::Structure = lagrange::Structure {
@@ -177,18 +137,15 @@ A singular mass matrix, with the coordinate and the time.*/
             inputs: &[R; 1],
         ) -> ::core::result::Result<[R; 2], lagrange::MotionError<R>> {
             let constants = lagrange::System::constants(self);
-            lagrange::System::accelerations_at(
-                    self,
-                    &constants,
-                    state.t,
-                    &state.q,
-                    &state.v,
-                    inputs,
-                )
-                .map_err(|cause| lagrange::MotionError {
-                    cause,
-                    t: state.t,
-                })
+            let accelerations = lagrange::System::accelerations_at(
+                self,
+                &constants,
+                state.t,
+                &state.q,
+                &state.v,
+                inputs,
+            );
+            lagrange::solve::finite(self, &constants, state, accelerations)
         }
         ///Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].
         #[inline]
@@ -307,21 +264,19 @@ A singular mass matrix, with the coordinate and the time.*/
     }
     impl<R: Real> lagrange::System<2usize, 1usize> for CartPole<R> {
         type Scalar = R;
-        type Constants = [R; 8];
+        type Constants = [R; 7];
         #[inline]
         fn constants(&self) -> Self::Constants {
             let cart_mass_plus_pole_mass = self.cart_mass + self.pole_mass;
             let pole_mass_length = self.pole_mass * self.length;
-            let pole_mass_length_squared = self.pole_mass * (self.length * self.length);
             [
                 pole_mass_length,
                 pole_mass_length * self.g,
                 self.pole_mass / cart_mass_plus_pole_mass,
                 pole_mass_length / cart_mass_plus_pole_mass,
                 R::one() / self.length,
-                pole_mass_length_squared,
                 R::one() / cart_mass_plus_pole_mass,
-                R::one() / pole_mass_length_squared,
+                R::one() / (self.pole_mass * (self.length * self.length)),
             ]
         }
         #[inline]
@@ -332,46 +287,58 @@ A singular mass matrix, with the coordinate and the time.*/
             q: &[R; 2],
             v: &[R; 2],
             u: &[R; 1],
-        ) -> ::core::result::Result<[R; 2], lagrange::Cause> {
+        ) -> [R; 2] {
             use lagrange::Real;
             let [_, theta] = *q;
             let [_, theta_dot] = *v;
             let [motor] = *u;
-            let [pole_mass_length, pole_mass_length_g, w1, w2, inverse_length,
-            pole_mass_length_squared, w3, w4] = *constants;
+            let [pole_mass_length, pole_mass_length_g, w1, w2, inverse_length, w3, w4] = *constants;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let w5 = motor + pole_mass_length * (theta_dot * theta_dot * sin_theta);
-            let w6 = R::one() - w1 * (cos_theta * cos_theta);
-            let w7 = (pole_mass_length_g * sin_theta - self.damping * theta_dot
-                - w2 * (cos_theta * w5)) / w6;
-            lagrange::solve::pivot(
-                pole_mass_length_squared * w6,
+            let w6 = (pole_mass_length_g * sin_theta - self.damping * theta_dot
+                - w2 * (cos_theta * w5))
+                / lagrange::solve::pivot(
+                    R::one() - w1 * (cos_theta * cos_theta),
+                    R::one(),
+                );
+            [w3 * (w5 - inverse_length * (cos_theta * w6)), w4 * w6]
+        }
+        fn check_at(
+            &self,
+            _constants: &Self::Constants,
+            _t: R,
+            q: &[R; 2],
+            _v: &[R; 2],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            use lagrange::Real;
+            let [_, theta] = *q;
+            let cos_theta = Real::cos(theta);
+            let cart_mass_plus_pole_mass = self.cart_mass + self.pole_mass;
+            let pole_mass_length_squared = self.pole_mass * (self.length * self.length);
+            lagrange::solve::check(
+                cart_mass_plus_pole_mass,
+                cart_mass_plus_pole_mass,
+                0,
+            )?;
+            lagrange::solve::check(
+                pole_mass_length_squared
+                    * (R::one()
+                        - self.pole_mass / cart_mass_plus_pole_mass
+                            * (cos_theta * cos_theta)),
                 pole_mass_length_squared,
                 1,
             )?;
-            ::core::result::Result::Ok([
-                w3 * (w5 - inverse_length * (cos_theta * w7)),
-                w4 * w7,
-            ])
+            ::core::result::Result::Ok(())
         }
         #[inline]
         fn energy_at(
             &self,
             _constants: &Self::Constants,
-            _t: R,
+            t: R,
             q: &[R; 2],
             v: &[R; 2],
         ) -> R {
-            use lagrange::Real;
-            let [_, theta] = *q;
-            let [x_dot, theta_dot] = *v;
-            let cos_theta = Real::cos(theta);
-            let w1 = R::from_f64(2.0) * self.pole_mass * self.length
-                * (theta_dot * cos_theta) + (self.cart_mass + self.pole_mass) * x_dot;
-            let w2 = R::from_f64(0.5)
-                * (self.pole_mass * (self.length * self.length) * (theta_dot * theta_dot)
-                    + x_dot * w1);
-            self.pole_mass * self.length * self.g * cos_theta + w2
+            self.energy(&lagrange::State { t, q: *q, v: *v })
         }
     }
 };

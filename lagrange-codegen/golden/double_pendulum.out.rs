@@ -28,24 +28,16 @@ impl<R: ::core::fmt::Debug> ::core::fmt::Debug for DoublePendulumCoordinates<R> 
         f.debug_struct("DoublePendulumCoordinates").field("theta", &self.theta).finish()
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<[R; 2usize]>
-for DoublePendulumCoordinates<R> {
-    fn from(values: [R; 2usize]) -> Self {
-        Self {
-            theta: ::core::array::from_fn(|i| values[0usize + i]),
-        }
+impl<R> ::core::convert::From<[R; 2usize]> for DoublePendulumCoordinates<R> {
+    fn from([x0, x1]: [R; 2usize]) -> Self {
+        Self { theta: [x0, x1] }
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<DoublePendulumCoordinates<R>>
-for [R; 2usize] {
-    fn from(record: DoublePendulumCoordinates<R>) -> Self {
-        [record.theta[0usize], record.theta[1usize]]
-    }
-}
-impl<R: ::lagrangian::__private::Real> DoublePendulumCoordinates<R> {
-    /// All components in order.
-    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 2usize> {
-        <[R; 2usize]>::from(*self).into()
+impl<R> ::core::convert::From<DoublePendulumCoordinates<R>> for [R; 2usize] {
+    fn from(
+        DoublePendulumCoordinates { theta: [x0, x1] }: DoublePendulumCoordinates<R>,
+    ) -> Self {
+        [x0, x1]
     }
 }
 ///Generalized velocities of [`DoublePendulum`].
@@ -64,46 +56,26 @@ impl<R: ::core::fmt::Debug> ::core::fmt::Debug for DoublePendulumVelocities<R> {
         f.debug_struct("DoublePendulumVelocities").field("theta", &self.theta).finish()
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<[R; 2usize]>
-for DoublePendulumVelocities<R> {
-    fn from(values: [R; 2usize]) -> Self {
-        Self {
-            theta: ::core::array::from_fn(|i| values[0usize + i]),
-        }
+impl<R> ::core::convert::From<[R; 2usize]> for DoublePendulumVelocities<R> {
+    fn from([x0, x1]: [R; 2usize]) -> Self {
+        Self { theta: [x0, x1] }
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<DoublePendulumVelocities<R>>
-for [R; 2usize] {
-    fn from(record: DoublePendulumVelocities<R>) -> Self {
-        [record.theta[0usize], record.theta[1usize]]
-    }
-}
-impl<R: ::lagrangian::__private::Real> DoublePendulumVelocities<R> {
-    /// All components in order.
-    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 2usize> {
-        <[R; 2usize]>::from(*self).into()
+impl<R> ::core::convert::From<DoublePendulumVelocities<R>> for [R; 2usize] {
+    fn from(
+        DoublePendulumVelocities { theta: [x0, x1] }: DoublePendulumVelocities<R>,
+    ) -> Self {
+        [x0, x1]
     }
 }
 const _: () = {
     use ::lagrangian::__private as lagrange;
     impl DoublePendulum {
-        /// Operations of one evaluation of the accelerations, as derived and as emitted; what is
-        /// computed once per run and the factorisation in the runtime, if any, are not counted.
+        /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
+        /// computed once per run, and a factorisation in the runtime, are not counted.
         pub const COST: lagrange::Costs = lagrange::Costs {
-            before: lagrange::Cost {
-                additions: 12u32,
-                multiplications: 32u32,
-                divisions: 0u32,
-                square_roots: 0u32,
-                functions: 2u32,
-            },
-            after: lagrange::Cost {
-                additions: 10u32,
-                multiplications: 24u32,
-                divisions: 1u32,
-                square_roots: 0u32,
-                functions: 2u32,
-            },
+            before: lagrange::Cost::new(15u32, 31u32, 5u32, 0u32, 2u32),
+            after: lagrange::Cost::new(10u32, 23u32, 1u32, 0u32, 2u32),
         };
         /// What was found in this system, and what its code therefore leaves out.
         pub const STRUCTURE: lagrange::Structure = lagrange::Structure {
@@ -130,18 +102,15 @@ A singular mass matrix, with the coordinate and the time.*/
             state: &lagrange::State<f64, 2>,
         ) -> ::core::result::Result<[f64; 2], lagrange::MotionError<f64>> {
             let constants = lagrange::System::constants(self);
-            lagrange::System::accelerations_at(
-                    self,
-                    &constants,
-                    state.t,
-                    &state.q,
-                    &state.v,
-                    &[],
-                )
-                .map_err(|cause| lagrange::MotionError {
-                    cause,
-                    t: state.t,
-                })
+            let accelerations = lagrange::System::accelerations_at(
+                self,
+                &constants,
+                state.t,
+                &state.q,
+                &state.v,
+                &[],
+            );
+            lagrange::solve::finite(self, &constants, state, accelerations)
         }
         ///Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].
         #[inline]
@@ -252,22 +221,21 @@ A singular mass matrix, with the coordinate and the time.*/
             let w3 = self.l[0]
                 * (self.g * (self.m[0] + self.m[1]) * cos_theta_0 - theta_0_dot * w2);
             let w4 = self.m[1] * self.l[1]
-                * (self.g * cos_theta_1 - 0.5 * self.l[1] * (theta_1_dot * theta_1_dot));
-            -(w3 + w4)
+                * (0.5 * self.l[1] * (theta_1_dot * theta_1_dot) - self.g * cos_theta_1);
+            -(w3 - w4)
         }
     }
     impl lagrange::System<2usize, 0usize> for DoublePendulum {
         type Scalar = f64;
-        type Constants = [f64; 7];
+        type Constants = [f64; 6];
         #[inline]
         fn constants(&self) -> Self::Constants {
             let m_0_plus_m_1 = self.m[0] + self.m[1];
             [
+                self.m[1] / m_0_plus_m_1,
                 self.m[0] * self.g,
                 self.m[1] * self.l[1],
-                self.m[1] / m_0_plus_m_1,
                 1.0 / m_0_plus_m_1,
-                self.m[1] * (self.l[1] * self.l[1]),
                 1.0 / (self.l[0] * m_0_plus_m_1),
                 1.0 / self.l[1],
             ]
@@ -280,12 +248,12 @@ A singular mass matrix, with the coordinate and the time.*/
             q: &[f64; 2],
             v: &[f64; 2],
             _u: &[f64; 0],
-        ) -> ::core::result::Result<[f64; 2], lagrange::Cause> {
+        ) -> [f64; 2] {
             use lagrange::Real;
             let [theta_0, theta_1] = *q;
             let [theta_0_dot, theta_1_dot] = *v;
-            let [m_0_g, m_1_l_1, m_1_over_m_0_plus_m_1, inverse_m_0_plus_m_1,
-            m_1_l_1_squared, inverse_l_0_m_0_plus_m_1, inverse_l_1] = *constants;
+            let [m_1_over_m_0_plus_m_1, m_0_g, m_1_l_1, inverse_m_0_plus_m_1,
+            inverse_l_0_m_0_plus_m_1, inverse_l_1] = *constants;
             let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
             let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
             let w1 = sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1;
@@ -298,37 +266,49 @@ A singular mass matrix, with the coordinate and the time.*/
                 * (self.l[1] * (theta_1_dot_squared * cos_theta_1) + self.g) + m_0_g;
             let w4 = m_1_l_1 * (theta_1_dot_squared * sin_theta_1_cos_theta_0)
                 - sin_theta_0 * w3;
-            let w5 = 1.0 - m_1_over_m_0_plus_m_1 * (w1 * w1);
-            let w6 = (self.g * sin_theta_1 + w2 + inverse_m_0_plus_m_1 * (w1 * w4)) / w5;
-            lagrange::solve::pivot(m_1_l_1_squared * w5, m_1_l_1_squared, 1)?;
-            ::core::result::Result::Ok([
-                inverse_l_0_m_0_plus_m_1 * (w4 + self.m[1] * (w1 * w6)),
-                -(inverse_l_1 * w6),
-            ])
+            let w5 = (self.g * sin_theta_1 + w2 + inverse_m_0_plus_m_1 * (w1 * w4))
+                / lagrange::solve::pivot(1.0 - m_1_over_m_0_plus_m_1 * (w1 * w1), 1.0);
+            [
+                inverse_l_0_m_0_plus_m_1 * (w4 + self.m[1] * (w1 * w5)),
+                -(inverse_l_1 * w5),
+            ]
+        }
+        fn check_at(
+            &self,
+            _constants: &Self::Constants,
+            _t: f64,
+            q: &[f64; 2],
+            _v: &[f64; 2],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            use lagrange::Real;
+            let [theta_0, theta_1] = *q;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
+            let m_0_plus_m_1 = self.m[0] + self.m[1];
+            let w1 = sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1;
+            let l_0_squared_m_0_plus_m_1 = self.l[0] * self.l[0] * m_0_plus_m_1;
+            let m_1_l_1_squared = self.m[1] * (self.l[1] * self.l[1]);
+            lagrange::solve::check(
+                l_0_squared_m_0_plus_m_1,
+                l_0_squared_m_0_plus_m_1,
+                0,
+            )?;
+            lagrange::solve::check(
+                m_1_l_1_squared * (1.0 - self.m[1] / m_0_plus_m_1 * (w1 * w1)),
+                m_1_l_1_squared,
+                1,
+            )?;
+            ::core::result::Result::Ok(())
         }
         #[inline]
         fn energy_at(
             &self,
             _constants: &Self::Constants,
-            _t: f64,
+            t: f64,
             q: &[f64; 2],
             v: &[f64; 2],
         ) -> f64 {
-            use lagrange::Real;
-            let [theta_0, theta_1] = *q;
-            let [theta_0_dot, theta_1_dot] = *v;
-            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
-            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
-            let w1 = self.l[1]
-                * (theta_1_dot
-                    * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1));
-            let w2 = 0.5 * self.m[0] * self.l[0] * theta_0_dot
-                + self.m[1] * (0.5 * self.l[0] * theta_0_dot + w1);
-            let w3 = self.l[0]
-                * (self.g * (self.m[0] + self.m[1]) * cos_theta_0 - theta_0_dot * w2);
-            let w4 = self.m[1] * self.l[1]
-                * (self.g * cos_theta_1 - 0.5 * self.l[1] * (theta_1_dot * theta_1_dot));
-            -(w3 + w4)
+            self.energy(&lagrange::State { t, q: *q, v: *v })
         }
     }
 };

@@ -38,24 +38,18 @@ impl<R: ::core::fmt::Debug> ::core::fmt::Debug for TopCoordinates<R> {
             .finish()
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<[R; 3usize]> for TopCoordinates<R> {
-    fn from(values: [R; 3usize]) -> Self {
+impl<R> ::core::convert::From<[R; 3usize]> for TopCoordinates<R> {
+    fn from([x0, x1, x2]: [R; 3usize]) -> Self {
         Self {
-            phi: values[0usize],
-            theta: values[1usize],
-            psi: values[2usize],
+            phi: x0,
+            theta: x1,
+            psi: x2,
         }
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<TopCoordinates<R>> for [R; 3usize] {
-    fn from(record: TopCoordinates<R>) -> Self {
-        [record.phi, record.theta, record.psi]
-    }
-}
-impl<R: ::lagrangian::__private::Real> TopCoordinates<R> {
-    /// All components in order.
-    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 3usize> {
-        <[R; 3usize]>::from(*self).into()
+impl<R> ::core::convert::From<TopCoordinates<R>> for [R; 3usize] {
+    fn from(TopCoordinates { phi: x0, theta: x1, psi: x2 }: TopCoordinates<R>) -> Self {
+        [x0, x1, x2]
     }
 }
 ///Generalized velocities of [`Top`].
@@ -82,46 +76,28 @@ impl<R: ::core::fmt::Debug> ::core::fmt::Debug for TopVelocities<R> {
             .finish()
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<[R; 3usize]> for TopVelocities<R> {
-    fn from(values: [R; 3usize]) -> Self {
+impl<R> ::core::convert::From<[R; 3usize]> for TopVelocities<R> {
+    fn from([x0, x1, x2]: [R; 3usize]) -> Self {
         Self {
-            phi: values[0usize],
-            theta: values[1usize],
-            psi: values[2usize],
+            phi: x0,
+            theta: x1,
+            psi: x2,
         }
     }
 }
-impl<R: ::core::marker::Copy> ::core::convert::From<TopVelocities<R>> for [R; 3usize] {
-    fn from(record: TopVelocities<R>) -> Self {
-        [record.phi, record.theta, record.psi]
-    }
-}
-impl<R: ::lagrangian::__private::Real> TopVelocities<R> {
-    /// All components in order.
-    pub fn as_vector(&self) -> ::lagrangian::__private::nalgebra::SVector<R, 3usize> {
-        <[R; 3usize]>::from(*self).into()
+impl<R> ::core::convert::From<TopVelocities<R>> for [R; 3usize] {
+    fn from(TopVelocities { phi: x0, theta: x1, psi: x2 }: TopVelocities<R>) -> Self {
+        [x0, x1, x2]
     }
 }
 const _: () = {
     use ::lagrangian::__private as lagrange;
     impl Top {
-        /// Operations of one evaluation of the accelerations, as derived and as emitted; what is
-        /// computed once per run and the factorisation in the runtime, if any, are not counted.
+        /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
+        /// computed once per run, and a factorisation in the runtime, are not counted.
         pub const COST: lagrange::Costs = lagrange::Costs {
-            before: lagrange::Cost {
-                additions: 28u32,
-                multiplications: 65u32,
-                divisions: 0u32,
-                square_roots: 0u32,
-                functions: 3u32,
-            },
-            after: lagrange::Cost {
-                additions: 5u32,
-                multiplications: 17u32,
-                divisions: 1u32,
-                square_roots: 0u32,
-                functions: 1u32,
-            },
+            before: lagrange::Cost::new(33u32, 66u32, 2u32, 0u32, 3u32),
+            after: lagrange::Cost::new(4u32, 13u32, 1u32, 0u32, 1u32),
         };
         /// What was found in this system, and what its code therefore leaves out.
         pub const STRUCTURE: lagrange::Structure = lagrange::Structure {
@@ -151,18 +127,15 @@ A singular mass matrix, with the coordinate and the time.*/
             state: &lagrange::State<f64, 3>,
         ) -> ::core::result::Result<[f64; 3], lagrange::MotionError<f64>> {
             let constants = lagrange::System::constants(self);
-            lagrange::System::accelerations_at(
-                    self,
-                    &constants,
-                    state.t,
-                    &state.q,
-                    &state.v,
-                    &[],
-                )
-                .map_err(|cause| lagrange::MotionError {
-                    cause,
-                    t: state.t,
-                })
+            let accelerations = lagrange::System::accelerations_at(
+                self,
+                &constants,
+                state.t,
+                &state.q,
+                &state.v,
+                &[],
+            );
+            lagrange::solve::finite(self, &constants, state, accelerations)
         }
         ///Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].
         #[inline]
@@ -172,17 +145,16 @@ A singular mass matrix, with the coordinate and the time.*/
         ) -> lagrange::nalgebra::SMatrix<f64, 3, 3> {
             use lagrange::Real;
             let [_, theta, _] = state.q;
-            let (sin_theta, attitude_22) = Real::sin_cos(theta);
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let w1 = self.across + self.mass * (self.arm * self.arm);
             [
                 [
-                    self.along * (attitude_22 * attitude_22)
-                        + w1 * (sin_theta * sin_theta),
+                    self.along * (cos_theta * cos_theta) + w1 * (sin_theta * sin_theta),
                     0.0,
-                    self.along * attitude_22,
+                    self.along * cos_theta,
                 ],
                 [0.0, w1, 0.0],
-                [self.along * attitude_22, 0.0, self.along],
+                [self.along * cos_theta, 0.0, self.along],
             ]
                 .into()
         }
@@ -196,16 +168,15 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
-            let (sin_theta, attitude_22) = Real::sin_cos(theta);
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let w1 = self.mass * (self.arm * self.arm) + (self.across - self.along);
-            let phi_dot_attitude_22 = phi_dot * attitude_22;
+            let phi_dot_cos_theta = phi_dot * cos_theta;
             let along_psi_dot = self.along * psi_dot;
             let w2 = self.mass * self.arm * self.g
-                - phi_dot * (along_psi_dot - w1 * phi_dot_attitude_22);
+                - phi_dot * (along_psi_dot - w1 * phi_dot_cos_theta);
             let theta_dot_sin_theta = theta_dot * sin_theta;
             [
-                -((along_psi_dot - 2.0 * w1 * phi_dot_attitude_22)
-                    * theta_dot_sin_theta),
+                -((along_psi_dot - 2.0 * w1 * phi_dot_cos_theta) * theta_dot_sin_theta),
                 -(sin_theta * w2),
                 -(self.along * (phi_dot * theta_dot_sin_theta)),
             ]
@@ -220,14 +191,14 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
-            let (sin_theta, attitude_22) = Real::sin_cos(theta);
-            let gyroscope_rate_z = psi_dot + phi_dot * attitude_22;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let gyroscope_rate_z = psi_dot + phi_dot * cos_theta;
             let w1 = self.across + self.mass * (self.arm * self.arm);
-            let w2 = phi_dot
-                * (self.along * (attitude_22 * attitude_22)
-                    + w1 * (sin_theta * sin_theta));
             [
-                self.along * (psi_dot * attitude_22) + w2,
+                self.along * (psi_dot * cos_theta)
+                    + phi_dot
+                        * (self.along * (cos_theta * cos_theta)
+                            + w1 * (sin_theta * sin_theta)),
                 w1 * theta_dot,
                 self.along * gyroscope_rate_z,
             ]
@@ -238,14 +209,15 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
-            let (sin_theta, attitude_22) = Real::sin_cos(theta);
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let w1 = self.across + self.mass * (self.arm * self.arm);
-            let w2 = phi_dot
-                * (self.along * (attitude_22 * attitude_22)
-                    + w1 * (sin_theta * sin_theta));
-            let w3 = phi_dot * (2.0 * self.along * (psi_dot * attitude_22) + w2)
-                + (self.along * (psi_dot * psi_dot) + w1 * (theta_dot * theta_dot));
-            0.5 * w3
+            let w2 = 2.0 * self.along * (psi_dot * cos_theta)
+                + phi_dot
+                    * (self.along * (cos_theta * cos_theta)
+                        + w1 * (sin_theta * sin_theta));
+            0.5
+                * (phi_dot * w2
+                    + (self.along * (psi_dot * psi_dot) + w1 * (theta_dot * theta_dot)))
         }
         /**Potential energy V [J].
 
@@ -254,8 +226,8 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn potential_energy(&self, state: &lagrange::State<f64, 3>) -> f64 {
             use lagrange::Real;
             let [_, theta, _] = state.q;
-            let attitude_22 = Real::cos(theta);
-            let gravity = self.mass * self.arm * self.g * attitude_22;
+            let cos_theta = Real::cos(theta);
+            let gravity = self.mass * self.arm * self.g * cos_theta;
             gravity
         }
         ///Energy T + V [J].
@@ -264,25 +236,31 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
-            let (sin_theta, attitude_22) = Real::sin_cos(theta);
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let w1 = self.across + self.mass * (self.arm * self.arm);
-            let w2 = phi_dot
-                * (self.along * (attitude_22 * attitude_22)
-                    + w1 * (sin_theta * sin_theta));
-            let w3 = phi_dot * (2.0 * self.along * (psi_dot * attitude_22) + w2)
-                + (self.along * (psi_dot * psi_dot) + w1 * (theta_dot * theta_dot));
-            self.mass * self.arm * self.g * attitude_22 + 0.5 * w3
+            let w2 = 2.0 * self.along * (psi_dot * cos_theta)
+                + phi_dot
+                    * (self.along * (cos_theta * cos_theta)
+                        + w1 * (sin_theta * sin_theta));
+            let w3 = 0.5
+                * (phi_dot * w2
+                    + (self.along * (psi_dot * psi_dot) + w1 * (theta_dot * theta_dot)));
+            self.mass * self.arm * self.g * cos_theta + w3
         }
     }
     impl lagrange::System<3usize, 0usize> for Top {
         type Scalar = f64;
-        type Constants = [f64; 5];
+        type Constants = [f64; 4];
         #[inline]
         fn constants(&self) -> Self::Constants {
             let mass_arm_squared = self.mass * (self.arm * self.arm);
-            let w1 = self.across + mass_arm_squared;
-            let w2 = mass_arm_squared + (self.across - self.along);
-            [w1, w2, self.mass * self.arm * self.g, self.along + 2.0 * w2, 1.0 / w1]
+            let w1 = mass_arm_squared + (self.across - self.along);
+            [
+                w1,
+                self.mass * self.arm * self.g,
+                self.along + 2.0 * w1,
+                1.0 / (self.across + mass_arm_squared),
+            ]
         }
         #[inline]
         fn accelerations_at(
@@ -292,49 +270,50 @@ A singular mass matrix, with the coordinate and the time.*/
             q: &[f64; 3],
             v: &[f64; 3],
             _u: &[f64; 0],
-        ) -> ::core::result::Result<[f64; 3], lagrange::Cause> {
+        ) -> [f64; 3] {
             use lagrange::Real;
             let [_, theta, _] = *q;
             let [phi_dot, theta_dot, psi_dot] = *v;
-            let [w1, w2, mass_arm_g, w3, w4] = *constants;
-            let (sin_theta, attitude_22) = Real::sin_cos(theta);
-            let w5 = w1 * (sin_theta * sin_theta);
-            let phi_dot_attitude_22 = phi_dot * attitude_22;
+            let [w1, mass_arm_g, w2, w3] = *constants;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let phi_dot_cos_theta = phi_dot * cos_theta;
             let along_psi_dot = self.along * psi_dot;
-            let w6 = (along_psi_dot - w3 * phi_dot_attitude_22) / sin_theta;
-            lagrange::solve::pivot(
-                w5,
-                self.along * (attitude_22 * attitude_22) + w5,
-                0,
-            )?;
-            ::core::result::Result::Ok([
-                w4 * (theta_dot * w6),
-                w4
+            let w4 = (along_psi_dot - w2 * phi_dot_cos_theta) / sin_theta;
+            [
+                w3 * (theta_dot * w4),
+                w3
                     * (sin_theta
                         * (mass_arm_g
-                            - phi_dot * (along_psi_dot - w2 * phi_dot_attitude_22))),
-                theta_dot * (phi_dot * sin_theta - w4 * (attitude_22 * w6)),
-            ])
+                            - phi_dot * (along_psi_dot - w1 * phi_dot_cos_theta))),
+                theta_dot * (phi_dot * sin_theta - w3 * (cos_theta * w4)),
+            ]
+        }
+        fn check_at(
+            &self,
+            _constants: &Self::Constants,
+            _t: f64,
+            q: &[f64; 3],
+            _v: &[f64; 3],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            use lagrange::Real;
+            let [_, theta, _] = *q;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let w1 = self.across + self.mass * (self.arm * self.arm);
+            let w2 = w1 * (sin_theta * sin_theta);
+            lagrange::solve::check(self.along, self.along, 2)?;
+            lagrange::solve::check(w2, self.along * (cos_theta * cos_theta) + w2, 0)?;
+            lagrange::solve::check(w1, w1, 1)?;
+            ::core::result::Result::Ok(())
         }
         #[inline]
         fn energy_at(
             &self,
             _constants: &Self::Constants,
-            _t: f64,
+            t: f64,
             q: &[f64; 3],
             v: &[f64; 3],
         ) -> f64 {
-            use lagrange::Real;
-            let [_, theta, _] = *q;
-            let [phi_dot, theta_dot, psi_dot] = *v;
-            let (sin_theta, attitude_22) = Real::sin_cos(theta);
-            let w1 = self.across + self.mass * (self.arm * self.arm);
-            let w2 = phi_dot
-                * (self.along * (attitude_22 * attitude_22)
-                    + w1 * (sin_theta * sin_theta));
-            let w3 = phi_dot * (2.0 * self.along * (psi_dot * attitude_22) + w2)
-                + (self.along * (psi_dot * psi_dot) + w1 * (theta_dot * theta_dot));
-            self.mass * self.arm * self.g * attitude_22 + 0.5 * w3
+            self.energy(&lagrange::State { t, q: *q, v: *v })
         }
     }
 };

@@ -7,7 +7,9 @@ use quote::quote;
 
 use crate::diagnostics::{Diagnostics, physics};
 use crate::emit::{Emission, emit};
-use crate::schedule::plan;
+use crate::mechanics::Equations;
+use crate::model::Model;
+use crate::schedule::{Operations, plan};
 use crate::structure::{Facts, Solution};
 use crate::{lower, mechanics, syntax};
 
@@ -40,8 +42,7 @@ fn try_expand(
         return None;
     }
     let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
-    // What the equations cost as derived, for the report.
-    let before = plan(&model.graph, &equations.roots()).operations(true);
+    let before = as_derived(&mut model, &equations);
     let equations = equations.simplified(&mut model);
     let facts = Facts::of(&model, &equations);
     let solution = Solution::plan(&mut model, &equations, &facts, diagnostics);
@@ -56,4 +57,11 @@ fn try_expand(
         solution: &solution,
     };
     Some(emit(emission, before, diagnostics))
+}
+
+/// Operations of the accelerations before anything is simplified, shared or hoisted, for the report.
+fn as_derived(model: &mut Model, equations: &Equations) -> Operations {
+    let facts = Facts::of(model, equations);
+    let solution = Solution::plan(model, equations, &facts, &mut Diagnostics::new());
+    plan(&model.graph, &solution.roots(equations)).operations(true)
 }

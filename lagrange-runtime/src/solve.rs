@@ -4,6 +4,8 @@
 //! notices, and the functions `check…` then say which coordinate it is. A pivot counts as zero where it is below
 //! the rounding errors of what it was subtracted from.
 
+use nalgebra::SMatrix;
+
 use crate::error::{Cause, MotionError};
 use crate::integrator::diagnose;
 use crate::linear::{Ldlt, Lu};
@@ -104,15 +106,18 @@ pub fn solve<F: Factor<R, N>, R: Real, const N: usize>(factor: &Option<F>, right
     }
 }
 
-/// Checks a block that is factored here; `coordinates` are those of its rows.
+/// Checks the block of a mass matrix that belongs to some coordinates.
 ///
 /// # Errors
 /// [`Cause::SingularMassMatrix`] with the coordinate.
 #[inline]
-pub fn check_block<F: Factor<R, N>, R: Real, const N: usize>(
-    lower: [[R; N]; N],
-    coordinates: &[usize; N],
+pub fn check_block<F: Factor<R, B>, R: Real, const N: usize, const B: usize>(
+    mass: &SMatrix<R, N, N>,
+    coordinates: &[usize; B],
 ) -> Result<(), Cause> {
+    let entry =
+        |i: usize, j: usize| mass.get((coordinates[i], coordinates[j])).copied().unwrap_or_else(R::zero);
+    let lower = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
     let singular =
         |row: usize| Cause::SingularMassMatrix { pivot: coordinates.get(row).copied().unwrap_or(row) };
     F::factor(lower).map(|_| ()).map_err(singular)
@@ -136,7 +141,9 @@ mod tests {
     fn a_singular_block_gives_no_number_and_names_the_coordinate_of_the_system() {
         let singular = [[1.0, 0.0], [1.0, 1.0]];
         assert!(solve(&factor::<Ldlt<f64, 2>, _, 2>(singular), [1.0, 1.0]).iter().all(|x| x.is_nan()));
-        let cause = check_block::<Ldlt<f64, 2>, _, 2>(singular, &[3, 5]);
+        let mut mass = SMatrix::<f64, 6, 6>::identity();
+        (mass[(3, 5)], mass[(5, 3)]) = (1.0, 1.0);
+        let cause = check_block::<Ldlt<f64, 2>, _, 6, 2>(&mass, &[3, 5]);
         assert_eq!(cause, Err(Cause::SingularMassMatrix { pivot: 5 }));
     }
 

@@ -19,6 +19,18 @@ pub struct Cost {
 }
 
 impl Cost {
+    /// Counts in the order of the fields.
+    #[must_use]
+    pub const fn new(
+        additions: u32,
+        multiplications: u32,
+        divisions: u32,
+        square_roots: u32,
+        functions: u32,
+    ) -> Self {
+        Self { additions, multiplications, divisions, square_roots, functions }
+    }
+
     /// All operations, each counted once whatever it costs.
     #[must_use]
     pub const fn total(&self) -> u32 {

@@ -74,6 +74,9 @@ messages! {
     generic_role(name) = "`{name}` has a role and cannot be generic; move the type parameter to the impl \
         block, or the generic part into a helper";
     asynchronous_role(name) = "`{name}` has a role and cannot be `async`; remove `async`";
+    conditional_role(name) = "`{name}` has a role and cannot depend on `cfg`; put `cfg` on the impl block, and \
+        write one block for each case";
+    no_inputs() = "no inputs are declared; add `inputs = [motor]` to the attribute";
     unnamed_time(name) = "a role takes no number but the time; rename `{name}` to `t` if it is the time, or \
         read it from `self`";
     unknown_parameter() = "a role takes `q: &Coordinates`, `v: &Velocities`, `t` and `u: &Inputs` only; \
@@ -211,8 +214,6 @@ messages! {
 messages! {
     attribute_depends_on(name) = "`{name}` is not in sight here: mass and inertia are the same all through \
         a run; use fields of `self`, or write the energy as a `#[kinetic]` function";
-    not_fixed(what, on) = "the {what} depends on {on}, but must be the same all through a run; use fields \
-        of `self`, or write the energy as a `#[kinetic]` function";
     wrong_number_of(what, expected, found) = "{found} values of {what} are given for {expected} elements; \
         give one for each, or one scalar for all";
     array_for_single(what) = "several values of {what} are given for one element; index the one that is meant";

@@ -82,20 +82,15 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
 fn report(emission: &Emission<'_>, before: Operations, after: Operations) -> TokenStream {
     let cost = |operations: Operations| {
         let Operations { additions, multiplications, divisions, square_roots, functions } = operations;
-        quote! {
-            lagrange::Cost {
-                additions: #additions, multiplications: #multiplications, divisions: #divisions,
-                square_roots: #square_roots, functions: #functions,
-            }
-        }
+        quote!(lagrange::Cost::new(#additions, #multiplications, #divisions, #square_roots, #functions))
     };
     let (before, after) = (cost(before), cost(after));
     let mass_matrix = emission.solution.describe(emission.facts);
     let facts = emission.facts.found(emission.model);
     let skipped = emission.facts.skipped(emission.model);
     quote! {
-        /// Operations of one evaluation of the accelerations, as derived and as emitted; what is
-        /// computed once per run and the factorisation in the runtime, if any, are not counted.
+        /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
+        /// computed once per run, and a factorisation in the runtime, are not counted.
         pub const COST: lagrange::Costs = lagrange::Costs { before: #before, after: #after };
 
         /// What was found in this system, and what its code therefore leaves out.

@@ -1,7 +1,7 @@
 //! The structs that give coordinates, velocities and inputs their names.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{format_ident, quote};
 
 use crate::syntax::{Group, Item, Record};
 
@@ -17,34 +17,34 @@ pub(super) fn records(item: &Item) -> TokenStream {
     quote!(#coordinates #velocities #inputs)
 }
 
+/// One struct. The conversions are written out and the derives by hand: derived code would fill
+/// half of what `cargo expand` shows.
 fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenStream {
     let name = item.record_ident(record);
-    let path = &item.crate_path;
+    let shown = name.to_string();
     let doc = format!("{title} of [`{}`].", item.name);
-    let title = name.to_string();
     let count: usize = groups.iter().map(|group| group.length.unwrap_or(1)).sum();
-    let (mut fields, mut parts, mut flat, mut shown) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let mut offset = 0;
+    let (mut fields, mut patterns, mut flat, mut debug) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for group in groups {
-        let ident: &Ident = &group.ident;
-        let field_doc = format!("`{}`", group.name());
+        let (ident, label) = (&group.ident, group.name().to_string());
+        let field_doc = format!("`{label}`");
         match group.length {
             Some(length) => {
+                let parts: Vec<_> = (0..length).map(|i| format_ident!("x{}", flat.len() + i)).collect();
                 fields.push(quote!(#[doc = #field_doc] pub #ident: [R; #length]));
-                parts.push(quote!(#ident: ::core::array::from_fn(|i| values[#offset + i])));
-                flat.extend((0..length).map(|i| quote!(record.#ident[#i])));
-                offset += length;
+                patterns.push(quote!(#ident: [#(#parts),*]));
+                flat.extend(parts);
             }
             None => {
+                let part = format_ident!("x{}", flat.len());
                 fields.push(quote!(#[doc = #field_doc] pub #ident: R));
-                parts.push(quote!(#ident: values[#offset]));
-                flat.push(quote!(record.#ident));
-                offset += 1;
+                patterns.push(quote!(#ident: #part));
+                flat.push(part);
             }
         }
-        let label = group.name().to_string();
-        shown.push(quote!(.field(#label, &self.#ident)));
+        debug.push(quote!(.field(#label, &self.#ident)));
     }
+    let as_vector = mentions(&item.cleaned, "as_vector").then(|| as_vector(item, record, count));
     quote! {
         #[doc = #doc]
         pub struct #name<R = f64> { #(#fields),* }
@@ -59,22 +59,30 @@ fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenSt
 
         impl<R: ::core::fmt::Debug> ::core::fmt::Debug for #name<R> {
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                f.debug_struct(#title)#(#shown)*.finish()
+                f.debug_struct(#shown)#(#debug)*.finish()
             }
         }
 
-        impl<R: ::core::marker::Copy> ::core::convert::From<[R; #count]> for #name<R> {
-            fn from(values: [R; #count]) -> Self {
-                Self { #(#parts),* }
+        impl<R> ::core::convert::From<[R; #count]> for #name<R> {
+            fn from([#(#flat),*]: [R; #count]) -> Self {
+                Self { #(#patterns),* }
             }
         }
 
-        impl<R: ::core::marker::Copy> ::core::convert::From<#name<R>> for [R; #count] {
-            fn from(record: #name<R>) -> Self {
+        impl<R> ::core::convert::From<#name<R>> for [R; #count] {
+            fn from(#name { #(#patterns),* }: #name<R>) -> Self {
                 [#(#flat),*]
             }
         }
 
+        #as_vector
+    }
+}
+
+/// The vector of all components, for descriptions that ask for it.
+fn as_vector(item: &Item, record: Record, count: usize) -> TokenStream {
+    let (name, path) = (item.record_ident(record), &item.crate_path);
+    quote! {
         impl<R: #path::__private::Real> #name<R> {
             /// All components in order.
             pub fn as_vector(&self) -> #path::__private::nalgebra::SVector<R, #count> {
@@ -82,4 +90,13 @@ fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenSt
             }
         }
     }
+}
+
+/// Whether an identifier occurs in some tokens.
+fn mentions(tokens: &TokenStream, name: &str) -> bool {
+    tokens.clone().into_iter().any(|token| match token {
+        TokenTree::Ident(ident) => ident == name,
+        TokenTree::Group(group) => mentions(&group.stream(), name),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => false,
+    })
 }

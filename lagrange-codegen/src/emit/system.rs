@@ -10,6 +10,9 @@ use crate::schedule::{Operations, Program, Slot, plan};
 use crate::simplify::simplify;
 use crate::structure::Method;
 
+/// A state from the arguments of the trait's functions, for the inherent methods.
+const STATE: &str = "lagrange::State { t, q: *q, v: *v }";
+
 /// The trait's items as text, and the operations of one evaluation of the accelerations.
 pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
     let parts = Part::all(emission);
@@ -33,9 +36,6 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
     let hoisted = program.hoisted();
     let (labels, constants) = constants(emission, &program, &hoisted, &parts, &mut names);
     let accelerations = accelerations(emission, &program, &hoisted, &labels, parts, &mut names);
-    let energy = simplify(&mut emission.model.graph, &mut emission.model.hints, &[emission.equations.energy]);
-    let energy =
-        body::plain(emission.model, &emission.item.scalar, &energy, Source::Slices, |v| v.join(", "));
     let check = check(emission);
 
     let scalar = &emission.item.scalar;
@@ -66,7 +66,10 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
             arguments(&check)
         ));
     }
-    text.push_str(&format!("#[inline]\nfn energy_at({}) -> {scalar} {{\n{energy}\n}}\n", arguments(&energy)));
+    text.push_str(&format!(
+        "#[inline]\nfn energy_at(&self, _constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}) -> {scalar} \
+         {{\nself.energy(&{STATE})\n}}\n"
+    ));
     (text, program.operations(false))
 }
 
@@ -161,52 +164,46 @@ fn accelerations(
 /// The body that finds the singular block, if any block can be singular.
 fn check(emission: &mut Emission<'_>) -> Option<String> {
     let mut nodes = Vec::new();
+    let mut factored = String::new();
+    let count = emission.count();
     for block in &emission.solution.blocks {
-        match &block.method {
+        let factor = match &block.method {
             Method::WrittenOut { pivots, .. } => {
                 nodes.extend(pivots.iter().flat_map(|pivot| [pivot.value, pivot.scale]));
+                continue;
             }
-            Method::Ldlt | Method::Lu => {
-                let lower = |place: usize| block.coordinates[..=place].iter().map(move |&j| (place, j));
-                let places = (0..block.coordinates.len()).flat_map(lower);
-                nodes.extend(places.map(|(place, j)| emission.equations.mass[block.coordinates[place]][j]));
-            }
-        }
+            Method::Ldlt => "Ldlt",
+            Method::Lu => "Lu",
+        };
+        let (scalar, size) = (&emission.item.scalar, block.coordinates.len());
+        let coordinates: Vec<String> = block.coordinates.iter().map(usize::to_string).collect();
+        factored.push_str(&format!(
+            "lagrange::solve::check_block::<lagrange::{factor}<{scalar}, {size}>, _, {count}, {size}>(&mass, &[{}])?;\n",
+            coordinates.join(", ")
+        ));
     }
-    if nodes.is_empty() {
+    if nodes.is_empty() && factored.is_empty() {
         return None;
     }
+    if !factored.is_empty() {
+        factored.insert_str(0, &format!("let mass = self.mass_matrix(&{STATE});\n"));
+    }
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &nodes);
-    let (emission, scalar) = (&*emission, &emission.item.scalar);
-    Some(body::plain(emission.model, scalar, &nodes, Source::Slices, |values| {
-        let mut values = values.iter().cloned();
-        let mut text = String::new();
-        for block in &emission.solution.blocks {
-            let factor = match &block.method {
-                Method::WrittenOut { pivots, .. } => {
-                    for pivot in pivots {
-                        let pair: Vec<String> = values.by_ref().take(2).collect();
-                        let arguments = pair.join(", ");
-                        text.push_str(&format!(
-                            "lagrange::solve::check({arguments}, {})?;\n",
-                            pivot.coordinate
-                        ));
-                    }
-                    continue;
-                }
-                Method::Ldlt => "Ldlt",
-                Method::Lu => "Lu",
-            };
-            let count = block.coordinates.len();
-            let entries: Vec<String> = values.by_ref().take(count * (count + 1) / 2).collect();
-            text.push_str(&lower_triangle(emission, count, &entries));
-            let coordinates: Vec<String> = block.coordinates.iter().map(usize::to_string).collect();
-            text.push_str(&format!(
-                "lagrange::solve::check_block::<lagrange::{factor}<{scalar}, {count}>, _, _>(mass, &[{}])?;\n",
-                coordinates.join(", ")
-            ));
-        }
-        text + "::core::result::Result::Ok(())"
+    let coordinates: Vec<usize> = emission
+        .solution
+        .blocks
+        .iter()
+        .filter_map(|block| match &block.method {
+            Method::WrittenOut { pivots, .. } => Some(pivots.iter().map(|pivot| pivot.coordinate)),
+            Method::Ldlt | Method::Lu => None,
+        })
+        .flatten()
+        .collect();
+    Some(body::plain(emission.model, &emission.item.scalar, &nodes, Source::Slices, |values| {
+        let pivots = values.chunks(2).zip(coordinates).map(|(pair, coordinate)| {
+            format!("lagrange::solve::check({}, {coordinate})?;\n", pair.join(", "))
+        });
+        pivots.collect::<String>() + &factored + "::core::result::Result::Ok(())"
     }))
 }
 

@@ -17,6 +17,7 @@ impl<'a> Interpreter<'a> {
             return Value::Unknown;
         }
         let name = &*word.name;
+        let before = self.reports;
         let built = match self.shape(ty) {
             Shape::Scalar => return self.scalar_function(word, arguments, origin),
             Shape::Vector(length) => self.new_vector(length, name, &arguments, origin).map(Value::Vector),
@@ -43,6 +44,7 @@ impl<'a> Interpreter<'a> {
         };
         match built {
             Some(value) => value,
+            None if self.reports > before => Value::Unknown,
             None if arguments.is_empty() => {
                 self.refuse(word.origin, catalogue::unknown_function(name, near_constructor(name)))
             }
@@ -68,12 +70,8 @@ impl<'a> Interpreter<'a> {
         arguments: &[Value],
         origin: Origin,
     ) -> Option<Rc<[NodeId]>> {
-        let poisoned = |_: ()| -> Rc<[NodeId]> { Rc::from([]) };
         match (name, arguments) {
-            ("new", _) if arguments.len() == length => match self.scalars(arguments, origin) {
-                Some(nodes) => Some(nodes.into()),
-                None => Some(self.zeros(length)),
-            },
+            ("new", _) if arguments.len() == length => Some(self.scalars(arguments, origin)?.into()),
             ("zeros", []) => Some(self.zeros(length)),
             ("repeat" | "from_element", [value]) => {
                 let node = self.scalar(value.clone(), origin)?;
@@ -90,7 +88,7 @@ impl<'a> Interpreter<'a> {
                 Some(nodes.into())
             }
             ("from" | "from_row_slice" | "from_column_slice" | "new_unchecked", [value]) => {
-                Some(self.vector(value.clone(), length, origin).unwrap_or_else(|| poisoned(())))
+                self.vector(value.clone(), length, origin)
             }
             ("new_normalize", [value]) => {
                 let nodes = self.vector(value.clone(), length, origin)?;

@@ -26,7 +26,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `if … else …`.
-    pub fn branch(&mut self, branch: &'a If, _: Origin) -> Value {
+    pub fn branch(&mut self, branch: &'a If) -> Value {
         match self.condition(&branch.condition) {
             Some(true) => self.block(&branch.then),
             Some(false) => match &branch.otherwise {
@@ -145,13 +145,12 @@ impl<'a> Interpreter<'a> {
 
     /// What a loop or an iterator runs over.
     pub fn elements(&mut self, value: Value, origin: Origin) -> Option<Rc<Vec<Value>>> {
-        /// Ranges beyond this would only exhaust the budget.
-        const LONGEST: i128 = 1_000_001;
         match value {
             Value::Array(elements) | Value::Iterator(elements) => Some(elements),
             Value::Range(Some(start), Some(end)) => {
-                let end = end.min(start.saturating_add(LONGEST));
-                Some(Rc::new((start..end).map(Value::Integer).collect()))
+                let count = usize::try_from(end.saturating_sub(start).max(0)).unwrap_or(usize::MAX);
+                let affordable = self.pay_for(count, origin);
+                affordable.then(|| Rc::new((start..end).map(Value::Integer).collect()))
             }
             Value::Range(..) => {
                 self.report(origin, catalogue::open_range());

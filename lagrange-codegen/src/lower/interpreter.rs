@@ -60,6 +60,8 @@ pub struct Interpreter<'a> {
     pub fields: [Vec<Value>; 3],
     /// Whether an attribute argument such as a mass is evaluated.
     pub in_attribute: bool,
+    /// How often something was reported, also where the report is a repetition.
+    pub reports: usize,
     budget: Budget,
 }
 
@@ -89,6 +91,7 @@ impl<'a> Interpreter<'a> {
             constants: vec![None; item.constants.len()],
             fields,
             in_attribute: false,
+            reports: 0,
             budget: Budget::Left(BUDGET),
         }
     }
@@ -100,6 +103,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reports a mistake.
     pub fn report(&mut self, origin: Origin, message: String) {
+        self.reports += 1;
         self.diagnostics.at(origin, message);
     }
 
@@ -111,17 +115,22 @@ impl<'a> Interpreter<'a> {
 
     /// Pays for one statement or iteration; false when the description runs away.
     pub fn pay(&mut self, origin: Origin) -> bool {
-        match self.budget {
-            Budget::Left(0) => {
+        self.pay_for(1, origin)
+    }
+
+    /// Pays for a number of elements.
+    pub fn pay_for(&mut self, count: usize, origin: Origin) -> bool {
+        let Budget::Left(left) = self.budget else { return false };
+        match left.checked_sub(count) {
+            Some(left) => {
+                self.budget = Budget::Left(left);
+                true
+            }
+            None => {
                 self.report(origin, catalogue::runaway(BUDGET));
                 self.budget = Budget::Exhausted;
                 false
             }
-            Budget::Left(left) => {
-                self.budget = Budget::Left(left - 1);
-                true
-            }
-            Budget::Exhausted => false,
         }
     }
 
@@ -160,8 +169,8 @@ impl<'a> Interpreter<'a> {
             ExprKind::Repeat(element, length) => {
                 let element = self.expression(element);
                 match self.length(length) {
-                    Some(length) => Value::array(vec![element; length]),
-                    None => Value::Unknown,
+                    Some(count) if self.pay_for(count, origin) => Value::array(vec![element; count]),
+                    Some(_) | None => Value::Unknown,
                 }
             }
             ExprKind::Vector(components) => self.vector_of(components).map_or(Value::Unknown, Value::Vector),
@@ -169,7 +178,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Matrix(rows) => self.matrix_literal(rows, origin),
             ExprKind::Range(range) => self.range(range),
             ExprKind::Block(block) => self.block(block),
-            ExprKind::If(branch) => self.branch(branch, origin),
+            ExprKind::If(branch) => self.branch(branch),
             ExprKind::Match(value, arms) => self.matching(value, arms, origin),
             ExprKind::For(each) => self.each(each),
             ExprKind::Return(value) => {

@@ -227,15 +227,16 @@ impl<'a> Interpreter<'a> {
         let (left, right) = match (left, right) {
             // An open range counts along.
             (Value::Range(Some(start), None), right) => match self.elements(right, origin) {
-                Some(right) => {
-                    (Value::Range(Some(start), Some(start + right.len() as i128)), Value::Array(right))
-                }
+                Some(right) => (
+                    Value::Range(Some(start), Some(start.saturating_add(right.len() as i128))),
+                    Value::Array(right),
+                ),
                 None => return Value::Unknown,
             },
             (left, Value::Range(Some(start), None)) => match self.elements(left, origin) {
                 Some(left) => {
                     let length = left.len() as i128;
-                    (Value::Array(left), Value::Range(Some(start), Some(start + length)))
+                    (Value::Array(left), Value::Range(Some(start), Some(start.saturating_add(length))))
                 }
                 None => return Value::Unknown,
             },

@@ -205,10 +205,10 @@ impl<'a> Interpreter<'a> {
             ("div_ceil", [Value::Integer(other)]) if *other > 0 => {
                 Some(value.div_euclid(*other) + i128::from(value.rem_euclid(*other) > 0))
             }
-            ("abs_diff", [Value::Integer(other)]) => Some((value - other).abs()),
-            ("saturating_sub", [Value::Integer(other)]) => Some((value - other).max(0)),
-            ("is_multiple_of", [Value::Integer(other)]) if *other != 0 => {
-                return Value::Boolean(value % other == 0);
+            ("abs_diff", [Value::Integer(other)]) => value.checked_sub(*other).and_then(i128::checked_abs),
+            ("saturating_sub", [Value::Integer(other)]) => Some(value.saturating_sub(*other).max(0)),
+            ("is_multiple_of", [Value::Integer(other)]) => {
+                return Value::Boolean(value.checked_rem(*other).unwrap_or(value) == 0);
             }
             _ if scalar::METHODS.contains(&name) => {
                 return self.refuse(origin, catalogue::integer_for_scalar(value));

@@ -193,7 +193,7 @@ impl<'a> Interpreter<'a> {
         for value in values {
             masses.push(self.scalar(value, expr.origin)?);
         }
-        self.fixed(&masses, expr.origin, what).then_some(masses)
+        Some(masses)
     }
 
     /// One value for all, or one for each.
@@ -226,16 +226,6 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn fixed(&mut self, nodes: &[NodeId], origin: Origin, what: &str) -> bool {
-        let graph = self.graph();
-        let Some(node) = nodes.iter().find(|node| !graph.dependence(**node).is_fixed()) else {
-            return true;
-        };
-        let on = super::operator::dependence_words(graph.dependence(*node));
-        self.report(origin, catalogue::not_fixed(what, on));
-        false
-    }
-
     /// One inertia tensor for each of `count` bodies.
     fn tensors(&mut self, expr: &'a Expr, count: Option<usize>) -> Option<Vec<[[NodeId; 3]; 3]>> {
         let value = self.attribute(expr);
@@ -252,11 +242,7 @@ impl<'a> Interpreter<'a> {
         };
         let mut tensors = Vec::with_capacity(values.len());
         for value in values {
-            let tensor = self.tensor(value, expr.origin)?;
-            if !self.fixed(tensor.as_flattened(), expr.origin, "inertia") {
-                return None;
-            }
-            tensors.push(tensor);
+            tensors.push(self.tensor(value, expr.origin)?);
         }
         Some(tensors)
     }

@@ -66,7 +66,7 @@ pub const REFUSED: [&str; 14] = [
 ];
 
 /// Larger whole powers are hardly meant, and exact constants would take forever.
-const LARGEST_POWER: i128 = 1024;
+const LARGEST_POWER: u128 = 1024;
 
 impl Interpreter<'_> {
     /// `x.method(arguments)` for a number.
@@ -135,7 +135,7 @@ impl Interpreter<'_> {
     ) -> Option<NodeId> {
         let [power] = self.exactly(word, arguments, origin)?;
         match power {
-            Value::Integer(power) if power.abs() <= LARGEST_POWER => {
+            Value::Integer(power) if power.unsigned_abs() <= LARGEST_POWER => {
                 Some(self.graph().powi(node, power as i32))
             }
             Value::Unknown => None,

@@ -70,6 +70,9 @@ impl Shape {
     }
 }
 
+/// Larger matrices cannot be unrolled.
+const LARGEST_MATRIX: usize = 10_000;
+
 impl<'a> Interpreter<'a> {
     /// Resolves a type. Unknown types and wrong lengths tell nothing: rustc complains.
     pub fn shape(&mut self, ty: &'a Type) -> Shape {
@@ -85,7 +88,9 @@ impl<'a> Interpreter<'a> {
             TypeKind::Point(length) => Shape::Point(*length),
             TypeKind::Matrix(rows, columns) => match (self.length(rows), self.length(columns)) {
                 (Some(rows), Some(1)) => Shape::Vector(rows),
-                (Some(rows), Some(columns)) => Shape::Matrix(rows, columns),
+                (Some(rows), Some(columns)) if rows.saturating_mul(columns) <= LARGEST_MATRIX => {
+                    Shape::Matrix(rows, columns)
+                }
                 _ => Shape::Any,
             },
             TypeKind::Translation(length) => Shape::Translation(*length),
@@ -241,6 +246,7 @@ impl<'a> Interpreter<'a> {
                 let matrix = self.parameter_method(id, "to_rotation_matrix", origin);
                 self.unfold(matrix, &Shape::Rotation(3), origin)
             }
+            Shape::Array(_, length) if !self.pay_for(*length, origin) => Value::Unknown,
             Shape::Array(element, length) => {
                 let elements = (0..*length).map(|index| {
                     let inner = self.parameter_index(id, index, origin);

@@ -1,7 +1,8 @@
 //! Lowering of whole descriptions.
 
-mod diagnostics;
+mod form;
 mod language;
+mod meaning;
 mod mechanisms;
 mod nalgebra;
 
@@ -37,4 +38,16 @@ pub fn value(model: &Model, node: NodeId, parameter: impl Fn(&str) -> f64) -> f6
         Variable::Parameter(i) => parameter(&model.parameters[i as usize].path),
     };
     model.graph.evaluate(&[node], variable)[0]
+}
+
+/// The one message about a description starts as given.
+pub fn refused(args: TokenStream, item: TokenStream, start: &str) {
+    let messages = match lowered(args, item.clone()) {
+        Ok(_) => panic!("accepted: {item}"),
+        Err(messages) => messages,
+    };
+    assert!(
+        messages.len() == 1 && messages[0].starts_with(start),
+        "{item}\n{messages:#?}\ninstead of {start}"
+    );
 }

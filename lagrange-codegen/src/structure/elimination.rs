@@ -35,13 +35,18 @@ pub(super) fn order(
         let touched = |place: usize| order.iter().any(|&earlier: &usize| linked[earlier][place]);
         let fixed =
             |place: usize| !touched(place) && graph.dependence(entry(block[place], block[place])).is_fixed();
+        // Quotients by a pivot without a numeric factor need no multiplication by its inverse.
+        let scaled = |place: usize| {
+            let pivot = entry(block[place], block[place]);
+            !graph.as_constant(pivot).unwrap_or(graph.scaled(pivot).0).is_one()
+        };
         let Some(&next) = remaining.iter().min_by_key(|&&place| (degree(place), !fixed(place), place)) else {
             break;
         };
         let next = *remaining
             .iter()
             .filter(|&&place| fixed(place) && degree(place) <= degree(next) + 1)
-            .min_by_key(|&&place| (degree(place), place))
+            .min_by_key(|&&place| (degree(place), scaled(place), place))
             .unwrap_or(&next);
         remaining.retain(|&place| place != next);
         let neighbours: Vec<usize> = remaining.iter().copied().filter(|&place| linked[next][place]).collect();

@@ -10,7 +10,7 @@ use crate::number::Number;
 
 /// A factorisation written out costs at most about this many operations; a larger one is a
 /// loop of the runtime, which compiles faster and runs on vectors.
-const WRITTEN_OUT: usize = 48;
+const WRITTEN_OUT: usize = 30;
 
 /// How one block is solved.
 #[derive(Clone, Debug)]
@@ -94,6 +94,24 @@ impl Solution {
             blocks.push(Block { coordinates: coordinates.clone(), method, constant });
         }
         Solution { blocks }
+    }
+
+    /// The nodes that a step computes: accelerations where they are written out, else entries of the
+    /// mass matrix and right-hand sides.
+    pub fn roots(&self, equations: &Equations) -> Vec<NodeId> {
+        let mut roots = Vec::new();
+        for block in &self.blocks {
+            match &block.method {
+                Method::WrittenOut { solution, .. } => roots.extend(solution),
+                Method::Ldlt | Method::Lu => {
+                    for (place, &i) in block.coordinates.iter().enumerate() {
+                        roots.extend(block.coordinates[..=place].iter().map(|&j| equations.mass[i][j]));
+                        roots.push(equations.force[i]);
+                    }
+                }
+            }
+        }
+        roots
     }
 
     /// A word for the report.

@@ -186,7 +186,7 @@ pub fn groups(
 }
 
 /// More scalar coordinates than any macro could expand within reason.
-const LONGEST: usize = 100_000;
+const LONGEST: usize = 10_000;
 
 fn length(
     ident: &Ident,

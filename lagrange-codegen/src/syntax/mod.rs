@@ -24,6 +24,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use syn::{GenericParam, ImplItem, ItemImpl, TypeParamBound};
 
 pub use args::LINTS;
+use item::Argument;
 pub use item::{Group, Item, Record, Scalar};
 pub use recover::recover;
 pub use signature::returns;
@@ -71,6 +72,13 @@ pub fn parse(
     }
     let coordinates = args::groups(&args.coordinates, &constants, &mut translator);
     let inputs = args::groups(&args.inputs, &constants, &mut translator);
+    if args.inputs.is_empty() {
+        for parameter in functions.iter().flat_map(|function| &function.parameters) {
+            if parameter.argument == Some(Argument::Record(Record::Inputs)) {
+                translator.diagnostics.at(parameter.pattern.origin, catalogue::no_inputs());
+            }
+        }
+    }
     let origin = translator.origin(name.span());
     let scalar = translator.scalar;
     if functions.iter().all(|function| function.role.is_none()) && !diagnostics.has_errors() {

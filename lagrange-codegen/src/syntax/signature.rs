@@ -31,6 +31,10 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
     };
     if let Some(role) = &role {
         check_form(function, translator);
+        for attribute in function.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg")) {
+            let origin = translator.place(attribute.path());
+            translator.diagnostics.at(origin, catalogue::conditional_role(&name));
+        }
         check_parameters(role, &parameters, translator);
         if output.as_ref().is_none_or(|ty| matches!(ty.kind, TypeKind::Unit)) {
             translator.diagnostics.at(origin, catalogue::missing_return_type(&name, returns(&role.kind)));
