@@ -63,5 +63,5 @@ pub mod prelude {
         Rotation2, Rotation3, SMatrix, SVector, Translation2, Translation3, Unit, UnitComplex, UnitQuaternion,
         Vector1, Vector2, Vector3,
     };
-    pub use lagrange_runtime::{Cause, MotionError, Real, Rk4, State, System};
+    pub use lagrange_runtime::{Cause, MotionError, Ordered, Real, Rk4, State, System};
 }

@@ -110,6 +110,8 @@ impl<R> ::core::convert::From<CartPoleInputs<R>> for [R; 1usize] {
 }
 const _: () = {
     use ::lagrangian::__private as lagrange;
+    #[automatically_derived]
+    #[allow(clippy::all)]
     impl<R: Real> CartPole<R> {
         /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
         /// computed once per run, and a factorisation in the runtime, are not counted.
@@ -245,12 +247,13 @@ A singular mass matrix, with the coordinate and the time.*/
             let [_, theta] = state.q;
             let [x_dot, theta_dot] = state.v;
             let cos_theta = Real::cos(theta);
-            let w1 = R::from_f64(2.0) * self.pole_mass * self.length
-                * (theta_dot * cos_theta) + (self.cart_mass + self.pole_mass) * x_dot;
-            let w2 = R::from_f64(0.5)
-                * (self.pole_mass * (self.length * self.length) * (theta_dot * theta_dot)
-                    + x_dot * w1);
-            self.pole_mass * self.length * self.g * cos_theta + w2
+            let pole_mass_length = self.pole_mass * self.length;
+            let w1 = pole_mass_length * self.g * cos_theta
+                + R::from_f64(0.5) * (self.cart_mass + self.pole_mass) * (x_dot * x_dot);
+            let w2 = pole_mass_length
+                * (theta_dot
+                    * (R::from_f64(0.5) * self.length * theta_dot + x_dot * cos_theta));
+            w2 + w1
         }
         /**Power v·(Q − ∂D/∂v) of the applied forces [W].
 
@@ -262,6 +265,8 @@ A singular mass matrix, with the coordinate and the time.*/
             -(self.damping * (theta_dot * theta_dot) - x_dot * motor)
         }
     }
+    #[automatically_derived]
+    #[allow(clippy::all)]
     impl<R: Real> lagrange::System<2usize, 1usize> for CartPole<R> {
         type Scalar = R;
         type Constants = [R; 7];

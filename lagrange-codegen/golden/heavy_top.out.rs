@@ -92,6 +92,8 @@ impl<R> ::core::convert::From<TopVelocities<R>> for [R; 3usize] {
 }
 const _: () = {
     use ::lagrangian::__private as lagrange;
+    #[automatically_derived]
+    #[allow(clippy::all)]
     impl Top {
         /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
         /// computed once per run, and a factorisation in the runtime, are not counted.
@@ -105,6 +107,7 @@ const _: () = {
             facts: &[
                 "inertially decoupled blocks: phi, psi | theta",
                 "conservative and autonomous: the energy is conserved",
+                "cyclic coordinates: phi, psi",
             ],
             skipped: &[
                 "time: nothing depends on it",
@@ -160,7 +163,7 @@ A singular mass matrix, with the coordinate and the time.*/
         }
         /**Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
 
-- `b(phi) = −theta′·sin(theta)·(psi′·along − 2·phi′·cos(theta)·(mass·arm^2 + (across − along)))`
+- `b(phi) = −theta′·sin(theta)·(psi′·along − 2·phi′·cos(theta)·(across − along + mass·arm^2))`
 - `b(theta) = −sin(theta)·(mass·arm·g − phi′·(psi′·along − phi′·cos(theta)·(mass·arm^2 + (across − along))))`
 - `b(psi) = −phi′·theta′·along·sin(theta)`*/
         #[inline]
@@ -169,21 +172,26 @@ A singular mass matrix, with the coordinate and the time.*/
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let w1 = self.mass * (self.arm * self.arm) + (self.across - self.along);
+            let across_minus_along = self.across - self.along;
+            let mass_arm_squared = self.mass * (self.arm * self.arm);
             let phi_dot_cos_theta = phi_dot * cos_theta;
             let along_psi_dot = self.along * psi_dot;
-            let w2 = self.mass * self.arm * self.g
-                - phi_dot * (along_psi_dot - w1 * phi_dot_cos_theta);
+            let w1 = phi_dot
+                * (along_psi_dot
+                    - (mass_arm_squared + across_minus_along) * phi_dot_cos_theta);
             let theta_dot_sin_theta = theta_dot * sin_theta;
+            let w2 = (along_psi_dot
+                - 2.0 * (across_minus_along + mass_arm_squared) * phi_dot_cos_theta)
+                * theta_dot_sin_theta;
             [
-                -((along_psi_dot - 2.0 * w1 * phi_dot_cos_theta) * theta_dot_sin_theta),
-                -(sin_theta * w2),
+                -w2,
+                -(sin_theta * (self.mass * self.arm * self.g - w1)),
                 -(self.along * (phi_dot * theta_dot_sin_theta)),
             ]
         }
         /**Generalized momenta p = ∂L/∂v.
 
-- `p(phi) = psi′·along·cos(theta) + phi′·(along·cos(theta)^2 + sin(theta)^2·(across + mass·arm^2))`
+- `p(phi) = along·cos(theta)·(psi′ + phi′·cos(theta)) + phi′·sin(theta)^2·(across + mass·arm^2)`
 - `p(theta) = theta′·(across + mass·arm^2)`
 - `p(psi) = along·(psi′ + phi′·cos(theta))`*/
         #[inline]
@@ -195,10 +203,8 @@ A singular mass matrix, with the coordinate and the time.*/
             let gyroscope_rate_z = psi_dot + phi_dot * cos_theta;
             let w1 = self.across + self.mass * (self.arm * self.arm);
             [
-                self.along * (psi_dot * cos_theta)
-                    + phi_dot
-                        * (self.along * (cos_theta * cos_theta)
-                            + w1 * (sin_theta * sin_theta)),
+                self.along * (cos_theta * gyroscope_rate_z)
+                    + w1 * (phi_dot * (sin_theta * sin_theta)),
                 w1 * theta_dot,
                 self.along * gyroscope_rate_z,
             ]
@@ -210,14 +216,13 @@ A singular mass matrix, with the coordinate and the time.*/
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let w1 = self.across + self.mass * (self.arm * self.arm);
-            let w2 = 2.0 * self.along * (psi_dot * cos_theta)
-                + phi_dot
-                    * (self.along * (cos_theta * cos_theta)
-                        + w1 * (sin_theta * sin_theta));
-            0.5
-                * (phi_dot * w2
-                    + (self.along * (psi_dot * psi_dot) + w1 * (theta_dot * theta_dot)))
+            let phi_dot_cos_theta = phi_dot * cos_theta;
+            let w1 = self.along
+                * (psi_dot * psi_dot
+                    + (2.0 * psi_dot + phi_dot_cos_theta) * phi_dot_cos_theta);
+            let w2 = (self.across + self.mass * (self.arm * self.arm))
+                * (theta_dot * theta_dot + phi_dot * phi_dot * (sin_theta * sin_theta));
+            0.5 * (w1 + w2)
         }
         /**Potential energy V [J].
 
@@ -237,28 +242,28 @@ A singular mass matrix, with the coordinate and the time.*/
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let w1 = self.across + self.mass * (self.arm * self.arm);
-            let w2 = 2.0 * self.along * (psi_dot * cos_theta)
-                + phi_dot
-                    * (self.along * (cos_theta * cos_theta)
-                        + w1 * (sin_theta * sin_theta));
-            let w3 = 0.5
-                * (phi_dot * w2
-                    + (self.along * (psi_dot * psi_dot) + w1 * (theta_dot * theta_dot)));
-            self.mass * self.arm * self.g * cos_theta + w3
+            let cos_theta_phi_dot = cos_theta * phi_dot;
+            let w1 = self.along
+                * (psi_dot * psi_dot
+                    + (2.0 * psi_dot + cos_theta_phi_dot) * cos_theta_phi_dot);
+            let w2 = (self.across + self.mass * (self.arm * self.arm))
+                * (theta_dot * theta_dot + phi_dot * phi_dot * (sin_theta * sin_theta));
+            self.mass * self.arm * self.g * cos_theta + 0.5 * (w1 + w2)
         }
     }
+    #[automatically_derived]
+    #[allow(clippy::all)]
     impl lagrange::System<3usize, 0usize> for Top {
         type Scalar = f64;
         type Constants = [f64; 4];
         #[inline]
         fn constants(&self) -> Self::Constants {
-            let mass_arm_squared = self.mass * (self.arm * self.arm);
-            let w1 = mass_arm_squared + (self.across - self.along);
+            let arm_squared = self.arm * self.arm;
+            let mass_arm_squared = self.mass * arm_squared;
             [
-                w1,
+                mass_arm_squared + (self.across - self.along),
                 self.mass * self.arm * self.g,
-                self.along + 2.0 * w1,
+                2.0 * self.across - self.along + 2.0 * self.mass * arm_squared,
                 1.0 / (self.across + mass_arm_squared),
             ]
         }

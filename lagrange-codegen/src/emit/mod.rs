@@ -66,11 +66,15 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
         const _: () = {
             use #crate_path::__private as lagrange;
 
+            #[automatically_derived]
+            #[allow(clippy::all)]
             impl #impl_generics #self_ty #where_clause {
                 #report
                 #methods
             }
 
+            #[automatically_derived]
+            #[allow(clippy::all)]
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
                 #system
             }

@@ -52,13 +52,16 @@ impl Equations {
         self.mass.iter().flatten().chain(&self.force).copied().collect()
     }
 
-    /// The same with a cheaper mass matrix and right-hand side, for solving them.
+    /// The same with cheaper roots where the motion is solved for and facts are read: the mass
+    /// matrix, the right-hand side, and the energies.
     pub fn simplified(&self, model: &mut Model) -> Equations {
         let mut simpler = simplify(&mut model.graph, &mut model.hints, &self.roots()).into_iter();
         let mut take = |count: usize| simpler.by_ref().take(count).collect::<Vec<_>>();
         let mass = self.mass.iter().map(|row| take(row.len())).collect();
         let force = take(self.force.len());
-        Equations { mass, force, ..self.clone() }
+        let energies = [self.kinetic_energy, self.potential_energy];
+        let energies = simplify(&mut model.graph, &mut model.hints, &energies);
+        Equations { mass, force, kinetic_energy: energies[0], potential_energy: energies[1], ..self.clone() }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Taking a factor out of those terms of a sum that share it: `x + xy + z → x(1 + y) + z`.
 
+use super::cost::cost;
 use super::image_of;
 use crate::calculus::rebuild;
 use crate::expr::{Exponent, Graph, Node, NodeId};
@@ -7,6 +8,12 @@ use crate::number::Number;
 
 /// Sums beyond this many terms are left alone: the search is quadratic in them.
 const MOST_TERMS: usize = 64;
+
+/// Sums of up to this many terms are factored in several ways, to keep the cheapest.
+const FEW_TERMS: usize = 8;
+
+/// How many ways.
+const TRIES: usize = 4;
 
 /// The roots with the factors of partial sums taken out, the most frequent first.
 pub(super) fn factor(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
@@ -20,14 +27,36 @@ pub(super) fn factor(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     roots.iter().map(|root| image_of(&cone, &images, *root)).collect()
 }
 
+/// The sum with factors of partial sums taken out. Which factor goes first decides what is left
+/// for the others, so the most promising ones are tried in turn.
 fn factor_sum(graph: &mut Graph, id: NodeId) -> NodeId {
     let Node::Sum { offset, terms } = graph.node(id).clone() else { return id };
     if terms.len() < 2 || terms.len() > MOST_TERMS {
         return id;
     }
-    let Some((common, exponent)) = most_frequent_factor(graph, &terms) else { return id };
+    let candidates = shared_factors(graph, &terms);
+    let tries = if terms.len() <= FEW_TERMS { TRIES } else { 1 };
+    let mut best: Option<(u32, NodeId)> = None;
+    for (common, exponent) in candidates.into_iter().take(tries) {
+        let factored = take_out(graph, offset, &terms, common, exponent);
+        let cost = cost(graph, &[factored]);
+        if best.is_none_or(|(lowest, _)| cost < lowest) {
+            best = Some((cost, factored));
+        }
+    }
+    best.map_or(id, |(_, factored)| factored)
+}
+
+/// The sum with one factor taken out of the terms that have it, and further ones out of the rest.
+fn take_out(
+    graph: &mut Graph,
+    offset: Number,
+    terms: &[(NodeId, Number)],
+    common: NodeId,
+    exponent: Exponent,
+) -> NodeId {
     let (mut inside, mut outside) = (Vec::new(), Vec::new());
-    for &(term, coefficient) in &terms {
+    for &(term, coefficient) in terms {
         if power_in(graph, term, common).is_some_and(|power| reaches(power, exponent)) {
             let rest = graph.product(&[(term, Exponent(2)), (common, Exponent(-exponent.0))]);
             inside.push((rest, coefficient));
@@ -48,9 +77,9 @@ fn reaches(power: Exponent, exponent: Exponent) -> bool {
     power.0.signum() == exponent.0.signum() && power.0.abs() >= exponent.0.abs()
 }
 
-/// The factor that most terms share (moving ones before fixed ones), with the smallest of
-/// its powers, if any is shared.
-fn most_frequent_factor(graph: &Graph, terms: &[(NodeId, Number)]) -> Option<(NodeId, Exponent)> {
+/// The factors that at least two terms share, with the smallest of their powers: the most frequent
+/// first, moving ones before fixed ones.
+fn shared_factors(graph: &Graph, terms: &[(NodeId, Number)]) -> Vec<(NodeId, Exponent)> {
     let mut candidates: Vec<(NodeId, Exponent, usize)> = Vec::new();
     for &(term, _) in terms {
         for (factor, exponent) in graph.factors(term) {
@@ -68,11 +97,10 @@ fn most_frequent_factor(graph: &Graph, terms: &[(NodeId, Number)]) -> Option<(No
             }
         }
     }
+    candidates.retain(|&(_, _, count)| count >= 2);
     candidates
-        .into_iter()
-        .filter(|&(_, _, count)| count >= 2)
-        .max_by_key(|&(node, _, count)| (count, !graph.dependence(node).is_fixed(), std::cmp::Reverse(node)))
-        .map(|(node, exponent, _)| (node, exponent))
+        .sort_by_key(|&(node, _, count)| (std::cmp::Reverse(count), graph.dependence(node).is_fixed(), node));
+    candidates.into_iter().map(|(node, exponent, _)| (node, exponent)).collect()
 }
 
 fn power_in(graph: &Graph, term: NodeId, factor: NodeId) -> Option<Exponent> {

@@ -13,6 +13,8 @@ pub struct Facts {
     pub diagonal_mass: bool,
     /// Time appears in no equation.
     pub autonomous: bool,
+    /// The Jacobi integral is not T + V.
+    pub has_jacobi_integral: bool,
     /// No applied forces: neither `force` nor `dissipation`.
     pub conservative: bool,
     /// Coordinates that L does not depend on, so that their momentum is conserved where no
@@ -28,20 +30,19 @@ impl Facts {
         let graph = &model.graph;
         let count = equations.mass.len();
         let entries = || equations.mass.iter().flatten().copied();
-        let roots: Vec<NodeId> = entries()
-            .chain(equations.bias.iter().copied())
-            .chain(equations.applied.iter().copied())
-            .collect();
+        let energies = [equations.kinetic_energy, equations.potential_energy];
+        let mut roots = equations.roots();
+        roots.extend(energies);
         let uses = |kind: Dependence| roots.iter().any(|&root| graph.dependence(root).meets(kind));
         let fixed = |root: NodeId| graph.dependence(root).is_fixed();
         let conservative = model.forces.is_empty() && model.dissipation.is_empty();
-        let appearing =
-            appearing_coordinates(graph, &[equations.kinetic_energy, equations.potential_energy], count);
+        let appearing = appearing_coordinates(graph, &energies, count);
         let idle = |i: usize| graph.is_zero(equations.applied[i]);
         Facts {
             constant_mass: entries().all(fixed),
             diagonal_mass: (0..count).all(|i| (0..i).all(|j| graph.is_zero(equations.mass[i][j]))),
             autonomous: !uses(Dependence::TIME),
+            has_jacobi_integral: equations.jacobi_integral.is_some(),
             conservative,
             cyclic: (0..count).filter(|&i| !appearing[i] && idle(i)).collect(),
             blocks: blocks(graph, &equations.mass),
@@ -65,7 +66,8 @@ impl Facts {
             found.push(format!("inertially decoupled blocks: {}", names.join(" | ")));
         }
         if self.conservative && self.autonomous {
-            found.push("conservative and autonomous: the energy is conserved".to_owned());
+            let conserved = if self.has_jacobi_integral { "the Jacobi integral" } else { "the energy" };
+            found.push(format!("conservative and autonomous: {conserved} is conserved"));
         }
         if !self.cyclic.is_empty() {
             let names: Vec<String> = self.cyclic.iter().map(|&i| model.coordinates[i].label()).collect();

@@ -1,0 +1,62 @@
+//! Runs every example: `cargo test` alone only compiles them.
+// Each example includes the charts for itself.
+#![allow(clippy::duplicate_mod)]
+
+use std::collections::BTreeSet;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+macro_rules! run {
+    ($($example:ident),* $(,)?) => {
+        const EXAMPLES: &[&str] = &[$(stringify!($example)),*];
+
+        $(#[test]
+        fn $example() -> Result<(), Box<dyn Error>> {
+            $example::main()
+        })*
+    };
+}
+
+run! {
+    cart_pole,
+    charge_in_magnetic_field,
+    double_pendulum,
+    heavy_top,
+    pleiades,
+    rotating_frame,
+    spring_pendulum,
+    ten_link_chain,
+}
+
+#[path = "../examples/cart_pole.rs"]
+mod cart_pole;
+#[path = "../examples/charge_in_magnetic_field.rs"]
+mod charge_in_magnetic_field;
+#[path = "../examples/double_pendulum.rs"]
+mod double_pendulum;
+#[path = "../examples/heavy_top.rs"]
+mod heavy_top;
+#[path = "../examples/pleiades.rs"]
+mod pleiades;
+#[path = "../examples/rotating_frame.rs"]
+mod rotating_frame;
+#[path = "../examples/spring_pendulum.rs"]
+mod spring_pendulum;
+#[path = "../examples/ten_link_chain.rs"]
+mod ten_link_chain;
+
+#[test]
+fn no_example_is_forgotten() -> Result<(), Box<dyn Error>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let mut found = BTreeSet::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "rs") {
+            found.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+        }
+    }
+    let run: BTreeSet<String> = EXAMPLES.iter().map(ToString::to_string).collect();
+    assert_eq!(found, run);
+    Ok(())
+}
