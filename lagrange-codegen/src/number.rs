@@ -60,7 +60,7 @@ impl Number {
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
         let float = || text.parse::<f64>().ok().map(Number::Float);
         let Ok(digits) = format!("{whole}{fraction}").parse::<i128>() else { return float() };
-        let power = exponent - fraction.len() as i32;
+        let Some(power) = exponent.checked_sub(fraction.len() as i32) else { return float() };
         let Some(scale) = 10_i128.checked_pow(power.unsigned_abs()) else { return float() };
         if power >= 0 {
             digits.checked_mul(scale).map(Number::integer).or_else(float)

@@ -106,6 +106,12 @@ pub fn solve<F: Factor<R, N>, R: Real, const N: usize>(factor: &Option<F>, right
     }
 }
 
+/// A symmetric matrix from its lower triangle.
+#[inline]
+pub fn symmetric<R: Real, const N: usize>(lower: [[R; N]; N]) -> SMatrix<R, N, N> {
+    SMatrix::from_fn(|i, j| lower[i.max(j)][i.min(j)])
+}
+
 /// Checks the block of a mass matrix that belongs to some coordinates.
 ///
 /// # Errors

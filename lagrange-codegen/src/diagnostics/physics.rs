@@ -61,7 +61,7 @@ pub fn structurally_singular(coordinate: &str) -> String {
 /// An input that no equation contains.
 pub fn unused_input(input: &str) -> String {
     format!(
-        "the input `{input}` has no effect on the motion; use it in a `#[force]`, a potential or a moving position, \
+        "the input `{input}` has no effect on the motion; use it in a `#[force]` function, \
          remove it, or say `allow(unused_input)` in the attribute"
     )
 }

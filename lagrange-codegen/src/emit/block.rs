@@ -13,6 +13,9 @@ use crate::syntax::Scalar;
 /// Longer right-hand sides are split by naming their parts.
 const WIDEST: usize = 84;
 
+/// Programs of more instructions spell out all types.
+const UNTYPED: usize = 400;
+
 /// Up to this many coordinates an array of them is taken apart by name.
 pub(super) const NAMED: usize = 16;
 
@@ -77,6 +80,7 @@ struct Writer<'a> {
     scalar: &'a Scalar,
     program: &'a Program,
     needed: Vec<Slot>,
+    typed: bool,
     uses: Vec<u32>,
     is_output: Vec<bool>,
     texts: Vec<Option<Text>>,
@@ -141,6 +145,7 @@ impl<'a> Writer<'a> {
             time: false,
         };
         Writer {
+            typed: needed.len() > UNTYPED,
             model,
             scalar,
             program,
@@ -183,7 +188,8 @@ impl<'a> Writer<'a> {
 
     fn bind(&mut self, slot: Slot, text: &Text, names: &mut Names) -> Text {
         let name = names.claim(describe(self.model, self.program, slot, 0));
-        self.statements.push(format!("let {name} = {};", text.text));
+        let ty = if self.typed { format!(": {}", self.scalar) } else { String::new() };
+        self.statements.push(format!("let {name}{ty} = {};", text.text));
         Text { text: name, strength: Strength::Atom }
     }
 
@@ -209,7 +215,7 @@ impl<'a> Writer<'a> {
         match instruction {
             Instruction::Variable(variable) => Text { text: self.read(variable), strength: Strength::Atom },
             Instruction::Literal(number) => {
-                Text { text: scalar::literal(self.scalar, number), strength: Strength::Atom }
+                Text { text: scalar::literal(self.scalar, number, self.typed), strength: Strength::Atom }
             }
             Instruction::Add(a, b) => infix(self.text(a), "+", self.text(b), Strength::Sum),
             Instruction::Sub(a, b) => infix(self.text(a), "-", self.text(b), Strength::Sum),

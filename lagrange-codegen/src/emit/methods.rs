@@ -116,21 +116,12 @@ fn mass_matrix(emission: &mut Emission<'_>) -> String {
                 .collect();
             return format!("[{}].into()", rows.join(", "));
         }
-        let mut text = format!("let mut mass = lagrange::nalgebra::SMatrix::repeat({zero});\n");
-        let mut values = values.iter();
-        for i in 0..count {
-            for j in 0..=i {
-                let value = values.next().map_or("", String::as_str);
-                if value == zero {
-                    continue;
-                }
-                text.push_str(&format!("mass[({i}, {j})] = {value};\n"));
-                if i != j {
-                    text.push_str(&format!("mass[({j}, {i})] = mass[({i}, {j})];\n"));
-                }
-            }
+        let places = (0..count).flat_map(|i| (0..=i).map(move |j| (i, j)));
+        let mut text = format!("let mut mass = [[{zero}; {count}]; {count}];\n");
+        for ((i, j), value) in places.zip(values).filter(|(_, value)| **value != zero) {
+            text.push_str(&format!("mass[{i}][{j}] = {value};\n"));
         }
-        text + "mass"
+        text + "lagrange::solve::symmetric(mass)"
     });
     method(
         "Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].",

@@ -3,12 +3,14 @@
 use crate::number::Number;
 use crate::syntax::Scalar;
 
-/// A nonnegative constant as an expression of the scalar type, exact to the last bit.
-pub(super) fn literal(scalar: &Scalar, number: Number) -> String {
+/// A nonnegative constant as an expression of the scalar type, exact to the last bit. With `typed`
+/// nothing is left to inference, which the compiler takes quadratic time for in long functions.
+pub(super) fn literal(scalar: &Scalar, number: Number, typed: bool) -> String {
     let value = number.value();
     match scalar {
         Scalar::F64 if value.is_infinite() => "f64::INFINITY".to_owned(),
         Scalar::F32 if value.is_infinite() => "f32::INFINITY".to_owned(),
+        Scalar::F64 if typed => format!("{value:?}_f64"),
         Scalar::F64 => format!("{value:?}"),
         // The suffix keeps inference from meeting an open float type in a trait call.
         Scalar::F32 => format!("{value:?}_f32"),
@@ -21,5 +23,5 @@ pub(super) fn literal(scalar: &Scalar, number: Number) -> String {
 
 /// Zero of the scalar type.
 pub(super) fn zero(scalar: &Scalar) -> String {
-    literal(scalar, Number::ZERO)
+    literal(scalar, Number::ZERO, false)
 }

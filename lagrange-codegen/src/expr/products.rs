@@ -38,10 +38,10 @@ impl Graph {
         for &(factor, exponent) in factors {
             self.absorb(&mut flat, factor, exponent);
         }
+        self.collect(&mut flat);
         if flat.coefficient.is_zero() {
             return self.zero();
         }
-        flat.collect();
         if flat.factors.len() > LONGEST_FLAT {
             return self.nested(factors);
         }
@@ -104,6 +104,23 @@ impl Graph {
         }
     }
 
+    /// Collects equal factors, and opens those whose half powers have met: √(x y) · √(x y) is x y.
+    fn collect(&mut self, flat: &mut Flat) {
+        let mut halves: Vec<NodeId> = Vec::new();
+        loop {
+            let odd = flat.factors.iter().filter(|(_, exponent)| exponent.as_integer().is_none());
+            halves.extend(odd.map(|&(factor, _)| factor));
+            flat.collect();
+            let met = |&(factor, exponent): &(NodeId, Exponent)| {
+                exponent.as_integer().is_some() && halves.contains(&factor)
+            };
+            let Some(place) = flat.factors.iter().position(met) else { return };
+            let (factor, exponent) = flat.factors.remove(place);
+            halves.retain(|&half| half != factor);
+            self.absorb(flat, factor, exponent);
+        }
+    }
+
     /// The product of many factors as a product of two halves.
     fn nested(&mut self, factors: &[(NodeId, Exponent)]) -> NodeId {
         let powers: Vec<NodeId> = factors.iter().map(|&(f, e)| self.product(&[(f, e)])).collect();
@@ -162,6 +179,20 @@ mod tests {
         assert_eq!(back, x);
         let one = g.div(x, x);
         assert_eq!(g.as_constant(one), Some(Number::ONE));
+    }
+
+    #[test]
+    fn half_powers_of_a_product_open_where_they_meet() {
+        let mut g = Graph::new();
+        let (x, y) = (g.variable(Variable::Coordinate(0)), g.variable(Variable::Coordinate(1)));
+        let (xy, two) = (g.mul(x, y), g.integer(2));
+        let two_x = g.scale(x, Number::integer(2));
+        for base in [xy, two_x, two] {
+            let root = g.sqrt(base);
+            let (a, b) = (g.mul(root, x), g.mul(root, y));
+            let product = g.mul(a, b);
+            assert_eq!(product, g.product(&[(base, Exponent(2)), (xy, Exponent(2))]));
+        }
     }
 
     #[test]

@@ -176,11 +176,17 @@ impl Graph {
             return self.intern(Node::Sum { offset: Number::ZERO, terms: combination.terms });
         }
         if let Some(common) = self.common_factors(&combination) {
-            let inverse: Vec<_> = common.iter().map(|&(f, e)| (f, Exponent(-e.0))).collect();
+            // Exponents are lowered rather than reciprocals multiplied: a factor that is a product itself
+            // (of a nested product) would be opened by the product and not meet its reciprocal.
             let mut inner = Vec::with_capacity(combination.terms.len());
             for &(term, coefficient) in &combination.terms {
-                let mut factors = inverse.clone();
-                factors.push((term, Exponent(2)));
+                let mut factors = self.factors(term);
+                for &(shared, lowered) in &common {
+                    let own = factors.iter_mut().find(|(factor, _)| *factor == shared);
+                    if let Some((_, exponent)) = own {
+                        exponent.0 -= lowered.0;
+                    }
+                }
                 inner.push((self.product(&factors), coefficient));
             }
             let inner = self.sum(Number::ZERO, &inner);
@@ -318,6 +324,20 @@ mod tests {
         let (a, b) = (g.div(y, x), g.div(z, x));
         let quotient = g.add(a, b);
         assert_eq!(quotient, g.div(inner, x));
+    }
+
+    #[test]
+    fn common_factors_of_nested_products_are_taken_out() {
+        let mut g = Graph::new();
+        let mut product = g.one();
+        for i in 0..30 {
+            let x = g.variable(Variable::Coordinate(i));
+            product = g.mul(product, x);
+        }
+        let (y, z) = (g.variable(Variable::Velocity(0)), g.variable(Variable::Velocity(1)));
+        let (a, b) = (g.mul(product, y), g.mul(product, z));
+        let (sum, value) = (g.add(a, b), |_| 2.0);
+        assert_eq!(g.evaluate(&[sum], value), [f64::from(2_u32.pow(31)) * 2.0]);
     }
 
     #[test]

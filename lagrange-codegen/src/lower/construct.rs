@@ -296,8 +296,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// `Vector3::from_fn(|i, j| …)`; arrays come through [`Interpreter::array_from_fn`].
-    pub fn from_fn(&mut self, path: &'a Path, arguments: &'a [Expr], origin: Origin) -> Value {
+    /// `Vector3::from_fn(|i, j| …)`; arrays come through [`Interpreter::array_by_function`].
+    pub fn by_function(&mut self, path: &'a Path, arguments: &'a [Expr], origin: Origin) -> Value {
         let (rows, columns) = match &path.owner {
             Owner::Type(ty) => match self.shape(ty) {
                 Shape::Vector(rows) => (rows, 1),
@@ -327,7 +327,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// `array::from_fn(|i| …)` where the length is known from the context.
-    pub fn array_from_fn(&mut self, length: usize, function: &'a Expr, origin: Origin) -> Value {
+    pub fn array_by_function(&mut self, length: usize, function: &'a Expr, origin: Origin) -> Value {
         let Some(function) = self.callable(function) else { return Value::Unknown };
         let elements =
             (0..length).map(|index| self.apply(function, vec![Value::Integer(index as i128)], origin));

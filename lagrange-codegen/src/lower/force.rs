@@ -119,20 +119,25 @@ impl<'a> Interpreter<'a> {
             single => (single, None),
         };
         // A helper without a role may name a place too, but a number alone is no place.
-        let places = match (single, function.role.as_ref().map(|role| &role.kind)) {
-            (Shape::Scalar, Some(RoleKind::Point { .. })) => true,
-            (
-                Shape::Vector(1..=3) | Shape::Point(1..=3) | Shape::Isometry(_) | Shape::Tuple(_),
-                None | Some(RoleKind::Point { .. } | RoleKind::Body { .. }),
-            ) => true,
-            _ => false,
+        let is_place = matches!(
+            (single, function.role.as_ref().map(|role| &role.kind)),
+            (Shape::Scalar, Some(RoleKind::Point { .. }))
+                | (
+                    Shape::Vector(1..=3) | Shape::Point(1..=3) | Shape::Isometry(_) | Shape::Tuple(_),
+                    None | Some(RoleKind::Point { .. } | RoleKind::Body { .. }),
+                )
+        );
+        let places = match positional && is_place {
+            true => {
+                let value = self.result(index)?;
+                self.placed(&function.name, &value)
+            }
+            false => Vec::new(),
         };
-        if !positional || !places {
+        if places.is_empty() {
             self.report(word.origin, catalogue::not_a_place(&word.name));
             return None;
         }
-        let value = self.result(index)?;
-        let places = self.placed(&function.name, &value);
         match (element, count) {
             (None, count) => Some((places, count.is_some())),
             (Some(element), Some(count)) => {
@@ -167,10 +172,11 @@ impl<'a> Interpreter<'a> {
             Shape::Scalar => dimension == 1,
             _ => false,
         };
-        let is_torque = |shape: &Shape| match (shape, &first.turn) {
-            (Shape::Scalar, Some(Turn::Plane(_))) => true,
-            (Shape::Vector(3), Some(Turn::Space(_))) => true,
-            _ => false,
+        let is_torque = |shape: &Shape| {
+            matches!(
+                (shape, &first.turn),
+                (Shape::Scalar, Some(Turn::Plane(_))) | (Shape::Vector(3), Some(Turn::Space(_)))
+            )
         };
         let fits = single.is_some_and(|single| match single {
             Shape::Tuple(parts) => matches!(parts.as_slice(), [f, t] if is_force(f) && is_torque(t)),

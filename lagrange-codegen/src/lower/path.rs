@@ -98,7 +98,7 @@ impl<'a> Interpreter<'a> {
     /// `path(arguments)`.
     pub fn call_path(&mut self, path: &'a Path, arguments: &'a [Expr], origin: Origin) -> Value {
         if &*path.last == "from_fn" {
-            return self.from_fn(path, arguments, origin);
+            return self.by_function(path, arguments, origin);
         }
         if let Owner::SelfType = path.owner {
             // `Self::f(self, …)` and `Self::f(…)`.
@@ -187,7 +187,7 @@ impl<'a> Interpreter<'a> {
             ("from" | "from_f64" | "from_f32" | "from_subset" | "lit", [value]) => {
                 return self.converted(&word.name, value.clone(), origin);
             }
-            _ => return self.first_method(arguments, word, &word.name.to_string(), origin),
+            _ => return self.first_method(arguments, word, &word.name, origin),
         };
         Value::Scalar(self.graph().constant(number))
     }

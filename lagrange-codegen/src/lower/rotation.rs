@@ -234,7 +234,7 @@ impl Interpreter<'_> {
         if nodes.len() != 3 {
             return Value::Unknown;
         }
-        if let [] = nonzero.as_slice() {
+        if nonzero.is_empty() {
             return Value::Rotation(self.no_turn(3));
         }
         if let [only] = nonzero.as_slice() {

@@ -128,7 +128,7 @@ impl<'a> Interpreter<'a> {
                 if &*path.last == "from_fn" && !matches!(path.owner, Owner::Type(_)) =>
             {
                 match arguments.as_slice() {
-                    [function] => self.array_from_fn(*length, function, expr.origin),
+                    [function] => self.array_by_function(*length, function, expr.origin),
                     _ => self.expression(expr),
                 }
             }

@@ -111,7 +111,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
     let list = match Punctuated::<Argument, Token![,]>::parse_terminated.parse2(tokens) {
         Ok(list) => list,
         Err(error) => {
-            diagnostics.error(error.span(), catalogue::bad_attribute(&error.to_string()));
+            diagnostics.error(error.span(), catalogue::bad_attribute(&error));
             return args;
         }
     };
@@ -142,7 +142,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
                         None => {
                             let text = name.to_string();
                             let near = nearest(&text, LINTS).map(String::from);
-                            let message = catalogue::unknown_lint(&text, &LINTS.join("`, `"), near);
+                            let message = catalogue::unknown_lint(&text, LINTS.join("`, `"), near);
                             diagnostics.error(name.span(), message);
                         }
                     }

@@ -1,7 +1,7 @@
 //! Tokens to [`Item`]: own types, spans kept, every rule of form checked.
 //!
 //! What is wrong is reported into [`Diagnostics`]; meaning (names, shapes, loops) is the business
-//! of [`crate::lower`].
+//! of the next stage, lowering.
 
 pub mod body;
 pub mod constant;

@@ -1,7 +1,8 @@
-//! The first and the last token of an expression, found along its edge.
+//! The place of an expression: all of it where the compiler can join spans.
 //!
-//! A stable compiler cannot join spans, so a place is the span of the first token unless the
-//! compiler joins. The walk along the edge avoids printing every subexpression into tokens.
+//! A stable compiler cannot. There the place is one telling token: the operator, the method, the
+//! field, else the first one. The walks along the edges avoid printing every subexpression into
+//! tokens.
 
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -14,17 +15,24 @@ pub fn span(tokens: &dyn ToTokens) -> Span {
     let mut trees = stream.into_iter();
     let Some(first) = trees.next() else { return Span::call_site() };
     let last = trees.last().map_or(first.span(), |tree| tree.span());
-    join(first.span(), last)
+    first.span().join(last).unwrap_or(first.span())
 }
 
 /// The span of an expression.
 pub fn expression(expr: &Expr) -> Span {
-    join(first(expr), last(expr))
+    first(expr).join(last(expr)).unwrap_or_else(|| telling(expr))
 }
 
-/// Both spans and what lies between.
-pub fn join(first: Span, last: Span) -> Span {
-    first.join(last).unwrap_or(first)
+fn telling(expr: &Expr) -> Span {
+    match expr {
+        Expr::Binary(binary) => span(&binary.op),
+        Expr::Assign(assign) => assign.eq_token.span,
+        Expr::MethodCall(call) => call.method.span(),
+        Expr::Cast(cast) => cast.as_token.span,
+        Expr::Field(_) => last(expr),
+        Expr::Index(index) => first(&index.index),
+        other => first(other),
+    }
 }
 
 fn first(expr: &Expr) -> Span {

@@ -150,14 +150,17 @@ impl Generalizer<'_> {
             "norm" | "magnitude" => "norm",
             "norm_squared" | "magnitude_squared" => "norm_squared",
             "normalize" => "normalize",
+            "metric_distance" => "distance",
             _ => return None,
         };
-        if !call.args.is_empty() {
+        let takes = usize::from(method == "distance");
+        let is_helper = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
+        if call.args.len() != takes || is_helper {
             return None;
         }
         let function = Ident::new(method, call.method.span());
-        let (path, receiver) = (self.crate_path, &call.receiver);
-        Some(syn::parse_quote!(#path::__private::algebra::#function(&(#receiver))))
+        let (path, receiver, arguments) = (self.crate_path, &call.receiver, &call.args);
+        Some(syn::parse_quote!(#path::__private::algebra::#function(&(#receiver), #arguments)))
     }
 
     /// The runtime's function for a constructor of nalgebra's rotations.

@@ -114,7 +114,7 @@ fn a_generic_block_takes_its_literals_from_the_scalar() {
                     const HALF: f64 = 0.5;
                     let p = vector![q.x, #literal];
                     let r = ::lagrangian::__private::algebra::rotation2(q.x);
-                    R::from_f64(Self::K) * #half * ::lagrangian::__private::algebra::norm(&((r * p)))
+                    R::from_f64(Self::K) * #half * ::lagrangian::__private::algebra::norm(&((r * p)),)
                         + R::from_f64(0.25) * q.x.powi(2)
                 }
                 fn in_doubles(x: f64) -> f64 { 2.0 * x }
