@@ -106,6 +106,12 @@ pub fn solve<F: Factor<R, N>, R: Real, const N: usize>(factor: &Option<F>, right
     }
 }
 
+/// Calls a function that stays one: part of a body too long for the compiler in one piece.
+#[inline(never)]
+pub fn outlined<T>(part: impl FnOnce() -> T) -> T {
+    part()
+}
+
 /// A symmetric matrix from its lower triangle.
 #[inline]
 pub fn symmetric<R: Real, const N: usize>(lower: [[R; N]; N]) -> SMatrix<R, N, N> {

@@ -53,6 +53,35 @@ pub(super) fn assemble(block: &Block) -> String {
     block.statements.iter().map(|statement| format!("{statement}\n")).collect()
 }
 
+/// Larger matrices are filled row by row in functions of their own: in one straight line of
+/// thousands of statements the compiler's vectoriser takes quadratic time.
+const OUTLINED: usize = 32;
+
+/// Statements that fill `mass` with a lower triangle, given row by row.
+pub(super) fn lower_triangle(scalar: &Scalar, count: usize, entries: &[String]) -> String {
+    let zero = super::scalar::zero(scalar);
+    let mut text = format!("let mut mass = [[{zero}; {count}]; {count}];\n");
+    let mut entries = entries.iter();
+    for row in 0..count {
+        let filled: Vec<(usize, &String)> =
+            (0..=row).zip(entries.by_ref()).filter(|(_, entry)| **entry != zero).collect();
+        if count <= OUTLINED {
+            for (column, entry) in filled {
+                text.push_str(&format!("mass[{row}][{column}] = {entry};\n"));
+            }
+            continue;
+        }
+        text.push_str(&format!(
+            "mass[{row}] = lagrange::solve::outlined(move || {{\nlet mut row = [{zero}; {count}];\n"
+        ));
+        for (column, entry) in filled {
+            text.push_str(&format!("row[{column}] = {entry};\n"));
+        }
+        text.push_str("row\n});\n");
+    }
+    text
+}
+
 /// Bodies that call functions of the scalar import the trait.
 pub(super) fn imported(text: String) -> String {
     if text.contains("Real::") { format!("use lagrange::Real;\n{text}") } else { text }

@@ -105,8 +105,8 @@ fn mass_matrix(emission: &mut Emission<'_>) -> String {
         arguments(emission, &entries),
         emission.item.scalar
     );
-    let zero = super::scalar::zero(&emission.item.scalar);
-    let body = body::plain(emission.model, &emission.item.scalar, &entries, Source::State, |values| {
+    let scalar = &emission.item.scalar;
+    let body = body::plain(emission.model, scalar, &entries, Source::State, |values| {
         if count <= super::block::NAMED {
             let rows: Vec<String> = (0..count)
                 .map(|i| {
@@ -116,12 +116,7 @@ fn mass_matrix(emission: &mut Emission<'_>) -> String {
                 .collect();
             return format!("[{}].into()", rows.join(", "));
         }
-        let places = (0..count).flat_map(|i| (0..=i).map(move |j| (i, j)));
-        let mut text = format!("let mut mass = [[{zero}; {count}]; {count}];\n");
-        for ((i, j), value) in places.zip(values).filter(|(_, value)| **value != zero) {
-            text.push_str(&format!("mass[{i}][{j}] = {value};\n"));
-        }
-        text + "lagrange::solve::symmetric(mass)"
+        body::lower_triangle(scalar, count, values) + "lagrange::solve::symmetric(mass)"
     });
     method(
         "Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].",

@@ -93,7 +93,7 @@ fn constants(
             "::core::option::Option<lagrange::{factor}<{scalar}, {}>>",
             part.coordinates.len()
         ));
-        let lower = lower_triangle(emission, part.coordinates.len(), &written.outputs);
+        let lower = body::lower_triangle(&emission.item.scalar, part.coordinates.len(), &written.outputs);
         values.push(format!("{{\n{}{lower}lagrange::solve::factor(mass)\n}}", body::assemble(&written)));
     }
     let tuple = |items: &[String]| match items {
@@ -140,7 +140,7 @@ fn accelerations(
                 let factorisation = if constant {
                     format!("constants.{factored}")
                 } else {
-                    text.push_str(&lower_triangle(emission, count, &part.entries));
+                    text.push_str(&body::lower_triangle(scalar, count, &part.entries));
                     format!("lagrange::solve::factor::<lagrange::{factor}<{scalar}, {count}>, _, _>(mass)")
                 };
                 let claim = |&i: &usize| names.claim(Some(format!("{}_ddot", model.coordinates[i].label())));
@@ -205,19 +205,6 @@ fn check(emission: &mut Emission<'_>) -> Option<String> {
         });
         pivots.collect::<String>() + &factored + "::core::result::Result::Ok(())"
     }))
-}
-
-/// Statements that fill `mass` with a lower triangle.
-fn lower_triangle(emission: &Emission<'_>, count: usize, entries: &[String]) -> String {
-    let zero = super::scalar::zero(&emission.item.scalar);
-    let mut text = format!("let mut mass = [[{zero}; {count}]; {count}];\n");
-    let places = (0..count).flat_map(|row| (0..=row).map(move |column| (row, column)));
-    for ((row, column), entry) in places.zip(entries) {
-        if *entry != zero {
-            text.push_str(&format!("mass[{row}][{column}] = {entry};\n"));
-        }
-    }
-    text
 }
 
 /// Whether a body mentions an identifier.
