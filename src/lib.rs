@@ -65,3 +65,8 @@ pub mod prelude {
     };
     pub use lagrange_runtime::{Cause, MotionError, Ordered, Real, Rk4, State, System};
 }
+
+/// The programs of the README are compiled and run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
