@@ -149,7 +149,7 @@ A singular mass matrix, with the coordinate and the time.*/
             );
             lagrange::solve::finite(self, &constants, state, accelerations)
         }
-        ///Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].
+        ///Mass matrix M = ∂²L/∂v∂v, symmetric, rows and columns in the order of the coordinates.
         #[inline]
         pub fn mass_matrix(
             &self,
@@ -216,7 +216,7 @@ A singular mass matrix, with the coordinate and the time.*/
                 pole_mass_length * (self.length * theta_dot + x_dot * cos_theta),
             ]
         }
-        /**Kinetic energy T [J].
+        /**Kinetic energy T \[J\].
 
 `T = 0.5·theta′^2·pole_mass·length^2 + x′·(theta′·pole_mass·cos(theta)·length + 0.5·x′·(cart_mass + pole_mass))`*/
         #[inline]
@@ -230,7 +230,7 @@ A singular mass matrix, with the coordinate and the time.*/
                 * (theta_dot * theta_dot);
             w2 + x_dot * w1
         }
-        /**Potential energy V [J].
+        /**Potential energy V \[J\].
 
 `V = pole_mass·cos(theta)·length·g`*/
         #[inline]
@@ -240,7 +240,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let gravity = self.pole_mass * self.length * self.g * Real::cos(theta);
             gravity
         }
-        ///Energy T + V [J].
+        ///Energy T + V \[J\].
         #[inline]
         pub fn energy(&self, state: &lagrange::State<R, 2>) -> R {
             use lagrange::Real;
@@ -255,7 +255,7 @@ A singular mass matrix, with the coordinate and the time.*/
                     * (R::from_f64(0.5) * self.length * theta_dot + x_dot * cos_theta));
             w2 + w1
         }
-        /**Power v·(Q − ∂D/∂v) of the applied forces [W].
+        /**Power v·(Q − ∂D/∂v) of the applied forces \[W\].
 
 `P = −(theta′^2·damping − x′·motor)`*/
         #[inline]

@@ -114,7 +114,7 @@ A singular mass matrix, with the coordinate and the time.*/
             );
             lagrange::solve::finite(self, &constants, state, accelerations)
         }
-        ///Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].
+        ///Mass matrix M = ∂²L/∂v∂v, symmetric, rows and columns in the order of the coordinates.
         #[inline]
         pub fn mass_matrix(
             &self,
@@ -180,7 +180,7 @@ A singular mass matrix, with the coordinate and the time.*/
                 m_1_l_1 * (self.l[1] * theta_1_dot + self.l[0] * (theta_0_dot * w1)),
             ]
         }
-        ///Kinetic energy T [J].
+        ///Kinetic energy T \[J\].
         #[inline]
         pub fn kinetic_energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
             use lagrange::Real;
@@ -196,7 +196,7 @@ A singular mass matrix, with the coordinate and the time.*/
             0.5 * self.m[1] * (self.l[1] * self.l[1]) * (theta_1_dot * theta_1_dot)
                 + self.l[0] * w2
         }
-        /**Potential energy V [J].
+        /**Potential energy V \[J\].
 
 `V = −g·(cos(theta[0])·l[0]·(m[0] + m[1]) + m[1]·cos(theta[1])·l[1])`*/
         #[inline]
@@ -207,7 +207,7 @@ A singular mass matrix, with the coordinate and the time.*/
                 + self.m[1] * self.l[1] * Real::cos(theta_1);
             -(self.g * w1)
         }
-        ///Energy T + V [J].
+        ///Energy T + V \[J\].
         #[inline]
         pub fn energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
             use lagrange::Real;

@@ -140,7 +140,7 @@ A singular mass matrix, with the coordinate and the time.*/
             );
             lagrange::solve::finite(self, &constants, state, accelerations)
         }
-        ///Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].
+        ///Mass matrix M = ∂²L/∂v∂v, symmetric, rows and columns in the order of the coordinates.
         #[inline]
         pub fn mass_matrix(
             &self,
@@ -209,7 +209,7 @@ A singular mass matrix, with the coordinate and the time.*/
                 self.along * gyroscope_rate_z,
             ]
         }
-        ///Kinetic energy T [J].
+        ///Kinetic energy T \[J\].
         #[inline]
         pub fn kinetic_energy(&self, state: &lagrange::State<f64, 3>) -> f64 {
             use lagrange::Real;
@@ -224,7 +224,7 @@ A singular mass matrix, with the coordinate and the time.*/
                 * (theta_dot * theta_dot + phi_dot * phi_dot * (sin_theta * sin_theta));
             0.5 * (w1 + w2)
         }
-        /**Potential energy V [J].
+        /**Potential energy V \[J\].
 
 `V = mass·cos(theta)·arm·g`*/
         #[inline]
@@ -235,7 +235,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let gravity = self.mass * self.arm * self.g * cos_theta;
             gravity
         }
-        ///Energy T + V [J].
+        ///Energy T + V \[J\].
         #[inline]
         pub fn energy(&self, state: &lagrange::State<f64, 3>) -> f64 {
             use lagrange::Real;

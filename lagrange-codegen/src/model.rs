@@ -75,9 +75,9 @@ pub struct Parameter {
 pub struct Point {
     /// The user's function, with the index if it returns an array: `joints[3]`.
     pub name: String,
-    /// Mass [kg].
+    /// Mass \[kg\].
     pub mass: NodeId,
-    /// Cartesian position [m], one to three components.
+    /// Cartesian position \[m\], one to three components.
     pub position: Vec<NodeId>,
     /// The function's name in the source.
     pub origin: Origin,
@@ -88,11 +88,11 @@ pub struct Point {
 pub struct Body {
     /// The user's function, with the index if it returns an array.
     pub name: String,
-    /// Mass [kg].
+    /// Mass \[kg\].
     pub mass: NodeId,
-    /// Position of the centre of mass [m], two or three components.
+    /// Position of the centre of mass \[m\], two or three components.
     pub position: Vec<NodeId>,
-    /// Orientation and moments of inertia about the centre of mass [kg m²].
+    /// Orientation and moments of inertia about the centre of mass \[kg m²\].
     pub attitude: Attitude,
     /// The function's name in the source.
     pub origin: Origin,
@@ -103,7 +103,7 @@ pub struct Body {
 pub enum Attitude {
     /// A planar body.
     Planar {
-        /// Angle from the x axis [rad].
+        /// Angle from the x axis \[rad\].
         angle: NodeId,
         /// Moment of inertia.
         inertia: NodeId,
@@ -134,7 +134,7 @@ pub enum RotationForm {
     Axis {
         /// Unit vector.
         axis: [NodeId; 3],
-        /// Angle [rad].
+        /// Angle \[rad\].
         angle: NodeId,
     },
     /// The left rotation after the right one.
@@ -176,21 +176,21 @@ pub enum Action {
     AtPosition {
         /// Where it acts.
         position: Vec<NodeId>,
-        /// Components in space axes [N].
+        /// Components in space axes \[N\].
         force: Vec<NodeId>,
     },
     /// A torque on a planar body: Q = τ ∂φ/∂q.
     PlanarTorque {
         /// Angle of the body.
         angle: NodeId,
-        /// Torque [N m].
+        /// Torque \[N m\].
         torque: NodeId,
     },
     /// A torque on a spatial body, in space axes: Q = τᵀ ∂ω/∂v.
     SpatialTorque {
         /// Orientation of the body.
         rotation: Rotation,
-        /// Components in space axes [N m].
+        /// Components in space axes \[N m\].
         torque: [NodeId; 3],
     },
 }

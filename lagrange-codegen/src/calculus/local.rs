@@ -31,7 +31,11 @@ pub(super) fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value:
         }
         Unary::Sinh => graph.unary(Unary::Cosh, argument),
         Unary::Cosh => graph.unary(Unary::Sinh, argument),
-        Unary::Tanh => one_plus(graph, value, Number::MINUS_ONE),
+        Unary::Tanh => {
+            // 1 − tanh² would lose all its digits where the function is saturated.
+            let cosine = graph.unary(Unary::Cosh, argument);
+            graph.powi(cosine, -2)
+        }
         Unary::Asinh => {
             let square = one_plus(graph, argument, Number::ONE);
             let root = graph.sqrt(square);

@@ -34,17 +34,17 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> String {
     }
     text.push_str(&vector(emission, "momenta", "Generalized momenta p = ∂L/∂v.", "p", &equations.momenta));
     for (name, doc, symbol, node) in [
-        ("kinetic_energy", "Kinetic energy T [J].", "T", Some(equations.kinetic_energy)),
-        ("potential_energy", "Potential energy V [J].", "V", Some(equations.potential_energy)),
-        ("energy", "Energy T + V [J].", "E", Some(equations.energy)),
+        ("kinetic_energy", "Kinetic energy T \\[J\\].", "T", Some(equations.kinetic_energy)),
+        ("potential_energy", "Potential energy V \\[J\\].", "V", Some(equations.potential_energy)),
+        ("energy", "Energy T + V \\[J\\].", "E", Some(equations.energy)),
         (
             "jacobi_integral",
-            "Jacobi integral v·∂L/∂v − L [J]: conserved where neither L depends on time nor forces do work, \
+            "Jacobi integral v·∂L/∂v − L \\[J\\]: conserved where neither L depends on time nor forces do work, \
              while T + V is not.",
             "h",
             equations.jacobi_integral,
         ),
-        ("power", "Power v·(Q − ∂D/∂v) of the applied forces [W].", "P", equations.power),
+        ("power", "Power v·(Q − ∂D/∂v) of the applied forces \\[W\\].", "P", equations.power),
     ] {
         if let Some(node) = node {
             text.push_str(&scalar(emission, name, doc, symbol, node));
@@ -119,7 +119,7 @@ fn mass_matrix(emission: &mut Emission<'_>) -> String {
         body::lower_triangle(scalar, count, values) + "lagrange::solve::symmetric(mass)"
     });
     method(
-        "Mass matrix M = ∂²L/∂v∂v, symmetric [row, column in the order of the coordinates].",
+        "Mass matrix M = ∂²L/∂v∂v, symmetric, rows and columns in the order of the coordinates.",
         &signature,
         &body,
     )

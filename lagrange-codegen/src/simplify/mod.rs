@@ -1,6 +1,6 @@
 //! Rewritings that lower the cost of a set of roots and never harm their accuracy.
 //!
-//! Each pass proposes; [`cost`] decides. What a pass makes is kept only where the whole set of
+//! Each pass proposes; [`mod@cost`] decides. What a pass makes is kept only where the whole set of
 //! roots gets cheaper, so nothing here can swell.
 
 mod angles;

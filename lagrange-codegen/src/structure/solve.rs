@@ -85,7 +85,15 @@ impl Solution {
                         let quantity = &model.coordinates[coordinate];
                         diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.label()));
                     }
-                    Method::WrittenOut { pivots: unknown(graph, &result.pivots), solution: result.solution }
+                    let mut pivots = unknown(graph, &result.pivots);
+                    if !equations.definite {
+                        // A single entry, of either sign.
+                        for pivot in &mut pivots {
+                            pivot.value = graph.powi(pivot.value, 2);
+                            pivot.scale = pivot.value;
+                        }
+                    }
+                    Method::WrittenOut { pivots, solution: result.solution }
                 }
                 (true, false) => Method::Ldlt,
                 (false, _) if coordinates.len() == 2 => cramer(graph, coordinates, &entry, &equations.force),
