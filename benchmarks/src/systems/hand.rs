@@ -1,6 +1,8 @@
 //! The accelerations as an expert writes them: closed forms for small systems; for chains a
 //! dense mass matrix with LDLᵀ, and the tridiagonal equations for the rod tensions.
 
+#![allow(clippy::needless_range_loop, reason = "formulas with indices")]
+
 /// Gravitational acceleration [m/s²].
 const G: f64 = 9.81;
 

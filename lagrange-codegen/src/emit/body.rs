@@ -89,35 +89,37 @@ pub(super) fn imported(text: String) -> String {
 
 /// The statements that take the variables apart; what is not read is not named.
 pub(super) fn prologue(model: &Model, reads: &Reads, source: Source) -> String {
-    let mut text = String::new();
-    let groups: [(&[bool], fn(u32) -> Variable, &str, &str, &str); 3] = [
-        (&reads.coordinates, Variable::Coordinate, "q", "state.q", "*q"),
-        (&reads.velocities, Variable::Velocity, "v", "state.v", "*v"),
-        (&reads.inputs, Variable::Input, "u", "*inputs", "*u"),
-    ];
-    for (read, variable, short, in_state, in_slices) in groups {
-        if !read.contains(&true) {
-            continue;
-        }
-        let place = match source {
-            Source::State => in_state,
-            Source::Slices => in_slices,
-        };
-        if read.len() > NAMED {
-            if matches!(source, Source::State) {
-                text.push_str(&format!("let {short} = &{place};\n"));
-            }
-            continue;
-        }
-        let names: Vec<String> = read
-            .iter()
-            .enumerate()
-            .map(|(i, &read)| if read { variable_label(model, variable(i as u32)) } else { "_".to_owned() })
-            .collect();
-        text.push_str(&format!("let [{}] = {place};\n", names.join(", ")));
-    }
+    let (q, v, u) = match source {
+        Source::State => ("state.q", "state.v", "*inputs"),
+        Source::Slices => ("*q", "*v", "*u"),
+    };
+    let mut text = take_apart(model, &reads.coordinates, Variable::Coordinate, "q", q, source);
+    text.push_str(&take_apart(model, &reads.velocities, Variable::Velocity, "v", v, source));
+    text.push_str(&take_apart(model, &reads.inputs, Variable::Input, "u", u, source));
     if reads.time && matches!(source, Source::State) {
         text.push_str("let t = state.t;\n");
     }
     text
+}
+
+/// `let [x, _, z] = place;`, or a short name for a place with many components.
+fn take_apart(
+    model: &Model,
+    read: &[bool],
+    variable: fn(u32) -> Variable,
+    short: &str,
+    place: &str,
+    source: Source,
+) -> String {
+    match (read.contains(&true), read.len() > NAMED, source) {
+        (false, ..) | (true, true, Source::Slices) => String::new(),
+        (true, true, Source::State) => format!("let {short} = &{place};\n"),
+        (true, false, _) => {
+            let name = |(i, &read): (usize, &bool)| {
+                if read { variable_label(model, variable(i as u32)) } else { "_".to_owned() }
+            };
+            let names: Vec<String> = read.iter().enumerate().map(name).collect();
+            format!("let [{}] = {place};\n", names.join(", "))
+        }
+    }
 }

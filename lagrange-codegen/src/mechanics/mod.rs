@@ -90,7 +90,7 @@ pub fn derive(
     validate::inputs(model, &force, &mass, allows, diagnostics);
     let energies = energy::energies(model, &motion, &momenta);
     let power = energy::power(model, &motion, &applied);
-    (!diagnostics.has_errors()).then(|| Equations {
+    (!diagnostics.has_errors()).then_some(Equations {
         mass,
         bias,
         applied,

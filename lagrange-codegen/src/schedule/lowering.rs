@@ -1,8 +1,9 @@
 //! The lowering of sums and products to instructions.
 
-use super::divisors::{Division, Divisor, Divisors};
-use super::pairs::{Item, share_pairs};
+use super::divisors::Divisor;
+use super::pairs::Item;
 use super::program::{Instruction, Program, Slot};
+use super::sharing::{Factor, Sharing};
 use crate::collections::Lookup;
 use crate::expr::{Exponent, Graph, Node, NodeId};
 use crate::number::Number;
@@ -22,99 +23,24 @@ pub fn plan(graph: &Graph, roots: &[NodeId]) -> Program {
     lowering.program
 }
 
-/// A moving product: numerator and divisor without the fixed factors.
-#[derive(Clone, Default)]
-struct Moving {
-    items: Vec<Item>,
-    divisor: Divisor,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-enum Factor {
-    Power(NodeId, Exponent),
-    Reciprocal(Divisor),
-    BaseReciprocal(NodeId, u32, u32),
-}
+/// A summand: whether it is subtracted, and its slot.
+type Signed = (bool, Slot);
 
 struct Lowering<'g> {
     graph: &'g Graph,
     program: Program,
     values: Vec<Option<Slot>>,
-    /// The moving part of each product, by node.
-    moving: Vec<Option<Moving>>,
-    factors: Vec<Factor>,
-    pairs: Vec<(Item, Item)>,
-    /// How many products and pairs contain an item.
-    item_uses: Vec<u32>,
+    sharing: Sharing,
     item_slots: Lookup<Item, Slot>,
 }
 
 impl<'g> Lowering<'g> {
     fn new(graph: &'g Graph, cone: &[NodeId]) -> Self {
-        let mut divisors = Divisors::default();
-        let mut products: Vec<(NodeId, Vec<(NodeId, Exponent)>, Divisor)> = Vec::new();
-        for &id in cone {
-            if graph.dependence(id).is_fixed() {
-                continue;
-            }
-            if let Node::Product(factors) = graph.node(id) {
-                let moving = || factors.iter().copied().filter(|&(f, _)| !graph.dependence(f).is_fixed());
-                let above: Vec<_> = moving().filter(|(_, e)| e.0 > 0).collect();
-                let below: Divisor = moving().filter(|(_, e)| e.0 < 0).collect();
-                divisors.count(&below);
-                products.push((id, above, below));
-            }
-        }
-        let mut table: Lookup<Factor, Item> = Lookup::default();
-        let mut factors: Vec<Factor> = Vec::new();
-        let mut lists: Vec<Vec<Item>> = Vec::with_capacity(products.len());
-        let mut rests: Vec<Divisor> = Vec::with_capacity(products.len());
-        for (_, above, below) in &products {
-            let mut items = Vec::with_capacity(above.len() + 1);
-            let mut add = |factor: Factor| {
-                let item = *table.get(&factor).unwrap_or(&(factors.len() as Item));
-                if item as usize == factors.len() {
-                    table.insert(factor.clone(), item);
-                    factors.push(factor);
-                }
-                items.push(item);
-            };
-            above.iter().for_each(|&(node, exponent)| add(Factor::Power(node, exponent)));
-            let rest = match (below.is_empty(), divisors.division(below)) {
-                (true, _) => Vec::new(),
-                (false, Division::Reciprocal) => {
-                    add(Factor::Reciprocal(below.clone()));
-                    Vec::new()
-                }
-                (false, Division::Split { reciprocals, rest }) => {
-                    reciprocals
-                        .into_iter()
-                        .for_each(|(base, unit, count)| add(Factor::BaseReciprocal(base, unit, count)));
-                    rest
-                }
-            };
-            lists.push(items);
-            rests.push(rest);
-        }
-        let pairs = share_pairs(&mut lists, factors.len() as Item);
-        let mut item_uses = vec![0; factors.len() + pairs.len()];
-        lists.iter().flatten().for_each(|&item| item_uses[item as usize] += 1);
-        for &(a, b) in &pairs {
-            item_uses[a as usize] += 1;
-            item_uses[b as usize] += 1;
-        }
-        let mut moving = vec![None; graph.len()];
-        for (((id, ..), items), divisor) in products.iter().zip(lists).zip(rests) {
-            moving[id.index()] = Some(Moving { items, divisor });
-        }
         Lowering {
             graph,
             program: Program::default(),
             values: vec![None; graph.len()],
-            moving,
-            factors,
-            pairs,
-            item_uses,
+            sharing: Sharing::of(graph, cone),
             item_slots: Lookup::default(),
         }
     }
@@ -165,7 +91,7 @@ impl<'g> Lowering<'g> {
         let (fixed, moving): (Vec<_>, Vec<_>) =
             terms.iter().copied().partition(|&(term, _)| graph.dependence(term).is_fixed());
         // Terms with the same multiplier share the multiplication.
-        let mut groups: Vec<(Option<Slot>, Vec<(bool, Slot)>)> = Vec::new();
+        let mut groups: Vec<(Option<Slot>, Vec<Signed>)> = Vec::new();
         for (term, coefficient) in moving {
             let (multiplier, body) = self.split(term, coefficient.abs());
             let signed = (coefficient.is_negative(), body);
@@ -174,7 +100,7 @@ impl<'g> Lowering<'g> {
                 None => groups.push((multiplier, vec![signed])),
             }
         }
-        let mut summands: Vec<(bool, Slot)> = Vec::with_capacity(groups.len() + 1);
+        let mut summands: Vec<Signed> = Vec::with_capacity(groups.len() + 1);
         for (multiplier, group) in groups {
             match multiplier {
                 None => summands.extend(group),
@@ -184,7 +110,7 @@ impl<'g> Lowering<'g> {
                 }
             }
         }
-        let mut constants: Vec<(bool, Slot)> = Vec::new();
+        let mut constants: Vec<Signed> = Vec::new();
         for (term, coefficient) in fixed {
             constants.push((coefficient.is_negative(), self.term(term, coefficient.abs())));
         }
@@ -202,7 +128,7 @@ impl<'g> Lowering<'g> {
     }
 
     /// The sum of signed slots as a sign and a slot: a positive one leads where there is one.
-    fn accumulate(&mut self, summands: &[(bool, Slot)]) -> (bool, Slot) {
+    fn accumulate(&mut self, summands: &[Signed]) -> (bool, Slot) {
         let lead = summands.iter().position(|&(negative, _)| !negative).unwrap_or(0);
         let (flipped, mut sum) = summands[lead];
         for (place, &(negative, slot)) in summands.iter().enumerate() {
@@ -219,10 +145,10 @@ impl<'g> Lowering<'g> {
 
     /// A scaled term as multiplier and body, where it has both and no divisor.
     fn split(&mut self, term: NodeId, coefficient: Number) -> (Option<Slot>, Slot) {
-        if self.moving[term.index()].as_ref().is_some_and(|moving| !moving.divisor.is_empty()) {
+        if self.sharing.moving[term.index()].as_ref().is_some_and(|moving| !moving.divisor.is_empty()) {
             return (None, self.term(term, coefficient));
         }
-        if self.moving[term.index()].is_some() {
+        if self.sharing.moving[term.index()].is_some() {
             let multiplier = self.multiplier(term, coefficient);
             let body = self.numerator(term);
             return match (multiplier, body) {
@@ -255,8 +181,10 @@ impl<'g> Lowering<'g> {
         }
         let multiplier = self.multiplier(term, coefficient);
         let numerator = self.numerator(term);
-        let divisor =
-            self.moving[term.index()].as_ref().map(|moving| moving.divisor.clone()).unwrap_or_default();
+        let divisor = self.sharing.moving[term.index()]
+            .as_ref()
+            .map(|moving| moving.divisor.clone())
+            .unwrap_or_default();
         let above = match (multiplier, numerator) {
             (Some(multiplier), Some(numerator)) => Some(self.multiply(multiplier, numerator)),
             (above, None) | (None, above) => above,
@@ -301,7 +229,7 @@ impl<'g> Lowering<'g> {
 
     /// The moving factors above the fraction bar, if there are any.
     fn numerator(&mut self, product: NodeId) -> Option<Slot> {
-        let items = self.moving[product.index()].as_ref()?.items.clone();
+        let items = self.sharing.moving[product.index()].as_ref()?.items.clone();
         (!items.is_empty()).then(|| self.multiplied(&items))
     }
 
@@ -310,8 +238,8 @@ impl<'g> Lowering<'g> {
         let mut product: Option<Slot> = None;
         let mut divisors: Vec<Divisor> = Vec::new();
         for &item in items {
-            match self.factors.get(item as usize) {
-                Some(Factor::Reciprocal(divisor)) if self.item_uses[item as usize] == 1 => {
+            match self.sharing.factors.get(item as usize) {
+                Some(Factor::Reciprocal(divisor)) if self.sharing.item_uses[item as usize] == 1 => {
                     divisors.push(divisor.clone());
                 }
                 _ => {
@@ -332,12 +260,12 @@ impl<'g> Lowering<'g> {
         if let Some(&slot) = self.item_slots.get(&item) {
             return slot;
         }
-        let count = self.factors.len();
+        let count = self.sharing.factors.len();
         let slot = if item as usize >= count {
-            let (a, b) = self.pairs[item as usize - count];
+            let (a, b) = self.sharing.pairs[item as usize - count];
             self.multiplied(&[a, b])
         } else {
-            match self.factors[item as usize].clone() {
+            match self.sharing.factors[item as usize].clone() {
                 Factor::Power(node, exponent) => self.power(node, exponent.0 as u32),
                 Factor::Reciprocal(divisor) => self.reciprocal(&divisor),
                 Factor::BaseReciprocal(base, unit, count) => {

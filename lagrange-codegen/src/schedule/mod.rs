@@ -8,6 +8,7 @@ mod divisors;
 mod lowering;
 mod pairs;
 pub mod program;
+mod sharing;
 
 pub use lowering::plan;
 pub use program::{Instruction, Operations, Program, Slot};

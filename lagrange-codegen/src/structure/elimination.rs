@@ -88,9 +88,10 @@ pub(super) fn eliminate(
             }
             let factor = graph.div(a[i][k], pivot);
             factors[k].push((i, factor));
-            for j in k + 1..=i {
-                if !graph.is_zero(a[j][k]) {
-                    let correction = graph.mul(factor, a[j][k]);
+            let column: Vec<NodeId> = a.iter().map(|row| row[k]).collect();
+            for (j, &entry) in column.iter().enumerate().take(i + 1).skip(k + 1) {
+                if !graph.is_zero(entry) {
+                    let correction = graph.mul(factor, entry);
                     a[i][j] = graph.sub(a[i][j], correction);
                     a[j][i] = a[i][j];
                 }
