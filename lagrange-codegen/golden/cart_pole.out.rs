@@ -157,17 +157,11 @@ A singular mass matrix, with the coordinate and the time.*/
         ) -> lagrange::nalgebra::SMatrix<R, 2, 2> {
             use lagrange::Real;
             let [_, theta] = state.q;
-            [
-                [
-                    self.cart_mass + self.pole_mass,
-                    self.pole_mass * self.length * Real::cos(theta),
-                ],
-                [
-                    self.pole_mass * self.length * Real::cos(theta),
-                    self.pole_mass * (self.length * self.length),
-                ],
-            ]
-                .into()
+            let mut mass = [[R::zero(); 2]; 2];
+            mass[0][0] = self.cart_mass + self.pole_mass;
+            mass[1][0] = self.pole_mass * self.length * Real::cos(theta);
+            mass[1][1] = self.pole_mass * (self.length * self.length);
+            lagrange::solve::symmetric(mass)
         }
         /**Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
 
@@ -240,21 +234,6 @@ A singular mass matrix, with the coordinate and the time.*/
             let gravity = self.pole_mass * self.length * self.g * Real::cos(theta);
             gravity
         }
-        ///Energy T + V \[J\].
-        #[inline]
-        pub fn energy(&self, state: &lagrange::State<R, 2>) -> R {
-            use lagrange::Real;
-            let [_, theta] = state.q;
-            let [x_dot, theta_dot] = state.v;
-            let cos_theta = Real::cos(theta);
-            let pole_mass_length = self.pole_mass * self.length;
-            let w1 = pole_mass_length * self.g * cos_theta
-                + R::from_f64(0.5) * (self.cart_mass + self.pole_mass) * (x_dot * x_dot);
-            let w2 = pole_mass_length
-                * (theta_dot
-                    * (R::from_f64(0.5) * self.length * theta_dot + x_dot * cos_theta));
-            w2 + w1
-        }
         /**Power v·(Q − ∂D/∂v) of the applied forces \[W\].
 
 `P = −(theta′^2·damping − x′·motor)`*/
@@ -263,6 +242,11 @@ A singular mass matrix, with the coordinate and the time.*/
             let [x_dot, theta_dot] = state.v;
             let [motor] = *inputs;
             -(self.damping * (theta_dot * theta_dot) - x_dot * motor)
+        }
+        ///Energy T + V \[J\].
+        #[inline]
+        pub fn energy(&self, state: &lagrange::State<R, 2>) -> R {
+            self.kinetic_energy(state) + self.potential_energy(state)
         }
     }
     #[automatically_derived]

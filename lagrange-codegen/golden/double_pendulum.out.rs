@@ -124,19 +124,12 @@ A singular mass matrix, with the coordinate and the time.*/
             let [theta_0, theta_1] = state.q;
             let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
             let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
-            [
-                [
-                    self.l[0] * self.l[0] * (self.m[0] + self.m[1]),
-                    self.l[0] * self.m[1] * self.l[1]
-                        * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1),
-                ],
-                [
-                    self.l[0] * self.m[1] * self.l[1]
-                        * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1),
-                    self.m[1] * (self.l[1] * self.l[1]),
-                ],
-            ]
-                .into()
+            let mut mass = [[0.0; 2]; 2];
+            mass[0][0] = self.l[0] * self.l[0] * (self.m[0] + self.m[1]);
+            mass[1][0] = self.l[0] * self.m[1] * self.l[1]
+                * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1);
+            mass[1][1] = self.m[1] * (self.l[1] * self.l[1]);
+            lagrange::solve::symmetric(mass)
         }
         /**Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
 
@@ -210,21 +203,7 @@ A singular mass matrix, with the coordinate and the time.*/
         ///Energy T + V \[J\].
         #[inline]
         pub fn energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
-            use lagrange::Real;
-            let [theta_0, theta_1] = state.q;
-            let [theta_0_dot, theta_1_dot] = state.v;
-            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
-            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
-            let m_0_plus_m_1 = self.m[0] + self.m[1];
-            let m_1_l_1 = self.m[1] * self.l[1];
-            let w1 = 0.5 * self.l[0] * m_0_plus_m_1 * theta_0_dot
-                + m_1_l_1
-                    * (theta_1_dot
-                        * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1));
-            let w2 = m_1_l_1
-                * (0.5 * self.l[1] * (theta_1_dot * theta_1_dot) - self.g * cos_theta_1);
-            self.l[0] * (theta_0_dot * w1)
-                - (self.l[0] * self.g * m_0_plus_m_1 * cos_theta_0 - w2)
+            self.kinetic_energy(state) + self.potential_energy(state)
         }
     }
     #[automatically_derived]

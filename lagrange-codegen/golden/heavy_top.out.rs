@@ -150,16 +150,13 @@ A singular mass matrix, with the coordinate and the time.*/
             let [_, theta, _] = state.q;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let w1 = self.across + self.mass * (self.arm * self.arm);
-            [
-                [
-                    self.along * (cos_theta * cos_theta) + w1 * (sin_theta * sin_theta),
-                    0.0,
-                    self.along * cos_theta,
-                ],
-                [0.0, w1, 0.0],
-                [self.along * cos_theta, 0.0, self.along],
-            ]
-                .into()
+            let mut mass = [[0.0; 3]; 3];
+            mass[0][0] = self.along * (cos_theta * cos_theta)
+                + w1 * (sin_theta * sin_theta);
+            mass[1][1] = w1;
+            mass[2][0] = self.along * cos_theta;
+            mass[2][2] = self.along;
+            lagrange::solve::symmetric(mass)
         }
         /**Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
 
@@ -238,17 +235,7 @@ A singular mass matrix, with the coordinate and the time.*/
         ///Energy T + V \[J\].
         #[inline]
         pub fn energy(&self, state: &lagrange::State<f64, 3>) -> f64 {
-            use lagrange::Real;
-            let [_, theta, _] = state.q;
-            let [phi_dot, theta_dot, psi_dot] = state.v;
-            let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let cos_theta_phi_dot = cos_theta * phi_dot;
-            let w1 = self.along
-                * (psi_dot * psi_dot
-                    + (2.0 * psi_dot + cos_theta_phi_dot) * cos_theta_phi_dot);
-            let w2 = (self.across + self.mass * (self.arm * self.arm))
-                * (theta_dot * theta_dot + phi_dot * phi_dot * (sin_theta * sin_theta));
-            self.mass * self.arm * self.g * cos_theta + 0.5 * (w1 + w2)
+            self.kinetic_energy(state) + self.potential_energy(state)
         }
     }
     #[automatically_derived]

@@ -33,10 +33,12 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> String {
         ));
     }
     text.push_str(&vector(emission, "momenta", "Generalized momenta p = ∂L/∂v.", "p", &equations.momenta));
+    // With T and V apart the energy is their sum; the compiler shares what the two have in common.
+    let whole = (!emission.model.lagrangian.is_empty()).then_some(equations.energy);
     for (name, doc, symbol, node) in [
         ("kinetic_energy", "Kinetic energy T \\[J\\].", "T", Some(equations.kinetic_energy)),
         ("potential_energy", "Potential energy V \\[J\\].", "V", Some(equations.potential_energy)),
-        ("energy", "Energy T + V \\[J\\].", "E", Some(equations.energy)),
+        ("energy", "Energy: the integral v·∂L/∂v − L of a given Lagrangian \\[J\\].", "E", whole),
         (
             "jacobi_integral",
             "Jacobi integral v·∂L/∂v − L \\[J\\]: conserved where neither L depends on time nor forces do work, \
@@ -49,6 +51,12 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> String {
         if let Some(node) = node {
             text.push_str(&scalar(emission, name, doc, symbol, node));
         }
+    }
+    if whole.is_none() {
+        let scalar = &emission.item.scalar;
+        let signature = format!("energy(&self, state: &{}) -> {scalar}", emission.state_type());
+        let body = "self.kinetic_energy(state) + self.potential_energy(state)";
+        text.push_str(&method("Energy T + V \\[J\\].", &signature, body));
     }
     text
 }
@@ -107,14 +115,8 @@ fn mass_matrix(emission: &mut Emission<'_>) -> String {
     );
     let scalar = &emission.item.scalar;
     let body = body::plain(emission.model, scalar, &entries, Source::State, |values| {
-        if count <= super::block::NAMED {
-            let rows: Vec<String> = (0..count)
-                .map(|i| {
-                    let entry = |j: usize| values[i.max(j) * (i.max(j) + 1) / 2 + i.min(j)].as_str();
-                    format!("[{}]", (0..count).map(entry).collect::<Vec<_>>().join(", "))
-                })
-                .collect();
-            return format!("[{}].into()", rows.join(", "));
+        if let [single] = values {
+            return format!("[[{single}]].into()");
         }
         body::lower_triangle(scalar, count, values) + "lagrange::solve::symmetric(mass)"
     });
