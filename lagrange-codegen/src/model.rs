@@ -36,6 +36,19 @@ pub struct Model {
     pub hints: Hints,
     /// Where in the source a node was first written.
     pub origins: Lookup<NodeId, Origin>,
+    /// Names of the variables in emitted bodies, chosen when emission starts.
+    pub locals: Locals,
+}
+
+/// Local variables of emitted bodies, by coordinate, velocity and input.
+#[derive(Clone, Debug, Default)]
+pub struct Locals {
+    /// Names of the coordinates.
+    pub coordinates: Vec<String>,
+    /// Names of the velocities.
+    pub velocities: Vec<String>,
+    /// Names of the inputs.
+    pub inputs: Vec<String>,
 }
 
 /// A scalar coordinate or input.

@@ -47,6 +47,7 @@ pub mod system;
 pub use algebra::PrincipalMoments;
 pub use error::{Cause, MotionError};
 pub use integrator::{FixedStep, Rk4};
+pub use num_traits::{One, Zero};
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use state::State;

@@ -6,6 +6,7 @@
 //! overrides it. The supertraits are what nalgebra asks for sums, products, `dot` and `cross`.
 
 use core::fmt::Debug;
+use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
@@ -18,6 +19,7 @@ pub trait Real:
     + Debug
     + PartialEq
     + 'static
+    + Sum
     + Zero
     + One
     + Add<Output = Self>

@@ -116,7 +116,7 @@ fn mass_matrix(emission: &mut Emission<'_>) -> String {
     let scalar = &emission.item.scalar;
     let body = body::plain(emission.model, scalar, &entries, Source::State, |values| {
         if let [single] = values {
-            return format!("[[{single}]].into()");
+            return format!("lagrange::solve::symmetric([[{single}]])");
         }
         body::lower_triangle(scalar, count, values) + "lagrange::solve::symmetric(mass)"
     });

@@ -50,6 +50,7 @@ impl Emission<'_> {
 
 /// The whole expansion.
 pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: &Diagnostics) -> TokenStream {
+    emission.model.locals = names::locals(emission.model);
     let (system, after) = system::system(&mut emission);
     let methods = methods::methods(&mut emission);
     let report = report(&emission, before, after);

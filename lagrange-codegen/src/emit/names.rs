@@ -3,18 +3,19 @@
 use std::collections::BTreeSet;
 
 use crate::expr::{Unary, Variable};
-use crate::model::Model;
+use crate::model::{Locals, Model};
 use crate::schedule::{Instruction, Program, Slot};
 
 /// Longer names are replaced by a numbered one.
 const LONGEST: usize = 26;
 
 /// Names that generated bodies use for something else.
-const RESERVED: [&str; 14] = [
+const RESERVED: [&str; 15] = [
     "state",
     "inputs",
     "constants",
     "mass",
+    "row",
     "factor",
     "force",
     "q",
@@ -36,13 +37,10 @@ pub(super) struct Names {
 impl Names {
     /// With the names of all coordinates, velocities and inputs taken.
     pub fn new(model: &Model) -> Names {
-        let mut taken: BTreeSet<String> = RESERVED.iter().map(|&name| name.to_owned()).collect();
-        for quantity in &model.coordinates {
-            taken.insert(quantity.label());
-            taken.insert(format!("{}_dot", quantity.label()));
-        }
-        taken.extend(model.inputs.iter().map(|input| input.label()));
-        Names { taken, anonymous: 0 }
+        let mut names = Names { taken: RESERVED.iter().map(|&name| name.to_owned()).collect(), anonymous: 0 };
+        let Locals { coordinates, velocities, inputs } = &model.locals;
+        names.taken.extend(coordinates.iter().chain(velocities).chain(inputs).cloned());
+        names
     }
 
     /// A free name, as close to the wish as possible.
@@ -73,13 +71,33 @@ impl Names {
     }
 }
 
+/// The local names of all variables: the user's own where they can be, no two alike, and none that a
+/// body uses for something else.
+pub(super) fn locals(model: &Model) -> Locals {
+    let mut taken: BTreeSet<String> = RESERVED.iter().map(|&name| name.to_owned()).collect();
+    let mut claim = |label: String| {
+        // In a pattern, the name of a constant would be compared with instead of bound.
+        let label = if label.chars().any(char::is_lowercase) { label } else { label.to_lowercase() };
+        let free = |name: &String| !taken.contains(name) && !is_keyword(name);
+        let numbered = (2..).map(|n| format!("{label}_{n}"));
+        let name = std::iter::once(label.clone()).chain(numbered).find(free).unwrap_or(label);
+        taken.insert(name.clone());
+        name
+    };
+    let coordinates: Vec<String> = model.coordinates.iter().map(|quantity| claim(quantity.label())).collect();
+    let velocities =
+        model.coordinates.iter().map(|quantity| claim(format!("{}_dot", quantity.label()))).collect();
+    let inputs = model.inputs.iter().map(|quantity| claim(quantity.label())).collect();
+    Locals { coordinates, velocities, inputs }
+}
+
 /// The local name of a variable.
 pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
     match variable {
-        Variable::Coordinate(i) => model.coordinates[i as usize].label(),
-        Variable::Velocity(i) => format!("{}_dot", model.coordinates[i as usize].label()),
+        Variable::Coordinate(i) => model.locals.coordinates[i as usize].clone(),
+        Variable::Velocity(i) => model.locals.velocities[i as usize].clone(),
         Variable::Time => "t".to_owned(),
-        Variable::Input(i) => model.inputs[i as usize].label(),
+        Variable::Input(i) => model.locals.inputs[i as usize].clone(),
         Variable::Parameter(i) => model.parameters[i as usize].label.clone(),
     }
 }

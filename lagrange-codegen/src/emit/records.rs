@@ -44,7 +44,7 @@ fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenSt
         }
         debug.push(quote!(.field(#label, &self.#ident)));
     }
-    let as_vector = mentions(&item.cleaned, "as_vector").then(|| as_vector(item, record, count));
+    let conversions = conversions(item, record, count);
     quote! {
         #[doc = #doc]
         pub struct #name<R = f64> { #(#fields),* }
@@ -75,21 +75,37 @@ fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenSt
             }
         }
 
-        #as_vector
+        #conversions
     }
 }
 
-/// The vector of all components, for descriptions that ask for it.
-fn as_vector(item: &Item, record: Record, count: usize) -> TokenStream {
+/// The conversions by method, for descriptions that use them.
+fn conversions(item: &Item, record: Record, count: usize) -> TokenStream {
     let (name, path) = (item.record_ident(record), &item.crate_path);
-    quote! {
-        impl<R: #path::__private::Real> #name<R> {
+    let to_array = mentions(&item.cleaned, "to_array").then(|| {
+        quote! {
             /// All components in order.
-            pub fn as_vector(&self) -> #path::__private::nalgebra::SVector<R, #count> {
-                <[R; #count]>::from(*self).into()
+            pub fn to_array(&self) -> [R; #count] {
+                <[R; #count] as ::core::convert::From<Self>>::from(*self)
             }
         }
+    });
+    let vector = |method: &str| {
+        let method = format_ident!("{method}");
+        quote! {
+            /// All components in order.
+            pub fn #method(&self) -> #path::__private::nalgebra::SVector<R, #count> {
+                ::core::convert::From::from(<[R; #count] as ::core::convert::From<Self>>::from(*self))
+            }
+        }
+    };
+    let vectors =
+        ["as_vector", "to_vector"].into_iter().filter(|method| mentions(&item.cleaned, method)).map(vector);
+    let methods: TokenStream = to_array.into_iter().chain(vectors).collect();
+    if methods.is_empty() {
+        return methods;
     }
+    quote!(impl<R: #path::__private::Real> #name<R> { #methods })
 }
 
 /// Whether an identifier occurs in some tokens.

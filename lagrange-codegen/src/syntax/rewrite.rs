@@ -106,6 +106,18 @@ impl Renamer<'_> {
 }
 
 impl VisitMut for Renamer<'_> {
+    /// The operand of a `macro_rules` macro, such as `a + b` passed as `$x:expr`, stays one operand: rustc
+    /// forgets invisible groups that come out of a procedural macro.
+    fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        visit_mut::visit_expr_mut(self, expr);
+        if let Expr::Group(group) = expr
+            && !matches!(*group.expr, Expr::Lit(_) | Expr::Path(_) | Expr::Paren(_) | Expr::Group(_))
+        {
+            let inner = &group.expr;
+            *expr = syn::parse_quote!((#inner));
+        }
+    }
+
     fn visit_type_path_mut(&mut self, ty: &mut syn::TypePath) {
         visit_mut::visit_type_path_mut(self, ty);
         // The visit above has renamed the path; what is left is the missing scalar.

@@ -39,6 +39,12 @@ impl Neg for Minimal {
     }
 }
 
+impl core::iter::Sum for Minimal {
+    fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
+        terms.fold(Self::zero(), |sum, term| sum + term)
+    }
+}
+
 impl Zero for Minimal {
     fn zero() -> Self {
         Self(0.0)

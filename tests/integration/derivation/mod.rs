@@ -1,0 +1,14 @@
+//! One small system per feature of the language, with a result by hand, and the identities of every system.
+
+mod arrays;
+mod elementary;
+mod forces;
+mod generic_bodies;
+mod lagrangians;
+mod language;
+mod parameters;
+mod planar_bodies;
+mod scalars;
+mod sizes;
+mod spatial_bodies;
+mod time;

@@ -1,0 +1,6 @@
+//! Motions that cannot go on: the cause and the time as a value, the last good state kept, never a panic.
+
+mod collisions;
+mod parameters;
+mod singular_masses;
+mod steppers;

@@ -1,0 +1,5 @@
+//! Names: what the user may call things without meeting generated code.
+
+mod names;
+mod scopes;
+mod types;

@@ -1,0 +1,129 @@
+//! Where a system can stand: generic types, functions, paths, renamed crates, macros.
+
+use lagrangian::prelude::*;
+
+use crate::support::close::all_close;
+
+/// Lifetimes, const parameters and where clauses of the type are kept.
+struct Weighted<'a, const K: usize, T>
+where
+    T: Fn(f64) -> f64,
+{
+    weights: &'a [f64; K],
+    law: T,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl<'a, const K: usize, T> Weighted<'a, K, T>
+where
+    T: Fn(f64) -> f64,
+{
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * (self.weights[0] * v.x.powi(2) + self.weights[1] * v.y.powi(2))
+    }
+
+    #[potential]
+    fn slope(&self, q: &Coordinates) -> f64 {
+        q.x + (K as f64) * q.y
+    }
+}
+
+#[test]
+fn generic_structs_with_lifetimes_and_closures_are_systems() {
+    let weights = [2.0, 4.0, 8.0];
+    let system = Weighted { weights: &weights, law: |x| 2.0 * x };
+    all_close(system.accelerations(&State::at_rest([0.0, 0.0])).unwrap(), [-0.5, -0.75], 1e-15);
+    assert_eq!((system.law)(1.5), 3.0);
+}
+
+#[test]
+fn a_private_struct_in_a_function_can_be_a_system() {
+    struct Local {
+        k: f64,
+    }
+
+    #[lagrangian(coordinates = [x])]
+    impl Local {
+        const MASS: f64 = 4.0;
+
+        #[point(mass = Self::MASS)]
+        fn place(&self, q: &Coordinates) -> f64 {
+            q.x
+        }
+
+        #[potential]
+        fn spring(&self, q: &Coordinates) -> f64 {
+            0.5 * self.k * q.x * q.x
+        }
+    }
+
+    let local = Local { k: 16.0 };
+    let end = *local.simulate(State::at_rest([1.0])).advance_to(std::f64::consts::PI).unwrap();
+    all_close([end.q[0], end.v[0]], [1.0, 0.0], 1e-6);
+}
+
+/// Types by path, and the crate by another name.
+mod inner {
+    pub mod deeper {
+        pub struct Bead {
+            pub m: f64,
+        }
+    }
+
+    pub use ::lagrangian as physics;
+}
+
+#[lagrangian(coordinates = [x], crate = inner::physics)]
+impl inner::deeper::Bead {
+    #[point(mass = self.m)]
+    fn place(&self, q: &Coordinates) -> f64 {
+        q.x
+    }
+
+    #[force]
+    fn pull(&self, q: &Coordinates) -> f64 {
+        -q.x
+    }
+}
+
+#[test]
+fn a_type_by_path_and_a_renamed_crate_work() {
+    let bead = inner::deeper::Bead { m: 2.0 };
+    all_close(bead.accelerations(&State::at_rest([3.0])).unwrap(), [-1.5], 1e-15);
+    assert_eq!(BeadCoordinates { x: 3.0 }.x, 3.0);
+}
+
+/// A description written by a macro: names from its definition and from its call.
+macro_rules! oscillator {
+    ($name:ident, $coordinate:ident, $stiffness:expr, $function:ident) => {
+        struct $name;
+
+        #[lagrangian(coordinates = [$coordinate])]
+        impl $name {
+            #[kinetic]
+            fn kinetic(&self, v: &Velocities) -> f64 {
+                let rate = v.$coordinate;
+                0.5 * rate * rate
+            }
+
+            #[potential]
+            fn $function(&self, q: &Coordinates) -> f64 {
+                let stretch = q.$coordinate;
+                $stiffness * stretch * stretch / 2.0
+            }
+        }
+    };
+}
+
+oscillator!(Slow, x, 1.0 + 3.0, spring);
+oscillator!(Fast, y, 100.0, other);
+
+#[test]
+fn descriptions_may_come_from_macros() {
+    // The expression is one operand, whatever stands in it.
+    assert_eq!(Slow.accelerations(&State::at_rest([0.5])).unwrap(), [-2.0]);
+    assert_eq!(Fast.accelerations(&State::at_rest([0.5])).unwrap(), [-50.0]);
+    assert_eq!(Slow.spring(&SlowCoordinates { x: 1.0 }), 2.0);
+    assert_eq!(Fast.other(&FastCoordinates { y: 1.0 }), 50.0);
+}

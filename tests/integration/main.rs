@@ -1,0 +1,12 @@
+//! Behaviour of the `lagrangian` crate as a user sees it. `tests/README.md` says which test lives where.
+
+// Descriptions index as their formulas do.
+#![allow(clippy::needless_range_loop)]
+
+mod cases;
+mod conservation;
+mod derivation;
+mod failure;
+mod hygiene;
+mod order;
+mod support;

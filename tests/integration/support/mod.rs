@@ -1,0 +1,9 @@
+//! What several tests share.
+
+pub mod close;
+pub mod difference;
+pub mod dual;
+pub mod identities;
+pub mod motion;
+pub mod reference;
+pub mod sample;
