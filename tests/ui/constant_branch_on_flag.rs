@@ -1,0 +1,24 @@
+//! A branch on a field.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+    pub linear: bool,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        if self.linear { 0.5 * self.stiffness * q.x.powi(2) } else { q.x.powi(4) }
+    }
+}
+
+fn main() {}

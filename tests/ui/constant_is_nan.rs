@@ -1,0 +1,23 @@
+//! A check of the numbers.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        if q.x.is_nan() { 0.0 } else { 0.5 * self.stiffness * q.x.powi(2) }
+    }
+}
+
+fn main() {}

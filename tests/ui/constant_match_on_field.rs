@@ -1,0 +1,27 @@
+//! A match on a field.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+    pub mode: u8,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        match self.mode {
+            0 => 0.5 * self.stiffness * q.x.powi(2),
+            _ => q.x.powi(4),
+        }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,30 @@
+//! A match that forgets a case.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..3 {
+            sum += match i {
+                0 => q.x,
+                1 => q.x.powi(2),
+            };
+        }
+        sum
+    }
+}
+
+fn main() {}

@@ -1,0 +1,28 @@
+//! A loop up to a field.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+    pub terms: usize,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..self.terms {
+            sum += self.stiffness * q.x.powi(2);
+        }
+        sum
+    }
+}
+
+fn main() {}

@@ -1,0 +1,23 @@
+//! A force at a point that the array has not.
+
+use lagrangian::prelude::*;
+
+pub struct Chain {
+    pub m: [f64; 3],
+    pub g: f64,
+}
+
+#[lagrangian(coordinates = [y: [3]])]
+impl Chain {
+    #[point(mass = self.m[..])]
+    fn beads(&self, q: &Coordinates) -> [Vector2<f64>; 3] {
+        [Vector2::new(0.0, q.y[0]), Vector2::new(1.0, q.y[1]), Vector2::new(2.0, q.y[2])]
+    }
+
+    #[force(at = beads[3])]
+    fn wind(&self, t: f64) -> Vector2<f64> {
+        Vector2::new(t.sin(), t.cos())
+    }
+}
+
+fn main() {}

@@ -1,0 +1,22 @@
+//! A force on a misspelt coordinate.
+
+use lagrangian::prelude::*;
+
+pub struct Cart {
+    pub mass: f64,
+}
+
+#[lagrangian(coordinates = [x], inputs = [motor])]
+impl Cart {
+    #[point(mass = self.mass)]
+    fn cart(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, 0.0)
+    }
+
+    #[force(on = y)]
+    fn drive(&self, u: &Inputs) -> f64 {
+        u.motor
+    }
+}
+
+fn main() {}

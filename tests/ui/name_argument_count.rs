@@ -1,0 +1,27 @@
+//! A helper called with an argument too few.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * self.power(q.x)
+    }
+
+    fn power(&self, x: f64, y: f64) -> f64 {
+        x * y
+    }
+}
+
+fn main() {}

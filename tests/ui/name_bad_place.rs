@@ -1,0 +1,25 @@
+//! An assignment to a call.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        let mut sum = [q.x];
+        sum.len() = 2;
+        0.5 * self.stiffness * sum[0].powi(2)
+    }
+}
+
+fn main() {}

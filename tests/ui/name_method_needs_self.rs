@@ -1,0 +1,27 @@
+//! A method called without `self`.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * Self::stretch(q).powi(2)
+    }
+
+    fn stretch(&self, q: &Coordinates) -> f64 {
+        q.x - 1.0
+    }
+}
+
+fn main() {}

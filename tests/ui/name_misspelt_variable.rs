@@ -1,0 +1,25 @@
+//! A misspelt variable.
+
+use lagrangian::prelude::*;
+
+pub struct Pendulum {
+    pub mass: f64,
+    pub length: f64,
+    pub g: f64,
+}
+
+#[lagrangian(coordinates = [theta])]
+impl Pendulum {
+    #[point(mass = self.mass)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        let angle = q.theta;
+        self.length * Vector2::new(angel.sin(), -angle.cos())
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        self.mass * self.g * self.bob(q).y
+    }
+}
+
+fn main() {}

@@ -1,0 +1,28 @@
+//! A body that does not move.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * q.x.powi(2)
+    }
+
+    #[body(mass = self.mass, inertia = self.mass)]
+    fn anchor(&self) -> Isometry2<f64> {
+        Isometry2::identity()
+    }
+}
+
+fn main() {}

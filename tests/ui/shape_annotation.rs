@@ -1,0 +1,24 @@
+//! An annotation that does not fit.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        let place: Vector3<f64> = Vector2::new(q.x, 0.0);
+        0.5 * self.stiffness * place.norm_squared()
+    }
+}
+
+fn main() {}

@@ -1,0 +1,23 @@
+//! A coordinate converted as if it were a constant.
+
+use lagrangian::prelude::*;
+
+pub struct Block<R> {
+    pub mass: R,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl<R: Real> Block<R> {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities<R>) -> R {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates<R>) -> R {
+        R::from_f64(self.stiffness) * R::from_f64(q.x)
+    }
+}
+
+fn main() {}

@@ -1,0 +1,28 @@
+//! Coordinates passed for velocities.
+
+use lagrangian::prelude::*;
+
+pub struct Pendulum {
+    pub mass: f64,
+    pub length: f64,
+    pub g: f64,
+}
+
+#[lagrangian(coordinates = [theta])]
+impl Pendulum {
+    #[point(mass = self.mass)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        self.length * Vector2::new(q.theta.sin(), -q.theta.cos())
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        self.mass * self.speed(q)
+    }
+
+    fn speed(&self, v: &Velocities) -> f64 {
+        self.length * v.theta
+    }
+}
+
+fn main() {}

@@ -1,0 +1,26 @@
+//! A product of two vectors.
+
+use lagrangian::prelude::*;
+
+pub struct Pendulum {
+    pub mass: f64,
+    pub length: f64,
+    pub g: f64,
+}
+
+#[lagrangian(coordinates = [theta])]
+impl Pendulum {
+    #[point(mass = self.mass)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        self.length * Vector2::new(q.theta.sin(), -q.theta.cos())
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        let r = self.bob(q);
+        let square = r * r;
+        self.mass * self.g * square
+    }
+}
+
+fn main() {}

@@ -1,0 +1,24 @@
+//! A vector among the parameters whose length nothing tells.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+    pub field: Vector2<f64>,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        self.stiffness * self.field.norm() * q.x
+    }
+}
+
+fn main() {}

@@ -1,0 +1,23 @@
+//! An input in a potential.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x], inputs = [motor])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates, u: &Inputs) -> f64 {
+        -u.motor * q.x
+    }
+}
+
+fn main() {}

@@ -1,0 +1,24 @@
+//! A role without `&self`.
+
+use lagrangian::prelude::*;
+
+pub struct Pendulum {
+    pub mass: f64,
+    pub length: f64,
+    pub g: f64,
+}
+
+#[lagrangian(coordinates = [theta])]
+impl Pendulum {
+    #[point(mass = self.mass)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        self.length * Vector2::new(q.theta.sin(), -q.theta.cos())
+    }
+
+    #[potential]
+    fn gravity(q: &Coordinates) -> f64 {
+        9.81 * (1.0 - q.theta.cos())
+    }
+}
+
+fn main() {}

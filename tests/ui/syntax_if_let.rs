@@ -1,0 +1,25 @@
+//! A branch on a pattern.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+    pub offset: Option<f64>,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        let x = if let Some(offset) = self.offset { q.x - offset } else { q.x };
+        0.5 * self.stiffness * x.powi(2)
+    }
+}
+
+fn main() {}

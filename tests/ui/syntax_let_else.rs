@@ -1,0 +1,25 @@
+//! A pattern with a way out.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+    pub offset: Option<f64>,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        let Some(offset) = self.offset else { return 0.0 };
+        0.5 * self.stiffness * (q.x - offset).powi(2)
+    }
+}
+
+fn main() {}
