@@ -157,10 +157,13 @@ A singular mass matrix, with the coordinate and the time.*/
         ) -> lagrange::nalgebra::SMatrix<R, 2, 2> {
             use lagrange::Real;
             let [_, theta] = state.q;
+            let cart_mass: R = self.cart_mass;
+            let pole_mass: R = self.pole_mass;
+            let length: R = self.length;
             let mut mass = [[R::zero(); 2]; 2];
-            mass[0][0] = self.cart_mass + self.pole_mass;
-            mass[1][0] = self.pole_mass * self.length * Real::cos(theta);
-            mass[1][1] = self.pole_mass * (self.length * self.length);
+            mass[0][0] = cart_mass + pole_mass;
+            mass[1][0] = pole_mass * length * Real::cos(theta);
+            mass[1][1] = pole_mass * (length * length);
             lagrange::solve::symmetric(mass)
         }
         /**Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
@@ -172,11 +175,14 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta] = state.q;
             let [_, theta_dot] = state.v;
+            let pole_mass: R = self.pole_mass;
+            let length: R = self.length;
+            let g: R = self.g;
             let sin_theta = Real::sin(theta);
-            let pole_mass_length = self.pole_mass * self.length;
+            let pole_mass_length = pole_mass * length;
             [
                 -(pole_mass_length * (theta_dot * theta_dot * sin_theta)),
-                -(pole_mass_length * self.g * sin_theta),
+                -(pole_mass_length * g * sin_theta),
             ]
         }
         /**Generalized applied forces Q − ∂D/∂v.
@@ -191,7 +197,8 @@ A singular mass matrix, with the coordinate and the time.*/
         ) -> [R; 2] {
             let [_, theta_dot] = state.v;
             let [motor] = *inputs;
-            [motor, -(self.damping * theta_dot)]
+            let damping: R = self.damping;
+            [motor, -(damping * theta_dot)]
         }
         /**Generalized momenta p = ∂L/∂v.
 
@@ -202,12 +209,15 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta] = state.q;
             let [x_dot, theta_dot] = state.v;
+            let cart_mass: R = self.cart_mass;
+            let pole_mass: R = self.pole_mass;
+            let length: R = self.length;
             let cos_theta = Real::cos(theta);
-            let pole_mass_length = self.pole_mass * self.length;
+            let pole_mass_length = pole_mass * length;
             [
                 pole_mass_length * (theta_dot * cos_theta)
-                    + (self.cart_mass + self.pole_mass) * x_dot,
-                pole_mass_length * (self.length * theta_dot + x_dot * cos_theta),
+                    + (cart_mass + pole_mass) * x_dot,
+                pole_mass_length * (length * theta_dot + x_dot * cos_theta),
             ]
         }
         /**Kinetic energy T \[J\].
@@ -218,11 +228,13 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta] = state.q;
             let [x_dot, theta_dot] = state.v;
-            let w1 = self.pole_mass * self.length * (theta_dot * Real::cos(theta))
-                + R::from_f64(0.5) * (self.cart_mass + self.pole_mass) * x_dot;
-            let w2 = R::from_f64(0.5) * self.pole_mass * (self.length * self.length)
-                * (theta_dot * theta_dot);
-            w2 + x_dot * w1
+            let cart_mass: R = self.cart_mass;
+            let pole_mass: R = self.pole_mass;
+            let length: R = self.length;
+            let w1 = pole_mass * length * (theta_dot * Real::cos(theta))
+                + R::from_f64(0.5) * (cart_mass + pole_mass) * x_dot;
+            R::from_f64(0.5) * pole_mass * (length * length) * (theta_dot * theta_dot)
+                + x_dot * w1
         }
         /**Potential energy V \[J\].
 
@@ -231,7 +243,10 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn potential_energy(&self, state: &lagrange::State<R, 2>) -> R {
             use lagrange::Real;
             let [_, theta] = state.q;
-            let gravity = self.pole_mass * self.length * self.g * Real::cos(theta);
+            let pole_mass: R = self.pole_mass;
+            let length: R = self.length;
+            let g: R = self.g;
+            let gravity = pole_mass * length * g * Real::cos(theta);
             gravity
         }
         /**Power v·(Q − ∂D/∂v) of the applied forces \[W\].
@@ -241,7 +256,8 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn power(&self, state: &lagrange::State<R, 2>, inputs: &[R; 1]) -> R {
             let [x_dot, theta_dot] = state.v;
             let [motor] = *inputs;
-            -(self.damping * (theta_dot * theta_dot) - x_dot * motor)
+            let damping: R = self.damping;
+            -(damping * (theta_dot * theta_dot) - x_dot * motor)
         }
         ///Energy T + V \[J\].
         #[inline]
@@ -256,16 +272,20 @@ A singular mass matrix, with the coordinate and the time.*/
         type Constants = [R; 7];
         #[inline]
         fn constants(&self) -> Self::Constants {
-            let cart_mass_plus_pole_mass = self.cart_mass + self.pole_mass;
-            let pole_mass_length = self.pole_mass * self.length;
+            let cart_mass: R = self.cart_mass;
+            let pole_mass: R = self.pole_mass;
+            let length: R = self.length;
+            let g: R = self.g;
+            let cart_mass_plus_pole_mass = cart_mass + pole_mass;
+            let pole_mass_length = pole_mass * length;
             [
                 pole_mass_length,
-                pole_mass_length * self.g,
-                self.pole_mass / cart_mass_plus_pole_mass,
+                pole_mass_length * g,
+                pole_mass / cart_mass_plus_pole_mass,
                 pole_mass_length / cart_mass_plus_pole_mass,
-                R::one() / self.length,
+                R::one() / length,
                 R::one() / cart_mass_plus_pole_mass,
-                R::one() / (self.pole_mass * (self.length * self.length)),
+                R::one() / (pole_mass * (length * length)),
             ]
         }
         #[inline]
@@ -281,10 +301,11 @@ A singular mass matrix, with the coordinate and the time.*/
             let [_, theta] = *q;
             let [_, theta_dot] = *v;
             let [motor] = *u;
+            let damping: R = self.damping;
             let [pole_mass_length, pole_mass_length_g, w1, w2, inverse_length, w3, w4] = *constants;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let w5 = motor + pole_mass_length * (theta_dot * theta_dot * sin_theta);
-            let w6 = (pole_mass_length_g * sin_theta - self.damping * theta_dot
+            let w6 = (pole_mass_length_g * sin_theta - damping * theta_dot
                 - w2 * (cos_theta * w5))
                 / lagrange::solve::pivot(
                     R::one() - w1 * (cos_theta * cos_theta),
@@ -301,9 +322,12 @@ A singular mass matrix, with the coordinate and the time.*/
         ) -> ::core::result::Result<(), lagrange::Cause> {
             use lagrange::Real;
             let [_, theta] = *q;
+            let cart_mass: R = self.cart_mass;
+            let pole_mass: R = self.pole_mass;
+            let length: R = self.length;
             let cos_theta = Real::cos(theta);
-            let cart_mass_plus_pole_mass = self.cart_mass + self.pole_mass;
-            let pole_mass_length_squared = self.pole_mass * (self.length * self.length);
+            let cart_mass_plus_pole_mass = cart_mass + pole_mass;
+            let pole_mass_length_squared = pole_mass * (length * length);
             lagrange::solve::check(
                 cart_mass_plus_pole_mass,
                 cart_mass_plus_pole_mass,
@@ -312,7 +336,7 @@ A singular mass matrix, with the coordinate and the time.*/
             lagrange::solve::check(
                 pole_mass_length_squared
                     * (R::one()
-                        - self.pole_mass / cart_mass_plus_pole_mass
+                        - pole_mass / cart_mass_plus_pole_mass
                             * (cos_theta * cos_theta)),
                 pole_mass_length_squared,
                 1,

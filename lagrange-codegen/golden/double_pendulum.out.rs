@@ -122,13 +122,17 @@ A singular mass matrix, with the coordinate and the time.*/
         ) -> lagrange::nalgebra::SMatrix<f64, 2, 2> {
             use lagrange::Real;
             let [theta_0, theta_1] = state.q;
+            let m_0: f64 = self.m[0];
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let l_1: f64 = self.l[1];
             let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
             let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
             let mut mass = [[0.0; 2]; 2];
-            mass[0][0] = self.l[0] * self.l[0] * (self.m[0] + self.m[1]);
-            mass[1][0] = self.l[0] * self.m[1] * self.l[1]
+            mass[0][0] = l_0 * l_0 * (m_0 + m_1);
+            mass[1][0] = l_0 * m_1 * l_1
                 * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1);
-            mass[1][1] = self.m[1] * (self.l[1] * self.l[1]);
+            mass[1][1] = m_1 * (l_1 * l_1);
             lagrange::solve::symmetric(mass)
         }
         /**Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
@@ -140,17 +144,20 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [theta_0, theta_1] = state.q;
             let [theta_0_dot, theta_1_dot] = state.v;
+            let m_0: f64 = self.m[0];
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let l_1: f64 = self.l[1];
+            let g: f64 = self.g;
             let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
             let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
             let w1 = cos_theta_0 * sin_theta_1 - sin_theta_0 * cos_theta_1;
-            let m_1_l_1 = self.m[1] * self.l[1];
-            let w2 = self.g * (self.m[0] + self.m[1]) * sin_theta_0
-                - m_1_l_1 * (theta_1_dot * theta_1_dot * w1);
+            let m_1_l_1 = m_1 * l_1;
             [
-                self.l[0] * w2,
-                m_1_l_1
-                    * (self.g * sin_theta_1
-                        + self.l[0] * (theta_0_dot * theta_0_dot * w1)),
+                l_0
+                    * (g * (m_0 + m_1) * sin_theta_0
+                        - m_1_l_1 * (theta_1_dot * theta_1_dot * w1)),
+                m_1_l_1 * (g * sin_theta_1 + l_0 * (theta_0_dot * theta_0_dot * w1)),
             ]
         }
         /**Generalized momenta p = ∂L/∂v.
@@ -162,15 +169,17 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [theta_0, theta_1] = state.q;
             let [theta_0_dot, theta_1_dot] = state.v;
+            let m_0: f64 = self.m[0];
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let l_1: f64 = self.l[1];
             let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
             let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
             let w1 = sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1;
-            let m_1_l_1 = self.m[1] * self.l[1];
-            let w2 = self.l[0] * (self.m[0] + self.m[1]) * theta_0_dot
-                + m_1_l_1 * (theta_1_dot * w1);
+            let m_1_l_1 = m_1 * l_1;
             [
-                self.l[0] * w2,
-                m_1_l_1 * (self.l[1] * theta_1_dot + self.l[0] * (theta_0_dot * w1)),
+                l_0 * (l_0 * (m_0 + m_1) * theta_0_dot + m_1_l_1 * (theta_1_dot * w1)),
+                m_1_l_1 * (l_1 * theta_1_dot + l_0 * (theta_0_dot * w1)),
             ]
         }
         ///Kinetic energy T \[J\].
@@ -179,15 +188,18 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [theta_0, theta_1] = state.q;
             let [theta_0_dot, theta_1_dot] = state.v;
+            let m_0: f64 = self.m[0];
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let l_1: f64 = self.l[1];
             let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
             let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
-            let w1 = self.m[1] * self.l[1]
-                * (theta_1_dot
-                    * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1));
-            let w2 = theta_0_dot
-                * (0.5 * self.l[0] * (self.m[0] + self.m[1]) * theta_0_dot + w1);
-            0.5 * self.m[1] * (self.l[1] * self.l[1]) * (theta_1_dot * theta_1_dot)
-                + self.l[0] * w2
+            let w1 = 0.5 * l_0 * (m_0 + m_1) * theta_0_dot
+                + m_1 * l_1
+                    * (theta_1_dot
+                        * (sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1));
+            0.5 * m_1 * (l_1 * l_1) * (theta_1_dot * theta_1_dot)
+                + l_0 * (theta_0_dot * w1)
         }
         /**Potential energy V \[J\].
 
@@ -196,9 +208,14 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn potential_energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
             use lagrange::Real;
             let [theta_0, theta_1] = state.q;
-            let w1 = self.l[0] * (self.m[0] + self.m[1]) * Real::cos(theta_0)
-                + self.m[1] * self.l[1] * Real::cos(theta_1);
-            -(self.g * w1)
+            let m_0: f64 = self.m[0];
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let l_1: f64 = self.l[1];
+            let g: f64 = self.g;
+            -(g
+                * (l_0 * (m_0 + m_1) * Real::cos(theta_0)
+                    + m_1 * l_1 * Real::cos(theta_1)))
         }
         ///Energy T + V \[J\].
         #[inline]
@@ -213,14 +230,19 @@ A singular mass matrix, with the coordinate and the time.*/
         type Constants = [f64; 6];
         #[inline]
         fn constants(&self) -> Self::Constants {
-            let m_0_plus_m_1 = self.m[0] + self.m[1];
+            let m_0: f64 = self.m[0];
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let l_1: f64 = self.l[1];
+            let g: f64 = self.g;
+            let m_0_plus_m_1 = m_0 + m_1;
             [
-                self.m[1] / m_0_plus_m_1,
-                self.g * m_0_plus_m_1,
-                self.m[1] * self.l[1],
+                m_1 / m_0_plus_m_1,
+                g * m_0_plus_m_1,
+                m_1 * l_1,
                 1.0 / m_0_plus_m_1,
-                1.0 / (self.l[0] * m_0_plus_m_1),
-                1.0 / self.l[1],
+                1.0 / (l_0 * m_0_plus_m_1),
+                1.0 / l_1,
             ]
         }
         #[inline]
@@ -235,6 +257,9 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [theta_0, theta_1] = *q;
             let [theta_0_dot, theta_1_dot] = *v;
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let g: f64 = self.g;
             let [m_1_over_m_0_plus_m_1, g_m_0_plus_m_1, m_1_l_1, inverse_m_0_plus_m_1,
             inverse_l_0_m_0_plus_m_1, inverse_l_1] = *constants;
             let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
@@ -243,14 +268,11 @@ A singular mass matrix, with the coordinate and the time.*/
             let w2 = cos_theta_0 * sin_theta_1 - sin_theta_0 * cos_theta_1;
             let w3 = g_m_0_plus_m_1 * sin_theta_0
                 - m_1_l_1 * (theta_1_dot * theta_1_dot * w2);
-            let w4 = self.g * sin_theta_1 + self.l[0] * (theta_0_dot * theta_0_dot * w2)
+            let w4 = g * sin_theta_1 + l_0 * (theta_0_dot * theta_0_dot * w2)
                 - inverse_m_0_plus_m_1 * (w1 * w3);
             let w5 = w4
                 / lagrange::solve::pivot(1.0 - m_1_over_m_0_plus_m_1 * (w1 * w1), 1.0);
-            [
-                -(inverse_l_0_m_0_plus_m_1 * (w3 - self.m[1] * (w1 * w5))),
-                -(inverse_l_1 * w5),
-            ]
+            [-(inverse_l_0_m_0_plus_m_1 * (w3 - m_1 * (w1 * w5))), -(inverse_l_1 * w5)]
         }
         fn check_at(
             &self,
@@ -261,19 +283,23 @@ A singular mass matrix, with the coordinate and the time.*/
         ) -> ::core::result::Result<(), lagrange::Cause> {
             use lagrange::Real;
             let [theta_0, theta_1] = *q;
+            let m_0: f64 = self.m[0];
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let l_1: f64 = self.l[1];
             let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
             let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
-            let m_0_plus_m_1 = self.m[0] + self.m[1];
+            let m_0_plus_m_1 = m_0 + m_1;
             let w1 = sin_theta_0 * sin_theta_1 + cos_theta_0 * cos_theta_1;
-            let l_0_squared_m_0_plus_m_1 = self.l[0] * self.l[0] * m_0_plus_m_1;
-            let m_1_l_1_squared = self.m[1] * (self.l[1] * self.l[1]);
+            let l_0_squared_m_0_plus_m_1 = l_0 * l_0 * m_0_plus_m_1;
+            let m_1_l_1_squared = m_1 * (l_1 * l_1);
             lagrange::solve::check(
                 l_0_squared_m_0_plus_m_1,
                 l_0_squared_m_0_plus_m_1,
                 0,
             )?;
             lagrange::solve::check(
-                m_1_l_1_squared * (1.0 - self.m[1] / m_0_plus_m_1 * (w1 * w1)),
+                m_1_l_1_squared * (1.0 - m_1 / m_0_plus_m_1 * (w1 * w1)),
                 m_1_l_1_squared,
                 1,
             )?;

@@ -148,14 +148,17 @@ A singular mass matrix, with the coordinate and the time.*/
         ) -> lagrange::nalgebra::SMatrix<f64, 3, 3> {
             use lagrange::Real;
             let [_, theta, _] = state.q;
+            let mass_2: f64 = self.mass;
+            let across: f64 = self.across;
+            let along: f64 = self.along;
+            let arm: f64 = self.arm;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let w1 = self.across + self.mass * (self.arm * self.arm);
+            let w1 = across + mass_2 * (arm * arm);
             let mut mass = [[0.0; 3]; 3];
-            mass[0][0] = self.along * (cos_theta * cos_theta)
-                + w1 * (sin_theta * sin_theta);
+            mass[0][0] = along * (cos_theta * cos_theta) + w1 * (sin_theta * sin_theta);
             mass[1][1] = w1;
-            mass[2][0] = self.along * cos_theta;
-            mass[2][2] = self.along;
+            mass[2][0] = along * cos_theta;
+            mass[2][2] = along;
             lagrange::solve::symmetric(mass)
         }
         /**Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
@@ -168,22 +171,27 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
+            let mass_2: f64 = self.mass;
+            let across: f64 = self.across;
+            let along: f64 = self.along;
+            let arm: f64 = self.arm;
+            let g: f64 = self.g;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let across_minus_along = self.across - self.along;
-            let mass_arm_squared = self.mass * (self.arm * self.arm);
+            let across_minus_along = across - along;
+            let mass_2_arm_squared = mass_2 * (arm * arm);
             let phi_dot_cos_theta = phi_dot * cos_theta;
-            let along_psi_dot = self.along * psi_dot;
+            let along_psi_dot = along * psi_dot;
             let w1 = phi_dot
                 * (along_psi_dot
-                    - (mass_arm_squared + across_minus_along) * phi_dot_cos_theta);
+                    - (mass_2_arm_squared + across_minus_along) * phi_dot_cos_theta);
             let theta_dot_sin_theta = theta_dot * sin_theta;
             let w2 = (along_psi_dot
-                - 2.0 * (across_minus_along + mass_arm_squared) * phi_dot_cos_theta)
+                - 2.0 * (across_minus_along + mass_2_arm_squared) * phi_dot_cos_theta)
                 * theta_dot_sin_theta;
             [
                 -w2,
-                -(sin_theta * (self.mass * self.arm * self.g - w1)),
-                -(self.along * (phi_dot * theta_dot_sin_theta)),
+                -(sin_theta * (mass_2 * arm * g - w1)),
+                -(along * (phi_dot * theta_dot_sin_theta)),
             ]
         }
         /**Generalized momenta p = ∂L/∂v.
@@ -196,14 +204,18 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
+            let mass_2: f64 = self.mass;
+            let across: f64 = self.across;
+            let along: f64 = self.along;
+            let arm: f64 = self.arm;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let gyroscope_rate_z = psi_dot + phi_dot * cos_theta;
-            let w1 = self.across + self.mass * (self.arm * self.arm);
+            let w1 = across + mass_2 * (arm * arm);
             [
-                self.along * (cos_theta * gyroscope_rate_z)
+                along * (cos_theta * gyroscope_rate_z)
                     + w1 * (phi_dot * (sin_theta * sin_theta)),
                 w1 * theta_dot,
-                self.along * gyroscope_rate_z,
+                along * gyroscope_rate_z,
             ]
         }
         ///Kinetic energy T \[J\].
@@ -212,12 +224,16 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta, _] = state.q;
             let [phi_dot, theta_dot, psi_dot] = state.v;
+            let mass_2: f64 = self.mass;
+            let across: f64 = self.across;
+            let along: f64 = self.along;
+            let arm: f64 = self.arm;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let phi_dot_cos_theta = phi_dot * cos_theta;
-            let w1 = self.along
+            let w1 = along
                 * (psi_dot * psi_dot
                     + (2.0 * psi_dot + phi_dot_cos_theta) * phi_dot_cos_theta);
-            let w2 = (self.across + self.mass * (self.arm * self.arm))
+            let w2 = (across + mass_2 * (arm * arm))
                 * (theta_dot * theta_dot + phi_dot * phi_dot * (sin_theta * sin_theta));
             0.5 * (w1 + w2)
         }
@@ -228,8 +244,11 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn potential_energy(&self, state: &lagrange::State<f64, 3>) -> f64 {
             use lagrange::Real;
             let [_, theta, _] = state.q;
+            let mass_2: f64 = self.mass;
+            let arm: f64 = self.arm;
+            let g: f64 = self.g;
             let cos_theta = Real::cos(theta);
-            let gravity = self.mass * self.arm * self.g * cos_theta;
+            let gravity = mass_2 * arm * g * cos_theta;
             gravity
         }
         ///Energy T + V \[J\].
@@ -245,13 +264,18 @@ A singular mass matrix, with the coordinate and the time.*/
         type Constants = [f64; 4];
         #[inline]
         fn constants(&self) -> Self::Constants {
-            let arm_squared = self.arm * self.arm;
-            let mass_arm_squared = self.mass * arm_squared;
+            let mass_2: f64 = self.mass;
+            let across: f64 = self.across;
+            let along: f64 = self.along;
+            let arm: f64 = self.arm;
+            let g: f64 = self.g;
+            let arm_squared = arm * arm;
+            let mass_2_arm_squared = mass_2 * arm_squared;
             [
-                mass_arm_squared + (self.across - self.along),
-                self.mass * self.arm * self.g,
-                2.0 * self.across - self.along + 2.0 * self.mass * arm_squared,
-                1.0 / (self.across + mass_arm_squared),
+                mass_2_arm_squared + (across - along),
+                mass_2 * arm * g,
+                2.0 * across - along + 2.0 * mass_2 * arm_squared,
+                1.0 / (across + mass_2_arm_squared),
             ]
         }
         #[inline]
@@ -266,16 +290,17 @@ A singular mass matrix, with the coordinate and the time.*/
             use lagrange::Real;
             let [_, theta, _] = *q;
             let [phi_dot, theta_dot, psi_dot] = *v;
-            let [w1, mass_arm_g, w2, w3] = *constants;
+            let along: f64 = self.along;
+            let [w1, mass_2_arm_g, w2, w3] = *constants;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let phi_dot_cos_theta = phi_dot * cos_theta;
-            let along_psi_dot = self.along * psi_dot;
+            let along_psi_dot = along * psi_dot;
             let w4 = (along_psi_dot - w2 * phi_dot_cos_theta) / sin_theta;
             [
                 w3 * (theta_dot * w4),
                 w3
                     * (sin_theta
-                        * (mass_arm_g
+                        * (mass_2_arm_g
                             - phi_dot * (along_psi_dot - w1 * phi_dot_cos_theta))),
                 theta_dot * (phi_dot * sin_theta - w3 * (cos_theta * w4)),
             ]
@@ -289,11 +314,15 @@ A singular mass matrix, with the coordinate and the time.*/
         ) -> ::core::result::Result<(), lagrange::Cause> {
             use lagrange::Real;
             let [_, theta, _] = *q;
+            let mass_2: f64 = self.mass;
+            let across: f64 = self.across;
+            let along: f64 = self.along;
+            let arm: f64 = self.arm;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let w1 = self.across + self.mass * (self.arm * self.arm);
+            let w1 = across + mass_2 * (arm * arm);
             let w2 = w1 * (sin_theta * sin_theta);
-            lagrange::solve::check(self.along, self.along, 2)?;
-            lagrange::solve::check(w2, self.along * (cos_theta * cos_theta) + w2, 0)?;
+            lagrange::solve::check(along, along, 2)?;
+            lagrange::solve::check(w2, along * (cos_theta * cos_theta) + w2, 0)?;
             lagrange::solve::check(w1, w1, 1)?;
             ::core::result::Result::Ok(())
         }

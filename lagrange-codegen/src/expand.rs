@@ -6,11 +6,12 @@ use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
 use crate::diagnostics::{Diagnostics, physics};
-use crate::emit::{Emission, emit};
+use crate::emit::{Emission, emit, stubs};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::schedule::{Operations, plan};
 use crate::structure::{Facts, Solution};
+use crate::syntax::Item;
 use crate::{lower, mechanics, syntax};
 
 /// Expands `#[lagrangian(args)] item`. Generated code names `default_crate` unless the user says
@@ -18,7 +19,11 @@ use crate::{lower, mechanics, syntax};
 /// and as much of the user's item as lets the compiler be silent about the rest.
 pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
-    let attempt = || try_expand(args.clone(), item.clone(), default_crate, &mut diagnostics);
+    let mut parsed = None;
+    let attempt = || {
+        parsed = syntax::parse(args.clone(), item.clone(), default_crate, &mut diagnostics);
+        try_expand(parsed.as_ref()?, &mut diagnostics)
+    };
     // A panic is always a bug of ours; as an error on the attribute it can be reported as one.
     match catch_unwind(AssertUnwindSafe(attempt)) {
         Ok(Some(expansion)) => return expansion,
@@ -26,23 +31,26 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
         Err(_) => diagnostics.error(Span::call_site(), physics::internal_error()),
     }
     let messages = diagnostics.to_tokens();
-    let recovered = syntax::recover(args, item);
-    quote!(#messages #recovered)
+    // With the declarations known, everything that a program may use of a system is there.
+    let stubs = parsed.as_ref().map(stubs);
+    let recovered = syntax::recover(args, item, stubs.is_none());
+    quote!(#messages #recovered #stubs)
 }
 
-fn try_expand(
-    args: TokenStream,
-    item: TokenStream,
-    default_crate: &str,
-    diagnostics: &mut Diagnostics,
-) -> Option<TokenStream> {
-    let item = syntax::parse(args, item, default_crate, diagnostics)?;
-    let mut model = lower::lower(&item, diagnostics);
+fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream> {
+    physics::generated_names(
+        item.functions.iter().map(|function| (&*function.name, function.origin)),
+        diagnostics,
+    );
+    let mut model = lower::lower(item, diagnostics);
     if diagnostics.has_errors() {
         return None;
     }
     let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
-    let before = as_derived(&mut model, &equations);
+    let before = as_derived(&mut model, &equations, diagnostics);
+    if diagnostics.has_errors() {
+        return None;
+    }
     let equations = equations.simplified(&mut model);
     let facts = Facts::of(&model, &equations);
     let solution = Solution::plan(&mut model, &equations, &facts, diagnostics);
@@ -60,8 +68,8 @@ fn try_expand(
 }
 
 /// Operations of the accelerations before anything is simplified, shared or hoisted, for the report.
-fn as_derived(model: &mut Model, equations: &Equations) -> Operations {
+fn as_derived(model: &mut Model, equations: &Equations, diagnostics: &mut Diagnostics) -> Operations {
     let facts = Facts::of(model, equations);
-    let solution = Solution::plan(model, equations, &facts, &mut Diagnostics::new());
+    let solution = Solution::plan(model, equations, &facts, diagnostics);
     plan(&model.graph, &solution.roots(equations)).operations(true)
 }

@@ -40,7 +40,7 @@ pub struct Model {
     pub locals: Locals,
 }
 
-/// Local variables of emitted bodies, by coordinate, velocity and input.
+/// Local variables of emitted bodies, by coordinate, velocity, input and parameter.
 #[derive(Clone, Debug, Default)]
 pub struct Locals {
     /// Names of the coordinates.
@@ -49,6 +49,8 @@ pub struct Locals {
     pub velocities: Vec<String>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
+    /// Names of the parameters.
+    pub parameters: Vec<String>,
 }
 
 /// A scalar coordinate or input.
@@ -63,6 +65,14 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    /// As the user writes it: `theta` or `theta[0]`.
+    pub fn written(&self) -> String {
+        match self.index {
+            Some(index) => format!("{}[{index}]", self.name),
+            None => self.name.clone(),
+        }
+    }
+
     /// A name for a local variable: `theta` or `theta_0`.
     pub fn label(&self) -> String {
         match self.index {

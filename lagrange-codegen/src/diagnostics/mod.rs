@@ -42,12 +42,13 @@ impl Diagnostics {
         self.error(self.span(origin), message);
     }
 
-    /// Reports a mistake at a span. The same message on the same tokens is reported once,
-    /// however often a helper function is inlined.
+    /// Reports a mistake at a span: one on each place of the user's source, however often a helper
+    /// function is inlined or a loop unrolled.
     pub fn error(&mut self, span: Span, message: impl Into<String>) {
         let message = message.into();
         let same_place = |other: Span| format!("{span:?}") == format!("{other:?}");
-        if !self.errors.iter().any(|(other, text)| *text == message && same_place(*other)) {
+        let whole = same_place(Span::call_site());
+        if !self.errors.iter().any(|(other, text)| same_place(*other) && (!whole || *text == message)) {
             self.errors.push((span, message));
         }
     }

@@ -53,6 +53,8 @@ pub(super) struct Reads {
     pub velocities: Vec<bool>,
     /// By input.
     pub inputs: Vec<bool>,
+    /// By parameter.
+    pub parameters: Vec<bool>,
     /// Time.
     pub time: bool,
 }
@@ -142,6 +144,7 @@ impl<'a> Writer<'a> {
             coordinates: vec![false; model.coordinates.len()],
             velocities: vec![false; model.coordinates.len()],
             inputs: vec![false; model.inputs.len()],
+            parameters: vec![false; model.parameters.len()],
             time: false,
         };
         Writer {
@@ -261,8 +264,7 @@ impl<'a> Writer<'a> {
                     return format!("u[{i}]");
                 }
             }
-            // The user's own expression takes this place with its span.
-            Variable::Parameter(i) => return super::tokens::placeholder(i),
+            Variable::Parameter(i) => self.reads.parameters[i as usize] = true,
         }
         variable_label(self.model, variable)
     }

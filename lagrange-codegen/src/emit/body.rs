@@ -2,6 +2,7 @@
 
 use super::block::{self, Block, NAMED, Reads};
 use super::names::{Names, variable_label};
+use super::tokens::placeholder;
 use crate::expr::{NodeId, Variable};
 use crate::model::Model;
 use crate::schedule::{Program, Slot, plan};
@@ -27,7 +28,7 @@ pub(super) fn plain(
     let program = plan(&model.graph, roots);
     let mut names = Names::new(model);
     let block = block::write(model, scalar, &program, &program.outputs, &[], &mut names);
-    let mut text = prologue(model, &block.reads, source);
+    let mut text = prologue(model, scalar, &block.reads, source);
     text.push_str(&assemble(&block));
     text.push_str(&result(&block.outputs));
     imported(text)
@@ -88,7 +89,7 @@ pub(super) fn imported(text: String) -> String {
 }
 
 /// The statements that take the variables apart; what is not read is not named.
-pub(super) fn prologue(model: &Model, reads: &Reads, source: Source) -> String {
+pub(super) fn prologue(model: &Model, scalar: &Scalar, reads: &Reads, source: Source) -> String {
     let (q, v, u) = match source {
         Source::State => ("state.q", "state.v", "*inputs"),
         Source::Slices => ("*q", "*v", "*u"),
@@ -99,7 +100,18 @@ pub(super) fn prologue(model: &Model, reads: &Reads, source: Source) -> String {
     if reads.time && matches!(source, Source::State) {
         text.push_str("let t = state.t;\n");
     }
-    text
+    text + &parameters(model, scalar, reads)
+}
+
+/// A local variable for each parameter that is read: the user's expression stands in the source
+/// once a body, with its span, so that one of a wrong type is one error, on that expression.
+pub(super) fn parameters(model: &Model, scalar: &Scalar, reads: &Reads) -> String {
+    let read = reads.parameters.iter().enumerate().filter(|(_, read)| **read);
+    read.map(|(i, _)| {
+        let name = &model.locals.parameters[i];
+        format!("let {name}: {scalar} = {};\n", placeholder(i as u32))
+    })
+    .collect()
 }
 
 /// `let [x, _, z] = place;`, or a short name for a place with many components.

@@ -8,6 +8,7 @@ mod names;
 mod parts;
 mod records;
 mod scalar;
+mod stubs;
 mod system;
 mod tokens;
 
@@ -20,6 +21,8 @@ use crate::model::Model;
 use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
+
+pub(crate) use stubs::stubs;
 
 /// Everything that emission reads; the graph grows while it simplifies.
 pub(crate) struct Emission<'a> {

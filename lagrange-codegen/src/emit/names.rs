@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::expr::{Unary, Variable};
-use crate::model::{Locals, Model};
+use crate::model::{Locals, Model, Parameter};
 use crate::schedule::{Instruction, Program, Slot};
 
 /// Longer names are replaced by a numbered one.
@@ -38,8 +38,8 @@ impl Names {
     /// With the names of all coordinates, velocities and inputs taken.
     pub fn new(model: &Model) -> Names {
         let mut names = Names { taken: RESERVED.iter().map(|&name| name.to_owned()).collect(), anonymous: 0 };
-        let Locals { coordinates, velocities, inputs } = &model.locals;
-        names.taken.extend(coordinates.iter().chain(velocities).chain(inputs).cloned());
+        let Locals { coordinates, velocities, inputs, parameters } = &model.locals;
+        names.taken.extend(coordinates.iter().chain(velocities).chain(inputs).chain(parameters).cloned());
         names
     }
 
@@ -88,7 +88,9 @@ pub(super) fn locals(model: &Model) -> Locals {
     let velocities =
         model.coordinates.iter().map(|quantity| claim(format!("{}_dot", quantity.label()))).collect();
     let inputs = model.inputs.iter().map(|quantity| claim(quantity.label())).collect();
-    Locals { coordinates, velocities, inputs }
+    let label = |parameter: &Parameter| claim(identifier(&parameter.label));
+    let parameters = model.parameters.iter().map(label).collect();
+    Locals { coordinates, velocities, inputs, parameters }
 }
 
 /// The local name of a variable.
@@ -98,7 +100,7 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
         Variable::Velocity(i) => model.locals.velocities[i as usize].clone(),
         Variable::Time => "t".to_owned(),
         Variable::Input(i) => model.locals.inputs[i as usize].clone(),
-        Variable::Parameter(i) => model.parameters[i as usize].label.clone(),
+        Variable::Parameter(i) => model.locals.parameters[i as usize].clone(),
     }
 }
 

@@ -94,13 +94,16 @@ fn constants(
             part.coordinates.len()
         ));
         let lower = body::lower_triangle(&emission.item.scalar, part.coordinates.len(), &written.outputs);
-        values.push(format!("{{\n{}{lower}lagrange::solve::factor(mass)\n}}", body::assemble(&written)));
+        let parameters = body::parameters(model, scalar, &written.reads);
+        let statements = body::assemble(&written);
+        values.push(format!("{{\n{parameters}{statements}{lower}lagrange::solve::factor(mass)\n}}"));
     }
     let tuple = |items: &[String]| match items {
         [single] => single.clone(),
         _ => format!("({})", items.join(", ")),
     };
-    let text = body::imported(format!("{}{}", body::assemble(&fixed), tuple(&values)));
+    let parameters = body::parameters(model, scalar, &fixed.reads);
+    let text = body::imported(format!("{parameters}{}{}", body::assemble(&fixed), tuple(&values)));
     (labels, (tuple(&types), text))
 }
 
@@ -116,7 +119,7 @@ fn accelerations(
     let given: Vec<(Slot, String)> = hoisted.iter().copied().zip(labels.iter().cloned()).collect();
     let written = block::write(model, scalar, program, &program.outputs, &given, names);
     let once = parts.iter().any(Part::factored_once);
-    let mut text = body::prologue(model, &written.reads, Source::Slices);
+    let mut text = body::prologue(model, scalar, &written.reads, Source::Slices);
     if !labels.is_empty() {
         let place = if once { "constants.0" } else { "*constants" };
         text.push_str(&format!("let [{}] = {place};\n", labels.join(", ")));

@@ -1,6 +1,6 @@
 //! From text to tokens, with the user's expressions put in for parameters.
 
-use proc_macro2::{Group, Span, TokenStream, TokenTree};
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 
 use crate::diagnostics::Diagnostics;
 use crate::model::Model;
@@ -25,7 +25,7 @@ impl Parameters {
             .parameters
             .iter()
             .map(|parameter| {
-                let span = diagnostics.span(parameter.origin).resolved_at(Span::call_site());
+                let span = diagnostics.span(parameter.origin);
                 let tokens: TokenStream = parameter.path.parse().unwrap_or_default();
                 respan(tokens, span)
             })
@@ -77,6 +77,10 @@ fn respan(tokens: TokenStream, span: Span) -> TokenStream {
                 let mut inner = Group::new(group.delimiter(), respan(group.stream(), span));
                 inner.set_span(span);
                 TokenTree::Group(inner)
+            }
+            // `self` is that of the generated method; all else is resolved where the user wrote it.
+            TokenTree::Ident(ident) if ident == "self" => {
+                TokenTree::Ident(Ident::new("self", span.resolved_at(Span::call_site())))
             }
             mut other @ (TokenTree::Ident(_) | TokenTree::Punct(_) | TokenTree::Literal(_)) => {
                 other.set_span(span);

@@ -61,6 +61,20 @@ impl Graph {
         }
     }
 
+    /// A node without some of its factors: their exponents are lowered. A product with the
+    /// reciprocals would not do: it opens factors that are products themselves, as those of nested
+    /// products are, and leaves a quotient of equals that is no number where they vanish.
+    pub fn without(&mut self, id: NodeId, taken: &[(NodeId, Exponent)]) -> NodeId {
+        let mut factors = self.factors(id);
+        for &(factor, power) in taken {
+            let own = factors.iter_mut().find(|(own, _)| *own == factor);
+            if let Some((_, exponent)) = own {
+                exponent.0 -= power.0;
+            }
+        }
+        self.product(&factors)
+    }
+
     fn absorb(&mut self, flat: &mut Flat, factor: NodeId, exponent: Exponent) {
         if exponent.0 == 0 {
             return;

@@ -176,18 +176,9 @@ impl Graph {
             return self.intern(Node::Sum { offset: Number::ZERO, terms: combination.terms });
         }
         if let Some(common) = self.common_factors(&combination) {
-            // Exponents are lowered rather than reciprocals multiplied: a factor that is a product itself
-            // (of a nested product) would be opened by the product and not meet its reciprocal.
             let mut inner = Vec::with_capacity(combination.terms.len());
             for &(term, coefficient) in &combination.terms {
-                let mut factors = self.factors(term);
-                for &(shared, lowered) in &common {
-                    let own = factors.iter_mut().find(|(factor, _)| *factor == shared);
-                    if let Some((_, exponent)) = own {
-                        exponent.0 -= lowered.0;
-                    }
-                }
-                inner.push((self.product(&factors), coefficient));
+                inner.push((self.without(term, &common), coefficient));
             }
             let inner = self.sum(Number::ZERO, &inner);
             let mut factors = common;

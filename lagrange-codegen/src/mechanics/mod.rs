@@ -73,9 +73,6 @@ pub fn derive(
 ) -> Option<Equations> {
     let motion = Motion::of(model);
     validate::contributions(model, allows, diagnostics);
-    if diagnostics.has_errors() {
-        return None;
-    }
     let momenta = equations::momenta(model, &motion);
     let mass = equations::mass_matrix(model, &motion, &momenta);
     validate::inertia(model, &mass, diagnostics);

@@ -4,6 +4,7 @@ use crate::calculus::{first_beyond_degree, velocity_degrees};
 use crate::diagnostics::{Diagnostics, Origin, physics};
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::{Action, Attitude, Model};
+use crate::number::Number;
 
 /// Contributions that have no effect or the wrong form.
 pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mut Diagnostics) {
@@ -42,13 +43,23 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
             complain(point.origin, physics::fixed_in_space("point", &point.name), diagnostics);
         } else if graph.is_zero(point.mass) {
             complain(point.origin, physics::zero_mass(&point.name), diagnostics);
+        } else if graph.as_constant(point.mass).is_some_and(Number::is_negative) {
+            complain(point.origin, physics::negative_mass(&point.name), diagnostics);
         }
     }
     for body in &model.bodies {
-        let turns = match &body.attitude {
-            Attitude::Planar { angle, .. } => !fixed(&[*angle]),
-            Attitude::Spatial { rotation, .. } => !rotation.matrix.iter().all(|row| fixed(row)),
+        let (turns, inert) = match &body.attitude {
+            Attitude::Planar { angle, inertia } => (!fixed(&[*angle]), graph.is_zero(*inertia)),
+            Attitude::Spatial { rotation, inertia } => (
+                !rotation.matrix.iter().all(|row| fixed(row)),
+                inertia.iter().flatten().all(|&entry| graph.is_zero(entry)),
+            ),
         };
+        if graph.is_zero(body.mass) && inert {
+            complain(body.origin, physics::zero_mass(&body.name), diagnostics);
+        } else if graph.as_constant(body.mass).is_some_and(Number::is_negative) {
+            complain(body.origin, physics::negative_mass(&body.name), diagnostics);
+        }
         if fixed(&body.position) && !turns {
             complain(body.origin, physics::fixed_in_space("body", &body.name), diagnostics);
         }
@@ -82,12 +93,12 @@ pub(super) fn inertia(model: &Model, mass: &[Vec<NodeId>], diagnostics: &mut Dia
                 model.graph.depends_on(term.value, Variable::Velocity(row as u32))
                     && velocity_degrees(&model.graph, term.value).at_most(1)
             });
-            diagnostics.at(coordinate.origin, physics::no_inertia(&coordinate.label(), linear));
+            diagnostics.at(coordinate.origin, physics::no_inertia(&coordinate.written(), linear));
         }
     }
     if !massless && let Some(free) = unmatched_row(count, |i, j| !model.graph.is_zero(entry(i, j))) {
         let coordinate = &model.coordinates[free];
-        diagnostics.at(coordinate.origin, physics::structurally_singular(&coordinate.label()));
+        diagnostics.at(coordinate.origin, physics::structurally_singular(&coordinate.written()));
     }
 }
 
@@ -106,7 +117,7 @@ pub(super) fn inputs(
     let used = used_inputs(&model.graph, &roots, model.inputs.len());
     for (input, used) in model.inputs.iter().zip(used) {
         if !used {
-            diagnostics.at(input.origin, physics::unused_input(&input.label()));
+            diagnostics.at(input.origin, physics::unused_input(&input.written()));
         }
     }
 }

@@ -58,7 +58,7 @@ fn take_out(
     let (mut inside, mut outside) = (Vec::new(), Vec::new());
     for &(term, coefficient) in terms {
         if power_in(graph, term, common).is_some_and(|power| reaches(power, exponent)) {
-            let rest = graph.product(&[(term, Exponent(2)), (common, Exponent(-exponent.0))]);
+            let rest = graph.without(term, &[(common, exponent)]);
             inside.push((rest, coefficient));
         } else {
             outside.push((term, coefficient));

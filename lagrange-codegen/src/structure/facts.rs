@@ -60,7 +60,7 @@ impl Facts {
                 .blocks
                 .iter()
                 .map(|block| {
-                    block.iter().map(|&i| model.coordinates[i].label()).collect::<Vec<_>>().join(", ")
+                    block.iter().map(|&i| model.coordinates[i].written()).collect::<Vec<_>>().join(", ")
                 })
                 .collect();
             found.push(format!("inertially decoupled blocks: {}", names.join(" | ")));
@@ -70,7 +70,7 @@ impl Facts {
             found.push(format!("conservative and autonomous: {conserved} is conserved"));
         }
         if !self.cyclic.is_empty() {
-            let names: Vec<String> = self.cyclic.iter().map(|&i| model.coordinates[i].label()).collect();
+            let names: Vec<String> = self.cyclic.iter().map(|&i| model.coordinates[i].written()).collect();
             found.push(format!("cyclic coordinates: {}", names.join(", ")));
         }
         found

@@ -83,7 +83,7 @@ impl Solution {
                         result.pivots.iter().find(|(_, pivot, _)| graph.is_zero(*pivot))
                     {
                         let quantity = &model.coordinates[coordinate];
-                        diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.label()));
+                        diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.written()));
                     }
                     let mut pivots = unknown(graph, &result.pivots);
                     if !equations.definite {

@@ -9,15 +9,19 @@ use super::item::{Record, Scalar};
 use super::{generic_scalar, rewrite, role, self_name};
 use crate::diagnostics::Diagnostics;
 
-/// The item without our attributes and without bodies, and the structs that its signatures
-/// name. Works for whatever part of the input can be read.
-pub fn recover(args: TokenStream, item: TokenStream) -> TokenStream {
+/// The item without our attributes and without bodies and, `with_records`, the structs that its
+/// signatures name. Works for whatever part of the input can be read.
+pub fn recover(args: TokenStream, item: TokenStream, with_records: bool) -> TokenStream {
     let Ok(item) = syn::parse2::<Item>(item) else { return TokenStream::new() };
     match item {
         Item::Impl(mut block) => {
             block.attrs.push(syn::parse_quote!(#[allow(unused, clippy::all)]));
             match self_name(&block.self_ty).cloned() {
-                Some(name) if block.trait_.is_none() => inherent(args, block, &name),
+                Some(name) if block.trait_.is_none() => {
+                    let records = with_records.then(|| records(args, &name));
+                    let block = inherent(block, &name);
+                    quote!(#records #block)
+                }
                 Some(_) | None => {
                     without_bodies(&mut block);
                     block.into_token_stream()
@@ -33,7 +37,7 @@ pub fn recover(args: TokenStream, item: TokenStream) -> TokenStream {
     }
 }
 
-fn inherent(args: TokenStream, mut block: ItemImpl, name: &syn::Ident) -> TokenStream {
+fn records(args: TokenStream, name: &syn::Ident) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
     let args = args::parse(args, &mut diagnostics);
     let structs = Record::ALL.map(|record| {
@@ -53,10 +57,13 @@ fn inherent(args: TokenStream, mut block: ItemImpl, name: &syn::Ident) -> TokenS
             }
         }
     });
+    quote!(#(#structs)*)
+}
+
+fn inherent(mut block: ItemImpl, name: &syn::Ident) -> ItemImpl {
     without_bodies(&mut block);
     let scalar = generic_scalar(&block.generics).map_or(Scalar::F64, Scalar::Generic);
-    let block = rewrite::rename(block, name, &scalar);
-    quote!(#(#structs)* #block)
+    rewrite::rename(block, name, &scalar)
 }
 
 /// The declared names that can be fields.
@@ -71,7 +78,9 @@ fn fields(declarations: &[Declaration]) -> Vec<TokenStream> {
         names.push(name);
         match length {
             None => fields.push(quote!(pub #ident: R)),
-            Some(syn::Expr::Lit(length)) => fields.push(quote!(pub #ident: [R; #length])),
+            Some(syn::Expr::Lit(length)) if matches!(length.lit, syn::Lit::Int(_)) => {
+                fields.push(quote!(pub #ident: [R; #length]))
+            }
             Some(_) => {}
         }
     }
@@ -85,7 +94,9 @@ fn without_bodies(block: &mut ItemImpl) {
         let has_role = strip(&mut function.attrs);
         let opaque = matches!(&function.sig.output, syn::ReturnType::Type(_, ty)
             if matches!(&**ty, syn::Type::ImplTrait(_)));
-        if has_role || !opaque {
+        // A constant function may be the length of an array: it must come to an end.
+        let constant = function.sig.constness.is_some();
+        if has_role || !(opaque || constant) {
             function.block = syn::parse_quote!({ loop {} });
         }
     }

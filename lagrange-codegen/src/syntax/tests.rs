@@ -144,13 +144,14 @@ fn recovery_keeps_signatures_and_drops_bodies() {
                 fn helper() -> impl Iterator<Item = f64> { [1.0].into_iter() }
             }
         },
+        true,
     );
     let text = flat(recovered.clone());
     assert!(syn::parse2::<syn::File>(recovered).is_ok());
     assert!(text.contains("fn energy (& self , q : & ArmCoordinates) -> f64 { loop { } }"), "{text}");
     assert!(text.contains("[1.0] . into_iter ()"), "{text}");
     assert!(!text.contains("potental"));
-    let recovered = flat(recover(quote!(coordinates = [x, theta: [2], x]), quote!(impl Arm {})));
+    let recovered = flat(recover(quote!(coordinates = [x, theta: [2], x]), quote!(impl Arm {}), true));
     assert!(recovered.contains("pub x : R , pub theta : [R ; 2] ,"), "{recovered}");
 }
 
@@ -175,7 +176,7 @@ fn recovery_survives_anything() {
         (quote!(coordinates = [x]), quote!(impl Drop for S { #[potential] fn drop(&mut self) {} })),
         (quote!(coordinates), quote!(impl [f64; 3] { fn f(&self) -> f64 { } })),
     ] {
-        let recovered = flat(recover(args, item));
+        let recovered = flat(recover(args, item, true));
         assert!(!recovered.contains("potential"), "{recovered}");
     }
 }
