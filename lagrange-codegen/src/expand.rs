@@ -6,7 +6,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
 use crate::diagnostics::{Diagnostics, physics};
-use crate::emit::{Emission, emit, stubs};
+use crate::emit::{Emission, METHODS, emit, stubs};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::schedule::{Operations, plan};
@@ -32,21 +32,18 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
     }
     let messages = diagnostics.to_tokens();
     // With the declarations known, everything that a program may use of a system is there.
-    let stubs = parsed.as_ref().map(stubs);
+    let stubs = parsed.as_ref().and_then(stubs);
     let recovered = syntax::recover(args, item, stubs.is_none());
     quote!(#messages #recovered #stubs)
 }
 
 fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream> {
-    physics::generated_names(
-        item.functions.iter().map(|function| (&*function.name, function.origin)),
-        diagnostics,
-    );
     let mut model = lower::lower(item, diagnostics);
     if diagnostics.has_errors() {
         return None;
     }
     let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
+    names_are_free(item, &equations, diagnostics);
     let before = as_derived(&mut model, &equations, diagnostics);
     if diagnostics.has_errors() {
         return None;
@@ -65,6 +62,20 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         solution: &solution,
     };
     Some(emit(emission, before, diagnostics))
+}
+
+/// Reports functions of the user that are named like generated methods.
+fn names_are_free(item: &Item, equations: &Equations, diagnostics: &mut Diagnostics) {
+    for function in &item.functions {
+        let generated = match &*function.name {
+            "applied_forces" | "power" => equations.power.is_some(),
+            "jacobi_integral" => equations.jacobi_integral.is_some(),
+            name => METHODS.contains(&name),
+        };
+        if generated {
+            diagnostics.at(function.origin, physics::name_of_generated(&function.name));
+        }
+    }
 }
 
 /// Operations of the accelerations before anything is simplified, shared or hoisted, for the report.

@@ -1,7 +1,5 @@
 //! The texts of messages about the physics: what is wrong, then how to mend it.
 
-use super::{Diagnostics, Origin};
-
 /// A kinetic energy that is not a polynomial of degree two in the velocities.
 pub fn kinetic_not_quadratic(function: &str) -> String {
     format!(
@@ -72,32 +70,6 @@ pub fn unused_input(input: &str) -> String {
 pub fn internal_error() -> &'static str {
     "`#[lagrangian]` failed on this description without knowing why, which is a bug of the `lagrangian` crate; \
      please report it with the description"
-}
-
-/// The inherent methods that an expansion may have.
-pub const GENERATED: [&str; 10] = [
-    "accelerations",
-    "mass_matrix",
-    "bias",
-    "applied_forces",
-    "momenta",
-    "kinetic_energy",
-    "potential_energy",
-    "energy",
-    "jacobi_integral",
-    "power",
-];
-
-/// Reports functions of the user that are named like generated ones.
-pub fn generated_names<'n>(
-    functions: impl Iterator<Item = (&'n str, Origin)>,
-    diagnostics: &mut Diagnostics,
-) {
-    for (name, origin) in functions {
-        if GENERATED.contains(&name) {
-            diagnostics.at(origin, name_of_generated(name));
-        }
-    }
 }
 
 /// A function named like a generated method.

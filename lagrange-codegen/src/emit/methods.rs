@@ -5,6 +5,10 @@ use super::{Emission, docs};
 use crate::expr::{Dependence, NodeId};
 use crate::simplify::simplify;
 
+/// The methods that every expansion has.
+pub(crate) const METHODS: [&str; 7] =
+    ["accelerations", "mass_matrix", "bias", "momenta", "kinetic_energy", "potential_energy", "energy"];
+
 /// One method as text.
 fn method(doc: &str, signature: &str, body: &str) -> String {
     format!("#[doc = {doc:?}]\n#[inline]\npub fn {signature} {{\n{body}\n}}\n")

@@ -22,6 +22,7 @@ use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
 
+pub(crate) use methods::METHODS;
 pub(crate) use stubs::stubs;
 
 /// Everything that emission reads; the graph grows while it simplifies.

@@ -7,8 +7,12 @@ use quote::{format_ident, quote};
 use super::records;
 use crate::syntax::{Group, Item, Scalar};
 
-/// All items that a program may use of a system, without content.
-pub(crate) fn stubs(item: &Item) -> TokenStream {
+/// All items that a program may use of a system, without content. `None` where the declarations
+/// themselves are broken.
+pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
+    if !sound(&item.coordinates) || !sound(&item.inputs) {
+        return None;
+    }
     let records = records::records(item);
     let Item { self_ty, generics, crate_path, .. } = item;
     let (impl_generics, _, where_clause) = generics.split_for_impl();
@@ -19,11 +23,8 @@ pub(crate) fn stubs(item: &Item) -> TokenStream {
     };
     let total = |groups: &[Group]| groups.iter().map(|group| group.length.unwrap_or(1)).sum::<usize>();
     let (count, inputs) = (total(&item.coordinates), total(&item.inputs));
-    let given = (inputs > 0).then(|| quote!(, _: &[#scalar; #inputs]));
-    let vectors = ["bias", "momenta"].map(|name| format_ident!("{name}"));
-    let scalars = ["kinetic_energy", "potential_energy", "energy", "jacobi_integral"]
-        .map(|name| format_ident!("{name}"));
-    quote! {
+    let methods = methods(item, &quote!(#scalar), count, inputs);
+    Some(quote! {
         #records
         const _: () = {
             use #crate_path::__private as lagrange;
@@ -36,18 +37,7 @@ pub(crate) fn stubs(item: &Item) -> TokenStream {
                 };
                 pub const STRUCTURE: lagrange::Structure =
                     lagrange::Structure { mass_matrix: "", facts: &[], skipped: &[] };
-                pub fn accelerations(
-                    &self, _: &lagrange::State<#scalar, #count> #given
-                ) -> ::core::result::Result<[#scalar; #count], lagrange::MotionError<#scalar>> { loop {} }
-                pub fn mass_matrix(
-                    &self, _: &lagrange::State<#scalar, #count>
-                ) -> lagrange::nalgebra::SMatrix<#scalar, #count, #count> { loop {} }
-                pub fn applied_forces(
-                    &self, _: &lagrange::State<#scalar, #count> #given
-                ) -> [#scalar; #count] { loop {} }
-                pub fn power(&self, _: &lagrange::State<#scalar, #count> #given) -> #scalar { loop {} }
-                #(pub fn #vectors(&self, _: &lagrange::State<#scalar, #count>) -> [#scalar; #count] { loop {} })*
-                #(pub fn #scalars(&self, _: &lagrange::State<#scalar, #count>) -> #scalar { loop {} })*
+                #methods
             }
 
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
@@ -62,5 +52,40 @@ pub(crate) fn stubs(item: &Item) -> TokenStream {
                 ) -> #scalar { loop {} }
             }
         };
-    }
+    })
+}
+
+/// Whether the names can be fields of a struct.
+fn sound(groups: &[Group]) -> bool {
+    let names: Vec<String> = groups.iter().map(|group| group.ident.to_string()).collect();
+    let valid = |name: &String| syn::parse_str::<syn::Ident>(name).is_ok();
+    names.iter().enumerate().all(|(place, name)| valid(name) && !names[..place].contains(name))
+}
+
+/// The inherent methods, but for those whose name the user has taken.
+fn methods(item: &Item, scalar: &TokenStream, count: usize, inputs: usize) -> TokenStream {
+    let given = (inputs > 0).then(|| quote!(, _: &[#scalar; #inputs]));
+    let none = None;
+    let vector = quote!([#scalar; #count]);
+    let matrix = quote!(lagrange::nalgebra::SMatrix<#scalar, #count, #count>);
+    let result = quote!(::core::result::Result<#vector, lagrange::MotionError<#scalar>>);
+    [
+        ("accelerations", &given, &result),
+        ("applied_forces", &given, &vector),
+        ("power", &given, scalar),
+        ("mass_matrix", &none, &matrix),
+        ("bias", &none, &vector),
+        ("momenta", &none, &vector),
+        ("kinetic_energy", &none, scalar),
+        ("potential_energy", &none, scalar),
+        ("energy", &none, scalar),
+        ("jacobi_integral", &none, scalar),
+    ]
+    .into_iter()
+    .filter(|(name, ..)| item.functions.iter().all(|function| *function.name != **name))
+    .map(|(name, inputs, output)| {
+        let name = format_ident!("{name}");
+        quote!(pub fn #name(&self, _: &lagrange::State<#scalar, #count> #inputs) -> #output { loop {} })
+    })
+    .collect()
 }

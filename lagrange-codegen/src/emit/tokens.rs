@@ -25,7 +25,12 @@ impl Parameters {
             .parameters
             .iter()
             .map(|parameter| {
+                // What the user wrote keeps its span whole, so that the compiler sees one mistake
+                // where the user's function and the generated code share it. A call of the runtime
+                // around it is ours.
                 let span = diagnostics.span(parameter.origin);
+                let ours = parameter.path.starts_with("::");
+                let span = if ours { span.resolved_at(Span::call_site()) } else { span };
                 let tokens: TokenStream = parameter.path.parse().unwrap_or_default();
                 respan(tokens, span)
             })
