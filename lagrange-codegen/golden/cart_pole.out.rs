@@ -21,6 +21,7 @@ impl<R: Real> CartPole<R> {
     }
 }
 ///Generalized coordinates of [`CartPole`].
+#[allow(non_snake_case)]
 pub struct CartPoleCoordinates<R = f64> {
     ///`x`
     pub x: R,
@@ -52,6 +53,7 @@ impl<R> ::core::convert::From<CartPoleCoordinates<R>> for [R; 2usize] {
     }
 }
 ///Generalized velocities of [`CartPole`].
+#[allow(non_snake_case)]
 pub struct CartPoleVelocities<R = f64> {
     ///`x`
     pub x: R,
@@ -83,6 +85,7 @@ impl<R> ::core::convert::From<CartPoleVelocities<R>> for [R; 2usize] {
     }
 }
 ///Inputs of [`CartPole`].
+#[allow(non_snake_case)]
 pub struct CartPoleInputs<R = f64> {
     ///`motor`
     pub motor: R,
@@ -113,6 +116,8 @@ const _: () = {
     #[automatically_derived]
     #[allow(clippy::all)]
     impl<R: Real> CartPole<R> {
+        /// The coordinates in the order of all vectors, to name the one that an error speaks of.
+        pub const COORDINATES: [&'static str; 2usize] = ["x", "theta"];
         /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
         /// computed once per run, and a factorisation in the runtime, are not counted.
         pub const COST: lagrange::Costs = lagrange::Costs {

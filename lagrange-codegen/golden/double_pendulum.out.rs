@@ -13,6 +13,7 @@ impl DoublePendulum {
     }
 }
 ///Generalized coordinates of [`DoublePendulum`].
+#[allow(non_snake_case)]
 pub struct DoublePendulumCoordinates<R = f64> {
     ///`theta`
     pub theta: [R; 2usize],
@@ -41,6 +42,7 @@ impl<R> ::core::convert::From<DoublePendulumCoordinates<R>> for [R; 2usize] {
     }
 }
 ///Generalized velocities of [`DoublePendulum`].
+#[allow(non_snake_case)]
 pub struct DoublePendulumVelocities<R = f64> {
     ///`theta`
     pub theta: [R; 2usize],
@@ -73,6 +75,8 @@ const _: () = {
     #[automatically_derived]
     #[allow(clippy::all)]
     impl DoublePendulum {
+        /// The coordinates in the order of all vectors, to name the one that an error speaks of.
+        pub const COORDINATES: [&'static str; 2usize] = ["theta[0]", "theta[1]"];
         /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
         /// computed once per run, and a factorisation in the runtime, are not counted.
         pub const COST: lagrange::Costs = lagrange::Costs {

@@ -15,6 +15,7 @@ impl Top {
     }
 }
 ///Generalized coordinates of [`Top`].
+#[allow(non_snake_case)]
 pub struct TopCoordinates<R = f64> {
     ///`phi`
     pub phi: R,
@@ -53,6 +54,7 @@ impl<R> ::core::convert::From<TopCoordinates<R>> for [R; 3usize] {
     }
 }
 ///Generalized velocities of [`Top`].
+#[allow(non_snake_case)]
 pub struct TopVelocities<R = f64> {
     ///`phi`
     pub phi: R,
@@ -95,6 +97,8 @@ const _: () = {
     #[automatically_derived]
     #[allow(clippy::all)]
     impl Top {
+        /// The coordinates in the order of all vectors, to name the one that an error speaks of.
+        pub const COORDINATES: [&'static str; 3usize] = ["phi", "theta", "psi"];
         /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
         /// computed once per run, and a factorisation in the runtime, are not counted.
         pub const COST: lagrange::Costs = lagrange::Costs {

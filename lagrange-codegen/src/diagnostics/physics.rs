@@ -81,3 +81,9 @@ pub fn name_of_generated(name: &str) -> String {
 pub fn negative_mass(function: &str) -> String {
     format!("the mass of `{function}` is negative; a mass is positive")
 }
+
+/// A constant part of an expression without a finite value.
+pub fn not_a_number() -> &'static str {
+    "this constant is not a finite number (the root or logarithm of a negative one, a quotient by zero, an overflow); \
+     mend the expression"
+}

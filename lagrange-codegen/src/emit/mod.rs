@@ -97,7 +97,13 @@ fn report(emission: &Emission<'_>, before: Operations, after: Operations) -> Tok
     let mass_matrix = emission.solution.describe(emission.facts);
     let facts = emission.facts.found(emission.model);
     let skipped = emission.facts.skipped(emission.model);
+    let coordinates: Vec<String> =
+        emission.model.coordinates.iter().map(|quantity| quantity.written()).collect();
+    let count = coordinates.len();
     quote! {
+        /// The coordinates in the order of all vectors, to name the one that an error speaks of.
+        pub const COORDINATES: [&'static str; #count] = [#(#coordinates),*];
+
         /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
         /// computed once per run, and a factorisation in the runtime, are not counted.
         pub const COST: lagrange::Costs = lagrange::Costs { before: #before, after: #after };

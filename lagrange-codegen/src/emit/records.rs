@@ -47,6 +47,7 @@ fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenSt
     let conversions = conversions(item, record, count);
     quote! {
         #[doc = #doc]
+        #[allow(non_snake_case)]
         pub struct #name<R = f64> { #(#fields),* }
 
         impl<R: ::core::marker::Copy> ::core::marker::Copy for #name<R> {}

@@ -31,6 +31,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
 
             #[allow(missing_docs, dead_code, clippy::all)]
             impl #impl_generics #self_ty #where_clause {
+                pub const COORDINATES: [&'static str; #count] = [""; #count];
                 pub const COST: lagrange::Costs = lagrange::Costs {
                     before: lagrange::Cost::new(0, 0, 0, 0, 0),
                     after: lagrange::Cost::new(0, 0, 0, 0, 0),

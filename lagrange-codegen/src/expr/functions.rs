@@ -48,7 +48,7 @@ impl Graph {
     /// A pivot that must stay above the rounding errors of `scale`.
     pub fn pivot(&mut self, value: NodeId, scale: NodeId) -> NodeId {
         match self.as_constant(value) {
-            Some(number) if !number.is_zero() && !number.is_negative() => value,
+            Some(number) if !number.is_negative() => value,
             _ => self.intern(Node::Binary(Binary::Pivot, value, scale)),
         }
     }

@@ -73,6 +73,7 @@ pub fn derive(
 ) -> Option<Equations> {
     let motion = Motion::of(model);
     validate::contributions(model, allows, diagnostics);
+    validate::constants(model, diagnostics);
     let momenta = equations::momenta(model, &motion);
     let mass = equations::mass_matrix(model, &motion, &momenta);
     validate::inertia(model, &mass, diagnostics);

@@ -81,6 +81,38 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
     }
 }
 
+/// Constants that are no numbers: roots and logarithms of negative ones, quotients by zero.
+pub(super) fn constants(model: &Model, diagnostics: &mut Diagnostics) {
+    let graph = &model.graph;
+    let terms =
+        model.kinetic.iter().chain(&model.potential).chain(&model.lagrangian).chain(&model.dissipation);
+    let mut roots: Vec<(NodeId, Origin)> = terms.map(|term| (term.value, term.origin)).collect();
+    for point in &model.points {
+        roots.extend(point.position.iter().chain([&point.mass]).map(|&node| (node, point.origin)));
+    }
+    for body in &model.bodies {
+        roots.extend(body.position.iter().chain([&body.mass]).map(|&node| (node, body.origin)));
+    }
+    for (root, origin) in roots {
+        let broken = graph.cone([root]).into_iter().find(|&id| !is_number(graph, id));
+        if let Some(node) = broken {
+            let place = model.origins.get(&node).copied().unwrap_or(origin);
+            diagnostics.at(place, physics::not_a_number());
+        }
+    }
+}
+
+/// Whether a constant node has a finite value.
+fn is_number(graph: &Graph, id: NodeId) -> bool {
+    match graph.as_constant(id) {
+        Some(number) => number.value().is_finite(),
+        None if graph.dependence(id) == Dependence::NONE => {
+            graph.evaluate(&[id], |_| f64::NAN)[0].is_finite()
+        }
+        None => true,
+    }
+}
+
 /// Coordinates that no inertia belongs to.
 pub(super) fn inertia(model: &Model, mass: &[Vec<NodeId>], diagnostics: &mut Diagnostics) {
     let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];

@@ -3,7 +3,7 @@
 use super::elimination::{self, eliminate};
 use super::facts::Facts;
 use crate::diagnostics::{Diagnostics, physics};
-use crate::expr::{Graph, NodeId};
+use crate::expr::{Graph, NodeId, Unary};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::number::Number;
@@ -96,7 +96,16 @@ impl Solution {
                     Method::WrittenOut { pivots, solution: result.solution }
                 }
                 (true, false) => Method::Ldlt,
-                (false, _) if coordinates.len() == 2 => cramer(graph, coordinates, &entry, &equations.force),
+                (false, _) if coordinates.len() == 2 => {
+                    let method = cramer(graph, coordinates, &entry, &equations.force);
+                    if let Method::WrittenOut { pivots, .. } = &method
+                        && pivots.iter().any(|pivot| graph.is_zero(pivot.value))
+                    {
+                        let quantity = &model.coordinates[coordinates[1]];
+                        diagnostics.at(quantity.origin, physics::structurally_singular(&quantity.written()));
+                    }
+                    method
+                }
                 (false, _) => Method::Lu,
             };
             blocks.push(Block { coordinates: coordinates.clone(), method, constant });
@@ -171,14 +180,19 @@ fn cramer(
     let (a, b, c) = (entry(i, i), entry(i, j), entry(j, j));
     let (diagonal, off) = (graph.mul(a, c), graph.powi(b, 2));
     let determinant = graph.sub(diagonal, off);
+    // Of either sign, so its magnitude is what must stay above the roundings of its two parts.
+    let magnitude = graph.unary(Unary::Abs, determinant);
+    let diagonal = graph.unary(Unary::Abs, diagonal);
+    let scale = graph.add(diagonal, off);
+    let guarded = graph.pivot(magnitude, scale);
+    let sign = graph.unary(Unary::Signum, determinant);
+    let divisor = graph.mul(guarded, sign);
     let mut component = |a: NodeId, b: NodeId, f: NodeId, g: NodeId| {
         let (first, second) = (graph.mul(a, f), graph.mul(b, g));
         let numerator = graph.sum(Number::ZERO, &[(first, Number::ONE), (second, Number::MINUS_ONE)]);
-        graph.div(numerator, determinant)
+        graph.div(numerator, divisor)
     };
     let solution = vec![component(c, b, force[i], force[j]), component(a, b, force[j], force[i])];
-    // Of either sign, so its square is what must be positive.
-    let square = graph.powi(determinant, 2);
-    let pivots = vec![Pivot { coordinate: i, value: square, scale: square }];
+    let pivots = vec![Pivot { coordinate: i, value: magnitude, scale }];
     Method::WrittenOut { pivots, solution }
 }
