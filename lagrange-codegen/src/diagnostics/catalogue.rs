@@ -11,7 +11,7 @@ macro_rules! messages {
             #[doc = concat!("«", $text, "»")]
             pub fn $name($($argument: impl Display,)* $($near: Option<String>)?) -> String {
                 $(let $near = suggestion($near);)?
-                format!($text)
+                sentences(format!($text))
             }
         )*
     };
@@ -19,6 +19,14 @@ macro_rules! messages {
 
 fn suggestion(near: Option<String>) -> String {
     near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+}
+
+/// What follows a question is a sentence of its own.
+fn sentences(message: String) -> String {
+    let Some((question, rest)) = message.split_once("`?; ") else { return message };
+    let mut letters = rest.chars();
+    let first = letters.next().map_or_else(String::new, |letter| letter.to_uppercase().to_string());
+    format!("{question}`? {first}{}", letters.as_str())
 }
 
 // The attribute and the impl block.
@@ -37,6 +45,7 @@ messages! {
         attribute";
     empty_coordinates() = "the list of coordinates is empty; name at least one coordinate";
     keyword_name(name) = "`{name}` is a keyword; choose another name or write `r#{name}`";
+    reserved_name(name) = "`{name}` has a meaning of its own in Rust; choose another name";
     declared_twice(kind, name) = "the {kind} `{name}` is declared twice; give each its own name";
     coordinate_and_input(name) = "`{name}` is declared as a coordinate and as an input; rename one of them";
     empty_array(name) = "the array `{name}` has no elements; give it a length of at least 1";
@@ -46,6 +55,8 @@ messages! {
         `const` of this impl block";
     no_roles(name) = "`{name}` has no function with a role; mark at least one with `#[point(mass = …)]`, \
         `#[body(…)]`, `#[kinetic]` or `#[lagrangian]`";
+    missing_bound(parameter) = "`{parameter}` is the scalar of this description; add the bound \
+        `{parameter}: Real`";
     mixed_precision() = "the roles mix `f32` and `f64`; use one of them throughout, or a type parameter with \
         the bound `Real`";
 }
@@ -64,7 +75,8 @@ messages! {
     misspelt_role_argument(role, name, near) = "`{role}` has no argument `{name}`; did you mean `{near}`?";
     unknown_role_argument(role, name, known) = "`{role}` has no argument `{name}`; known are `{known}`";
     role_without_arguments(role) = "`{role}` takes no arguments; write `#[{role}]`";
-    role_form(role) = "`{role}` takes no value; write `#[{role}]` or `#[{role}(…)]`";
+    role_form(role, form) = "`{role}` takes no value; write `{form}`";
+    role_on_item(role) = "the role `{role}` belongs on a function; remove it here or write a function";
     force_at_and_on() = "a force acts either `at` a point or `on` a coordinate; split it into two functions";
     bad_force_target(key) = "`{key}` names one place; write `{key} = name` or `{key} = name[index]`";
     missing_return_type(name, expected) = "`{name}` returns nothing; let it return {expected}";
@@ -97,6 +109,8 @@ messages! {
     unsupported_literal() = "this literal is no number; only numbers and `true` or `false` can be used";
     unsupported_macro(name) = "`{name}!` cannot be turned into an equation; `vector!`, `matrix!` and \
         `point!` can";
+    idle_macro(name) = "`{name}!` has no part in an equation; remove it";
+    caret(power) = "`^` is no power in Rust; write `.{power}`";
     unsupported_pattern() = "this pattern is not supported; use names, `_`, tuples and arrays";
     refutable_pattern() = "this pattern does not match every value; use names, `_`, tuples and arrays";
     struct_literal() = "a struct cannot be built here; use a tuple or an array";
@@ -105,11 +119,12 @@ messages! {
     stored_closure() = "a closure can only be an argument, as in `.map(|x| …)`; make it a function of this \
         impl block";
     closure_expected() = "a closure is expected here; write `|x| …` or the path of a function";
-    closure_arguments(given, taken) = "this closure is called with {given} arguments but takes {taken}";
+    closure_arguments(given, taken) = "this closure is called with {given} but takes {taken}";
+    trailing_semicolon(name) = "the `;` throws away what `{name}` should return; remove the `;`";
     mutable_reference() = "`&mut` cannot be followed here; return the new value instead";
     unbounded_loop() = "the macro cannot tell when this loop ends; use `for` over a constant range";
     if_let() = "`if let` and `let … else` decide at run time; use plain `let`";
-    question_mark() = "`?` cannot leave a role early; a Lagrangian has a value everywhere";
+    question_mark() = "`?` cannot leave a role early; its result has a value everywhere";
     wrong_suffix(suffix, digits, scalar) = "the suffix `{suffix}` does not fit the scalar `{scalar}`; write \
         `{digits}`";
     runaway(steps) = "this description takes more than {steps} steps to unroll; shorten its loops";
@@ -119,6 +134,10 @@ messages! {
 messages! {
     unknown_variable(name; near) = "there is no variable `{name}` here{near}; fields of the struct are \
         written `self.name`";
+    bare_quantity(kind, name, path) = "`{name}` is {kind}; write `{path}`";
+    quantity_without_parameter(kind, name, parameter, path) = "`{name}` is {kind}; add \
+        `{parameter}` to the parameters and write `{path}`";
+    missing_parameter(name, ty) = "there is no variable `{name}` here; add `{name}: {ty}` to the parameters";
     unknown_path(path; near) = "`{path}` is neither a constant nor a function that the macro knows{near}; \
         constants are written in capitals";
     unknown_quantity(kind, name, declared; near) = "there is no {kind} `{name}`{near}; declared are \
@@ -132,18 +151,21 @@ messages! {
         this impl block can be inlined";
     free_function(name) = "only functions of this impl block can be inlined; move `{name}` in as an \
         associated function and call it by `Self::`";
+    function_as_method(name, call) = "`{name}` is a method of numbers; write `{call}`";
     helper_without_self(name) = "`{name}` is a function of this impl block; call it as `self.{name}(…)` or \
         `Self::{name}(…)`";
     foreign_method(path, name; near) = "`{path}.{name}(…)` cannot be seen by the macro{near}; only functions \
         of this impl block can be inlined";
     not_a_method(name) = "`{name}` does not take `self`; call it as `Self::{name}(…)`";
     needs_self(name) = "`{name}` takes `self`; call it as `self.{name}(…)`";
-    argument_count(name, expected, given) = "`{name}` takes {expected} arguments, {given} are given";
+    argument_count(name, expected, given) = "`{name}` takes {expected}, {given} given";
     bad_arguments(name) = "`{name}` cannot be called with these arguments; it needs constant counts";
     recursion(cycle) = "these functions call each other without end: `{cycle}`; a helper is inlined and \
         must not reach itself";
     assignment_to_unknown(name) = "there is no variable `{name}` to assign to; declare it with `let mut`";
     assignment_to_self() = "parameters cannot be changed; copy the field into a `let mut` variable";
+    assignment_to_record(name) = "a description computes, it does not change `{name}`; copy the value into a \
+        `let mut` variable";
     bad_place() = "cannot assign here; assign to a variable, an element or a component of one";
 }
 
@@ -167,11 +189,13 @@ messages! {
     ragged_matrix() = "the rows of this matrix differ in length; give all rows the same number of entries";
     unknown_shape(path) = "the shape of `{path}` is not known to the macro; name it first, as in \
         `let value: Vector3<f64> = {path};`";
+    record_as_value(holder, kind, field) = "`{holder}` holds all {kind}; write the one that is meant, as in \
+        `{field}`";
     self_as_value() = "`self` is no quantity; use one of its fields";
     axis_not_fixed() = "the axis of this rotation moves; compose rotations about fixed axes instead, such as \
         `Rotation3::from_axis_angle(&Vector3::z_axis(), angle)`";
     pattern_mismatch(value) = "this pattern does not fit {value}; name the value as a whole";
-    pattern_length(expected, found) = "this pattern has {expected} names for {found} elements; name each, or \
+    pattern_length(expected, found) = "this pattern has {expected} for {found}; name each, or \
         skip some with `..`";
     from_fn_length() = "the length of this array is not known to the macro; name it first, as in \
         `let values: [f64; 3] = array::from_fn(…);`";
@@ -185,6 +209,10 @@ messages! {
 messages! {
     integer_for_scalar(value) = "this is an integer where a number of the scalar type is needed; write \
         `{value}.0` or convert it with `as f64`";
+    integer_variable(name, float) = "`{name}` is an integer where a number of the scalar type is needed; \
+        write `{name} as {float}`";
+    integer_quotient(left, right) = "this divides integers, which drops the fraction; write \
+        `{left} / {right}`";
     not_an_integer(value) = "a constant integer is needed here, not {value}";
     parameter_as_integer(path) = "the value of `{path}` is not known to the macro; use a literal or a \
         `const` of this impl block, written `Self::NAME`";
@@ -194,7 +222,7 @@ messages! {
     remainder() = "`%` jumps, so it has no derivative; use a trigonometric function for what repeats itself";
     not_smooth(name, alternative) = "`{name}` has no derivative everywhere; {alternative}";
     bad_power(most) = "`powi` needs a constant integer between -{most} and {most}; use `powf` for other powers";
-    branch_on_variable(on) = "the branch depends on {on}: a Lagrangian must be one smooth expression; \
+    branch_on_variable(on, what) = "the branch depends on {on}: {what} must be one smooth expression; \
         decide on constants only, or use smooth functions such as `tanh`";
     no_arm() = "no arm matches this constant; add an arm with `_`";
     bound_not_constant(value) = "the bound of this loop is {value}, not a constant integer; use a literal or \
@@ -205,17 +233,17 @@ messages! {
     loop_over_parameter(path, label, scalar) = "the length of `{path}` is not known to the macro; write \
         `let {label}: [{scalar}; 3] = {path};` with its length first, or loop over a constant range";
     not_iterable(value) = "cannot loop over {value}; loop over a constant range or an array";
-    index_out_of_range(index, length) = "the index {index} is out of range; there are {length}";
+    index_out_of_range(index, valid) = "the index {index} is out of range; {valid}";
     negative_index(index) = "the index {index} is negative; check the bounds of the loop";
-    slice_out_of_range(length) = "this range does not lie within the array; it has {length} elements";
+    slice_out_of_range(length) = "this range does not lie within the array; it has {length}";
 }
 
 // What roles mean.
 messages! {
     attribute_depends_on(name) = "`{name}` is not in sight here: mass and inertia are the same all through \
         a run; use fields of `self`, or write the energy as a `#[kinetic]` function";
-    wrong_number_of(what, expected, found) = "{found} values of {what} are given for {expected} elements; \
-        give one for each, or one scalar for all";
+    wrong_number_of(what, expected, found) = "`{what}` has {found} for {expected}; give one for each, or one \
+        scalar for all";
     array_for_single(what) = "several values of {what} are given for one element; index the one that is meant";
     wrong_inertia(found) = "the inertia of a body in space is three principal moments or a `Matrix3`, not \
         {found}";

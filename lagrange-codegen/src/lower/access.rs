@@ -1,5 +1,6 @@
 //! Fields and elements.
 
+use super::advice::{counted, valid_entries, valid_indices};
 use super::interpreter::Interpreter;
 use super::value::Value;
 use crate::diagnostics::{Origin, catalogue};
@@ -149,12 +150,12 @@ impl<'a> Interpreter<'a> {
                 self.entry(matrix, row, column, origin)
             }
             Value::Matrix(matrix) => {
-                let size = format!("{}×{}", matrix.rows, matrix.columns);
-                self.refuse(origin, catalogue::index_out_of_range(format!("({row}, {column})"), size))
+                let valid = valid_entries(matrix.rows, matrix.columns);
+                self.refuse(origin, catalogue::index_out_of_range(format!("({row}, {column})"), valid))
             }
             Value::Vector(nodes) => {
-                let size = format!("{}×1", nodes.len());
-                self.refuse(origin, catalogue::index_out_of_range(format!("({row}, {column})"), size))
+                let valid = valid_entries(nodes.len(), 1);
+                self.refuse(origin, catalogue::index_out_of_range(format!("({row}, {column})"), valid))
             }
             other => self.refuse(origin, catalogue::cannot_index(other.describe())),
         }
@@ -179,11 +180,12 @@ impl<'a> Interpreter<'a> {
                 let inside = index < length;
                 (inside.then(|| Value::Scalar(matrix.at(index % matrix.rows, index / matrix.rows))), length)
             }
+            Value::Record(record) => return self.refuse(origin, self.record_as_value(*record)),
             other => return self.refuse(origin, catalogue::cannot_index(other.describe())),
         };
         match element {
             Some(element) => element,
-            None => self.refuse(origin, catalogue::index_out_of_range(position, length)),
+            None => self.refuse(origin, catalogue::index_out_of_range(position, valid_indices(length))),
         }
     }
 
@@ -199,7 +201,7 @@ impl<'a> Interpreter<'a> {
                     (Some(start), Some(end)) if start <= end && end <= length => {
                         Value::array(elements[start..end].to_vec())
                     }
-                    _ => self.refuse(origin, catalogue::slice_out_of_range(length)),
+                    _ => self.refuse(origin, catalogue::slice_out_of_range(counted(length, "element"))),
                 }
             }
             (_, Value::Unknown) => Value::Unknown,

@@ -1,10 +1,11 @@
 //! Calls of functions of the impl block: inlined, each once for equal arguments.
 
+use super::advice::{argument_count, counted};
 use super::interpreter::{Flow, Interpreter};
 use super::shape::Shape;
 use super::value::Value;
 use crate::diagnostics::{Origin, catalogue};
-use crate::syntax::body::{Block, Closure, Expr, ExprKind, Name, Path, Word};
+use crate::syntax::body::{Block, Closure, Expr, ExprKind, Name, Path, Statement, Word};
 
 /// What can be passed where a closure is expected.
 #[derive(Clone, Copy)]
@@ -64,8 +65,7 @@ impl<'a> Interpreter<'a> {
         let item = self.item;
         let function = &item.functions[index];
         if arguments.len() != function.parameters.len() {
-            let message =
-                catalogue::argument_count(&function.name, function.parameters.len(), arguments.len());
+            let message = argument_count(&function.name, function.parameters.len(), arguments.len());
             return self.refuse(origin, message);
         }
         if self.calls.contains(&index) {
@@ -102,8 +102,15 @@ impl<'a> Interpreter<'a> {
             Some(ty) => {
                 let shape = self.shape(ty);
                 let value = self.body_value(&function.body, &shape);
-                let origin = function.body.value.as_ref().map_or(function.origin, |value| value.origin);
-                self.coerce(value, &shape, origin)
+                match (&function.body.value, function.body.statements.last()) {
+                    (Some(last), _) => self.coerce_of(value, &shape, last),
+                    (None, Some(Statement::Expression(last)))
+                        if matches!(value, Value::Unit) && shape != Shape::Unit && has_value(last) =>
+                    {
+                        self.refuse(last.origin, catalogue::trailing_semicolon(&function.name))
+                    }
+                    (None, _) => self.coerce(value, &shape, function.origin),
+                }
             }
             None => self.body_value(&function.body, &Shape::Any),
         };
@@ -142,7 +149,10 @@ impl<'a> Interpreter<'a> {
             Callable::Path(path) => self.call_values(path, arguments, origin),
             Callable::Closure(closure) => {
                 if closure.parameters.len() != arguments.len() {
-                    let message = catalogue::closure_arguments(arguments.len(), closure.parameters.len());
+                    let message = catalogue::closure_arguments(
+                        counted(arguments.len(), "argument"),
+                        closure.parameters.len(),
+                    );
                     return self.refuse(origin, message);
                 }
                 if !self.pay(origin) {
@@ -166,4 +176,25 @@ impl<'a> Interpreter<'a> {
             }
         }
     }
+}
+
+/// Whether an expression has a value that a semicolon throws away.
+fn has_value(expr: &Expr) -> bool {
+    matches!(
+        expr.kind,
+        ExprKind::Float(_)
+            | ExprKind::Integer(_)
+            | ExprKind::Path(_)
+            | ExprKind::Unary(..)
+            | ExprKind::Binary(..)
+            | ExprKind::Field(..)
+            | ExprKind::Index(..)
+            | ExprKind::Call(..)
+            | ExprKind::Method(_)
+            | ExprKind::Tuple(_)
+            | ExprKind::Array(_)
+            | ExprKind::Vector(_)
+            | ExprKind::Point(_)
+            | ExprKind::Matrix(_)
+    )
 }

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use super::advice::argument_count;
 use super::interpreter::Interpreter;
 use super::shape::Shape;
 use super::value::{Matrix, Turn, Value};
@@ -309,7 +310,7 @@ impl<'a> Interpreter<'a> {
             }
         };
         let [function] = arguments else {
-            return self.refuse(origin, catalogue::argument_count("from_fn", 1, arguments.len()));
+            return self.refuse(origin, argument_count("from_fn", 1, arguments.len()));
         };
         let Some(function) = self.callable(function) else { return Value::Unknown };
         let mut entries = Vec::with_capacity(rows * columns);

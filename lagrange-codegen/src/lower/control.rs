@@ -15,7 +15,7 @@ impl<'a> Interpreter<'a> {
             Value::Unknown => None,
             Value::Parameter(id) => {
                 let text = format!("the parameter `{}`", self.parameters.text(id));
-                self.report(expr.origin, catalogue::branch_on_variable(text));
+                self.report(expr.origin, catalogue::branch_on_variable(text, self.smooth_thing()));
                 None
             }
             other => {
@@ -44,12 +44,12 @@ impl<'a> Interpreter<'a> {
         match &value {
             Value::Unknown => return Value::Unknown,
             Value::Scalar(node) if self.model.graph.as_constant(*node).is_none() => {
-                let on = super::operator::dependence_words(self.model.graph.dependence(*node));
-                return self.refuse(place, catalogue::branch_on_variable(on));
+                let on = super::advice::dependence_words(self.model.graph.dependence(*node));
+                return self.refuse(place, catalogue::branch_on_variable(on, self.smooth_thing()));
             }
             Value::Parameter(id) => {
                 let text = format!("the parameter `{}`", self.parameters.text(*id));
-                return self.refuse(place, catalogue::branch_on_variable(text));
+                return self.refuse(place, catalogue::branch_on_variable(text, self.smooth_thing()));
             }
             _ => {}
         }
@@ -74,6 +74,7 @@ impl<'a> Interpreter<'a> {
 
     /// `for … in … { … }`.
     pub fn each(&mut self, each: &'a For) -> Value {
+        let reports = self.reports;
         let over = match &each.over.kind {
             ExprKind::Range(range) => self.bounded_range(range, each.over.origin),
             _ => {
@@ -81,7 +82,13 @@ impl<'a> Interpreter<'a> {
                 self.elements(over, each.over.origin)
             }
         };
-        let Some(over) = over else { return Value::Unknown };
+        let Some(over) = over else {
+            // What rustc will refuse: nothing is known of the variables that the loop would change.
+            if self.reports == reports {
+                self.stop();
+            }
+            return Value::Unknown;
+        };
         for element in over.iter() {
             if !self.pay(each.over.origin) {
                 self.stop();

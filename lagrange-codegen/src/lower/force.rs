@@ -1,5 +1,6 @@
 //! Forces: what they act on, and their components there.
 
+use super::advice::valid_indices;
 use super::interpreter::Interpreter;
 use super::roles::Placed;
 use super::shape::Shape;
@@ -80,7 +81,10 @@ impl<'a> Interpreter<'a> {
                     (Some(element), Some(length)) => {
                         let index = self.length(element)?;
                         if index >= length {
-                            self.report(element.origin, catalogue::index_out_of_range(index, length));
+                            self.report(
+                                element.origin,
+                                catalogue::index_out_of_range(index, valid_indices(length)),
+                            );
                             return None;
                         }
                         Some(vec![start + index])
@@ -145,7 +149,10 @@ impl<'a> Interpreter<'a> {
                 match places.into_iter().nth(index) {
                     Some(place) => Some((vec![place], false)),
                     None => {
-                        self.report(element.origin, catalogue::index_out_of_range(index, count));
+                        self.report(
+                            element.origin,
+                            catalogue::index_out_of_range(index, valid_indices(count)),
+                        );
                         None
                     }
                 }

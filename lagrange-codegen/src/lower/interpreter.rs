@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::parameter::Parameters;
 use super::scope::Scope;
+use super::shape::Shape;
 use super::value::Value;
 use crate::collections::Lookup;
 use crate::diagnostics::{Diagnostics, Origin, catalogue};
@@ -202,7 +203,10 @@ impl<'a> Interpreter<'a> {
     /// The node of an expression that must be a scalar.
     pub fn scalar_of(&mut self, expr: &'a Expr) -> Option<NodeId> {
         let value = self.expression(expr);
-        self.scalar(value, expr.origin)
+        match self.coerce_of(value, &Shape::Scalar, expr) {
+            Value::Scalar(node) => Some(node),
+            _ => None,
+        }
     }
 
     /// The components of a vector literal.

@@ -6,7 +6,7 @@ use super::value::Value;
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::NodeId;
 use crate::number::Number;
-use crate::syntax::body::{BinaryOperator, Expr, MethodCall, Word};
+use crate::syntax::body::{BinaryOperator, Expr, ExprKind, MethodCall, Word};
 
 /// What can be called on arrays and iterators.
 pub const METHODS: [&str; 21] = [
@@ -41,6 +41,16 @@ impl<'a> Interpreter<'a> {
         call: &'a MethodCall,
         origin: Origin,
     ) -> Option<Value> {
+        let has_closure = call.arguments.iter().any(|argument| matches!(argument.kind, ExprKind::Closure(_)));
+        if let (Value::Parameter(id), true) = (receiver, has_closure) {
+            let name = &*call.method.name;
+            if METHODS.contains(&name) {
+                self.elements(receiver.clone(), origin);
+                return Some(Value::Unknown);
+            }
+            let text = self.parameters.text(*id).to_string();
+            return Some(self.refuse(call.method.origin, catalogue::foreign_method(text, name, None)));
+        }
         let is_sequence = matches!(receiver, Value::Array(_) | Value::Iterator(_) | Value::Range(..));
         let is_matrix = matches!(receiver, Value::Vector(_) | Value::Matrix(_));
         let value = match (&*call.method.name, call.arguments.as_slice()) {

@@ -1,5 +1,6 @@
 //! Method calls: which kind of receiver knows which method.
 
+use super::advice::argument_count;
 use super::interpreter::Interpreter;
 use super::iterate;
 use super::scalar;
@@ -119,7 +120,7 @@ impl<'a> Interpreter<'a> {
         match <[Value; N]>::try_from(arguments) {
             Ok(arguments) => Some(arguments),
             Err(_) => {
-                self.report(origin, catalogue::argument_count(&word.name, N, count));
+                self.report(origin, argument_count(&word.name, N, count));
                 None
             }
         }
@@ -186,6 +187,10 @@ impl<'a> Interpreter<'a> {
             ("as_vector" | "to_vector", []) => {
                 let values = self.record_values(record);
                 Value::Vector(values.iter().flat_map(|value| value.nodes().to_vec()).collect())
+            }
+            (name, _) if scalar::METHODS.contains(&name) => {
+                let message = self.record_as_value(record);
+                self.refuse(word.origin, message)
             }
             _ => self.unknown_method(&Value::Record(record), word),
         }

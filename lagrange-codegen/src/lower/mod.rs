@@ -6,6 +6,7 @@
 //! on the expression. A refused expression becomes an unknown value, which is silent.
 
 mod access;
+mod advice;
 mod call;
 mod construct;
 mod control;

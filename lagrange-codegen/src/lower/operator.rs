@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use super::advice::{dependence_words, meets_integer};
 use super::interpreter::Interpreter;
 use super::statement::like;
 use super::value::{Matrix, Turn, Value};
@@ -33,6 +34,10 @@ impl<'a> Interpreter<'a> {
             (UnaryOperator::Negate, Value::Matrix(matrix)) => {
                 self.scale_matrix(&matrix, |graph, node| graph.neg(node))
             }
+            (_, Value::Record(record)) => {
+                let message = self.record_as_value(record);
+                self.refuse(origin, message)
+            }
             (operator, operand) => {
                 let sign = match operator {
                     UnaryOperator::Negate => "-",
@@ -58,7 +63,15 @@ impl<'a> Interpreter<'a> {
             }
             _ => {
                 let second = self.expression(right);
-                self.arithmetic(operator, first, second, origin)
+                match (&first, &second) {
+                    (Value::Integer(value), other) if meets_integer(operator, other) => {
+                        self.integer_as_number(*value, left)
+                    }
+                    (other, Value::Integer(value)) if meets_integer(operator, other) => {
+                        self.integer_as_number(*value, right)
+                    }
+                    _ => self.arithmetic(operator, first, second, origin),
+                }
             }
         }
     }
@@ -106,6 +119,7 @@ impl<'a> Interpreter<'a> {
     fn mismatch(&mut self, operator: BinaryOperator, left: &Value, right: &Value, origin: Origin) -> Value {
         let (a, b) = (left.describe(), right.describe());
         let message = match (operator, left, right) {
+            (_, Value::Record(record), _) | (_, _, Value::Record(record)) => self.record_as_value(*record),
             (_, Value::Integer(value), other) | (_, other, Value::Integer(value))
                 if matches!(
                     other,
@@ -325,14 +339,15 @@ impl<'a> Interpreter<'a> {
                     _ => {
                         let dependence = graph.dependence(a).union(graph.dependence(b));
                         let on = dependence_words(dependence);
-                        return self.refuse(origin, catalogue::branch_on_variable(on));
+                        return self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()));
                     }
                 }
             }
             (Value::Integer(_) | Value::Boolean(_), Value::Parameter(id))
             | (Value::Parameter(id), Value::Integer(_) | Value::Boolean(_)) => {
                 let text = self.parameters.text(*id).to_string();
-                return self.refuse(origin, catalogue::branch_on_variable(format!("the parameter `{text}`")));
+                let on = format!("the parameter `{text}`");
+                return self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()));
             }
             _ => return self.mismatch(operator, &left, &right, origin),
         };
@@ -380,19 +395,4 @@ fn is_comparison(operator: BinaryOperator) -> bool {
         | BinaryOperator::And
         | BinaryOperator::Or => false,
     }
-}
-
-/// The variables of a set, in words.
-pub fn dependence_words(dependence: crate::expr::Dependence) -> String {
-    use crate::expr::Dependence;
-    let kinds = [
-        (Dependence::COORDINATES, "`q`"),
-        (Dependence::VELOCITIES, "`v`"),
-        (Dependence::TIME, "`t`"),
-        (Dependence::INPUTS, "`u`"),
-        (Dependence::PARAMETERS, "a parameter"),
-    ];
-    let words: Vec<&str> =
-        kinds.into_iter().filter(|(kind, _)| dependence.meets(*kind)).map(|(_, word)| word).collect();
-    words.join(" and ")
 }

@@ -19,14 +19,10 @@ impl<'a> Interpreter<'a> {
                 if &*path.last == "self" {
                     return Value::Parameter(self.self_parameter(path.origin));
                 }
-                if self.in_attribute && matches!(&*path.last, "q" | "v" | "t" | "u") {
-                    return self.refuse(path.origin, catalogue::attribute_depends_on(&path.last));
-                }
                 if is_constant_name(&path.last) {
                     return self.foreign_constant(path);
                 }
-                let near = self.near(&path.last, &self.scope.names());
-                self.refuse(path.origin, catalogue::unknown_variable(&path.last, near))
+                self.unknown_name(path)
             }
             Owner::SelfType => match self.associated_constant(&path.last) {
                 Some(value) => value,
@@ -111,6 +107,24 @@ impl<'a> Interpreter<'a> {
             return self.call_helper(&word, values, with_self, origin);
         }
         let values = self.expressions(arguments);
+        if let Owner::None = path.owner
+            && self.item.functions.iter().all(|function| function.name != path.last)
+        {
+            return self.free_call(path, arguments);
+        }
+        if let (Owner::Type(ty), "new") = (&path.owner, &*path.last)
+            && matches!(ty.kind, TypeKind::Vector(_) | TypeKind::Point(_) | TypeKind::Translation(_))
+        {
+            let reports = self.reports;
+            for (value, argument) in values.iter().zip(arguments) {
+                if let Value::Integer(number) = value {
+                    self.integer_as_number(*number, argument);
+                }
+            }
+            if self.reports > reports {
+                return Value::Unknown;
+            }
+        }
         match values.iter().any(Value::is_unknown) {
             true => Value::Unknown,
             false => self.call_values(path, values, origin),

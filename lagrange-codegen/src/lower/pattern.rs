@@ -1,5 +1,6 @@
 //! Patterns: binding names, and choosing the arm of a `match`.
 
+use super::advice::counted;
 use super::interpreter::Interpreter;
 use super::value::Value;
 use crate::diagnostics::catalogue;
@@ -78,7 +79,10 @@ impl<'a> Interpreter<'a> {
                 elements
             }
             Some(elements) => {
-                self.report(whole.origin, catalogue::pattern_length(named, elements.len()));
+                self.report(
+                    whole.origin,
+                    catalogue::pattern_length(counted(named, "name"), counted(elements.len(), "element")),
+                );
                 vec![Value::Unknown; named]
             }
             None => vec![Value::Unknown; named],

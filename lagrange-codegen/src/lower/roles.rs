@@ -1,5 +1,6 @@
 //! Results of role functions into the [`crate::model::Model`]: particles, bodies, energies.
 
+use super::advice::counted;
 use super::interpreter::Interpreter;
 use super::shape::Shape;
 use super::value::{Turn, Value};
@@ -51,6 +52,8 @@ impl<'a> Interpreter<'a> {
         let mut arguments = Vec::with_capacity(function.parameters.len());
         for parameter in &function.parameters {
             arguments.push(match parameter.argument? {
+                // The lack of inputs is reported.
+                Argument::Record(Record::Inputs) if self.item.inputs.is_empty() => Value::Unknown,
                 Argument::Record(record) => Value::Record(record),
                 Argument::Time => Value::Scalar(self.graph().variable(crate::expr::Variable::Time)),
             });
@@ -83,7 +86,9 @@ impl<'a> Interpreter<'a> {
         if function.output.is_some() && shape != Shape::Scalar {
             return self.wrong_return(function, &shape);
         }
-        if let Some(Value::Scalar(value)) = self.result(index) {
+        if let Some(Value::Scalar(value)) = self.result(index)
+            && !self.looks_into_self(&[value])
+        {
             let term = Term { name: function.name.to_string(), value, origin: function.origin };
             target(&mut self.model).push(term);
         }
@@ -103,6 +108,9 @@ impl<'a> Interpreter<'a> {
         let Some(value) = self.result(index) else { return };
         let places = self.placed(&function.name, &value);
         let Some(masses) = masses else { return };
+        if places.iter().any(|place| self.looks_into_self(&place.position)) {
+            return;
+        }
         for (place, mass) in places.into_iter().zip(masses) {
             let Placed { name, position, .. } = place;
             self.model.points.push(Point { name, mass, position, origin: function.origin });
@@ -131,6 +139,9 @@ impl<'a> Interpreter<'a> {
         let Some(value) = self.result(index) else { return };
         let places = self.placed(&function.name, &value);
         let Some(masses) = masses else { return };
+        if places.iter().any(|place| self.looks_into_self(&place.position)) {
+            return;
+        }
         for (number, (place, mass)) in places.into_iter().zip(masses).enumerate() {
             let attitude = match (place.turn, &scalar_inertias, &tensors) {
                 (Some(Turn::Plane(angle)), Some(inertias), _) => {
@@ -213,7 +224,14 @@ impl<'a> Interpreter<'a> {
             }
             (Value::Array(elements), Some(count)) if elements.len() == count => Some(elements.to_vec()),
             (Value::Array(elements), Some(count)) => {
-                self.report(expr.origin, catalogue::wrong_number_of(what, count, elements.len()));
+                self.report(
+                    expr.origin,
+                    catalogue::wrong_number_of(
+                        what,
+                        counted(count, "element"),
+                        counted(elements.len(), "value"),
+                    ),
+                );
                 None
             }
             (value @ (Value::Array(_) | Value::Parameter(_)), None)
@@ -231,8 +249,10 @@ impl<'a> Interpreter<'a> {
         let value = self.attribute(expr);
         let single = match &value {
             Value::Array(elements) => {
-                elements.len() == 3
-                    && elements.iter().all(|e| matches!(e, Value::Scalar(_) | Value::Parameter(_)))
+                (elements.len() == 3 || count.is_none())
+                    && elements
+                        .iter()
+                        .all(|e| matches!(e, Value::Scalar(_) | Value::Parameter(_) | Value::Integer(_)))
             }
             _ => false,
         };
@@ -262,7 +282,10 @@ impl<'a> Interpreter<'a> {
                 let moments = Value::Parameter(call);
                 self.vector(moments, 3, origin)?
             }
-            value @ (Value::Array(_) | Value::Vector(_)) => self.vector(value, 3, origin)?,
+            Value::Array(elements) if elements.len() == 3 => {
+                self.vector(Value::Array(elements), 3, origin)?
+            }
+            Value::Vector(nodes) if nodes.len() == 3 => nodes,
             Value::Unknown => return None,
             other => {
                 self.report(origin, catalogue::wrong_inertia(other.describe()));

@@ -188,7 +188,7 @@ impl Interpreter<'_> {
 }
 
 /// What to write instead of a function that is not smooth.
-fn alternative(name: &str) -> &'static str {
+pub fn alternative(name: &str) -> &'static str {
     match name {
         "min" | "max" | "clamp" => {
             "describe the limit by a smooth potential, such as a stiff spring, or by a force"

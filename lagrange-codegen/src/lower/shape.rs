@@ -7,6 +7,7 @@ use super::value::{Matrix, ParameterId, Turn, Value, matrix_name, vector_name};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::NodeId;
 use crate::syntax::Record;
+use crate::syntax::body::Expr;
 use crate::syntax::types::{Type, TypeKind};
 
 /// A resolved type.
@@ -188,10 +189,22 @@ impl<'a> Interpreter<'a> {
                 self.coerce_all(elements, shapes.iter(), origin, Value::tuple)
             }
             (Value::Record(record), Shape::Record(expected)) if record == *expected => Value::Record(record),
+            (Value::Record(record), shape) if !matches!(shape, Shape::Record(_)) => {
+                let message = self.record_as_value(record);
+                self.refuse(origin, message)
+            }
             (value, shape) => {
                 self.report(origin, catalogue::wrong_shape(shape.describe(), value.describe()));
                 Value::Unknown
             }
+        }
+    }
+
+    /// Brings the value of an expression into a shape.
+    pub fn coerce_of(&mut self, value: Value, shape: &Shape, expr: &'a Expr) -> Value {
+        match (value, shape) {
+            (Value::Integer(number), Shape::Scalar) => self.integer_as_number(number, expr),
+            (value, shape) => self.coerce(value, shape, expr.origin),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Blocks, bindings and assignments.
 
+use super::advice::{valid_entries, valid_indices};
 use super::interpreter::{Flow, Interpreter};
 use super::shape::Shape;
 use super::value::Value;
@@ -77,7 +78,7 @@ impl<'a> Interpreter<'a> {
                             PatternKind::Typed(_, ty) => {
                                 let shape = self.shape(ty);
                                 let value = self.expression_as(init, &shape);
-                                self.coerce(value, &shape, init.origin)
+                                self.coerce_of(value, &shape, init)
                             }
                             _ => self.expression(init),
                         };
@@ -176,7 +177,12 @@ impl<'a> Interpreter<'a> {
         let operand = self.expression(value);
         if let Some(place) = self.place(place) {
             let before = self.read(&place);
-            let after = self.arithmetic(operator, before, operand, origin);
+            let after = match (&before, operand) {
+                (Value::Scalar(_) | Value::Vector(_), Value::Integer(number)) => {
+                    self.integer_as_number(number, value)
+                }
+                (_, operand) => self.arithmetic(operator, before, operand, origin),
+            };
             self.write(&place, after, origin);
         }
         Value::Unit
@@ -193,11 +199,12 @@ impl<'a> Interpreter<'a> {
                         catalogue::assignment_to_unknown(&path.last)
                     };
                     self.report(path.origin, message);
+                    self.scope.bind(path.last.clone(), Value::Unknown);
                     None
                 }
             },
             ExprKind::Index(base, index) => {
-                let mut place = self.place(base)?;
+                let mut place = self.base_place(base)?;
                 let step = match &index.kind {
                     ExprKind::Tuple(pair) if pair.len() == 2 => {
                         Step::Entry(self.length(&pair[0])?, self.length(&pair[1])?)
@@ -207,7 +214,7 @@ impl<'a> Interpreter<'a> {
                 self.step(&mut place, step, index.origin)
             }
             ExprKind::Field(base, word) => {
-                let mut place = self.place(base)?;
+                let mut place = self.base_place(base)?;
                 let index = match &*word.name {
                     "x" => Some(0),
                     "y" => Some(1),
@@ -230,6 +237,16 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// A place that a part of is assigned to.
+    fn base_place(&mut self, expr: &'a Expr) -> Option<Place> {
+        let place = self.place(expr)?;
+        if let Value::Record(_) = self.read(&place) {
+            self.report(expr.origin, catalogue::assignment_to_record(&place.name));
+            return None;
+        }
+        Some(place)
+    }
+
     /// Adds a step to a place and checks that it leads somewhere.
     fn step(&mut self, place: &mut Place, step: Step, origin: Origin) -> Option<Place> {
         let length = match (self.read(place), step) {
@@ -238,8 +255,8 @@ impl<'a> Interpreter<'a> {
             (Value::Vector(nodes) | Value::Point(nodes), Step::Element(_)) => nodes.len(),
             (Value::Matrix(matrix), Step::Entry(row, column)) => {
                 if row >= matrix.rows || column >= matrix.columns {
-                    let size = format!("{}×{}", matrix.rows, matrix.columns);
-                    self.report(origin, catalogue::index_out_of_range(format!("({row}, {column})"), size));
+                    let valid = valid_entries(matrix.rows, matrix.columns);
+                    self.report(origin, catalogue::index_out_of_range(format!("({row}, {column})"), valid));
                     return None;
                 }
                 usize::MAX
@@ -251,7 +268,7 @@ impl<'a> Interpreter<'a> {
         };
         let suffix = match step {
             Step::Element(index) if index >= length => {
-                self.report(origin, catalogue::index_out_of_range(index, length));
+                self.report(origin, catalogue::index_out_of_range(index, valid_indices(length)));
                 return None;
             }
             Step::Element(index) => format!("_{index}"),

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use super::advice::valid_indices;
 use super::interpreter::Interpreter;
 use super::shape::Shape;
 use super::value::{Matrix, Turn, Value};
@@ -236,12 +237,12 @@ impl Interpreter<'_> {
             },
             ("row", [Value::Integer(index)]) => match usize::try_from(*index).ok().filter(|i| *i < rows) {
                 Some(row) => Value::matrix(1, columns, matrix.entries[row * columns..][..columns].to_vec()),
-                None => self.refuse(origin, catalogue::index_out_of_range(index, rows)),
+                None => self.refuse(origin, catalogue::index_out_of_range(index, valid_indices(rows))),
             },
             ("column", [Value::Integer(index)]) => {
                 match usize::try_from(*index).ok().filter(|i| *i < columns) {
                     Some(column) => Value::Vector((0..rows).map(|row| matrix.at(row, column)).collect()),
-                    None => self.refuse(origin, catalogue::index_out_of_range(index, columns)),
+                    None => self.refuse(origin, catalogue::index_out_of_range(index, valid_indices(columns))),
                 }
             }
             ("tr_mul", [other]) => {

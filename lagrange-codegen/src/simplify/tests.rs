@@ -80,3 +80,20 @@ fn sums_of_angles_reuse_sines_and_cosines() {
     assert_eq!(calls, 6);
     check(&mut g, &roots);
 }
+
+#[test]
+fn factors_of_long_products_are_taken_out_without_division() {
+    let mut g = Graph::new();
+    let variables: Vec<_> = (0..20).map(|i| g.variable(Variable::Coordinate(i))).collect();
+    let mut product = g.one();
+    for &variable in &variables {
+        product = g.mul(product, variable);
+    }
+    let sine = g.unary(Unary::Sin, variables[0]);
+    let (a, b) = (g.mul(product, sine), g.powi(product, 2));
+    let root = g.sum(Number::ONE, &[(a, Number::ONE), (b, Number::integer(3)), (sine, Number::ONE)]);
+    let after = simplify(&mut g, &mut Hints::default(), &[root]);
+    // At rest everything but the constant vanishes; a quotient of zeros would not.
+    assert_eq!(g.evaluate(&after, |_| 0.0), [1.0]);
+    check(&mut g, &[root]);
+}

@@ -215,7 +215,13 @@ fn check_names(args: &Args, diagnostics: &mut Diagnostics) {
         let span = declaration.ident.span();
         // Raw identifiers are fine; bare keywords got through `parse_any` only.
         if syn::parse_str::<Ident>(&declaration.ident.to_string()).is_err() {
-            diagnostics.error(span, catalogue::keyword_name(&name));
+            diagnostics.error(
+                span,
+                match &*name {
+                    "self" | "Self" | "super" | "crate" => catalogue::reserved_name(&name),
+                    _ => catalogue::keyword_name(&name),
+                },
+            );
         }
         match seen.iter().find(|(other, _)| *other == name) {
             Some((_, earlier)) if *earlier == kind => {

@@ -27,7 +27,7 @@ pub use args::LINTS;
 use item::Argument;
 pub use item::{Group, Item, Record, Scalar};
 pub use recover::recover;
-pub use signature::returns;
+pub use signature::{refused, returns};
 
 use crate::diagnostics::{Diagnostics, catalogue};
 use body::Constant;
@@ -41,7 +41,7 @@ pub fn parse(
     default_crate: &str,
     diagnostics: &mut Diagnostics,
 ) -> Option<Item> {
-    let block = impl_block(item, diagnostics)?;
+    let mut block = impl_block(item, diagnostics)?;
     let name = match self_name(&block.self_ty) {
         Some(name) if block.trait_.is_none() => name.clone(),
         Some(_) | None => {
@@ -55,6 +55,12 @@ pub fn parse(
         Some(path) => path,
         None => syn::parse_str(default_crate).ok()?,
     };
+    if let (Scalar::Generic(ident), None) = (&scalar, generic_scalar(&block.generics)) {
+        // Reported; what follows goes on as if the bound were there.
+        for parameter in block.generics.type_params_mut().filter(|parameter| parameter.ident == *ident) {
+            parameter.bounds.push(syn::parse_quote!(#crate_path::Real));
+        }
+    }
     let cleaned = rewrite::clean(&block, &name, &scalar, &crate_path);
     let mut translator = Translator { diagnostics, scalar, self_name: name.to_string() };
     let mut constants = Vec::new();
@@ -69,6 +75,7 @@ pub fn parse(
             ImplItem::Fn(function) => functions.push(signature::parse(function, &mut translator)),
             _ => {}
         }
+        role::refuse_on_item(item, &mut translator);
     }
     let coordinates = args::groups(&args.coordinates, &constants, &mut translator);
     let inputs = args::groups(&args.inputs, &constants, &mut translator);
@@ -154,9 +161,28 @@ fn generic_scalar(generics: &syn::Generics) -> Option<Ident> {
     })
 }
 
+/// A type parameter that a role returns, though it has no bound `Real`.
+fn unbound_scalar(block: &ItemImpl) -> Option<Ident> {
+    let roles = block.items.iter().filter_map(|item| match item {
+        ImplItem::Fn(function) if function.attrs.iter().any(role::is_role) => Some(function),
+        _ => None,
+    });
+    let returned: Vec<Ident> = roles.flat_map(signature::returned_names).collect();
+    block
+        .generics
+        .type_params()
+        .map(|parameter| &parameter.ident)
+        .find(|ident| returned.contains(ident))
+        .cloned()
+}
+
 /// The scalar of a description: the parameter bound by `Real`, else the float of the roles.
 fn scalar(block: &ItemImpl, diagnostics: &mut Diagnostics) -> Scalar {
     if let Some(ident) = generic_scalar(&block.generics) {
+        return Scalar::Generic(ident);
+    }
+    if let Some(ident) = unbound_scalar(block) {
+        diagnostics.error(ident.span(), catalogue::missing_bound(&ident));
         return Scalar::Generic(ident);
     }
     let mut first: Option<bool> = None;

@@ -46,6 +46,14 @@ pub fn clean(block: &ItemImpl, name: &Ident, scalar: &Scalar, crate_path: &syn::
 
 /// The impl block with the full names of the generated structs.
 pub fn rename(mut block: ItemImpl, name: &Ident, scalar: &Scalar) -> ItemImpl {
+    for item in &mut block.items {
+        // Refused there, and nothing to rustc.
+        match item {
+            ImplItem::Const(constant) => constant.attrs.retain(|attribute| !role::is_role(attribute)),
+            ImplItem::Type(ty) => ty.attrs.retain(|attribute| !role::is_role(attribute)),
+            _ => {}
+        }
+    }
     Renamer { name, scalar }.visit_item_impl_mut(&mut block);
     block
 }

@@ -60,6 +60,19 @@ fn misspelt(name: &str) -> Option<&'static str> {
     })
 }
 
+/// Reports roles on anything but a function.
+pub fn refuse_on_item(item: &syn::ImplItem, translator: &mut Translator) {
+    let attributes = match item {
+        syn::ImplItem::Const(constant) => &constant.attrs,
+        syn::ImplItem::Type(ty) => &ty.attrs,
+        _ => return,
+    };
+    for attribute in attributes.iter().filter(|attribute| is_role(attribute)) {
+        let name = name(attribute).unwrap_or_default();
+        translator.diagnostics.error(place::span(attribute.path()), catalogue::role_on_item(name));
+    }
+}
+
 /// Reads the role of a function from its attributes; mistakes are reported.
 pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> Option<Role> {
     let mut role: Option<(Role, String)> = None;
@@ -149,7 +162,12 @@ fn arguments(
     let list = match &attribute.meta {
         Meta::Path(_) => return Some(Vec::new()),
         Meta::NameValue(pair) => {
-            let message = catalogue::role_form(role);
+            let form = match accepted {
+                ["at", ..] => "#[force]` or `#[force(at = …)]".to_string(),
+                [] => format!("#[{role}]"),
+                _ => format!("#[{role}({} = …)]", accepted.join(" = …, ")),
+            };
+            let message = catalogue::role_form(role, form);
             translator.diagnostics.error(place::expression(&pair.value), message);
             return None;
         }

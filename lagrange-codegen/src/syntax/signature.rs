@@ -118,7 +118,7 @@ fn near_record(name: &str) -> Option<&'static str> {
 }
 
 /// Why a role may not depend on an argument, if it may not.
-fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
+pub fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
     match (role, argument) {
         (RoleKind::Force(_), _) => None,
         (_, Argument::Record(Record::Coordinates) | Argument::Time) => None,
@@ -148,6 +148,22 @@ pub fn returns(role: &RoleKind) -> &'static str {
         }
         RoleKind::Force(_) => "a force",
     }
+}
+
+/// The identifiers in the return type.
+pub fn returned_names(function: &ImplItemFn) -> Vec<proc_macro2::Ident> {
+    let mut names = Vec::new();
+    let mut stack = vec![function.sig.output.to_token_stream()];
+    while let Some(stream) = stack.pop() {
+        for tree in stream {
+            match tree {
+                TokenTree::Group(group) => stack.push(group.stream()),
+                TokenTree::Ident(ident) => names.push(ident),
+                TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+            }
+        }
+    }
+    names
 }
 
 /// The float types in a signature, in order: `(place, whether it is f32)`.

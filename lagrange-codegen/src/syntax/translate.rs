@@ -99,6 +99,9 @@ impl Translator<'_> {
                 ExprKind::Assign(self.boxed(&assign.left), self.boxed(&assign.right))
             }
             syn::Expr::Binary(binary) => self.binary(binary),
+            syn::Expr::Block(block) if block.label.is_some() => {
+                ExprKind::Unsupported(catalogue::unsupported_syntax("a block with a label"))
+            }
             syn::Expr::Block(block) => ExprKind::Block(self.block(&block.block)),
             syn::Expr::Break(exit) if exit.expr.is_none() => ExprKind::Break(label(exit.label.as_ref())),
             syn::Expr::Break(_) => ExprKind::Unsupported(catalogue::break_with_value()),
@@ -211,6 +214,13 @@ impl Translator<'_> {
             BinOp::Le(_) => BinaryOperator::LessEqual,
             BinOp::Gt(_) => BinaryOperator::Greater,
             BinOp::Ge(_) => BinaryOperator::GreaterEqual,
+            BinOp::BitXor(_) | BinOp::BitXorAssign(_) => {
+                let power = match &right.kind {
+                    ExprKind::Integer(power) => format!("powi({power})"),
+                    _ => "powf(…)".to_string(),
+                };
+                return ExprKind::Unsupported(catalogue::caret(power));
+            }
             _ => return ExprKind::Unsupported(catalogue::unsupported_syntax("a bit operation")),
         };
         ExprKind::Binary(operator, left, right)
@@ -338,6 +348,10 @@ impl Translator<'_> {
                     }
                     Err(error) => ExprKind::Unsupported(error.to_string()),
                 }
+            }
+            "print" | "println" | "eprint" | "eprintln" | "dbg" | "assert" | "assert_eq" | "assert_ne"
+            | "debug_assert" | "debug_assert_eq" | "debug_assert_ne" => {
+                ExprKind::Unsupported(catalogue::idle_macro(&name))
             }
             _ => ExprKind::Unsupported(catalogue::unsupported_macro(&name)),
         }

@@ -81,7 +81,7 @@ fn roles() {
     );
     block(energy(quote!(#[force(on = self.x)])), "`on` names one place; ");
     block(energy(quote!(#[force(on = y)])), "there is no coordinate `y`; declared are `x`, `a`");
-    block(energy(quote!(#[force(on = a[2])])), "the index 2 is out of range; there are 2");
+    block(energy(quote!(#[force(on = a[2])])), "the index 2 is out of range; valid are 0 to 1");
     block(energy(quote!(#[force(on = x[0])])), "`x` is no array; ");
     block(
         energy(quote!(#[force(at = energi)])),
@@ -257,7 +257,7 @@ fn masses() {
                 q.a
             }
         ),
-        "1 values of mass are given for 2 elements; ",
+        "`mass` has 1 value for 2 elements; ",
     );
     let body = quote! {
         #[body(mass = 1.0, inertia = 2.0)]
@@ -287,7 +287,7 @@ fn forces() {
     );
     block(
         force(quote!(#[force(at = bobs[2])]), quote!(Vector2<f64>), quote!(Vector2::x())),
-        "the index 2 is out of range; there are 2",
+        "the index 2 is out of range; valid are 0 to 1",
     );
     block(
         force(quote!(#[force(on = x)]), quote!([f64; 2]), quote!([1.0; 2])),

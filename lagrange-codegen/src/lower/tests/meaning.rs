@@ -31,12 +31,12 @@ fn syntax() {
     body(quote!(f()?), "`?` cannot leave a role early; ");
     body(quote!(unsafe { 1.0 }), "an `unsafe` block cannot be turned into an equation; ");
     body(quote!(async { 1.0 }.await), "asynchronous code cannot be turned into an equation; ");
-    body(quote!(debug_assert!(q.x > 0.0); q.x), "`debug_assert!` cannot be turned into an equation; ");
+    body(quote!(debug_assert!(q.x > 0.0); q.x), "`debug_assert!` has no part in an equation; ");
     body(quote!("text"), "this literal is no number; ");
     body(quote!(Point { x: 1.0 }), "a struct cannot be built here; ");
     body(quote!(let f = |x: f64| x; q.x), "a closure can only be an argument, ");
     body(quote!((0..3).map(q.x).sum()), "a closure is expected here; ");
-    body(quote!((0..3).map(|a, b| q.x).sum()), "this closure is called with 1 arguments but takes 2");
+    body(quote!((0..3).map(|a, b| q.x).sum()), "this closure is called with 1 argument but takes 2");
     body(quote!(self.table[0](q.x)), "only functions can be called; ");
     body(quote!(let x = &mut q; 1.0), "`&mut` cannot be followed here; ");
     body(quote!(for i in 0..3 { break 1.0; } q.x), "a loop has no value here; ");
@@ -52,6 +52,18 @@ fn syntax() {
 #[test]
 fn names() {
     body(quote!(let end = q.x; edn), "there is no variable `edn` here; did you mean `end`?");
+    body(quote!(x), "`x` is a coordinate; write `q.x`");
+    body(quote!(q.x + u.x), "an input acts through a force; ");
+    body(quote!(self.x), "`x` is a coordinate; write `q.x`");
+    body(quote!(self.theta[1] * self.theta[1]), "`theta` is a coordinate; write `q.theta[1]`");
+    body(quote!(cos(q.x)), "`cos` is a method of numbers; write `q.x.cos()`");
+    body(quote!(atan2(q.x, v.x)), "`atan2` is a method of numbers; write `q.x.atan2(v.x)`");
+    body(quote!(max(q.x, v.x)), "`max` has no derivative everywhere; ");
+    body(quote!(q.sin()), "`q` holds all coordinates; write the one that is meant, as in `q.x`");
+    body(quote!(-v), "`v` holds all velocities; write the one that is meant, as in `v.x`");
+    body(quote!(v.x = 1.0; v.x), "a description computes, it does not change `v`; ");
+    body(quote!(y = q.x; y * y), "there is no variable `y` to assign to; ");
+    body(quote!(q.x;), "the `;` throws away what `energy` should return; ");
     body(quote!(thing::other), "`thing::other` is neither a constant nor a function that the macro knows; ");
     body(quote!(q.thta[0]), "there is no coordinate `thta`; did you mean `theta`?");
     body(quote!(v.y), "there is no coordinate `y`; declared are `x`, `theta`");
@@ -71,7 +83,7 @@ fn names() {
     body(quote!(self.spring.rate(q.x)), "`self.spring.rate(…)` cannot be seen by the macro; ");
     body(quote!(self.free(q.x)), "`free` does not take `self`; ");
     body(quote!(Self::helper(q.x)), "`helper` takes `self`; ");
-    body(quote!(self.helper(q.x, 1.0)), "`helper` takes 1 arguments, 2 are given");
+    body(quote!(self.helper(q.x, 1.0)), "`helper` takes 1 argument, 2 are given");
     body(quote!(self.ping(q.x)), "these functions call each other without end: `ping` → `pong` → `ping`; ");
     body(quote!(y = q.x; q.x), "there is no variable `y` to assign to; ");
     body(quote!(self.m = q.x; q.x), "parameters cannot be changed; ");
@@ -173,7 +185,7 @@ fn constants_and_branches() {
     body(quote!(self.masses.iter().sum()), "the length of `self.masses` is not known to the macro; ");
     body(quote!(self.masses.len() as f64), "the length of `self.masses` is not known to the macro; ");
     body(quote!(for m in q.x {} q.x), "cannot loop over a scalar; ");
-    body(quote!(q.theta[3]), "the index 3 is out of range; there are 3");
+    body(quote!(q.theta[3]), "the index 3 is out of range; valid are 0 to 2");
     body(quote!(self.m[0 - 1] * q.x), "the index -1 is negative; ");
     body(quote!(q.theta[2..5].iter().sum()), "this range does not lie within the array; it has 3 elements");
 }

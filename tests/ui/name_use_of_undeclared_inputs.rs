@@ -1,0 +1,28 @@
+//! Inputs that are not declared, and their use.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * q.x.powi(2)
+    }
+
+    #[force]
+    fn push(&self, u: &Inputs) -> f64 {
+        u.motor
+    }
+}
+
+fn main() {}

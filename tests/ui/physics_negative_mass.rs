@@ -1,0 +1,28 @@
+//! A negative mass.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * q.x.powi(2)
+    }
+
+    #[point(mass = -1.0)]
+    fn bead(&self, q: &Coordinates) -> Vector1<f64> {
+        Vector1::new(q.x)
+    }
+}
+
+fn main() {}

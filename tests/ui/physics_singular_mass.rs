@@ -1,0 +1,23 @@
+//! Two coordinates for one motion.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * (v.x + v.y).powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * (q.x - q.y).powi(2)
+    }
+}
+
+fn main() {}

@@ -1,0 +1,24 @@
+//! A closure in a variable, and its call.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        let square = |x: f64| x * x;
+        0.5 * self.stiffness * square(q.x)
+    }
+}
+
+fn main() {}

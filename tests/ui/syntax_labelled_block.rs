@@ -1,0 +1,26 @@
+//! A block left with a value.
+
+use lagrangian::prelude::*;
+
+pub struct Block {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl Block {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        let x = 'found: {
+            break 'found q.x;
+        };
+        0.5 * self.stiffness * x.powi(2)
+    }
+}
+
+fn main() {}

@@ -1,0 +1,25 @@
+//! An array of masses where one is meant.
+
+use lagrangian::prelude::*;
+
+pub struct Pendulum {
+    pub mass: f64,
+    pub length: f64,
+    pub g: f64,
+    pub masses: [f64; 2],
+}
+
+#[lagrangian(coordinates = [theta])]
+impl Pendulum {
+    #[point(mass = self.masses)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        self.length * Vector2::new(q.theta.sin(), -q.theta.cos())
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        self.mass * self.g * self.bob(q).y
+    }
+}
+
+fn main() {}
