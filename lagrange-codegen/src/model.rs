@@ -18,6 +18,8 @@ pub struct Model {
     pub inputs: Vec<Quantity>,
     /// Parameters in order of their first use: `Variable::Parameter(i)` is the i-th.
     pub parameters: Vec<Parameter>,
+    /// Arrays among the parameters whose length was taken from what they stand beside.
+    pub lengths: Vec<Length>,
     /// Particles.
     pub points: Vec<Point>,
     /// Rigid bodies.
@@ -90,6 +92,17 @@ pub struct Parameter {
     /// A name for a local variable, such as `m_0`.
     pub label: String,
     /// Where it was first used.
+    pub origin: Origin,
+}
+
+/// A parameter array that must have a certain length.
+#[derive(Clone, Debug)]
+pub struct Length {
+    /// Rust text, such as `self.k`.
+    pub path: String,
+    /// The number of its elements.
+    pub length: usize,
+    /// Where it was used.
     pub origin: Origin,
 }
 

@@ -64,7 +64,9 @@ pub mod __private {
     pub use crate::real::Real;
     pub mod solve {
         //! Solving for the accelerations.
-        pub use crate::solve::{check, check_block, factor, finite, outlined, pivot, solve, symmetric};
+        pub use crate::solve::{
+            check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric,
+        };
     }
     pub use crate::state::State;
     pub use crate::structure::{Cost, Costs, Structure};

@@ -106,6 +106,19 @@ pub fn solve<F: Factor<R, N>, R: Real, const N: usize>(factor: &Option<F>, right
     }
 }
 
+/// An array of parameters with `N` elements.
+#[diagnostic::on_unimplemented(
+    message = "this must be an array of {N} elements, one for each of what it stands beside",
+    label = "not an array of {N} elements"
+)]
+pub trait HasLength<const N: usize> {}
+
+impl<T, const N: usize> HasLength<N> for [T; N] {}
+impl<T, const N: usize> HasLength<N> for nalgebra::SVector<T, N> {}
+
+/// Compiles only for arrays of `N` elements.
+pub const fn has_length<const N: usize, A: HasLength<N>>(_: &A) {}
+
 /// Calls a function that stays one: part of a body too long for the compiler in one piece.
 #[inline(never)]
 pub fn outlined<T>(part: impl FnOnce() -> T) -> T {

@@ -65,6 +65,14 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let (impl_generics, _, where_clause) = generics.split_for_impl();
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let records = records::records(emission.item);
+    let lengths = tokens::length_checks(emission.model, diagnostics);
+    let lengths = (!lengths.is_empty()).then(|| {
+        quote! {
+            #[doc(hidden)]
+            #[allow(dead_code)]
+            fn __lengths(&self) { #lengths }
+        }
+    });
     quote! {
         #cleaned
         #records
@@ -75,6 +83,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             #[allow(clippy::all)]
             impl #impl_generics #self_ty #where_clause {
                 #report
+                #lengths
                 #methods
             }
 

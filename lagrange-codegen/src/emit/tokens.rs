@@ -1,15 +1,33 @@
 //! From text to tokens, with the user's expressions put in for parameters.
 
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
+use quote::quote_spanned;
 
 use crate::diagnostics::Diagnostics;
-use crate::model::Model;
+use crate::model::{Length, Model};
 
 const PREFIX: &str = "parameter__";
 
 /// The identifier that stands for a parameter in generated text.
 pub(super) fn placeholder(parameter: u32) -> String {
     format!("{PREFIX}{parameter}")
+}
+
+/// Calls that compile only if parameter arrays have the lengths that were taken for granted, on
+/// the user's spans.
+pub(super) fn length_checks(model: &Model, diagnostics: &Diagnostics) -> TokenStream {
+    let mut done: Vec<(&str, usize)> = Vec::new();
+    let mut checks = TokenStream::new();
+    for Length { path, length, origin } in &model.lengths {
+        if done.contains(&(path.as_str(), *length)) {
+            continue;
+        }
+        done.push((path.as_str(), *length));
+        let span = diagnostics.span(*origin).resolved_at(Span::call_site());
+        let path = respan(path.parse().unwrap_or_default(), span);
+        checks.extend(quote_spanned!(span=> lagrange::solve::has_length::<#length, _>(&#path);));
+    }
+    checks
 }
 
 /// Replaces placeholders by the user's expressions, on the user's spans, so that a parameter of

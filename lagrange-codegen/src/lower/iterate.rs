@@ -253,10 +253,7 @@ impl<'a> Interpreter<'a> {
             // A parameter has as many elements as its partner.
             (left, Value::Parameter(id)) => match self.elements(left, origin) {
                 Some(left) => {
-                    let length = left.len();
-                    let elements = (0..length)
-                        .map(|index| Value::Parameter(self.parameter_index(id, index, origin)))
-                        .collect();
+                    let elements = self.parameter_elements(id, left.len(), origin);
                     (Value::Array(left), Value::array(elements))
                 }
                 None => return Value::Unknown,

@@ -1,11 +1,11 @@
 //! Parameters: paths such as `self.m[0]` that stay symbolic until something tells their shape.
 
 use super::interpreter::Interpreter;
-use super::value::ParameterId;
+use super::value::{ParameterId, Value};
 use crate::collections::Lookup;
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::{NodeId, Variable};
-use crate::model::Parameter;
+use crate::model::{Length, Parameter};
 
 /// All paths met so far.
 #[derive(Debug, Default)]
@@ -92,6 +92,13 @@ impl Interpreter<'_> {
             before => format!("{before}_{label}"),
         };
         self.parameters.intern(text, label, origin)
+    }
+
+    /// Takes a parameter for an array of a length that its context gives; the emitted code checks it.
+    pub fn parameter_elements(&mut self, id: ParameterId, length: usize, origin: Origin) -> Vec<Value> {
+        let path = self.parameters.text(id).to_owned();
+        self.model.lengths.push(Length { path, length, origin });
+        (0..length).map(|index| Value::Parameter(self.parameter_index(id, index, origin))).collect()
     }
 
     /// The node of a parameter that is a scalar.

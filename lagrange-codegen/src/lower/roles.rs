@@ -219,8 +219,7 @@ impl<'a> Interpreter<'a> {
         match (value, count) {
             (Value::Unknown, _) => None,
             (Value::Parameter(id), Some(count)) if whole => {
-                let elements = (0..count).map(|index| self.parameter_index(id, index, expr.origin));
-                Some(elements.map(Value::Parameter).collect())
+                Some(self.parameter_elements(id, count, expr.origin))
             }
             (Value::Array(elements), Some(count)) if elements.len() == count => Some(elements.to_vec()),
             (Value::Array(elements), Some(count)) => {

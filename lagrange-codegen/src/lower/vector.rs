@@ -8,6 +8,7 @@ use super::shape::Shape;
 use super::value::{Matrix, Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::NodeId;
+use crate::expr::Unary;
 use crate::number::Number;
 use crate::syntax::body::Word;
 
@@ -304,7 +305,12 @@ impl Interpreter<'_> {
             ("matrix", []) => self.rotation_matrix(&turn),
             ("to_rotation_matrix", []) => Value::Rotation(turn),
             ("angle", []) => match &turn {
-                Turn::Plane(angle) => Value::Scalar(*angle),
+                // Between −π and π, as nalgebra gives it, whatever the rotation was made from.
+                Turn::Plane(angle) => {
+                    let graph = self.graph();
+                    let (sine, cosine) = (graph.unary(Unary::Sin, *angle), graph.unary(Unary::Cos, *angle));
+                    Value::Scalar(graph.atan2(sine, cosine))
+                }
                 Turn::Space(_) => {
                     let message = catalogue::wrong_dimension("angle", Value::Rotation(turn).describe());
                     self.refuse(word.origin, message)

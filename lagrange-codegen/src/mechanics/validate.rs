@@ -104,6 +104,13 @@ pub(super) fn constants(model: &Model, diagnostics: &mut Diagnostics) {
 
 /// Whether a constant node has a finite value.
 fn is_number(graph: &Graph, id: NodeId) -> bool {
+    if let Node::Product(factors) = graph.node(id) {
+        // A constant root stands among the other factors of its product.
+        let negative = |node: NodeId| graph.as_constant(node).is_some_and(Number::is_negative);
+        if factors.iter().any(|&(node, exponent)| exponent.as_integer().is_none() && negative(node)) {
+            return false;
+        }
+    }
     match graph.as_constant(id) {
         Some(number) => number.value().is_finite(),
         None if graph.dependence(id) == Dependence::NONE => {

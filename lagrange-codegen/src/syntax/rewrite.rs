@@ -25,7 +25,8 @@ pub fn clean(block: &ItemImpl, name: &Ident, scalar: &Scalar, crate_path: &syn::
                     function.attrs.push(syn::parse_quote!(#[allow(dead_code)]));
                 }
             }
-            ImplItem::Const(constant) if used.contains(&constant.ident.to_string()) => {
+            // It may be the length of a declared array alone.
+            ImplItem::Const(constant) => {
                 constant.attrs.push(syn::parse_quote!(#[allow(dead_code)]));
             }
             _ => {}
