@@ -67,6 +67,7 @@ fn a_concrete_block_stays_as_written() {
         flat(quote! {
             impl Spring {
                 /// Stiffness.
+                #[allow(dead_code)]
                 const K: f64 = 2.0;
                 /// Energy.
                 #[inline]
@@ -108,6 +109,7 @@ fn a_generic_block_takes_its_literals_from_the_scalar() {
         flat(item.cleaned),
         flat(quote! {
             impl<R: Real> Spring<R> {
+                #[allow(dead_code)]
                 const K: f64 = 2.0;
                 #[allow(dead_code)]
                 fn energy(&self, q: &SpringCoordinates<R>) -> R {
