@@ -54,13 +54,8 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
-    let emission = Emission {
-        item: &item,
-        model: &mut model,
-        equations: &equations,
-        facts: &facts,
-        solution: &solution,
-    };
+    let emission =
+        Emission { item, model: &mut model, equations: &equations, facts: &facts, solution: &solution };
     Some(emit(emission, before, diagnostics))
 }
 
