@@ -2,35 +2,60 @@
 
 use crate::number::Tracked;
 
-/// Error of a quantity, relative to its largest component.
-pub const TOLERANCE: f64 = 1e-11;
+/// What the relative error of every quantity has to be below.
+const TOLERANCE: f64 = 1e-11;
 
-/// How many times the rounding errors that the oracle itself has gathered an error may be. Where
-/// terms cancel, the size of the terms and not that of their sum sets the errors of any evaluation
-/// in doubles, and a relative error says nothing.
-const ROUNDINGS: f64 = 32.0;
+/// How many times the rounding errors that the oracle itself has gathered come on top. Where terms
+/// cancel, the size of the terms and not that of their sum sets the errors of any evaluation in doubles.
+const ROUNDINGS: f64 = 16.0;
 
-/// Compares all components. Gives the error relative to the largest component, or what is wrong.
-///
-/// Absolute values throughout, and written so that NaN fails.
-pub fn compare(quantity: &str, emitted: &[f64], expected: &[Tracked]) -> Result<f64, String> {
+/// The result of a comparison that found nothing wrong.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Agreement {
+    /// The largest error relative to the largest component, cancelled components aside.
+    pub error: f64,
+    pub components: usize,
+    /// Components in which the oracle has lost so many digits that a relative error says nothing.
+    pub cancelled: usize,
+    /// Components with an error beyond what the oracle's rounding errors account for.
+    pub beyond: usize,
+}
+
+impl Agreement {
+    /// Adds another comparison.
+    pub fn join(&mut self, other: Agreement) {
+        self.error = self.error.max(other.error);
+        self.components += other.components;
+        self.cancelled += other.cancelled;
+        self.beyond += other.beyond;
+    }
+}
+
+/// Compares all components. Absolute values throughout, and written so that NaN fails.
+pub fn compare(quantity: &str, emitted: &[f64], expected: &[Tracked]) -> Result<Agreement, String> {
     if emitted.len() != expected.len() {
         return Err(format!("{quantity}: {} components, not {}", emitted.len(), expected.len()));
     }
     let largest = expected.iter().map(|x| x.value.abs()).fold(0.0, f64::max);
-    let mut worst = 0.0_f64;
+    let mut agreement = Agreement { components: expected.len(), ..Agreement::default() };
     for (index, (&found, wanted)) in emitted.iter().zip(expected).enumerate() {
         let error = (found - wanted.value).abs();
-        let bound = TOLERANCE * largest + ROUNDINGS * f64::EPSILON * wanted.roundings;
-        if !(error <= bound) {
+        let rounding = ROUNDINGS * f64::EPSILON * wanted.roundings;
+        let bound = TOLERANCE * largest + rounding;
+        if error.is_nan() || error > bound {
             let wanted = wanted.value;
-            return Err(format!("{quantity}[{index}] = {found:e}, not {wanted:e}: off by {error:e}, bound {bound:e}"));
+            return Err(format!(
+                "{quantity}[{index}] = {found:e}, not {wanted:e}: off by {error:e}, bound {bound:e}"
+            ));
         }
-        if largest > 0.0 {
-            worst = worst.max(error / largest);
+        agreement.beyond += usize::from(error > rounding);
+        if rounding > TOLERANCE * largest {
+            agreement.cancelled += 1;
+        } else if largest > 0.0 {
+            agreement.error = agreement.error.max(error / largest);
         }
     }
-    Ok(worst)
+    Ok(agreement)
 }
 
 #[cfg(test)]

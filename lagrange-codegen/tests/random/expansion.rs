@@ -26,7 +26,8 @@ impl Expansion {
     }
 
     fn parse(tokens: TokenStream) -> Result<Expansion, String> {
-        let file: syn::File = syn::parse2(tokens).map_err(|error| format!("the expansion is not Rust: {error}"))?;
+        let file: syn::File =
+            syn::parse2(tokens).map_err(|error| format!("the expansion is not Rust: {error}"))?;
         let mut blocks = Vec::new();
         for item in file.items {
             match item {
@@ -52,7 +53,9 @@ impl Expansion {
 
 /// The expansion as tokens.
 pub fn tokens(source: &Source) -> Result<TokenStream, String> {
-    let parse = |text: &str| text.parse::<TokenStream>().map_err(|error| format!("the source has no tokens: {error}"));
+    let parse = |text: &str| {
+        text.parse::<TokenStream>().map_err(|error| format!("the source has no tokens: {error}"))
+    };
     Ok(lagrange_codegen::expand(parse(&source.arguments)?, parse(&source.item)?, "::lagrangian"))
 }
 

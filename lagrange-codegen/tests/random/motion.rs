@@ -211,7 +211,5 @@ fn about<T: Number>(axis: [f64; 3], angle: T) -> Matrix<T> {
 }
 
 fn product<T: Number>(a: &Matrix<T>, b: &Matrix<T>) -> Matrix<T> {
-    [0, 1, 2].map(|i| {
-        [0, 1, 2].map(|j| (0..3).fold(T::constant(0.0), |sum, k| sum + a[i][k] * b[k][j]))
-    })
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| (0..3).fold(T::constant(0.0), |sum, k| sum + a[i][k] * b[k][j])))
 }

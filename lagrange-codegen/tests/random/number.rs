@@ -10,12 +10,7 @@ use crate::function::{Function, Pair};
 
 /// What the formulas are evaluated in.
 pub trait Number:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// A number that depends on nothing.
     fn constant(value: f64) -> Self;
@@ -86,9 +81,13 @@ impl Number for Tracked {
 
     fn powi(self, power: i32) -> Self {
         let value = self.value.powi(power);
-        let slope = f64::from(power) * self.value.powi(power - 1);
-        let carried = if power == 0 { 0.0 } else { slope.abs() * self.roundings };
-        Tracked { value, roundings: value.abs() + carried }
+        let slope = match power {
+            0 => 0.0,
+            // The quotient does not underflow where the lower power would.
+            _ if self.value != 0.0 => f64::from(power) * value / self.value,
+            _ => f64::from(power) * self.value.powi(power - 1),
+        };
+        Tracked { value, roundings: value.abs() + slope.abs() * self.roundings }
     }
 }
 
@@ -154,7 +153,10 @@ impl<T: Number> Number for Dual<T> {
 
     fn combine(self, pair: Pair, other: Self) -> Self {
         let (first, second) = pair.slopes(self.value, other.value);
-        Dual { value: self.value.combine(pair, other.value), slope: first * self.slope + second * other.slope }
+        Dual {
+            value: self.value.combine(pair, other.value),
+            slope: first * self.slope + second * other.slope,
+        }
     }
 
     fn powi(self, power: i32) -> Self {

@@ -3,6 +3,8 @@
 //! Straight from the definitions, d/dt ∂L/∂v − ∂L/∂q = Q − ∂D/∂v with L as a whole; nothing of the
 //! engine's shorter ways is used.
 
+#![allow(clippy::needless_range_loop, reason = "formulas with indices")]
+
 use crate::expression::{Instant, Scope};
 use crate::motion::space_rate;
 use crate::number::{Number, Tracked};
@@ -130,13 +132,14 @@ fn applied_force(system: &System, at: &Instant<Tracked>, coordinate: usize) -> T
 /// M a = Q − b. The uncertainty of a follows from those of M and f through |M⁻¹|.
 fn solve(mass: &[Vec<Tracked>], applied: &[Tracked], bias: &[Tracked]) -> (Vec<Tracked>, f64) {
     let count = mass.len();
-    let values: Vec<Vec<f64>> = mass.iter().map(|row| row.iter().map(|entry| entry.value).collect()).collect();
+    let values: Vec<Vec<f64>> =
+        mass.iter().map(|row| row.iter().map(|entry| entry.value).collect()).collect();
     let force: Vec<Tracked> = applied.iter().zip(bias).map(|(&q, &b)| q - b).collect();
     let column = |i: usize| (0..count).map(|j| f64::from(u8::from(i == j))).collect::<Vec<f64>>();
     let mut right: Vec<Vec<f64>> = (0..count).map(column).collect();
     right.push(force.iter().map(|f| f.value).collect());
     let unknown = Tracked { value: f64::NAN, roundings: f64::NAN };
-    let Some(mut solved) = gauss(values.clone(), right) else { return (vec![unknown; count], f64::INFINITY) };
+    let Some(mut solved) = gauss(&values, &right) else { return (vec![unknown; count], f64::INFINITY) };
     let solution = solved.pop().unwrap_or_default();
     // `solved[j]` is column j of the inverse.
     let disturbance: Vec<f64> = (0..count)
@@ -158,9 +161,25 @@ fn solve(mass: &[Vec<Tracked>], applied: &[Tracked], bias: &[Tracked]) -> (Vec<T
     (accelerations, condition)
 }
 
-/// Gaussian elimination with partial pivoting, for several right-hand sides; `None` where the
-/// matrix is singular.
-pub fn gauss(mut a: Vec<Vec<f64>>, mut right: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
+/// Solves for several right-hand sides; `None` where the matrix is singular. Refinement makes the
+/// errors small row by row, however differently the rows are scaled (Skeel 1980).
+pub fn gauss(a: &[Vec<f64>], right: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+    let mut solutions = eliminate(a.to_vec(), right.to_vec())?;
+    for _ in 0..2 {
+        let residual = |(x, b): (&Vec<f64>, &Vec<f64>)| -> Vec<f64> {
+            let row = |row: &Vec<f64>| row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
+            b.iter().zip(a).map(|(b, a)| b - row(a)).collect()
+        };
+        let residuals = solutions.iter().zip(right).map(residual).collect();
+        for (x, correction) in solutions.iter_mut().zip(eliminate(a.to_vec(), residuals)?) {
+            x.iter_mut().zip(correction).for_each(|(x, correction)| *x += correction);
+        }
+    }
+    Some(solutions)
+}
+
+/// Gaussian elimination with partial pivoting.
+fn eliminate(mut a: Vec<Vec<f64>>, mut right: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
     let count = a.len();
     for k in 0..count {
         let pivot = (k..count).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
@@ -185,4 +204,3 @@ pub fn gauss(mut a: Vec<Vec<f64>>, mut right: Vec<Vec<f64>>) -> Option<Vec<Vec<f
     }
     Some(right)
 }
-

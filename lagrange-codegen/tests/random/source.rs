@@ -1,5 +1,7 @@
 //! A random system as its user would write it: the arguments of the attribute and the impl block.
 
+use std::fmt;
+
 use crate::expression::{Body, Expr, NOWHERE, Operator, RATIO, Vector};
 use crate::system::{Energy, Form, Group, Inertia, Place, Role, Rotation, Scalar, System, TILTED};
 
@@ -40,6 +42,12 @@ impl Source {
         }
         item += "}\n";
         Source { arguments, item }
+    }
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "#[lagrangian({})]\n{}", self.arguments, self.item)
     }
 }
 
@@ -154,8 +162,7 @@ impl Writer<'_> {
         match self.system.looped(which) {
             (Some(group), _) => format!("q.{}", group.name),
             (None, range) => {
-                let all: Vec<String> =
-                    range.map(|i| quantity("q", &self.system.coordinates, i)).collect();
+                let all: Vec<String> = range.map(|i| quantity("q", &self.system.coordinates, i)).collect();
                 format!("[{}]", all.join(", "))
             }
         }
@@ -180,7 +187,8 @@ impl Writer<'_> {
         };
         match vector {
             Vector::New(components) => {
-                let components: Vec<String> = components[..dimension].iter().map(|c| self.scalar(c)).collect();
+                let components: Vec<String> =
+                    components[..dimension].iter().map(|c| self.scalar(c)).collect();
                 format!("Vector{dimension}::new({})", components.join(", "))
             }
             Vector::Place(which) => match self.system.place(*which, dimension, self.visible) {
@@ -226,9 +234,8 @@ impl Writer<'_> {
     }
 
     fn rotation(&self, turn: &Rotation) -> String {
-        let about = |axis: &str, angle: &Expr| {
-            format!("Rotation3::from_axis_angle(&{axis}, {})", self.scalar(angle))
-        };
+        let about =
+            |axis: &str, angle: &Expr| format!("Rotation3::from_axis_angle(&{axis}, {})", self.scalar(angle));
         match turn {
             Rotation::Axis(axis, angle) => about(&format!("Vector3::{}_axis()", COMPONENTS[axis % 3]), angle),
             Rotation::Tilted(angle) => {
@@ -265,7 +272,8 @@ impl Writer<'_> {
     ) -> String {
         let scalar = scalar_type(self.system);
         let arguments = arguments.replace("f64", scalar);
-        let mut text = format!("{attribute}\nfn {name}(&self, {arguments}) -> {} {{\n", output.replace("f64", scalar));
+        let mut text =
+            format!("{attribute}\nfn {name}(&self, {arguments}) -> {} {{\n", output.replace("f64", scalar));
         for expr in &body.lets {
             text += &format!("let w{} = {};\n", self.locals, self.scalar(expr));
             self.locals += 1;
@@ -281,7 +289,8 @@ impl Writer<'_> {
     fn role(self, role: &Role) -> String {
         let system = self.system;
         let name = |kind: &str| format!("{kind}_{}", self.visible);
-        let in_force = if system.inputs.is_empty() { Q_V_T.to_owned() } else { format!("{Q_V_T}, u: &Inputs") };
+        let in_force =
+            if system.inputs.is_empty() { Q_V_T.to_owned() } else { format!("{Q_V_T}, u: &Inputs") };
         match role {
             Role::Point { dimension, mass, position } => {
                 let attribute = format!("#[point(mass = {})]", self.scalar(mass));
@@ -323,8 +332,12 @@ impl Writer<'_> {
                 let (attribute, zero) = (format!("#[point(mass = {})]", self.scalar(mass)), self.number(0.0));
                 let angle = if *relative { "angle += angles[i];" } else { "angle = angles[i];" };
                 let link = match system.scalar {
-                    Scalar::F64 | Scalar::F32 => format!("{} * Vector2::new(angle.sin(), -angle.cos())", self.scalar(length)),
-                    Scalar::Generic => format!("Vector2::new(angle.sin(), -angle.cos()) * {}", self.scalar(length)),
+                    Scalar::F64 | Scalar::F32 => {
+                        format!("{} * Vector2::new(angle.sin(), -angle.cos())", self.scalar(length))
+                    }
+                    Scalar::Generic => {
+                        format!("Vector2::new(angle.sin(), -angle.cos()) * {}", self.scalar(length))
+                    }
                 };
                 let output = format!("[Vector2<f64>; {count}]");
                 let body = Body { lets: Vec::new(), result: () };
@@ -368,11 +381,15 @@ impl Writer<'_> {
                 let (attribute, dimension) = self.target(system.any_body(*which));
                 let torque = if dimension == 2 { "f64" } else { "Vector3<f64>" };
                 let output = format!("(Vector{dimension}<f64>, {torque})");
-                self.function((&attribute, name("force"), &in_force, &output), body, |writer, (force, torque)| {
-                    let torque = writer.vector(torque, 3);
-                    let component = if dimension == 2 { ".x" } else { "" };
-                    format!("({}, {torque}{component})", writer.vector(force, dimension))
-                })
+                self.function(
+                    (&attribute, name("force"), &in_force, &output),
+                    body,
+                    |writer, (force, torque)| {
+                        let torque = writer.vector(torque, 3);
+                        let component = if dimension == 2 { ".x" } else { "" };
+                        format!("({}, {torque}{component})", writer.vector(force, dimension))
+                    },
+                )
             }
         }
     }

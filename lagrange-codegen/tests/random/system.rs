@@ -42,11 +42,30 @@ impl Group {
 /// A function of the impl block that means something.
 #[derive(Clone, Debug)]
 pub enum Role {
-    Point { dimension: usize, mass: Expr, position: Body<Vector> },
-    Planar { mass: Expr, inertia: Expr, pose: Body<(Vector, Expr)>, form: Form },
-    Spatial { mass: Expr, inertia: Inertia, pose: Body<(Vector, Rotation)>, form: Form },
+    Point {
+        dimension: usize,
+        mass: Expr,
+        position: Body<Vector>,
+    },
+    Planar {
+        mass: Expr,
+        inertia: Expr,
+        pose: Body<(Vector, Expr)>,
+        form: Form,
+    },
+    Spatial {
+        mass: Expr,
+        inertia: Inertia,
+        pose: Body<(Vector, Rotation)>,
+        form: Form,
+    },
     /// Particles at the joints of a chain in the plane, returned as an array.
-    Chain { which: usize, relative: bool, mass: Expr, length: Expr },
+    Chain {
+        which: usize,
+        relative: bool,
+        mass: Expr,
+        length: Expr,
+    },
     Energy(Energy, Body<Expr>),
     /// A generalized force on one coordinate.
     ForceOn(usize, Body<Expr>),

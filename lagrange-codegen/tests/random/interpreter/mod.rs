@@ -13,8 +13,9 @@ use quote::ToTokens;
 use syn::{BinOp, Block, Expr, ImplItemFn, Lit, Member, Stmt, UnOp};
 
 use crate::expansion::{Expansion, Functions};
+use crate::oracle::gauss;
 pub use value::{Run, Stop, Value};
-use value::{factored, pivot, real, solved, unknown};
+use value::{carries, real, solved, symmetric, unknown};
 
 /// The point where a system is evaluated.
 #[derive(Clone, Debug)]
@@ -50,13 +51,14 @@ impl Interpreter<'_> {
         Some(self.call(function, arguments))
     }
 
-    /// `energy_at` of the `System` implementation.
-    pub fn energy_at(&self) -> Run<Value> {
+    /// A function of the `System` implementation that takes the state.
+    pub fn of_system(&self, name: &str) -> Option<Run<Value>> {
+        let function = self.expansion.system.get(name)?;
         let Point { t, q, v, .. } = self.point;
-        let constants = self.constants()?;
-        let arguments =
-            vec![Value::Model, constants, Value::Number(*t), Value::numbers(q), Value::numbers(v)];
-        self.call(find(&self.expansion.system, "energy_at")?, arguments)
+        let arguments = |constants| {
+            vec![Value::Model, constants, Value::Number(*t), Value::numbers(q), Value::numbers(v)]
+        };
+        Some(self.constants().and_then(|constants| self.call(function, arguments(constants))))
     }
 
     fn constants(&self) -> Run<Value> {
@@ -70,7 +72,7 @@ impl Interpreter<'_> {
         }
         let mut locals: Locals = names.into_iter().zip(arguments).collect();
         match self.block(&function.block, &mut locals) {
-            // `?` in a function that returns a `Result`.
+            // `?` in a function that returns a result.
             Err(Stop::Failure(cause)) => Ok(Value::Result(Err(cause))),
             other => other,
         }
@@ -101,7 +103,11 @@ impl Interpreter<'_> {
         self.expression(expr, locals)?.number()
     }
 
-    fn expressions<'e>(&self, list: impl IntoIterator<Item = &'e Expr>, locals: &mut Locals) -> Run<Vec<Value>> {
+    fn expressions<'e>(
+        &self,
+        list: impl IntoIterator<Item = &'e Expr>,
+        locals: &mut Locals,
+    ) -> Run<Vec<Value>> {
         list.into_iter().map(|expr| self.expression(expr, locals)).collect()
     }
 
@@ -172,11 +178,28 @@ impl Interpreter<'_> {
                 *self.place(&assign.left, locals)? = value;
                 Ok(Value::Unit)
             }
+            Expr::Struct(state) if text(&state.path) == "lagrange::State" => {
+                let mut fields = BTreeMap::new();
+                for field in &state.fields {
+                    fields.insert(text(&field.member), self.expression(&field.expr, locals)?);
+                }
+                match (fields.remove("t"), fields.remove("q"), fields.remove("v")) {
+                    (Some(t), Some(q), Some(v)) => Ok(Value::State(Box::new([t, q, v]))),
+                    _ => unknown(text(state)),
+                }
+            }
             Expr::Block(block) => self.block(&block.block, &mut locals.clone()),
             Expr::Try(inner) => match self.expression(&inner.expr, locals)? {
                 Value::Result(Ok(value)) => Ok(*value),
                 Value::Result(Err(cause)) => Err(Stop::Failure(cause)),
                 other => unknown(format!("`?` on {other:?}")),
+            },
+            Expr::Call(call) if text(&call.func) == "lagrange::solve::outlined" => match call.args.first() {
+                // The closure is called at once; it moves copies of what it captures.
+                Some(Expr::Closure(closure)) if closure.inputs.is_empty() => {
+                    self.expression(&closure.body, &mut locals.clone())
+                }
+                _ => unknown(text(call)),
             },
             Expr::Call(call) => {
                 let arguments = self.expressions(&call.args, locals)?;
@@ -184,13 +207,12 @@ impl Interpreter<'_> {
             }
             Expr::MethodCall(call) => {
                 let receiver = self.expression(&call.receiver, locals)?;
-                match (call.method.to_string().as_str(), receiver, call.args.first()) {
-                    ("into", receiver, None) => Ok(receiver),
-                    // The error is given a time; the cause stays.
-                    ("map_err", receiver @ Value::Result(_), Some(Expr::Closure(_))) => Ok(receiver),
-                    ("solve", Value::Factored(matrix), Some(right)) => {
-                        let right = self.expression(right, locals)?;
-                        solved(&matrix, &right)
+                match (call.method.to_string().as_str(), receiver) {
+                    ("into", receiver) if call.args.is_empty() => Ok(receiver),
+                    (name, Value::Model) => {
+                        let mut arguments = vec![Value::Model];
+                        arguments.extend(self.expressions(&call.args, locals)?);
+                        self.call(find(&self.expansion.methods, name)?, arguments)
                     }
                     _ => unknown(text(call)),
                 }
@@ -200,31 +222,44 @@ impl Interpreter<'_> {
     }
 
     /// A call of a function by its path.
-    fn call_path(&self, path: &str, mut arguments: Vec<Value>) -> Run<Value> {
+    fn call_path(&self, path: &str, arguments: Vec<Value>) -> Run<Value> {
         let numbers = |arguments: &[Value]| arguments.iter().map(Value::number).collect::<Run<Vec<f64>>>();
-        match path {
-            "lagrange::solve::pivot" => match arguments.as_slice() {
-                [value, scale, Value::Integer(_)] => Ok(pivot(value.number()?, scale.number()?)),
-                _ => unknown("the arguments of `pivot`"),
-            },
-            "lagrange::solve::ldlt" | "lagrange::solve::lu" => match arguments.as_slice() {
-                [matrix, coordinates] => factored(&matrix.to_rows()?, coordinates.list()?.len()),
-                _ => unknown(format!("the arguments of `{path}`")),
-            },
-            "::core::result::Result::Ok" if arguments.len() == 1 => {
-                Ok(Value::Result(Ok(Box::new(arguments.swap_remove(0)))))
+        let function = path.split("::<").next().unwrap_or(path);
+        match (function, arguments.as_slice()) {
+            ("lagrange::solve::pivot", [value, scale]) => {
+                let (value, scale) = (value.number()?, scale.number()?);
+                Ok(Value::Number(if carries(value, scale) { value } else { f64::NAN }))
             }
-            "lagrange::System::constants" => self.constants(),
-            "lagrange::System::accelerations_at" => {
+            ("lagrange::solve::check", [value, scale, Value::Integer(_)]) => {
+                Ok(Value::verdict(carries(value.number()?, scale.number()?)))
+            }
+            ("lagrange::solve::factor", [lower]) => Ok(Value::Factored(symmetric(&lower.to_rows()?)?)),
+            ("lagrange::solve::symmetric", [lower]) => Ok(Value::rows(&symmetric(&lower.to_rows()?)?)),
+            ("lagrange::solve::solve", [Value::Factored(matrix), right]) => {
+                solved(matrix, &right.to_numbers()?)
+            }
+            ("lagrange::solve::check_block", [mass, coordinates]) => {
+                let (rows, coordinates) = (mass.to_rows()?, coordinates.to_indices()?);
+                if coordinates.iter().any(|&i| i >= rows.len()) {
+                    return unknown(format!("a block of the coordinates {coordinates:?}"));
+                }
+                let row = |&i: &usize| coordinates.iter().map(|&j| rows[i][j]).collect();
+                let block: Vec<Vec<f64>> = coordinates.iter().map(row).collect();
+                Ok(Value::verdict(gauss(&block, &[]).is_some()))
+            }
+            ("lagrange::solve::finite", [Value::Model, _, Value::State(_), accelerations]) => {
+                let finite = accelerations.to_numbers()?.iter().all(|x| x.is_finite());
+                let accelerations = Box::new(accelerations.clone());
+                Ok(Value::Result(if finite { Ok(accelerations) } else { Err("not finite".to_owned()) }))
+            }
+            ("::core::result::Result::Ok", [value]) => Ok(Value::Result(Ok(Box::new(value.clone())))),
+            ("lagrange::System::constants", [Value::Model]) => self.constants(),
+            ("lagrange::System::accelerations_at", _) => {
                 self.call(find(&self.expansion.system, "accelerations_at")?, arguments)
             }
-            "lagrange::nalgebra::SMatrix::repeat" if arguments.len() == 1 => {
-                let count = self.point.q.len();
-                Ok(Value::List(vec![Value::List(vec![arguments.swap_remove(0); count]); count]))
-            }
-            "R::zero" => Ok(Value::Number(0.0)),
-            "R::one" => Ok(Value::Number(1.0)),
-            "R::from_f64" => Ok(Value::Number(numbers(&arguments)?.iter().sum())),
+            ("R::zero", []) => Ok(Value::Number(0.0)),
+            ("R::one", []) => Ok(Value::Number(1.0)),
+            ("R::from_f64", [value]) => value.number().map(Value::Number),
             _ => match path.strip_prefix("Real::") {
                 Some(name) => real(name, &numbers(&arguments)?),
                 None => unknown(format!("`{path}(…)`")),
@@ -247,14 +282,7 @@ impl Interpreter<'_> {
     fn indices(&self, index: &Expr, locals: &mut Locals) -> Run<Vec<usize>> {
         match self.expression(index, locals)? {
             Value::Integer(index) => Ok(vec![index]),
-            Value::List(pair) => pair
-                .iter()
-                .map(|index| match index {
-                    Value::Integer(index) => Ok(*index),
-                    other => unknown(format!("the index {other:?}")),
-                })
-                .collect(),
-            other => unknown(format!("the index {other:?}")),
+            pair => pair.to_indices(),
         }
     }
 

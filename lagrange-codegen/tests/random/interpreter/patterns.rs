@@ -38,6 +38,7 @@ fn take_apart(pattern: &Pat, value: Value, bound: &mut Vec<(String, Value)>) -> 
             bound.push((name.ident.to_string(), value));
             return Ok(());
         }
+        Pat::Type(typed) => return take_apart(&typed.pat, value, bound),
         Pat::Slice(slice) => &slice.elems,
         Pat::Tuple(tuple) => &tuple.elems,
         other => return unknown(format!("the pattern `{}`", other.to_token_stream())),

@@ -42,6 +42,11 @@ impl Value {
         Value::List(values.iter().map(|&value| Value::Number(value)).collect())
     }
 
+    /// A matrix.
+    pub fn rows(rows: &[Vec<f64>]) -> Value {
+        Value::List(rows.iter().map(|row| Value::numbers(row)).collect())
+    }
+
     /// The number this is.
     pub fn number(&self) -> Run<f64> {
         match self {
@@ -68,42 +73,60 @@ impl Value {
         self.list()?.iter().map(Value::to_numbers).collect()
     }
 
+    /// The integers of a list.
+    pub fn to_indices(&self) -> Run<Vec<usize>> {
+        let index = |value: &Value| match value {
+            Value::Integer(index) => Ok(*index),
+            other => unknown(format!("the index {other:?}")),
+        };
+        self.list()?.iter().map(index).collect()
+    }
+
+    /// What a check of a pivot or a block returns.
+    pub fn verdict(regular: bool) -> Value {
+        let cause = || "the mass matrix is singular".to_owned();
+        Value::Result(if regular { Ok(Box::new(Value::Unit)) } else { Err(cause()) })
+    }
+
     /// The element at some indices, one for each level.
     pub fn at(&mut self, indices: &[usize]) -> Run<&mut Value> {
-        let Some((&index, rest)) = indices.split_first() else { return Ok(self) };
-        match self {
-            Value::List(elements) if index < elements.len() => elements[index].at(rest),
-            other => unknown(format!("no element {index} in {other:?}")),
+        let mut place = self;
+        for &index in indices {
+            let elements = match place {
+                Value::List(elements) => elements,
+                other => return unknown(format!("no elements in {other:?}")),
+            };
+            let count = elements.len();
+            place = match elements.get_mut(index) {
+                Some(element) => element,
+                None => return unknown(format!("element {index} of {count}")),
+            };
         }
+        Ok(place)
     }
 }
 
-/// `lagrange::solve::pivot`: positive, and above the roundings of its scale.
-pub fn pivot(value: f64, scale: f64) -> Value {
-    let carried = value - 8.0 * f64::EPSILON * scale > 0.0;
-    Value::Result(if carried { Ok(Box::new(Value::Unit)) } else { Err("singular mass matrix".to_owned()) })
+/// Whether a pivot is positive, and above the roundings of its scale.
+pub fn carries(value: f64, scale: f64) -> bool {
+    value - 8.0 * f64::EPSILON * scale > 0.0
 }
 
-/// `lagrange::solve::ldlt` and `lu`: both read the lower triangle alone.
-pub fn factored(lower: &[Vec<f64>], coordinates: usize) -> Run<Value> {
+/// A symmetric matrix from its lower triangle, the only part that the runtime reads.
+pub fn symmetric(lower: &[Vec<f64>]) -> Run<Vec<Vec<f64>>> {
     let count = lower.len();
-    if coordinates != count || lower.iter().any(|row| row.len() != count) {
-        return unknown(format!("a block of {count} rows with {coordinates} coordinates"));
+    if lower.iter().any(|row| row.len() != count) {
+        return unknown(format!("a matrix of {count} rows that is no square"));
     }
-    let full = (0..count).map(|i| (0..count).map(|j| lower[i.max(j)][i.min(j)]).collect());
-    Ok(Value::Result(Ok(Box::new(Value::Factored(full.collect())))))
+    Ok((0..count).map(|i| (0..count).map(|j| lower[i.max(j)][i.min(j)]).collect()).collect())
 }
 
-/// `factor.solve(right)`.
-pub fn solved(matrix: &[Vec<f64>], right: &Value) -> Run<Value> {
-    let right = right.to_numbers()?;
+/// `lagrange::solve::solve`: NaN where the matrix is singular.
+pub fn solved(matrix: &[Vec<f64>], right: &[f64]) -> Run<Value> {
     if right.len() != matrix.len() {
         return unknown(format!("{} equations with {} right-hand sides", matrix.len(), right.len()));
     }
-    match gauss(matrix.to_vec(), vec![right]).and_then(|mut solution| solution.pop()) {
-        Some(solution) => Ok(Value::numbers(&solution)),
-        None => Err(Stop::Failure("singular mass matrix".to_owned())),
-    }
+    let solution = gauss(matrix, &[right.to_vec()]).and_then(|mut solution| solution.pop());
+    Ok(Value::numbers(&solution.unwrap_or_else(|| vec![f64::NAN; right.len()])))
 }
 
 /// `Real::name(arguments)`.

@@ -1,0 +1,108 @@
+//! Random mechanical systems through the whole engine, from source text to emitted tokens.
+//!
+//! A system is generated as a tree ([`system`], [`expression`]) that can print itself as a user's
+//! description ([`source`]) and evaluate itself in any number ([`motion`]). The engine expands the
+//! description, [`interpreter`] runs the emitted code, and [`check`] compares every quantity with
+//! [`oracle`], which knows definitions and dual numbers only.
+//!
+//! `PROPTEST_CASES=10000 cargo test --release -p lagrange-codegen --test random` runs that many
+//! systems; without, it is a quick look. The cases are the same ones each time.
+
+mod check;
+mod close;
+mod expansion;
+mod expression;
+mod faults;
+mod function;
+mod interpreter;
+mod motion;
+mod number;
+mod oracle;
+mod report;
+mod runner;
+mod source;
+mod strategy;
+mod system;
+
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+
+use proptest::strategy::{BoxedStrategy, Strategy};
+
+use check::{Outcome, Sample, check, expected};
+use expansion::{Expansion, tokens};
+use faults::{Fault, planted, sites};
+use report::Report;
+use source::Source;
+use system::System;
+
+/// Systems in a run without `PROPTEST_CASES`.
+const QUICK: usize = 256;
+
+fn cases() -> BoxedStrategy<(System, [Sample; 2])> {
+    (strategy::system(), [strategy::sample(), strategy::sample()]).boxed()
+}
+
+/// The outcomes at all samples, or what is wrong and where.
+fn agrees(system: &System, samples: &[Sample]) -> Result<Vec<Outcome>, String> {
+    let source = Source::of(system);
+    let expansion = Expansion::of(&source).map_err(|error| format!("{error}\n{source}"))?;
+    let at_sample = |sample: &Sample| {
+        check(system, &expansion, sample, &expected(system, sample))
+            .map_err(|error| format!("{error}\n{source}at {sample:?}"))
+    };
+    samples.iter().map(at_sample).collect()
+}
+
+#[test]
+fn every_emitted_quantity_agrees_with_dual_numbers() {
+    let report = Mutex::new(Report::default());
+    runner::run(runner::cases(QUICK), cases, |(system, samples)| {
+        let outcomes = agrees(system, samples)?;
+        report.lock().map_err(|error| error.to_string())?.add(outcomes);
+        Ok(())
+    });
+    let report = report.into_inner().expect("a worker has failed");
+    println!("{report}");
+    report.assert_meaningful();
+}
+
+#[test]
+fn the_same_description_gives_the_same_tokens() {
+    runner::run(runner::cases(QUICK) / 8, strategy::system, |system| {
+        let source = Source::of(system);
+        let expand = || tokens(&source).map(|tokens| tokens.to_string());
+        if expand()? == expand()? { Ok(()) } else { Err(format!("two expansions of\n{source}")) }
+    });
+}
+
+#[test]
+fn planted_faults_in_random_systems_are_caught() {
+    let caught: Mutex<BTreeMap<Fault, (usize, usize)>> = Mutex::default();
+    let missed = Mutex::new(Vec::new());
+    runner::run(runner::cases(QUICK) / 8, cases, |(system, samples)| {
+        let source = Source::of(system);
+        let expansion = Expansion::of(&source)?;
+        let wanted: Vec<_> = samples.iter().map(|sample| expected(system, sample)).collect();
+        for fault in Fault::ALL {
+            let count = sites(&expansion, fault);
+            for site in (0..count).step_by(count / 4 + 1) {
+                let Some(faulty) = planted(&expansion, fault, site) else { continue };
+                let noticed = samples
+                    .iter()
+                    .zip(&wanted)
+                    .any(|(sample, wanted)| check(system, &faulty, sample, wanted).is_err());
+                let mut caught = caught.lock().map_err(|error| error.to_string())?;
+                let (noticed_ones, all) = caught.entry(fault).or_default();
+                *noticed_ones += usize::from(noticed);
+                *all += 1;
+                if !noticed {
+                    missed.lock().unwrap().push(format!("{fault:?} {site} of {count}\n{source}"));
+                }
+            }
+        }
+        Ok(())
+    });
+    println!("{:?}", caught.lock().unwrap());
+    std::fs::write("/tmp/missed.txt", missed.lock().unwrap().join("\n\n")).unwrap();
+}

@@ -1,0 +1,69 @@
+//! Figures of a run: how many comparisons, how far off, how many left out.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use crate::check::Outcome;
+use crate::close::Agreement;
+
+/// What all comparisons came to.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    systems: usize,
+    states: usize,
+    ill_conditioned: usize,
+    outside: usize,
+    quantities: BTreeMap<&'static str, Agreement>,
+}
+
+impl Report {
+    /// Adds the outcomes at the states of one system.
+    pub fn add(&mut self, outcomes: Vec<Outcome>) {
+        self.systems += 1;
+        for outcome in outcomes {
+            self.states += 1;
+            let agreements = match outcome {
+                Outcome::Compared(agreements) => agreements,
+                Outcome::IllConditioned(agreements) => {
+                    self.ill_conditioned += 1;
+                    agreements
+                }
+                Outcome::OutsideDomain => {
+                    self.outside += 1;
+                    continue;
+                }
+            };
+            for (name, agreement) in agreements {
+                self.quantities.entry(name).or_default().join(agreement);
+            }
+        }
+    }
+
+    /// Panics where so much was left out that agreement means little.
+    pub fn assert_meaningful(&self) {
+        let few = |part: usize, whole: usize, percent: usize| part * 100 <= whole * percent;
+        assert!(self.states > 0 && few(self.ill_conditioned, self.states, 5), "ill-conditioned: {self}");
+        assert!(few(self.outside, self.states, 5), "outside the domain: {self}");
+        for (name, Agreement { components, cancelled, beyond, .. }) in &self.quantities {
+            assert!(few(*cancelled, *components, 5), "{name} cancelled: {self}");
+            assert!(few(100 * beyond, *components, 10), "{name} loses digits: {self}");
+        }
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Report { systems, states, ill_conditioned, outside, quantities } = self;
+        writeln!(
+            f,
+            "{systems} systems, {states} states: {ill_conditioned} ill-conditioned, {outside} outside"
+        )?;
+        for (name, Agreement { error, components, cancelled, beyond }) in quantities {
+            writeln!(
+                f,
+                "{name:18}{error:8.1e}  {components} components, {cancelled} cancelled, {beyond} beyond"
+            )?;
+        }
+        Ok(())
+    }
+}

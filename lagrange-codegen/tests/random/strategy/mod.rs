@@ -1,0 +1,11 @@
+//! What the random systems are made of.
+//!
+//! Every function stays inside its domain by the form of its argument (√(1 + x²), ln(2 + cos x)),
+//! so that almost every system is regular at almost every state. No strategy depends on the value
+//! of another one: indices are resolved by the system, and shrinking is free to take parts away.
+
+mod expressions;
+mod roles;
+mod systems;
+
+pub use systems::{sample, system};

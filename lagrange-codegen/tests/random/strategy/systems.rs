@@ -1,0 +1,94 @@
+//! Random systems and states.
+
+use proptest::prelude::*;
+
+use super::expressions::{Reach, body, index, scalar};
+use super::roles::{Base, base, role};
+use crate::check::Sample;
+use crate::source::PARAMETERS;
+use crate::system::{Group, Role, Scalar, System};
+
+/// Names that a user may give; some are also those of generated variables.
+const COORDINATES: [&str; 16] = [
+    "x", "theta", "r", "phi", "s", "y", "q", "v", "t", "u", "x_dot", "x_0", "state", "w1", "r#type",
+    "lagrange",
+];
+const INPUTS: [&str; 4] = ["force", "motor", "inputs", "theta_dot"];
+
+/// The most coordinates of an ordinary system; one more group of this length is a large one.
+const MOST: usize = 7;
+const LARGE: usize = 33;
+
+/// A system with everything on it.
+pub fn system() -> BoxedStrategy<System> {
+    prop_oneof![5 => of_inertia(true), 2 => of_inertia(false)].boxed()
+}
+
+fn of_inertia(quadratic: bool) -> BoxedStrategy<System> {
+    let scalar_type = prop_oneof![6 => Just(Scalar::F64), 1 => Just(Scalar::F32), 2 => Just(Scalar::Generic)];
+    let helpers = prop::collection::vec(body(Reach::Helper, scalar(Reach::Helper)), 1..=2);
+    let bases = prop::collection::vec(base(quadratic), MOST);
+    let roles = prop::collection::vec(role(quadratic), 0..=4);
+    (scalar_type, coordinates(), inputs(), helpers, bases, roles, 0_usize..12)
+        .prop_map(|(scalar, coordinates, inputs, helpers, bases, roles, one_base)| {
+            let mut system = System { scalar, coordinates, inputs, helpers, roles: Vec::new() };
+            let count = system.count();
+            let bases: Vec<Base> =
+                bases.into_iter().cycle().take(if one_base == 0 { 1 } else { count }).collect();
+            system.roles =
+                bases.into_iter().cycle().take(count).enumerate().map(|(i, base)| base.role(i)).collect();
+            system.roles.extend(roles);
+            let (has_places, has_bodies) = (system.any_place(0).is_some(), system.any_body(0).is_some());
+            system.roles.retain(|role| match role {
+                Role::ForceAt(..) => has_places,
+                Role::Wrench(..) => has_bodies,
+                _ => true,
+            });
+            system
+        })
+        .boxed()
+}
+
+fn lengths() -> BoxedStrategy<Vec<Option<usize>>> {
+    let length = prop_oneof![3 => Just(None), 1 => (1_usize..=3).prop_map(Some)];
+    prop_oneof![
+        200 => prop::collection::vec(length, 1..=3),
+        6 => Just(vec![None; MOST - 1]),
+        8 => Just(vec![Some(MOST - 1), None]),
+        2 => Just(vec![Some(17)]),
+        1 => Just(vec![Some(LARGE)]),
+    ]
+    .boxed()
+}
+
+fn coordinates() -> BoxedStrategy<Vec<Group>> {
+    (lengths(), prop_oneof![5 => Just(false), 1 => Just(true)], index())
+        .prop_map(|(lengths, any_name, start)| {
+            let pool = if any_name { &COORDINATES[..] } else { &COORDINATES[..MOST - 1] };
+            named(&lengths, pool, if any_name { start } else { 0 })
+        })
+        .boxed()
+}
+
+fn inputs() -> BoxedStrategy<Vec<Group>> {
+    let length = prop_oneof![3 => Just(None), 1 => (1_usize..=2).prop_map(Some)];
+    (prop::collection::vec(length, 0..=2), 0_usize..if std::env::var("ANYNAME").is_ok() { 4 } else { 1 })
+        .prop_map(|(lengths, start)| named(&lengths, &INPUTS, start))
+        .boxed()
+}
+
+fn named(lengths: &[Option<usize>], pool: &[&'static str], start: usize) -> Vec<Group> {
+    let name = |i: usize| pool[(start % pool.len() + i) % pool.len()];
+    lengths.iter().enumerate().map(|(i, &length)| Group { name: name(i), length }).collect()
+}
+
+/// Values for a state, inputs and parameters.
+pub fn sample() -> BoxedStrategy<Sample> {
+    let value = |bound: f64| prop_oneof![12 => -bound..bound, 1 => Just(0.0), 1 => -8.0 * bound..8.0 * bound];
+    let within = |bound: f64, count: usize| prop::collection::vec(value(bound), count);
+    let parameters = prop::collection::vec(0.4..1.6_f64, PARAMETERS.len());
+    (0.0..2.0_f64, within(1.4, LARGE), within(1.4, LARGE), within(2.0, 4), parameters)
+        .prop_map(|(t, q, v, u, parameters)| Sample { t, q, v, u, parameters })
+        .no_shrink()
+        .boxed()
+}
