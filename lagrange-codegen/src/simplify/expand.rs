@@ -2,8 +2,9 @@
 //!
 //! `c₀(A s₀ + B s₁) − s₀(A c₀ + B c₁)` becomes `B(c₀ s₁ − s₀ c₁)`. A node is replaced only by
 //! something cheaper, which multiplying out alone never is: something must have cancelled or
-//! merged, and then fewer roundings remain.
+//! merged. It must keep the digits as well: the terms of (a − b)², multiplied out, cancel near a = b.
 
+use super::accuracy::keeps_digits;
 use super::cost::cost;
 use super::{factor, image_of};
 use crate::calculus::rebuild;
@@ -25,7 +26,7 @@ pub(super) fn expand(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     roots.iter().map(|root| image_of(&cone, &images, *root)).collect()
 }
 
-/// The node itself or its cheaper expansion.
+/// The node itself, or its expansion if that is cheaper and as accurate.
 fn cheaper(graph: &mut Graph, id: NodeId) -> NodeId {
     if !is_nested(graph, id) || monomials(graph, id, 0) > MOST_MONOMIALS {
         return id;
@@ -35,7 +36,8 @@ fn cheaper(graph: &mut Graph, id: NodeId) -> NodeId {
     let terms: Vec<(NodeId, Number)> = polynomial.terms;
     let flat = graph.sum(polynomial.offset, &terms);
     let candidate = factor::factor(graph, &[flat])[0];
-    if cost(graph, &[candidate]) < cost(graph, &[id]) { candidate } else { id }
+    let cheaper = cost(graph, &[candidate]) < cost(graph, &[id]);
+    if cheaper && keeps_digits(graph, id, candidate) { candidate } else { id }
 }
 
 /// Whether a sum stands inside a product somewhere in the polynomial part of the node.

@@ -3,6 +3,7 @@
 //! Each pass proposes; [`mod@cost`] decides. What a pass makes is kept only where the whole set of
 //! roots gets cheaper, so nothing here can swell.
 
+mod accuracy;
 mod angles;
 pub mod cost;
 mod expand;
