@@ -9,11 +9,11 @@ use lagrangian::prelude::*;
 /// Two point masses on massless rods.
 #[derive(Clone, Copy, Debug)]
 pub struct DoublePendulum<R> {
-    /// Masses [kg].
+    /// Masses \[kg\].
     pub m: [R; 2],
-    /// Rod lengths [m].
+    /// Rod lengths \[m\].
     pub l: [R; 2],
-    /// Gravitational acceleration [m/s²].
+    /// Gravitational acceleration \[m/s²\].
     pub g: R,
 }
 
