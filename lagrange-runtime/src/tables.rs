@@ -1,0 +1,76 @@
+//! The tables behind the recurrences of Taylor coefficients. Reached through generated code only.
+//!
+//! In c\[k] = Σ a\[j] b\[k − j] only the two end terms know coefficients of order k. The interior needs lower orders
+//! alone, for every product of a system at once: each product is a lane of two tables, and one sweep over the rows
+//! sums all lanes. No lane waits for another, so the sweep runs on vectors of any width.
+
+use crate::real::Real;
+
+/// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tables<R, const L: usize, const P: usize> {
+    left: [[R; L]; P],
+    right: [[R; L]; P],
+}
+
+impl<R: Real, const L: usize, const P: usize> Default for Tables<R, L, P> {
+    #[inline]
+    fn default() -> Self {
+        Self { left: [[R::zero(); L]; P], right: [[R::zero(); L]; P] }
+    }
+}
+
+impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
+    /// Where the factors of an order go.
+    #[inline(always)]
+    pub fn row(&mut self, order: usize) -> Option<(&mut [R; L], &mut [R; L])> {
+        Some((self.left.get_mut(order - 1)?, self.right.get_mut(order - 1)?))
+    }
+
+    /// Σ left\[j] right\[order − j] over 0 < j < order, for all lanes.
+    #[inline(always)]
+    pub fn interior(&self, order: usize) -> [R; L] {
+        let mut sums = [R::zero(); L];
+        let mut done = 0;
+        macro_rules! blocks {
+            ($($width:literal)*) => {$(
+                while done + $width <= L {
+                    let sum = self.sweep::<$width>(order - 1, done);
+                    for (to, from) in sums.iter_mut().skip(done).zip(sum) {
+                        *to = from;
+                    }
+                    done += $width;
+                }
+            )*};
+        }
+        blocks!(32 16 8 4);
+        sums
+    }
+
+    /// The sums of `W` lanes from the lane `first` on, over rows 0 to `rows` − 1 and back.
+    #[inline(always)]
+    fn sweep<const W: usize>(&self, rows: usize, first: usize) -> [R; W] {
+        let mut sum = [R::zero(); W];
+        for (left, right) in self.left.iter().take(rows).zip(self.right.iter().take(rows).rev()) {
+            let (Some(left), Some(right)) = (left.get(first..first + W), right.get(first..first + W)) else {
+                break;
+            };
+            for i in 0..W {
+                sum[i] = Real::mul_add(left[i], right[i], sum[i]);
+            }
+        }
+        sum
+    }
+}
+
+/// 1 / order.
+#[inline(always)]
+pub fn fraction<R: Real>(order: usize) -> R {
+    R::recip(R::from_f64(order as f64))
+}
+
+/// order · coefficient.
+#[inline(always)]
+pub fn ramp<R: Real>(order: usize, coefficient: R) -> R {
+    R::from_f64(order as f64) * coefficient
+}
