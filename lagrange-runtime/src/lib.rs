@@ -49,7 +49,7 @@ mod tables;
 
 pub use algebra::PrincipalMoments;
 pub use error::{Cause, MotionError};
-pub use integrator::{Adaptive, Dop853, FixedStep, Jet, Jets, Rk4};
+pub use integrator::{ALPHA, Adaptive, Dop853, FixedStep, Jet, Jets, Rk4};
 pub use num_traits::{One, Zero};
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
@@ -78,7 +78,7 @@ pub mod __private {
     pub use crate::tables::Tables;
     pub mod jets {
         //! Recurrences of Taylor coefficients.
-        pub use crate::tables::{fraction, ramp};
+        pub use crate::tables::{first, fraction, ramp};
     }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::system::System;

@@ -27,15 +27,15 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         Some((self.left.get_mut(order - 1)?, self.right.get_mut(order - 1)?))
     }
 
-    /// Σ left\[j] right\[order − j] over 0 < j < order, for all lanes.
+    /// Σ left\[j] right\[order − j] over `EDGE` < j < order − `EDGE`, for all lanes.
     #[inline(always)]
-    pub fn interior(&self, order: usize) -> [R; L] {
+    pub fn interior<const EDGE: usize>(&self, order: usize) -> [R; L] {
         let mut sums = [R::zero(); L];
         let mut done = 0;
         macro_rules! blocks {
             ($($width:literal)*) => {$(
                 while done + $width <= L {
-                    let sum = self.sweep::<$width>(order - 1, done);
+                    let sum = self.sweep::<EDGE, $width>(order.saturating_sub(1 + EDGE), done);
                     for (to, from) in sums.iter_mut().skip(done).zip(sum) {
                         *to = from;
                     }
@@ -47,11 +47,11 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         sums
     }
 
-    /// The sums of `W` lanes from the lane `first` on, over rows 0 to `rows` − 1 and back.
+    /// The sums of `W` lanes from the lane `first` on, over the indices `EDGE` to `rows` − 1 and back.
     #[inline(always)]
-    fn sweep<const W: usize>(&self, rows: usize, first: usize) -> [R; W] {
+    fn sweep<const EDGE: usize, const W: usize>(&self, rows: usize, first: usize) -> [R; W] {
         let mut sum = [R::zero(); W];
-        for (left, right) in self.left.iter().take(rows).zip(self.right.iter().take(rows).rev()) {
+        for (left, right) in self.left.iter().take(rows).skip(EDGE).zip(self.right.iter().take(rows).skip(EDGE).rev()) {
             let (Some(left), Some(right)) = (left.get(first..first + W), right.get(first..first + W)) else {
                 break;
             };
@@ -73,4 +73,14 @@ pub fn fraction<R: Real>(order: usize) -> R {
 #[inline(always)]
 pub fn ramp<R: Real>(order: usize, coefficient: R) -> R {
     R::from_f64(order as f64) * coefficient
+}
+
+/// The coefficient of order 1 from order 3 on; in order 2, where both ends of the interior are the same term, half of it.
+#[inline(always)]
+pub fn first<R: Real>(order: usize, first: R, coefficient: R) -> R {
+    match order {
+        1 => R::from_f64(0.5) * coefficient,
+        2 => first + first,
+        _ => first,
+    }
 }

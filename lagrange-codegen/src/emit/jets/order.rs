@@ -16,6 +16,10 @@ use crate::jets::{Coefficient, Jets, Lane, Relation};
 use crate::number::Number;
 use crate::schedule::{Instruction, Slot};
 
+/// Up to this many lanes, the outermost terms of the interior sums are kept out of the tables: their sweep would wait
+/// for the row that was just written, which more lanes hide behind each other.
+const EDGED: usize = 16;
+
 /// Statements before the loop and the loop itself.
 pub(super) fn pass(
     emission: &Emission<'_>,
@@ -62,6 +66,8 @@ pub(super) fn pass(
         names,
         coefficients: vec![String::new(); jets.program.len()],
         partial: vec![None; jets.program.len()],
+        inner: Vec::new(),
+        edges: Vec::new(),
         forces: Vec::new(),
         before,
         body: String::new(),
@@ -111,6 +117,10 @@ struct Writer<'a, 'b> {
     coefficients: Vec<String>,
     /// The same with the velocities' coefficients at zero; `None` for zero.
     partial: Vec<Option<String>>,
+    /// The interior sums, by lane.
+    inner: Vec<String>,
+    /// Every factor of a lane with the variables that hold its coefficients of order 1 and of the last order.
+    edges: Vec<(crate::jets::Operand, String, String)>,
     /// Variables that carry the momentum rates of the last order, by coordinate.
     forces: Vec<String>,
     before: String,
@@ -153,6 +163,7 @@ impl Writer<'_, '_> {
                 }
             }
         }
+        self.interiors();
         self.early();
         self.partially(&under);
         self.solve(mass, &velocities);
@@ -168,7 +179,8 @@ impl Writer<'_, '_> {
         } else {
             String::new()
         };
-        let inner = if self.jets.lanes.is_empty() { "" } else { "let inner = tables.interior(order);\n" };
+        let edges = usize::from(self.jets.lanes.len() <= EDGED);
+        let inner = if self.jets.lanes.is_empty() { String::new() } else { format!("let inner = tables.interior::<{edges}>(order);\n") };
         format!(
             "{}for order in 1..=orders {{\n{fraction}{inner}{}{}}}\ntrue",
             self.before, self.body, self.after
@@ -199,7 +211,7 @@ impl Writer<'_, '_> {
 
     fn text(&self, operand: Operand) -> Option<String> {
         match operand {
-            Operand::Inner(lane) => Some(format!("inner[{lane}]")),
+            Operand::Inner(lane) => Some(self.inner[lane].clone()),
             Operand::Slot(slot) => Some(self.coefficients[slot.index()].clone()),
         }
     }
@@ -225,6 +237,52 @@ impl Writer<'_, '_> {
             terms.insert(0, term);
         }
         terms
+    }
+
+    /// The interior sums. Their outermost terms, with coefficients of order 1 and of the last order, are not in the
+    /// tables: a sweep over a row that was just written would wait for it.
+    fn interiors(&mut self) {
+        if self.jets.lanes.len() > EDGED {
+            self.inner = (0..self.jets.lanes.len()).map(|lane| format!("inner[{lane}]")).collect();
+            return;
+        }
+        let scalar = &self.emission.item.scalar;
+        let zero = self.zero();
+        let mut edges: Lookup<crate::jets::Operand, (String, String)> = Lookup::default();
+        let mut operands: Vec<crate::jets::Operand> = Vec::new();
+        for lane in &self.jets.lanes {
+            for operand in [lane.left, lane.right] {
+                if edges.get(&operand).is_some() {
+                    continue;
+                }
+                let label = &self.start.labels[operand.slot.index()];
+                let ramp = if operand.ramp { "_ramp" } else { "" };
+                let wish = |part: &str| Some(format!("{label}{ramp}_{part}")).filter(|_| !label.is_empty());
+                let (first, last) = (self.names.claim(wish("first")), self.names.claim(wish("last")));
+                self.before.push_str(&format!("let mut {first}: {scalar} = {zero};\n"));
+                self.before.push_str(&format!("let mut {last}: {scalar} = {zero};\n"));
+                edges.insert(operand, (first, last));
+                operands.push(operand);
+            }
+        }
+        for (place, lane) in self.jets.lanes.iter().enumerate() {
+            let (Some(left), Some(right)) = (edges.get(&lane.left), edges.get(&lane.right)) else { continue };
+            let text = if lane.left == lane.right {
+                format!("Real::mul_add({0} + {0}, {1}, inner[{place}])", left.0, left.1)
+            } else {
+                format!(
+                    "Real::mul_add({}, {}, Real::mul_add({}, {}, inner[{place}]))",
+                    left.0, right.1, right.0, left.1
+                )
+            };
+            let name = self.names.claim(Some(format!("inner_{place}")));
+            self.body.push_str(&binding(scalar, &name, &text));
+            self.inner.push(name);
+        }
+        self.edges = operands
+            .into_iter()
+            .filter_map(|operand| edges.get(&operand).map(|(first, last)| (operand, first.clone(), last.clone())))
+            .collect();
     }
 
     /// Everything that lower orders determine.
@@ -376,17 +434,42 @@ impl Writer<'_, '_> {
         if self.jets.lanes.is_empty() {
             return;
         }
-        self.body.push_str("if let ::core::option::Option::Some((left, right)) = tables.row(order) {\n");
-        let operand = |writer: &Self, operand: crate::jets::Operand| {
-            let name = match &writer.coefficients[operand.slot.index()] {
-                none if none.is_empty() => writer.zero(),
+        let mut operands: Vec<crate::jets::Operand> = Vec::new();
+        for lane in &self.jets.lanes {
+            operands.extend([lane.left, lane.right]);
+        }
+        let mut values: Lookup<crate::jets::Operand, String> = Lookup::default();
+        for operand in operands {
+            if values.get(&operand).is_some() {
+                continue;
+            }
+            let name = match &self.coefficients[operand.slot.index()] {
+                none if none.is_empty() => self.zero(),
                 name => name.clone(),
             };
-            if operand.ramp { format!("lagrange::jets::ramp(order, {name})") } else { name }
-        };
+            let value = if operand.ramp {
+                let ramped = self.claim(operand.slot, "ramp");
+                self.bind(&ramped, &format!("lagrange::jets::ramp(order, {name})"));
+                ramped
+            } else {
+                name
+            };
+            values.insert(operand, value);
+        }
+        for (operand, first, last) in std::mem::take(&mut self.edges) {
+            let value = values.get(&operand).cloned().unwrap_or_default();
+            self.after.push_str(&format!(
+                "{first} = lagrange::jets::first(order, {first}, {value});\n{last} = {value};\n"
+            ));
+        }
+        self.body.push_str("if let ::core::option::Option::Some((left, right)) = tables.row(order) {\n");
         for (place, &Lane { left, right }) in self.jets.lanes.iter().enumerate() {
-            let (left, right) = (operand(self, left), operand(self, right));
-            self.body.push_str(&format!("left[{place}] = {left};\nright[{place}] = {right};\n"));
+            let value = |operand| values.get(&operand).cloned().unwrap_or_default();
+            self.body.push_str(&format!(
+                "left[{place}] = {};\nright[{place}] = {};\n",
+                value(left),
+                value(right)
+            ));
         }
         self.body.push_str("}\n");
     }
