@@ -6,6 +6,12 @@
 
 use crate::real::Real;
 
+/// So many lanes are summed in the middle of the code that uses them.
+const INLINE: usize = 12;
+
+/// So many lanes are summed in one loop: as many as the registers of common vector units hold.
+const TOGETHER: usize = 40;
+
 /// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tables<R, const L: usize, const P: usize> {
@@ -30,28 +36,42 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     /// Σ left\[j] right\[order − j] over `EDGE` < j < order − `EDGE`, for all lanes.
     #[inline(always)]
     pub fn interior<const EDGE: usize>(&self, order: usize) -> [R; L] {
+        let rows = order.saturating_sub(1 + EDGE);
         let mut sums = [R::zero(); L];
+        if L <= INLINE {
+            self.sweep::<EDGE, L>(rows, 0, &mut sums);
+        } else {
+            self.outlined::<EDGE>(rows, &mut sums);
+        }
+        sums
+    }
+
+    /// A function of its own: between scalar code the compiler would take its vectors apart.
+    #[inline(never)]
+    fn outlined<const EDGE: usize>(&self, rows: usize, sums: &mut [R; L]) {
+        if L <= TOGETHER {
+            return self.sweep::<EDGE, L>(rows, 0, sums);
+        }
         let mut done = 0;
         macro_rules! blocks {
             ($($width:literal)*) => {$(
                 while done + $width <= L {
-                    let sum = self.sweep::<EDGE, $width>(order.saturating_sub(1 + EDGE), done);
-                    for (to, from) in sums.iter_mut().skip(done).zip(sum) {
-                        *to = from;
-                    }
+                    self.sweep::<EDGE, $width>(rows, done, sums);
                     done += $width;
                 }
             )*};
         }
         blocks!(32 16 8 4);
-        sums
     }
 
     /// The sums of `W` lanes from the lane `first` on, over the indices `EDGE` to `rows` − 1 and back.
     #[inline(always)]
-    fn sweep<const EDGE: usize, const W: usize>(&self, rows: usize, first: usize) -> [R; W] {
+    fn sweep<const EDGE: usize, const W: usize>(&self, rows: usize, first: usize, sums: &mut [R; L]) {
         let mut sum = [R::zero(); W];
-        for (left, right) in self.left.iter().take(rows).skip(EDGE).zip(self.right.iter().take(rows).skip(EDGE).rev()) {
+        let (Some(left), Some(right)) = (self.left.get(EDGE..rows), self.right.get(EDGE..rows)) else {
+            return;
+        };
+        for (left, right) in left.iter().zip(right.iter().rev()) {
             let (Some(left), Some(right)) = (left.get(first..first + W), right.get(first..first + W)) else {
                 break;
             };
@@ -59,7 +79,9 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
                 sum[i] = Real::mul_add(left[i], right[i], sum[i]);
             }
         }
-        sum
+        for (to, from) in sums.iter_mut().skip(first).zip(sum) {
+            *to = from;
+        }
     }
 }
 
