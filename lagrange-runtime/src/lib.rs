@@ -49,7 +49,7 @@ mod tables;
 
 pub use algebra::PrincipalMoments;
 pub use error::{Cause, MotionError};
-pub use integrator::{ALPHA, Adaptive, Dop853, FixedStep, Jet, Jets, Rk4};
+pub use integrator::{Adaptive, Dop853, FixedStep, Jet, Jets, Rk4};
 pub use num_traits::{One, Zero};
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};

@@ -16,7 +16,7 @@ mod tableau;
 
 pub use adaptive::{Adaptive, Dop853};
 pub use jet::Jet;
-pub use jets::{ALPHA,Jets};
+pub use jets::Jets;
 pub use rk4::Rk4;
 pub use step_size::Limits;
 
