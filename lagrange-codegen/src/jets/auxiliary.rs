@@ -37,6 +37,8 @@ pub enum Value<T> {
     Binary(Binary, T, T),
     /// A power.
     Power(T, Exponent),
+    /// The value of a polynomial.
+    Same(T),
 }
 
 /// A relation between the series of an auxiliary and others.
@@ -48,6 +50,8 @@ pub enum Relation<T> {
     Chain(Vec<(T, T)>),
     /// y is this power of the base.
     Power(T, Number),
+    /// y is a name for this polynomial.
+    Same(T),
 }
 
 /// Rewrites roots as polynomials.
@@ -120,11 +124,7 @@ impl<'g> Rewriter<'g> {
     }
 
     /// A power as whole powers of what is polynomial.
-    fn power(
-        &mut self,
-        factor: NodeId,
-        exponent: Exponent,
-    ) -> Result<Vec<(NodeId, Exponent)>, NotSmooth> {
+    fn power(&mut self, factor: NodeId, exponent: Exponent) -> Result<Vec<(NodeId, Exponent)>, NotSmooth> {
         let base = self.of(factor);
         if self.is_held(factor) {
             return Ok(vec![(base, exponent)]);
@@ -255,7 +255,8 @@ impl<'g> Rewriter<'g> {
 
     /// The relation y′ = Σ slope · argument′ for slopes that are polynomials.
     fn relation(&mut self, slopes: &[(NodeId, NodeId)]) -> Result<Relation<NodeId>, NotSmooth> {
-        let slopes: Vec<_> = slopes.iter().copied().filter(|&(_, argument)| !self.is_held(argument)).collect();
+        let slopes: Vec<_> =
+            slopes.iter().copied().filter(|&(_, argument)| !self.is_held(argument)).collect();
         let arguments: Vec<NodeId> = slopes.iter().map(|&(_, argument)| argument).collect();
         let rates = pushforward(self.graph, &arguments, &self.direction);
         let bent = Dependence::COORDINATES.union(Dependence::TIME).union(Dependence::INPUTS);

@@ -98,11 +98,13 @@ impl Jets {
                 Relation::Flow(_) => Relation::Flow(next()),
                 Relation::Chain(terms) => Relation::Chain(terms.iter().map(|_| (next(), next())).collect()),
                 Relation::Power(_, exponent) => Relation::Power(next(), exponent),
+                Relation::Same(_) => Relation::Same(next()),
             };
             let value = match auxiliary.value {
                 Value::Unary(function, _) => Value::Unary(function, next()),
                 Value::Binary(function, ..) => Value::Binary(function, next(), next()),
                 Value::Power(_, exponent) => Value::Power(next(), exponent),
+                Value::Same(_) => Value::Same(next()),
             };
             if let Some(slot) = slot {
                 auxiliary_at.insert(slot, series.len());
@@ -159,7 +161,10 @@ impl Jets {
     pub(super) fn cost(&self) -> usize {
         /// A lane costs its share of the sweep, two terms of its own, and the stores of two operands.
         const LANE: usize = 6;
-        let moving = self.order.iter().filter(|&&slot| self.moves(slot)).count();
+        let is_name = |slot: Slot| {
+            matches!(self.auxiliary(slot).map(|series| &series.relation), Some(Relation::Same(_)))
+        };
+        let moving = self.order.iter().filter(|&&slot| self.moves(slot) && !is_name(slot)).count();
         LANE * self.lanes.len() + moving
     }
 
@@ -168,7 +173,9 @@ impl Jets {
         let mut under = vec![false; self.program.len()];
         let mut stack = self.momenta.clone();
         while let Some(slot) = stack.pop() {
-            if self.coefficient(slot) == Coefficient::Late && !std::mem::replace(&mut under[slot.index()], true) {
+            if self.coefficient(slot) == Coefficient::Late
+                && !std::mem::replace(&mut under[slot.index()], true)
+            {
                 self.series_operands(slot, |operand| stack.push(operand));
             }
         }
@@ -181,7 +188,7 @@ impl Jets {
             None => self.program.instruction(slot).operands(visit),
             Some(Relation::Flow(_)) => {}
             Some(Relation::Chain(terms)) => terms.iter().for_each(|&(_, argument)| visit(argument)),
-            Some(Relation::Power(base, _)) => visit(*base),
+            Some(Relation::Power(base, _) | Relation::Same(base)) => visit(*base),
         }
     }
 
@@ -206,7 +213,7 @@ impl Jets {
                 self.series_operands(slot, |operand| operands.push(operand));
                 if let Some(series) = self.auxiliary(slot) {
                     match series.value {
-                        Value::Unary(_, x) | Value::Power(x, _) => operands.push(x),
+                        Value::Unary(_, x) | Value::Power(x, _) | Value::Same(x) => operands.push(x),
                         Value::Binary(_, x, y) => operands.extend([x, y]),
                     }
                 }
@@ -221,9 +228,9 @@ impl Jets {
         for &slot in &self.order {
             let mut class = match self.program.instruction(slot) {
                 Instruction::Variable(Variable::Velocity(_)) => Coefficient::Late,
-                Instruction::Variable(
-                    Variable::Coordinate(_) | Variable::Time | Variable::Auxiliary(_),
-                ) => Coefficient::Early,
+                Instruction::Variable(Variable::Coordinate(_) | Variable::Time | Variable::Auxiliary(_)) => {
+                    Coefficient::Early
+                }
                 _ => Coefficient::Constant,
             };
             self.series_operands(slot, |operand| class = class.max(classes[operand.index()]));
@@ -242,7 +249,7 @@ impl Jets {
             match self.auxiliary(slot).map(|series| &series.relation) {
                 Some(Relation::Flow(rate)) => stack.push(*rate),
                 Some(Relation::Chain(terms)) => stack.extend(terms.iter().map(|&(slope, _)| slope)),
-                Some(Relation::Power(..)) | None => {}
+                Some(Relation::Power(..) | Relation::Same(_)) | None => {}
             }
         }
         for (class, asked) in classes.iter_mut().zip(asked) {
@@ -278,10 +285,12 @@ impl Jets {
 fn relation_lanes(series: &Series) -> Vec<Lane> {
     let y = series.slot;
     match &series.relation {
-        Relation::Flow(_) => Vec::new(),
+        Relation::Flow(_) | Relation::Same(_) => Vec::new(),
         Relation::Chain(terms) => terms.iter().map(|&(slope, x)| Lane::ramped(x, slope)).collect(),
         Relation::Power(_, exponent) if *exponent == crate::number::Number::HALF => vec![Lane::of(y, y)],
-        Relation::Power(x, exponent) if *exponent == crate::number::Number::MINUS_ONE => vec![Lane::of(y, *x)],
+        Relation::Power(x, exponent) if *exponent == crate::number::Number::MINUS_ONE => {
+            vec![Lane::of(y, *x)]
+        }
         Relation::Power(x, _) => vec![Lane::of(y, *x), Lane::ramped(y, *x)],
     }
 }

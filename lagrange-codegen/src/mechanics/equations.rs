@@ -1,7 +1,7 @@
 //! Momenta, mass matrix and bias.
 
-use super::{angular, forces};
 use super::motion::{Motion, time_direction};
+use super::{angular, forces};
 use crate::calculus::{pullback, pushforward};
 use crate::expr::NodeId;
 use crate::model::Model;

@@ -182,4 +182,3 @@ where
         diagnose(self.system, self.constants, t, q, v)
     }
 }
-

@@ -10,8 +10,8 @@
 use core::cmp::Ordering;
 
 use super::Field;
-use super::dense::Dense;
 use super::adaptive::Steps;
+use super::dense::Dense;
 use super::step_size::{self, Limits};
 use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
 use crate::error::{Cause, MotionError};

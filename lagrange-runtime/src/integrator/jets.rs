@@ -131,7 +131,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let absolute = limits.absolute.unwrap_or_else(R::zero);
         let (mut last, mut before) = (R::zero(), R::zero());
         let tiny = step_size::smallest::<R>();
-        let size = |x0: R, x1: R, x2: R| relative * larger(x0.abs(), larger(x1.abs(), x2.abs())) + absolute + tiny;
+        let size =
+            |x0: R, x1: R, x2: R| relative * larger(x0.abs(), larger(x1.abs(), x2.abs())) + absolute + tiny;
         let (series, p) = (&self.series, self.orders);
         let row = |rows: &[[R; N]; HIGHEST], k: usize| rows.get(k - 1).copied().unwrap_or([R::zero(); N]);
         let [q1, q2, qb, ql] = [1, 2, p - 1, p].map(|k| row(&series.q, k));
@@ -300,7 +301,8 @@ where
         } else {
             // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
             let cause = if is_finite { Cause::StepTooSmall } else { Cause::NotFinite };
-            let factor = if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
+            let factor =
+                if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
             unit *= factor;
             memory.counts.rejected += 1;
             if unit.partial_cmp(&resolution) != Some(Ordering::Greater) {

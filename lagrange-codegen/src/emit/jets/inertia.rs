@@ -97,7 +97,8 @@ impl Inertia {
 
     /// The number of factorisations made once per run.
     pub fn factored(&self) -> usize {
-        let once = |part: &&Part| matches!(part.entries, Entries::Outputs { constant: true, count } if count > 1);
+        let once =
+            |part: &&Part| matches!(part.entries, Entries::Outputs { constant: true, count } if count > 1);
         self.blocks.iter().filter(once).count()
     }
 
@@ -108,7 +109,11 @@ impl Inertia {
         let entries =
             block::write(model, scalar, &self.constant, &self.constant.outputs, &[], &mut Names::new(model));
         let braced = |block: &Block, result: String| {
-            format!("{{\n{}{}{result}\n}}", body::parameters(model, scalar, &block.reads), body::assemble(block))
+            format!(
+                "{{\n{}{}{result}\n}}",
+                body::parameters(model, scalar, &block.reads),
+                body::assemble(block)
+            )
         };
         let array = |texts: &[String]| format!("[{}]", texts.join(", "));
         let mut outputs = entries.outputs.iter().cloned();
@@ -175,7 +180,8 @@ impl Inertia {
         }
         // Functions that have a series have a value already.
         for slot in self.moving.needed(&self.moving.outputs) {
-            if let (Instruction::Unary(..), Some(node)) = (self.moving.instruction(slot), self.moving.source(slot))
+            if let (Instruction::Unary(..), Some(node)) =
+                (self.moving.instruction(slot), self.moving.source(slot))
                 && let Some(series) = jets.auxiliaries.iter().find(|series| series.origin == node)
                 && !start.text(series.slot).is_empty()
             {
@@ -188,7 +194,8 @@ impl Inertia {
         let mut solvers = Vec::with_capacity(self.blocks.len());
         let mut factored = 0;
         for part in &self.blocks {
-            let label = |suffix: &str| Some(format!("{}_{suffix}", model.coordinates[part.coordinates[0]].label()));
+            let label =
+                |suffix: &str| Some(format!("{}_{suffix}", model.coordinates[part.coordinates[0]].label()));
             let by = match part.entries {
                 Entries::Number(number) if number.is_one() => By::Nothing,
                 Entries::Number(number) => match number.recip() {

@@ -14,8 +14,8 @@ use super::Emission;
 use super::body;
 use super::names::{Names, describe};
 use super::scalar;
-use crate::jets::{Jets, Value};
 use crate::expr::Variable;
+use crate::jets::{Jets, Value};
 use crate::schedule::{Instruction, Slot};
 use inertia::Inertia;
 use start::Start;
@@ -58,7 +58,8 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
 
     let lanes = jets.lanes.len().div_ceil(WIDTH) * WIDTH;
     let (vector, inputs, count) = (emission.vector_type(), emission.input_type(), emission.count());
-    let named = |name: &str| if super::system::mentions(&text, name) { name.to_owned() } else { format!("_{name}") };
+    let named =
+        |name: &str| if super::system::mentions(&text, name) { name.to_owned() } else { format!("_{name}") };
     format!(
         "type JetConstants = {constants_type};\n\
          type Tables<const P: usize> = lagrange::Tables<{scalar}, {lanes}, P>;\n\
@@ -90,6 +91,7 @@ fn label_auxiliaries(emission: &mut Emission<'_>, jets: &Jets) {
         let label = match series.value {
             Value::Unary(function, x) => format!("{}_{}", function.name(), of(x)),
             Value::Binary(function, x, y) => format!("{}_{}_{}", function.name(), of(x), of(y)),
+            Value::Same(x) => of(x),
             Value::Power(x, exponent) => match exponent.0 {
                 1 => format!("root_{}", of(x)),
                 -2 => format!("inverse_{}", of(x)),

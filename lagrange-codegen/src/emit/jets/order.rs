@@ -57,7 +57,8 @@ pub(super) fn pass(
 
     let named = named(jets);
     let power_names = |slot: Slot| powers.get(&slot).cloned().unwrap_or_default();
-    let context = Context { jets, start: &start.texts, named: &named, powers: &power_names, literal: &literal };
+    let context =
+        Context { jets, start: &start.texts, named: &named, powers: &power_names, literal: &literal };
     let writer = Writer {
         emission,
         jets,
@@ -180,7 +181,11 @@ impl Writer<'_, '_> {
             String::new()
         };
         let edges = usize::from(self.jets.lanes.len() <= EDGED);
-        let inner = if self.jets.lanes.is_empty() { String::new() } else { format!("let inner = tables.interior::<{edges}>(order);\n") };
+        let inner = if self.jets.lanes.is_empty() {
+            String::new()
+        } else {
+            format!("let inner = tables.interior::<{edges}>(order);\n")
+        };
         format!(
             "{}for order in 1..=orders {{\n{fraction}{inner}{}{}}}\ntrue",
             self.before, self.body, self.after
@@ -281,7 +286,9 @@ impl Writer<'_, '_> {
         }
         self.edges = operands
             .into_iter()
-            .filter_map(|operand| edges.get(&operand).map(|(first, last)| (operand, first.clone(), last.clone())))
+            .filter_map(|operand| {
+                edges.get(&operand).map(|(first, last)| (operand, first.clone(), last.clone()))
+            })
             .collect();
     }
 
@@ -298,7 +305,8 @@ impl Writer<'_, '_> {
             }
             let text = if let Instruction::Variable(Variable::Time) = instruction {
                 format!("if order == 1 {{ h }} else {{ {zero} }}")
-            } else if let Some(Relation::Flow(rate)) = self.jets.auxiliary(slot).map(|series| series.relation.clone())
+            } else if let Some(Relation::Flow(rate)) =
+                self.jets.auxiliary(slot).map(|series| series.relation.clone())
             {
                 let label = self.start.labels[slot.index()].clone();
                 let flow = self.carry(rate, &format!("{label}_flow"));
@@ -328,7 +336,8 @@ impl Writer<'_, '_> {
     fn partially(&mut self, under: &[bool]) {
         for slot in self.jets.order.clone() {
             let late = self.jets.coefficient(slot) == Coefficient::Late;
-            let velocity = matches!(self.jets.program.instruction(slot), Instruction::Variable(Variable::Velocity(_)));
+            let velocity =
+                matches!(self.jets.program.instruction(slot), Instruction::Variable(Variable::Velocity(_)));
             if !late || velocity || !under[slot.index()] || !self.context.named[slot.index()] {
                 continue;
             }
@@ -395,7 +404,9 @@ impl Writer<'_, '_> {
     fn late(&mut self, under: &[bool]) {
         for slot in self.jets.order.clone() {
             let late = self.jets.coefficient(slot) == Coefficient::Late && self.context.named[slot.index()];
-            if !late || matches!(self.jets.program.instruction(slot), Instruction::Variable(Variable::Velocity(_))) {
+            if !late
+                || matches!(self.jets.program.instruction(slot), Instruction::Variable(Variable::Velocity(_)))
+            {
                 continue;
             }
             let (known, unknown) = self.split(slot);

@@ -157,6 +157,7 @@ impl<'a> Start<'a> {
                     (format!("Real::{}({}, {})", function.name(), self.text(x), self.text(y)), None)
                 }
                 Value::Power(x, exponent) => (power(self.text(x), exponent), None),
+                Value::Same(x) => (self.text(x).to_owned(), None),
             };
         }
         let text = |slot: Slot| self.text(slot);
@@ -206,6 +207,7 @@ fn needed(jets: &Jets, known: &[String]) -> Vec<bool> {
                 Relation::Flow(rate) => stack.push(*rate),
                 Relation::Chain(terms) => stack.extend(terms.iter().map(|&(slope, _)| slope)),
                 Relation::Power(base, _) => stack.extend([slot, *base]),
+                Relation::Same(_) => {}
             },
             (Instruction::Mul(a, b), None) => match (jets.moves(a), jets.moves(b)) {
                 (true, true) => stack.extend([a, b]),
@@ -222,7 +224,7 @@ fn needed(jets: &Jets, known: &[String]) -> Vec<bool> {
             continue;
         }
         match jets.auxiliary(slot).map(|series| series.value) {
-            Some(Value::Unary(_, x) | Value::Power(x, _)) => stack.push(x),
+            Some(Value::Unary(_, x) | Value::Power(x, _) | Value::Same(x)) => stack.push(x),
             Some(Value::Binary(_, x, y)) => stack.extend([x, y]),
             None => jets.program.instruction(slot).operands(|operand| stack.push(operand)),
         }

@@ -121,6 +121,9 @@ impl Context<'_> {
         let lanes = self.jets.relation_lanes(series);
         match &series.relation {
             Relation::Flow(_) => {}
+            Relation::Same(slot) => {
+                terms.push(Term { negative: false, factor: None, value: Operand::Slot(*slot) });
+            }
             Relation::Chain(arguments) => {
                 for (&(slope, argument), lane) in arguments.iter().zip(lanes) {
                     if self.jets.moves(slope) {
