@@ -7,6 +7,7 @@
 //! | [`system`] | the trait that generated code implements |
 //! | [`smooth`] | the same for Taylor coefficients of the motion |
 //! | [`simulation`] | a motion under error control: advance, sample, steer |
+//! | [`batch`] | several motions at once, in the lanes of a SIMD vector |
 //! | [`stepper`] | a motion in fixed steps, for control loops |
 //! | [`integrator`] | the methods: RK4, Dormand–Prince 8(5,3) |
 //! | [`linear`] | factorisations of small dense matrices |
@@ -19,6 +20,7 @@
 //! | feature | math functions | use |
 //! | --- | --- | --- |
 //! | `std` (default) | the platform's | fastest where there is an operating system |
+//! | `wide` | | SIMD vectors of the `wide` crate as scalars: [`Batch`] |
 //! | `libm` | the `libm` crate's | bare metal; the same bits on every target; wins over `std` |
 #![no_std]
 #![forbid(unsafe_code)]
@@ -33,6 +35,7 @@ compile_error!(
 );
 
 pub mod algebra;
+pub mod batch;
 pub mod error;
 pub mod integrator;
 pub mod linear;
@@ -48,9 +51,12 @@ pub mod system;
 mod tables;
 
 pub use algebra::PrincipalMoments;
+pub use batch::Batch;
 pub use error::{Cause, MotionError};
 pub use integrator::{Adaptive, Dop853, FixedStep, Jet, Jets, Rk4};
 pub use num_traits::{One, Zero};
+#[cfg(feature = "wide")]
+pub use real::Lanes;
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use smooth::{Series, Smooth};

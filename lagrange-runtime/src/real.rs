@@ -13,6 +13,11 @@ use num_traits::{One, Zero};
 
 use crate::math;
 
+#[cfg(feature = "wide")]
+mod lanes;
+#[cfg(feature = "wide")]
+pub use lanes::Lanes;
+
 /// A real number, or several of them side by side (lanes).
 pub trait Real:
     Copy
@@ -202,6 +207,18 @@ pub trait Real:
         if exponent < 0 { product.recip() } else { product }
     }
 
+    /// The larger of two, lane by lane. The default rounds.
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        (self + other + (self - other).abs()) / Self::from_f64(2.0)
+    }
+
+    /// The smaller of two, lane by lane. The default rounds.
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        (self + other - (self - other).abs()) / Self::from_f64(2.0)
+    }
+
     /// √(`self`² + `other`²). The default overflows where a square does.
     #[inline]
     fn hypot(self, other: Self) -> Self {
@@ -290,6 +307,14 @@ macro_rules! impl_real {
             #[inline]
             fn is_positive(self) -> bool {
                 self > 0.0
+            }
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                $scalar::max(self, other)
+            }
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                $scalar::min(self, other)
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, summand: Self) -> Self {

@@ -73,7 +73,7 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
         let (mut odd, mut even) = ((zero, zero), (zero, zero));
         let square = theta * theta;
         let (Some(q), Some(v)) = (self.q.get(..orders), self.v.get(..orders)) else { return odd };
-        let mut add = |to: &mut ([R; N], [R; N]), row_q: &[R; N], row_v: &[R; N]| {
+        let add = |to: &mut ([R; N], [R; N]), row_q: &[R; N], row_v: &[R; N]| {
             for i in 0..N {
                 to.0[i] = R::mul_add(to.0[i], square, row_q[i]);
                 to.1[i] = R::mul_add(to.1[i], square, row_v[i]);

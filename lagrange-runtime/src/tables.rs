@@ -71,7 +71,7 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         let (Some(left), Some(right)) = (self.left.get(EDGE..rows), self.right.get(EDGE..rows)) else {
             return;
         };
-        let mut add = |sum: &mut [R; W], left: &[R; L], right: &[R; L]| {
+        let add = |sum: &mut [R; W], left: &[R; L], right: &[R; L]| {
             if let (Some(left), Some(right)) = (left.get(first..first + W), right.get(first..first + W)) {
                 for i in 0..W {
                     sum[i] = Real::mul_add(left[i], right[i], sum[i]);

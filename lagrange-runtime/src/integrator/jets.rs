@@ -26,7 +26,7 @@ use crate::state::State;
 pub struct Jets;
 
 /// The highest order.
-const HIGHEST: usize = 32;
+pub(crate) const HIGHEST: usize = 32;
 
 /// Orders for each natural digit of the tolerance. One half is the optimum where the work of a step grows with the
 /// square of the order (Jorba and Zou); here it grows more slowly. Measured on the systems of the benchmarks.
@@ -36,7 +36,7 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 const DECAY: f64 = 0.29;
 
 /// A unit of time within this factor of the step keeps all coefficients far from the ends of the arithmetic.
-const NEAR: f64 = 64.0;
+pub(crate) const NEAR: f64 = 64.0;
 
 /// What [`Jets`] remember between steps.
 #[derive(Clone, Copy, Debug)]
@@ -156,13 +156,13 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     }
 }
 
-/// The order for a tolerance.
+/// The order for a tolerance, with so many orders for each of its natural digits.
 #[inline]
-fn orders<R: Ordered>(relative: R) -> usize {
+pub(crate) fn orders<R: Ordered>(relative: R, per_digit: f64) -> usize {
     let digits = -larger(relative, R::epsilon()).ln();
     let mut orders = 4;
     // A cast of a generic scalar: the smallest integer above.
-    while orders < HIGHEST && R::from_f64(orders as f64) < R::from_f64(ORDERS_PER_DIGIT) * digits + R::one() {
+    while orders < HIGHEST && R::from_f64(orders as f64) < R::from_f64(per_digit) * digits + R::one() {
         orders += 1;
     }
     orders
@@ -231,7 +231,7 @@ where
         S::Scalar: Ordered,
     {
         if memory.tolerance != limits.relative {
-            (memory.tolerance, memory.orders) = (limits.relative, orders(limits.relative));
+            (memory.tolerance, memory.orders) = (limits.relative, orders(limits.relative, ORDERS_PER_DIGIT));
         }
         while !memory.covers(t) {
             if !memory.ahead(t) {

@@ -7,7 +7,7 @@ pub(crate) mod adaptive;
 pub(crate) mod dense;
 pub(crate) mod dop853;
 mod jet;
-mod jets;
+pub(crate) mod jets;
 mod rk4;
 #[cfg(test)]
 pub(crate) mod samples;

@@ -1,0 +1,177 @@
+//! Vectors of the `wide` crate as scalars: the same generated code for several motions at once.
+
+use core::iter::Sum;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+use wide::{f32x4, f32x8, f64x2, f64x4, f64x8};
+
+use super::Real;
+
+/// A SIMD vector as a scalar: `Lanes<f64x4>`, `Lanes<f64x8>`, `Lanes<f32x8>`, …
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct Lanes<V>(pub V);
+
+macro_rules! lanes {
+    ($($vector:ident of $count:literal $lane:ident;)*) => {$(
+        impl From<[$lane; $count]> for Lanes<$vector> {
+            #[inline]
+            fn from(lanes: [$lane; $count]) -> Self {
+                Self($vector::from(lanes))
+            }
+        }
+
+        impl From<Lanes<$vector>> for [$lane; $count] {
+            #[inline]
+            fn from(lanes: Lanes<$vector>) -> Self {
+                lanes.0.into()
+            }
+        }
+
+        lanes!(@binary $vector Add add, Sub sub, Mul mul, Div div);
+        lanes!(@assign $vector AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /);
+
+        impl Neg for Lanes<$vector> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self(-self.0)
+            }
+        }
+
+        impl Zero for Lanes<$vector> {
+            #[inline(always)]
+            fn zero() -> Self {
+                Self($vector::splat(0.0))
+            }
+
+            #[inline]
+            fn is_zero(&self) -> bool {
+                *self == Self::zero()
+            }
+        }
+
+        impl One for Lanes<$vector> {
+            #[inline(always)]
+            fn one() -> Self {
+                Self($vector::splat(1.0))
+            }
+        }
+
+        impl Sum for Lanes<$vector> {
+            #[inline]
+            fn sum<I: Iterator<Item = Self>>(items: I) -> Self {
+                items.fold(Self::zero(), Add::add)
+            }
+        }
+
+        impl Real for Lanes<$vector> {
+            type Lane = $lane;
+
+            #[inline(always)]
+            fn splat(lane: $lane) -> Self {
+                Self($vector::splat(lane))
+            }
+
+            #[inline]
+            fn largest(self) -> $lane {
+                let lanes: [$lane; $count] = self.0.into();
+                lanes.into_iter().fold($lane::NEG_INFINITY, $lane::max)
+            }
+
+            #[inline(always)]
+            fn from_f64(literal: f64) -> Self {
+                Self($vector::splat(literal as $lane))
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                let (sin, cos) = self.0.sin_cos();
+                (Self(sin), Self(cos))
+            }
+
+            #[inline]
+            fn signum(self) -> Self {
+                let lanes: [$lane; $count] = self.0.into();
+                Self($vector::from(lanes.map($lane::signum)))
+            }
+
+            #[inline]
+            fn epsilon() -> Self {
+                Self($vector::splat($lane::EPSILON))
+            }
+
+            #[inline]
+            fn is_finite(self) -> bool {
+                self.0.is_finite().all()
+            }
+
+            #[inline]
+            fn is_positive(self) -> bool {
+                let lanes: [$lane; $count] = self.0.into();
+                lanes.into_iter().all(|lane| lane > 0.0)
+            }
+
+            #[inline(always)]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                Self(self.0.mul_add(factor.0, summand.0))
+            }
+
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                Self(self.0.atan2(x.0))
+            }
+
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                Self(self.0.fast_max(other.0))
+            }
+
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                Self(self.0.fast_min(other.0))
+            }
+
+            #[inline]
+            fn powf(self, exponent: Self) -> Self {
+                Self(self.0.powf_simd(exponent.0))
+            }
+
+            lanes!(@forward exp ln sqrt abs asin acos atan sinh cosh tanh exp_m1 ln_1p cbrt);
+        }
+    )*};
+    (@binary $vector:ident $($trait:ident $function:ident),*) => {$(
+        impl $trait for Lanes<$vector> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $function(self, other: Self) -> Self {
+                Self($trait::$function(self.0, other.0))
+            }
+        }
+    )*};
+    (@assign $vector:ident $($trait:ident $function:ident $operator:tt),*) => {$(
+        impl $trait for Lanes<$vector> {
+            #[inline(always)]
+            fn $function(&mut self, other: Self) {
+                self.0 = self.0 $operator other.0;
+            }
+        }
+    )*};
+    (@forward $($function:ident)*) => {$(
+        #[inline]
+        fn $function(self) -> Self {
+            Self(self.0.$function())
+        }
+    )*};
+}
+
+lanes! {
+    f64x2 of 2 f64;
+    f64x4 of 4 f64;
+    f64x8 of 8 f64;
+    f32x4 of 4 f32;
+    f32x8 of 8 f32;
+}
