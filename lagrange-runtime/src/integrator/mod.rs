@@ -13,23 +13,32 @@ mod tableau;
 
 pub use rk4::Rk4;
 
+use core::fmt::Debug;
+
 use crate::error::Cause;
 use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
 
-/// A method that takes steps of a size chosen by the caller. `default()` is its memory before the first step.
-pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize>: Default {
+/// A method that takes steps of a size chosen by the caller.
+pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
+    /// What a motion keeps from one step for the next; `default()` before the first. It belongs to one system with
+    /// its constants, but outlives steps that fail and inputs that change: a method asks whether it still fits.
+    type Memory: Copy + Debug + Default;
+
     /// The state after a step of `h` from `from`, with the inputs `u` held. The time of the result is `from.t + h`.
     /// A result that is not finite is left to the caller.
+    ///
+    /// # Errors
+    /// What kept a method that solves equations from solving them.
     fn step(
-        &mut self,
+        memory: &mut Self::Memory,
         system: &S,
         constants: &S::Constants,
         from: &State<S::Scalar, N>,
         h: S::Scalar,
         u: &[S::Scalar; K],
-    ) -> State<S::Scalar, N>;
+    ) -> Result<State<S::Scalar, N>, Cause>;
 }
 
 /// The right-hand side of q″ = a(t, q, v).
