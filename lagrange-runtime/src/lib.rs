@@ -7,7 +7,8 @@
 //! | [`system`] | the trait that generated code implements |
 //! | [`simulation`] | a motion under error control: advance, sample, steer |
 //! | [`stepper`] | a motion in fixed steps, for control loops |
-//! | [`integrator`] | the methods: RK4, Dormand–Prince 8(5,3) |
+//! | [`integrator`] | the methods: RK4, Dormand–Prince 8(5,3), symplectic splittings |
+//! | [`proved`] | what the macro proved of a system and a method may demand |
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
 //! | [`structure`] | operation counts and proven facts of a model |
@@ -36,6 +37,7 @@ pub mod error;
 pub mod integrator;
 pub mod linear;
 mod math;
+pub mod proved;
 pub mod real;
 pub mod simulation;
 mod solve;
@@ -46,8 +48,9 @@ pub mod system;
 
 pub use algebra::PrincipalMoments;
 pub use error::{Cause, MotionError};
-pub use integrator::{FixedStep, Rk4};
+pub use integrator::{BlanesMoan4, BlanesMoan6, FixedStep, Leapfrog, Rk4, Yoshida4, Yoshida6, Yoshida8};
 pub use num_traits::{One, Zero};
+pub use proved::{Autonomous, Conservative, ConstantMass, Separable};
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use state::State;
@@ -61,6 +64,7 @@ pub mod __private {
     pub use crate::algebra::{self, PrincipalMoments};
     pub use crate::error::{Cause, MotionError};
     pub use crate::linear::{Ldlt, Lu};
+    pub use crate::proved::{Autonomous, Conservative, ConstantMass, Separable};
     pub use crate::real::Real;
     pub mod solve {
         //! Solving for the accelerations.

@@ -8,10 +8,12 @@ pub(crate) mod dop853;
 mod rk4;
 #[cfg(test)]
 pub(crate) mod samples;
+mod splitting;
 pub(crate) mod step_size;
 mod tableau;
 
 pub use rk4::Rk4;
+pub use splitting::{BlanesMoan4, BlanesMoan6, LastKick, Leapfrog, Yoshida4, Yoshida6, Yoshida8};
 
 use core::fmt::Debug;
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod dop853;
 pub(crate) mod rk4;
+pub(crate) mod splitting;
 
 #[cfg(test)]
 mod conditions;
