@@ -6,6 +6,7 @@ mod docs;
 mod methods;
 mod names;
 mod parts;
+mod proofs;
 mod records;
 mod scalar;
 mod stubs;
@@ -65,6 +66,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let (impl_generics, _, where_clause) = generics.split_for_impl();
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let records = records::records(emission.item);
+    let proofs = proofs::proofs(emission.item, &proofs::proved(emission.facts), count, inputs);
     let lengths = tokens::length_checks(emission.model, diagnostics);
     let lengths = (!lengths.is_empty()).then(|| {
         quote! {
@@ -92,6 +94,8 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
                 #system
             }
+
+            #proofs
         };
     }
 }

@@ -4,7 +4,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::records;
+use super::{proofs, records};
 use crate::syntax::{Group, Item, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
@@ -23,6 +23,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     };
     let total = |groups: &[Group]| groups.iter().map(|group| group.length.unwrap_or(1)).sum::<usize>();
     let (count, inputs) = (total(&item.coordinates), total(&item.inputs));
+    let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let methods = methods(item, &quote!(#scalar), count, inputs);
     Some(quote! {
         #records
@@ -52,6 +53,8 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                     &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
                 ) -> #scalar { loop {} }
             }
+
+            #proofs
         };
     })
 }

@@ -58,8 +58,8 @@ where
         if kick != 0.0 {
             let a = last.take().unwrap_or_else(|| system.accelerations_at(constants, at.t, &at.q, &at.v, u));
             let reach = S::Scalar::from_f64(kick) * h;
-            for n in 0..N {
-                at.v[n] += reach * a[n];
+            for (v, a) in at.v.iter_mut().zip(a) {
+                *v += reach * a;
             }
             if i + 1 == KICKS {
                 *memory = Some(LastKick { t: at.t, q: at.q, u: *u, a });
@@ -67,8 +67,8 @@ where
         }
         if let Some(&drift) = method.drifts.get(i) {
             let reach = S::Scalar::from_f64(drift) * h;
-            for n in 0..N {
-                at.q[n] += reach * at.v[n];
+            for (q, v) in at.q.iter_mut().zip(at.v) {
+                *q += reach * v;
             }
             elapsed = if i + 1 == DRIFTS { 1.0 } else { elapsed + drift };
             at.t = from.t + S::Scalar::from_f64(elapsed) * h;
