@@ -9,8 +9,7 @@ use crate::system::System;
 #[diagnostic::on_unimplemented(
     message = "the mass matrix of `{Self}` is not constant",
     label = "this needs a constant mass matrix",
-    note = "the entries of its mass matrix depend on coordinates, velocities or time; use a method for any system, \
-            such as `Rk4` or a Gauss method, or coordinates in which the inertia is constant"
+    note = "use a method for every system, such as `Rk4`, or coordinates in which the inertia is constant"
 )]
 pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 
@@ -19,11 +18,9 @@ pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 /// Drifts (q moves, v stays) and kicks (v changes, q stays) are then exact motions of their own, of which splitting
 /// methods are made.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not separable: its mass matrix or its forces depend on more than positions and time allow",
-    label = "this method splits the motion into drifts and kicks, which `{Self}` does not allow",
-    note = "a splitting method needs a constant mass matrix, and forces without velocities: no Coriolis or \
-            magnetic forces, no damping; use `Rk4` or `simulate`, or for long runs `Gauss4`, `Gauss6` or `Gauss8`, \
-            which conserve as well"
+    message = "`{Self}` is not separable: its mass matrix varies, or a force depends on velocities",
+    label = "a splitting method does not work on `{Self}`",
+    note = "use `Gauss4`, `Gauss6` or `Gauss8`, which are symplectic on every system, or `Rk4` or `simulate`"
 )]
 pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}
 

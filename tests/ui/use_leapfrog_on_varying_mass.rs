@@ -26,6 +26,5 @@ impl DoublePendulum {
 
 fn main() {
     let pendulum = DoublePendulum { l: [1.0, 1.0] };
-    let mut motion = pendulum.stepper::<Leapfrog>(State::at_rest([2.0, 2.0]));
-    let _ = motion.step(1e-3, &[]);
+    let _ = pendulum.stepper::<Leapfrog>(State::at_rest([2.0, 2.0]));
 }

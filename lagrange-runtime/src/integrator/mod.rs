@@ -13,7 +13,7 @@ pub(crate) mod step_size;
 mod tableau;
 
 pub use rk4::Rk4;
-pub use splitting::{BlanesMoan4, BlanesMoan6, LastKick, Leapfrog, Yoshida4, Yoshida6, Yoshida8};
+pub use splitting::{BlanesMoan4, BlanesMoan6, LastKick, Leapfrog, Splitting, Yoshida4, Yoshida6, Yoshida8};
 
 use core::fmt::Debug;
 

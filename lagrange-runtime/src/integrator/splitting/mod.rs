@@ -8,9 +8,7 @@
 //! q and t with the same inputs.
 
 use super::FixedStep;
-use super::tableau::splitting::{
-    BLANES_MOAN4, BLANES_MOAN6, LEAPFROG, Splitting, YOSHIDA4, YOSHIDA6, YOSHIDA8,
-};
+use super::tableau::splitting as tableau;
 use crate::error::Cause;
 use crate::proved::Separable;
 use crate::real::Real;
@@ -37,44 +35,56 @@ impl<R: Real, const N: usize, const K: usize> LastKick<R, N, K> {
     }
 }
 
-/// A step of `h`.
-#[inline(always)]
-fn step<S, const N: usize, const K: usize, const KICKS: usize, const DRIFTS: usize>(
-    method: &Splitting<KICKS, DRIFTS>,
-    memory: &mut Option<LastKick<S::Scalar, N, K>>,
-    system: &S,
-    constants: &S::Constants,
-    from: &State<S::Scalar, N>,
-    h: S::Scalar,
-    u: &[S::Scalar; K],
-) -> State<S::Scalar, N>
+/// The fractions of a step that a splitting method is.
+pub trait Splitting {
+    /// Kicks, before each drift and after the last. One of zero is left out.
+    const KICKS: &'static [f64];
+    /// Drifts.
+    const DRIFTS: &'static [f64];
+}
+
+impl<M, S, const N: usize, const K: usize> FixedStep<S, N, K> for M
 where
+    M: Splitting,
     S: Separable<N, K>,
 {
-    let mut at = *from;
-    let mut last = memory.take().and_then(|kick| kick.reused(from, u));
-    let mut elapsed = 0.0;
-    for (i, &kick) in method.kicks.iter().enumerate() {
-        if kick != 0.0 {
-            let a = last.take().unwrap_or_else(|| system.accelerations_at(constants, at.t, &at.q, &at.v, u));
-            let reach = S::Scalar::from_f64(kick) * h;
-            for (v, a) in at.v.iter_mut().zip(a) {
-                *v += reach * a;
+    type Memory = Option<LastKick<S::Scalar, N, K>>;
+
+    #[inline]
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        from: &State<S::Scalar, N>,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<State<S::Scalar, N>, Cause> {
+        let mut at = *from;
+        let mut last = memory.take().and_then(|kick| kick.reused(from, u));
+        let mut elapsed = 0.0;
+        for (i, &kick) in M::KICKS.iter().enumerate() {
+            if kick != 0.0 {
+                let a = last.take();
+                let a = a.unwrap_or_else(|| system.accelerations_at(constants, at.t, &at.q, &at.v, u));
+                let reach = S::Scalar::from_f64(kick) * h;
+                for (v, a) in at.v.iter_mut().zip(a) {
+                    *v += reach * a;
+                }
+                if i == M::DRIFTS.len() {
+                    *memory = Some(LastKick { t: at.t, q: at.q, u: *u, a });
+                }
             }
-            if i + 1 == KICKS {
-                *memory = Some(LastKick { t: at.t, q: at.q, u: *u, a });
+            if let Some(&drift) = M::DRIFTS.get(i) {
+                let reach = S::Scalar::from_f64(drift) * h;
+                for (q, v) in at.q.iter_mut().zip(at.v) {
+                    *q += reach * v;
+                }
+                elapsed = if i + 1 == M::DRIFTS.len() { 1.0 } else { elapsed + drift };
+                at.t = from.t + S::Scalar::from_f64(elapsed) * h;
             }
         }
-        if let Some(&drift) = method.drifts.get(i) {
-            let reach = S::Scalar::from_f64(drift) * h;
-            for (q, v) in at.q.iter_mut().zip(at.v) {
-                *q += reach * v;
-            }
-            elapsed = if i + 1 == DRIFTS { 1.0 } else { elapsed + drift };
-            at.t = from.t + S::Scalar::from_f64(elapsed) * h;
-        }
+        Ok(at)
     }
-    at
 }
 
 macro_rules! splitting_methods {
@@ -83,20 +93,9 @@ macro_rules! splitting_methods {
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $name;
 
-        impl<S: Separable<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for $name {
-            type Memory = Option<LastKick<S::Scalar, N, K>>;
-
-            #[inline]
-            fn step(
-                memory: &mut Self::Memory,
-                system: &S,
-                constants: &S::Constants,
-                from: &State<S::Scalar, N>,
-                h: S::Scalar,
-                u: &[S::Scalar; K],
-            ) -> Result<State<S::Scalar, N>, Cause> {
-                Ok(step(&$method, memory, system, constants, from, h, u))
-            }
+        impl Splitting for $name {
+            const KICKS: &'static [f64] = &tableau::$method.kicks;
+            const DRIFTS: &'static [f64] = &tableau::$method.drifts;
         }
     )*};
 }

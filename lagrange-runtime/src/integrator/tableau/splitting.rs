@@ -6,8 +6,8 @@
 //! Numerical Integration", 2nd ed., V.3.2. Runge–Kutta–Nyström splittings SRKN6b and SRKN14a by S. Blanes and P. C.
 //! Moan, J. Comput. Appl. Math. 142 (2002) 313; what follows from consistency is computed to all digits.
 
-/// Fractions of one step.
-pub(crate) struct Splitting<const KICKS: usize, const DRIFTS: usize> {
+/// A splitting of one step.
+pub(crate) struct Fractions<const KICKS: usize, const DRIFTS: usize> {
     /// Kicks, before each drift and after the last.
     pub kicks: [f64; KICKS],
     /// Drifts.
@@ -15,17 +15,17 @@ pub(crate) struct Splitting<const KICKS: usize, const DRIFTS: usize> {
 }
 
 /// Kick, drift, kick: order 2.
-pub(crate) const LEAPFROG: Splitting<2, 1> = Splitting { kicks: [0.5, 0.5], drifts: [1.0] };
+pub(crate) const LEAPFROG: Fractions<2, 1> = Fractions { kicks: [0.5, 0.5], drifts: [1.0] };
 
 /// Three leapfrogs of order 4; the first and the last of 1/(2 − ∛2).
-pub(crate) const YOSHIDA4: Splitting<4, 3> = composed([1.3512071919596578]);
+pub(crate) const YOSHIDA4: Fractions<4, 3> = composed([1.3512071919596578]);
 
 /// Seven leapfrogs of order 6, Yoshida's solution A.
-pub(crate) const YOSHIDA6: Splitting<8, 7> =
+pub(crate) const YOSHIDA6: Fractions<8, 7> =
     composed([0.7845136104775573, 0.23557321335935813, -1.177679984178871]);
 
 /// Fifteen leapfrogs of order 8.
-pub(crate) const YOSHIDA8: Splitting<16, 15> = composed([
+pub(crate) const YOSHIDA8: Fractions<16, 15> = composed([
     0.741670364350613,
     -0.4091008258000316,
     0.1907547102962384,
@@ -36,14 +36,14 @@ pub(crate) const YOSHIDA8: Splitting<16, 15> = composed([
 ]);
 
 /// SRKN6b, order 4.
-pub(crate) const BLANES_MOAN4: Splitting<7, 6> = {
+pub(crate) const BLANES_MOAN4: Fractions<7, 6> = {
     const B: [f64; 3] = [0.0829844064174052, 0.396309801498368, -0.0390563049223486];
     const A: [f64; 2] = [0.245298957184271, 0.60487266571108];
     mirrored([B[0], B[1], B[2], 1.0 - 2.0 * (B[0] + B[1] + B[2])], [A[0], A[1], 0.5 - (A[0] + A[1])])
 };
 
 /// SRKN14a, order 6.
-pub(crate) const BLANES_MOAN6: Splitting<16, 15> = {
+pub(crate) const BLANES_MOAN6: Fractions<16, 15> = {
     const A: [f64; 7] = [
         0.0378593198406116,
         0.102635633102435,
@@ -73,7 +73,7 @@ pub(crate) const BLANES_MOAN6: Splitting<16, 15> = {
 /// between two of them are one.
 const fn composed<const HALF: usize, const KICKS: usize, const DRIFTS: usize>(
     lengths: [f64; HALF],
-) -> Splitting<KICKS, DRIFTS> {
+) -> Fractions<KICKS, DRIFTS> {
     let mut middle = 1.0;
     let mut i = 0;
     while i < HALF {
@@ -93,14 +93,14 @@ const fn composed<const HALF: usize, const KICKS: usize, const DRIFTS: usize>(
         kicks[i] = 0.5 * (drifts[i - 1] + drifts[i]);
         i += 1;
     }
-    Splitting { kicks, drifts }
+    Fractions { kicks, drifts }
 }
 
 /// A palindrome from its first half, the middle included.
 const fn mirrored<const HK: usize, const HD: usize, const KICKS: usize, const DRIFTS: usize>(
     half_kicks: [f64; HK],
     half_drifts: [f64; HD],
-) -> Splitting<KICKS, DRIFTS> {
+) -> Fractions<KICKS, DRIFTS> {
     let mut kicks = [0.0; KICKS];
     let mut i = 0;
     while i < HK {
@@ -115,5 +115,5 @@ const fn mirrored<const HK: usize, const HD: usize, const KICKS: usize, const DR
         drifts[DRIFTS - 1 - i] = half_drifts[i];
         i += 1;
     }
-    Splitting { kicks, drifts }
+    Fractions { kicks, drifts }
 }
