@@ -36,6 +36,7 @@ pub mod algebra;
 pub mod error;
 pub mod integrator;
 pub mod linear;
+pub mod linearized;
 mod math;
 pub mod proved;
 pub mod real;
@@ -48,7 +49,11 @@ pub mod system;
 
 pub use algebra::PrincipalMoments;
 pub use error::{Cause, MotionError};
-pub use integrator::{BlanesMoan4, BlanesMoan6, FixedStep, Leapfrog, Rk4, Yoshida4, Yoshida6, Yoshida8};
+pub use integrator::{
+    BlanesMoan4, BlanesMoan6, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Leapfrog, Rk4, Yoshida4, Yoshida6,
+    Yoshida8,
+};
+pub use linearized::{Jacobians, Linearization, Linearized};
 pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Separable};
 pub use real::{Ordered, Real};
@@ -64,6 +69,7 @@ pub mod __private {
     pub use crate::algebra::{self, PrincipalMoments};
     pub use crate::error::{Cause, MotionError};
     pub use crate::linear::{Ldlt, Lu};
+    pub use crate::linearized::{Linearization, Linearized};
     pub use crate::proved::{Autonomous, Conservative, ConstantMass, Separable};
     pub use crate::real::Real;
     pub mod solve {

@@ -5,6 +5,7 @@
 
 pub(crate) mod dense;
 pub(crate) mod dop853;
+mod gauss;
 mod rk4;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -12,6 +13,7 @@ mod splitting;
 pub(crate) mod step_size;
 mod tableau;
 
+pub use gauss::{Gauss, Gauss4, Gauss6, Gauss8, LastStep};
 pub use rk4::Rk4;
 pub use splitting::{BlanesMoan4, BlanesMoan6, LastKick, Leapfrog, Splitting, Yoshida4, Yoshida6, Yoshida8};
 
