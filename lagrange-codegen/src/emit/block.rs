@@ -51,6 +51,8 @@ pub(super) struct Reads {
     pub coordinates: Vec<bool>,
     /// By coordinate.
     pub velocities: Vec<bool>,
+    /// By coordinate.
+    pub accelerations: Vec<bool>,
     /// By input.
     pub inputs: Vec<bool>,
     /// By parameter.
@@ -143,6 +145,7 @@ impl<'a> Writer<'a> {
         let reads = Reads {
             coordinates: vec![false; model.coordinates.len()],
             velocities: vec![false; model.coordinates.len()],
+            accelerations: vec![false; model.coordinates.len()],
             inputs: vec![false; model.inputs.len()],
             parameters: vec![false; model.parameters.len()],
             time: false,
@@ -255,6 +258,12 @@ impl<'a> Writer<'a> {
                 self.reads.velocities[i as usize] = true;
                 if many {
                     return format!("v[{i}]");
+                }
+            }
+            Variable::Acceleration(i) => {
+                self.reads.accelerations[i as usize] = true;
+                if many {
+                    return format!("accelerations[{i}]");
                 }
             }
             Variable::Time => self.reads.time = true,

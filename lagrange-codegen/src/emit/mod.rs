@@ -3,6 +3,7 @@
 mod block;
 mod body;
 mod docs;
+mod linearization;
 mod methods;
 mod names;
 mod parts;
@@ -59,14 +60,25 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let (system, after) = system::system(&mut emission);
     let methods = methods::methods(&mut emission);
     let report = report(&emission, before, after);
+    let linearization = linearization::linearization(&mut emission);
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
+    let linearization = linearization.map(|text| parameters.parse(&text));
 
     let Item { self_ty, generics, crate_path, cleaned, .. } = emission.item;
     let (impl_generics, _, where_clause) = generics.split_for_impl();
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let records = records::records(emission.item);
     let proofs = proofs::proofs(emission.item, &proofs::proved(emission.facts), count, inputs);
+    let linearization = linearization.map(|items| {
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Linearized<#count, #inputs> for #self_ty #where_clause {
+                #items
+            }
+        }
+    });
     let lengths = tokens::length_checks(emission.model, diagnostics);
     let lengths = (!lengths.is_empty()).then(|| {
         quote! {
@@ -96,6 +108,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             }
 
             #proofs
+            #linearization
         };
     }
 }

@@ -77,7 +77,7 @@ where
         // Those in the middle make up for the rounding of the others.
         let middle = (STAGES - 1) / 2;
         let rest = weights.iter().take(middle).fold(h, |rest, &weight| rest - (weight + weight));
-        weights[middle] = if STAGES % 2 == 0 { rest / number(2.0) } else { rest };
+        weights[middle] = if STAGES.is_multiple_of(2) { rest / number(2.0) } else { rest };
         weights[STAGES - 1 - middle] = weights[middle];
         let mu = |i: usize, j: usize| match i.cmp(&j) {
             Ordering::Less => S::Scalar::one() - number(table.below[j][i]),

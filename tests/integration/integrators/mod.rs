@@ -1,0 +1,3 @@
+//! The methods for special systems: symplectic splittings, implicit collocation, and the derivatives it needs.
+
+mod jacobians;
