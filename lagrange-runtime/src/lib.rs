@@ -50,8 +50,8 @@ pub mod system;
 pub use algebra::PrincipalMoments;
 pub use error::{Cause, MotionError};
 pub use integrator::{
-    BlanesMoan4, BlanesMoan6, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Leapfrog, Rk4, Yoshida4, Yoshida6,
-    Yoshida8,
+    BlanesMoan, BlanesMoan4, BlanesMoan6, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Leapfrog, Rk4, Yoshida,
+    Yoshida4, Yoshida6, Yoshida8,
 };
 pub use linearized::{Jacobians, Linearization, Linearized};
 pub use num_traits::{One, Zero};

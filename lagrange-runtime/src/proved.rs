@@ -20,7 +20,8 @@ pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not separable: its mass matrix varies, or a force depends on velocities",
     label = "a splitting method does not work on `{Self}`",
-    note = "use `Gauss4`, `Gauss6` or `Gauss8`, which are symplectic on every system, or `Rk4` or `simulate`"
+    note = "use `Rk4` or `simulate`, or for long runs `Gauss4`, `Gauss6` or `Gauss8`, which are symplectic on every \
+            system and need `jacobians` in the attribute"
 )]
 pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}
 

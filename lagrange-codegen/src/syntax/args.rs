@@ -62,6 +62,8 @@ enum Argument {
     Jacobians(Ident),
     Crate(Ident, syn::Path),
     Allow(Ident, Vec<Ident>),
+    /// With a value that it does not take.
+    Valued(Ident),
     Unknown(Ident),
 }
 
@@ -72,6 +74,7 @@ impl Argument {
             | Argument::Jacobians(key)
             | Argument::Crate(key, _)
             | Argument::Allow(key, _)
+            | Argument::Valued(key)
             | Argument::Unknown(key) => key,
         }
     }
@@ -88,7 +91,7 @@ impl Parse for Argument {
                 let names = Punctuated::<Declaration, Token![,]>::parse_terminated(&content)?;
                 Ok(Argument::Names(key, names.into_iter().collect()))
             }
-            "jacobians" => Ok(Argument::Jacobians(key)),
+            "jacobians" if input.is_empty() || input.peek(Token![,]) => Ok(Argument::Jacobians(key)),
             "crate" => {
                 input.parse::<Token![=]>()?;
                 Ok(Argument::Crate(key, syn::Path::parse_mod_style(input)?))
@@ -104,7 +107,7 @@ impl Parse for Argument {
                 while !input.is_empty() && !input.peek(Token![,]) {
                     input.parse::<proc_macro2::TokenTree>()?;
                 }
-                Ok(Argument::Unknown(key))
+                Ok(if key == "jacobians" { Argument::Valued(key) } else { Argument::Unknown(key) })
             }
         }
     }
@@ -153,6 +156,9 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
                         }
                     }
                 }
+            }
+            Argument::Valued(key) => {
+                diagnostics.error(key.span(), catalogue::argument_with_value(&key));
             }
             Argument::Unknown(key) => {
                 let text = key.to_string();

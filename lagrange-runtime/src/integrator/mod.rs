@@ -15,7 +15,9 @@ mod tableau;
 
 pub use gauss::{Gauss, Gauss4, Gauss6, Gauss8, LastStep};
 pub use rk4::Rk4;
-pub use splitting::{BlanesMoan4, BlanesMoan6, LastKick, Leapfrog, Splitting, Yoshida4, Yoshida6, Yoshida8};
+pub use splitting::{
+    BlanesMoan, BlanesMoan4, BlanesMoan6, LastKick, Leapfrog, Yoshida, Yoshida4, Yoshida6, Yoshida8,
+};
 
 use core::fmt::Debug;
 

@@ -1,7 +1,7 @@
 //! Orders, long runs, stiffness and failure, on systems with derivatives by hand.
 
 use super::*;
-use crate::integrator::samples::{Kepler, Oscillator, distance, pericentre};
+use crate::integrator::samples::{Kepler, distance, pericentre};
 use crate::linearized::Linearization;
 use crate::system::System;
 

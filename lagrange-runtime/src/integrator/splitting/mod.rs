@@ -35,18 +35,96 @@ impl<R: Real, const N: usize, const K: usize> LastKick<R, N, K> {
     }
 }
 
+/// Störmer–Verlet in its velocity form: symplectic, order 2, one evaluation a step.
+///
+/// Stable below h·ω = 2 for the fastest frequency ω. The method of molecular dynamics, where one evaluation is all that
+/// a step may cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Leapfrog;
+
+/// Compositions of leapfrogs, of order 4, 6 and 8: [`Yoshida4`], [`Yoshida6`] and [`Yoshida8`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Yoshida<const ORDER: usize>;
+
+/// Yoshida's composition of three leapfrogs: symplectic, order 4, three evaluations a step.
+///
+/// The familiar one; [`BlanesMoan4`] is a thousand times more accurate for the same cost.
+pub type Yoshida4 = Yoshida<4>;
+
+/// Yoshida's composition of seven leapfrogs: symplectic, order 6, seven evaluations a step.
+pub type Yoshida6 = Yoshida<6>;
+
+/// Suzuki and Umeno's composition of fifteen leapfrogs in Yoshida's manner: symplectic, order 8, fifteen evaluations a
+/// step.
+pub type Yoshida8 = Yoshida<8>;
+
+/// Runge–Kutta–Nyström splittings by Blanes and Moan, of order 4 and 6: [`BlanesMoan4`] and [`BlanesMoan6`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BlanesMoan<const ORDER: usize>;
+
+/// Blanes and Moan's SRKN6b: symplectic, order 4, six evaluations a step.
+///
+/// The symplectic method of choice at moderate accuracy.
+pub type BlanesMoan4 = BlanesMoan<4>;
+
+/// Blanes and Moan's SRKN14a: symplectic, order 6, fourteen evaluations a step.
+///
+/// The symplectic method of choice at high accuracy.
+pub type BlanesMoan6 = BlanesMoan<6>;
+
 /// The fractions of a step that a splitting method is.
-pub trait Splitting {
+#[diagnostic::on_unimplemented(
+    message = "there is no method `{Self}`",
+    note = "there are `Leapfrog`, `Yoshida<4>`, `Yoshida<6>`, `Yoshida<8>`, `BlanesMoan<4>` and `BlanesMoan<6>`"
+)]
+trait Splitting {
     /// Kicks, before each drift and after the last. One of zero is left out.
     const KICKS: &'static [f64];
     /// Drifts.
     const DRIFTS: &'static [f64];
 }
 
-impl<M, S, const N: usize, const K: usize> FixedStep<S, N, K> for M
+macro_rules! tabulated {
+    ($($method:ty = $table:ident;)*) => {$(
+        impl Splitting for $method {
+            const KICKS: &'static [f64] = &tableau::$table.kicks;
+            const DRIFTS: &'static [f64] = &tableau::$table.drifts;
+        }
+    )*};
+}
+
+tabulated! {
+    Leapfrog = LEAPFROG;
+    Yoshida4 = YOSHIDA4;
+    Yoshida6 = YOSHIDA6;
+    Yoshida8 = YOSHIDA8;
+    BlanesMoan4 = BLANES_MOAN4;
+    BlanesMoan6 = BLANES_MOAN6;
+}
+
+// Three implementations instead of one for every `Splitting`, which would take the compiler's messages about other
+// methods away.
+
+impl<S: Separable<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Leapfrog {
+    type Memory = Option<LastKick<S::Scalar, N, K>>;
+
+    #[inline]
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        from: &State<S::Scalar, N>,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<State<S::Scalar, N>, Cause> {
+        Ok(step::<Self, S, N, K>(memory, system, constants, from, h, u))
+    }
+}
+
+impl<S: Separable<N, K>, const ORDER: usize, const N: usize, const K: usize> FixedStep<S, N, K>
+    for Yoshida<ORDER>
 where
-    M: Splitting,
-    S: Separable<N, K>,
+    Self: Splitting,
 {
     type Memory = Option<LastKick<S::Scalar, N, K>>;
 
@@ -59,75 +137,65 @@ where
         h: S::Scalar,
         u: &[S::Scalar; K],
     ) -> Result<State<S::Scalar, N>, Cause> {
-        let mut at = *from;
-        let mut last = memory.take().and_then(|kick| kick.reused(from, u));
-        let mut elapsed = 0.0;
-        for (i, &kick) in M::KICKS.iter().enumerate() {
-            if kick != 0.0 {
-                let a = last.take();
-                let a = a.unwrap_or_else(|| system.accelerations_at(constants, at.t, &at.q, &at.v, u));
-                let reach = S::Scalar::from_f64(kick) * h;
-                for (v, a) in at.v.iter_mut().zip(a) {
-                    *v += reach * a;
-                }
-                if i == M::DRIFTS.len() {
-                    *memory = Some(LastKick { t: at.t, q: at.q, u: *u, a });
-                }
-            }
-            if let Some(&drift) = M::DRIFTS.get(i) {
-                let reach = S::Scalar::from_f64(drift) * h;
-                for (q, v) in at.q.iter_mut().zip(at.v) {
-                    *q += reach * v;
-                }
-                elapsed = if i + 1 == M::DRIFTS.len() { 1.0 } else { elapsed + drift };
-                at.t = from.t + S::Scalar::from_f64(elapsed) * h;
-            }
-        }
-        Ok(at)
+        Ok(step::<Self, S, N, K>(memory, system, constants, from, h, u))
     }
 }
 
-macro_rules! splitting_methods {
-    ($($(#[$doc:meta])* $name:ident = $method:ident;)*) => {$(
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-        pub struct $name;
+impl<S: Separable<N, K>, const ORDER: usize, const N: usize, const K: usize> FixedStep<S, N, K>
+    for BlanesMoan<ORDER>
+where
+    Self: Splitting,
+{
+    type Memory = Option<LastKick<S::Scalar, N, K>>;
 
-        impl Splitting for $name {
-            const KICKS: &'static [f64] = &tableau::$method.kicks;
-            const DRIFTS: &'static [f64] = &tableau::$method.drifts;
-        }
-    )*};
+    #[inline]
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        from: &State<S::Scalar, N>,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<State<S::Scalar, N>, Cause> {
+        Ok(step::<Self, S, N, K>(memory, system, constants, from, h, u))
+    }
 }
 
-splitting_methods! {
-    /// Störmer–Verlet in its velocity form: symplectic, order 2, one evaluation a step.
-    ///
-    /// Stable below h·ω = 2 for the fastest frequency ω. The method of molecular dynamics, where one evaluation is
-    /// all that a step may cost.
-    Leapfrog = LEAPFROG;
-
-    /// Yoshida's composition of three leapfrogs: symplectic, order 4, three evaluations a step.
-    ///
-    /// The familiar one; [`BlanesMoan4`] is some hundred times more accurate for twice the cost.
-    Yoshida4 = YOSHIDA4;
-
-    /// Yoshida's composition of seven leapfrogs: symplectic, order 6, seven evaluations a step.
-    Yoshida6 = YOSHIDA6;
-
-    /// Suzuki and Umeno's composition of fifteen leapfrogs in Yoshida's manner: symplectic, order 8, fifteen
-    /// evaluations a step.
-    Yoshida8 = YOSHIDA8;
-
-    /// Runge–Kutta–Nyström splitting SRKN6b by Blanes and Moan: symplectic, order 4, six evaluations a step.
-    ///
-    /// The symplectic method of choice at moderate accuracy.
-    BlanesMoan4 = BLANES_MOAN4;
-
-    /// Runge–Kutta–Nyström splitting SRKN14a by Blanes and Moan: symplectic, order 6, fourteen evaluations a step.
-    ///
-    /// The symplectic method of choice at high accuracy.
-    BlanesMoan6 = BLANES_MOAN6;
+/// A step of `h`.
+#[inline(always)]
+fn step<M: Splitting, S: Separable<N, K>, const N: usize, const K: usize>(
+    memory: &mut Option<LastKick<S::Scalar, N, K>>,
+    system: &S,
+    constants: &S::Constants,
+    from: &State<S::Scalar, N>,
+    h: S::Scalar,
+    u: &[S::Scalar; K],
+) -> State<S::Scalar, N> {
+    let mut at = *from;
+    let mut last = memory.take().and_then(|kick| kick.reused(from, u));
+    let mut elapsed = 0.0;
+    for (i, &kick) in M::KICKS.iter().enumerate() {
+        if kick != 0.0 {
+            let a = last.take();
+            let a = a.unwrap_or_else(|| system.accelerations_at(constants, at.t, &at.q, &at.v, u));
+            let reach = S::Scalar::from_f64(kick) * h;
+            for (v, a) in at.v.iter_mut().zip(a) {
+                *v += reach * a;
+            }
+            if i == M::DRIFTS.len() {
+                *memory = Some(LastKick { t: at.t, q: at.q, u: *u, a });
+            }
+        }
+        if let Some(&drift) = M::DRIFTS.get(i) {
+            let reach = S::Scalar::from_f64(drift) * h;
+            for (q, v) in at.q.iter_mut().zip(at.v) {
+                *q += reach * v;
+            }
+            elapsed = if i + 1 == M::DRIFTS.len() { 1.0 } else { elapsed + drift };
+            at.t = from.t + S::Scalar::from_f64(elapsed) * h;
+        }
+    }
+    at
 }
 
 #[cfg(test)]
