@@ -44,7 +44,7 @@ pub struct Jacobians<R, const N: usize, const K: usize> {
     note = "say so in the attribute: `#[lagrangian(coordinates = […], jacobians)]`"
 )]
 pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
-    /// r = f − M a.
+    /// r = f − M a: zero on the motion, and the inverse dynamics with the sign changed.
     fn residual_at(
         &self,
         constants: &Self::Constants,

@@ -21,9 +21,9 @@ use stages::{Stages, Start};
 
 /// Gauss collocation with `STAGES` stages, of order 2 `STAGES`: [`Gauss4`], [`Gauss6`] and [`Gauss8`].
 ///
-/// For systems with generated derivatives ([`Linearized`]). A step costs one evaluation of the derivatives, a
-/// factorisation of size N for each pair of stages, and `STAGES` evaluations of the residual in each of some three to six
-/// iterations. A step that cannot be solved is [`Cause::NotConverged`]; the motion may go on with a shorter one.
+/// For systems with generated derivatives ([`Linearized`]). A step costs one evaluation of the derivatives, a complex
+/// factorisation of size N for each pair of stages, and `STAGES` evaluations of the accelerations in each of two to eight
+/// corrections, more where a step is long against the motion. A step that cannot be solved is [`Cause::NotConverged`]; the motion may go on with a shorter one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const STAGES: usize>;
 

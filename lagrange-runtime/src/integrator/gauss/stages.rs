@@ -1,8 +1,10 @@
 //! The equations of the stages, solved by Newton's method with a frozen matrix.
 //!
-//! With r = f − M a, a correction Δ of the accelerations solves M Δᵢ − h Σ aᵢⱼ ∂r/∂v Δⱼ − h² Σ (A²)ᵢⱼ ∂r/∂q Δⱼ = rᵢ, with the
-//! derivatives at one state for all stages. In the eigenvectors of A that is one complex system of size N for each pair
-//! of eigenvalues λ: (M − hλ ∂r/∂v − (hλ)² ∂r/∂q) w = r. The matrix is made anew where corrections shrink too slowly.
+//! With g = M⁻¹ f − a at each stage, a correction Δ of the accelerations solves
+//! M Δᵢ − h Σ aᵢⱼ ∂r/∂v Δⱼ − h² Σ (A²)ᵢⱼ ∂r/∂q Δⱼ = M gᵢ, with M and the derivatives of r = f − M a at one state for all
+//! stages. (With rᵢ on the right instead of M gᵢ, the change of M over a step would slow the iteration down.) In the
+//! eigenvectors of A that is one complex system of size N for each pair of eigenvalues λ:
+//! (M − hλ ∂r/∂v − (hλ)² ∂r/∂q) w = M g. The matrix is made anew where corrections shrink too slowly.
 
 use core::cmp::Ordering;
 
@@ -56,7 +58,10 @@ struct Places<R, const N: usize, const STAGES: usize> {
 }
 
 /// The factored matrices, one for each mode.
-type Factors<R, const N: usize> = [Option<ComplexLu<R, N>>; MODES];
+struct Factors<R, const N: usize> {
+    mass: [[R; N]; N],
+    modes: [Option<ComplexLu<R, N>>; MODES],
+}
 
 impl<'a, S, const N: usize, const K: usize, const STAGES: usize> Stages<'a, S, N, K, STAGES>
 where
@@ -99,12 +104,14 @@ where
         let mut a = guess;
         let mut factors = self.factored(&self.from.state, start);
         let mut before: Option<S::Scalar> = None;
+        let reach = self.from.state.q.iter().fold(S::Scalar::zero(), |most, &q| larger(most, q.abs()));
+        let reach = (reach / self.h).abs();
         for _ in 0..CORRECTIONS {
             let change = self.corrected(&mut a, &factors);
             if !change.is_finite() {
                 return None;
             }
-            let (speed, reach) = self.scales(&a);
+            let speed = self.speed(&a);
             let small = change <= number(ROUNDINGS) * S::Scalar::epsilon() * (speed + reach);
             let rate = before.map(|before| change / before);
             let nothing = number(REST) * S::Scalar::epsilon() * speed;
@@ -127,12 +134,18 @@ where
         let mut residuals = [[S::Scalar::zero(); N]; STAGES];
         let Places { q, v } = self.places(a);
         for (i, residual) in residuals.iter_mut().enumerate() {
-            *residual = self.system.residual_at(self.constants, self.time(i), &q[i], &v[i], &a[i], self.u);
+            let found = self.system.accelerations_at(self.constants, self.time(i), &q[i], &v[i], self.u);
+            let defect: [_; N] = core::array::from_fn(|n| found[n] - a[i][n]);
+            for (residual, mass) in residual.iter_mut().zip(&factors.mass) {
+                for (&mass, &defect) in mass.iter().zip(&defect) {
+                    *residual += mass * defect;
+                }
+            }
         }
         let mut change = S::Scalar::zero();
         let mut finite = true;
         let mut total = [[S::Scalar::zero(); N]; STAGES];
-        for (mode, factors) in self.table.modes.iter().zip(factors) {
+        for (mode, factors) in self.table.modes.iter().zip(&factors.modes) {
             let Some(factors) = factors else { continue };
             let mut right = [Complex { re: S::Scalar::zero(), im: S::Scalar::zero() }; N];
             for (weight, residual) in mode.row.iter().zip(&residuals) {
@@ -157,17 +170,15 @@ where
         if finite { change } else { S::Scalar::from_f64(f64::NAN) }
     }
 
-    /// The size of what corrections change: velocities, and those that coordinates could have.
-    fn scales(&self, a: &[[S::Scalar; N]; STAGES]) -> (S::Scalar, S::Scalar) {
-        let State { q, v, .. } = &self.from.state;
-        let [mut speed, mut reach] = [S::Scalar::zero(); 2];
-        for n in 0..N {
-            reach = larger(reach, (q[n] / self.h).abs());
-            for a in a {
-                speed = larger(speed, v[n].abs() + (self.h * a[n]).abs());
+    /// The size of what corrections change.
+    fn speed(&self, a: &[[S::Scalar; N]; STAGES]) -> S::Scalar {
+        let mut speed = S::Scalar::zero();
+        for a in a {
+            for (&a, &v) in a.iter().zip(&self.from.state.v) {
+                speed = larger(speed, v.abs() + (self.h * a).abs());
             }
         }
-        (speed, reach)
+        speed
     }
 
     /// Time at a stage.
@@ -192,15 +203,22 @@ where
         lost: &[S::Scalar; N],
         rates: &[[S::Scalar; N]; STAGES],
     ) -> [[S::Scalar; N]; STAGES] {
-        self.mu.map(|mu| {
-            let mut sum = *lost;
-            for ((mu, &weight), rates) in mu.iter().zip(&self.weights).zip(rates) {
-                for (sum, &rate) in sum.iter_mut().zip(rates) {
-                    *sum += *mu * (weight * rate);
+        let mut growth = *rates;
+        for (growth, &weight) in growth.iter_mut().zip(&self.weights) {
+            growth.iter_mut().for_each(|rate| *rate *= weight);
+        }
+        let mut reached = [*lost; STAGES];
+        for (reached, mu) in reached.iter_mut().zip(&self.mu) {
+            for (growth, &mu) in growth.iter().zip(mu) {
+                for (sum, &growth) in reached.iter_mut().zip(growth) {
+                    *sum += mu * growth;
                 }
             }
-            core::array::from_fn(|n| from[n] + sum[n])
-        })
+            for (sum, &from) in reached.iter_mut().zip(from) {
+                *sum += from;
+            }
+        }
+        reached
     }
 
     /// The end of the step.
@@ -237,8 +255,8 @@ where
     fn factored(&self, at: &State<S::Scalar, N>, a: &[S::Scalar; N]) -> Factors<S::Scalar, N> {
         let Linearization { mass, by_q, by_v } =
             self.system.linearization_at(self.constants, at.t, &at.q, &at.v, a, self.u);
-        let mut factors = [None; MODES];
-        for (factors, mode) in factors.iter_mut().zip(self.table.modes) {
+        let mut modes = [None; MODES];
+        for (factors, mode) in modes.iter_mut().zip(self.table.modes) {
             let once = Complex::from_f64(mode.value).scaled(self.h);
             let twice = once * once;
             *factors = Some(ComplexLu::factor(core::array::from_fn(|i| {
@@ -248,7 +266,7 @@ where
                 })
             })));
         }
-        factors
+        Factors { mass, modes }
     }
 }
 

@@ -90,13 +90,13 @@ fn where_steps_resolve_the_motion_the_energy_does_not_drift() {
 struct Linear {
     k: f64,
     c: f64,
-    residuals: Cell<u32>,
+    evaluations: Cell<u32>,
     matrices: Cell<u32>,
 }
 
 impl Linear {
     fn new(k: f64, c: f64) -> Self {
-        Self { k, c, residuals: Cell::new(0), matrices: Cell::new(0) }
+        Self { k, c, evaluations: Cell::new(0), matrices: Cell::new(0) }
     }
 }
 
@@ -107,6 +107,7 @@ impl System<1, 1> for Linear {
     fn constants(&self) {}
 
     fn accelerations_at(&self, (): &(), _: f64, q: &[f64; 1], v: &[f64; 1], u: &[f64; 1]) -> [f64; 1] {
+        self.evaluations.set(self.evaluations.get() + 1);
         [u[0] - self.k * q[0] - self.c * v[0]]
     }
 
@@ -125,7 +126,6 @@ impl Linearized<1, 1> for Linear {
         a: &[f64; 1],
         u: &[f64; 1],
     ) -> [f64; 1] {
-        self.residuals.set(self.residuals.get() + 1);
         [self.accelerations_at(&(), t, q, v, u)[0] - a[0]]
     }
 
@@ -171,7 +171,7 @@ fn a_smooth_motion_takes_few_corrections() {
         motion.step(0.1, &[0.5]).unwrap();
     }
     assert_eq!(system.matrices.get(), 100);
-    assert!((300..=1200).contains(&system.residuals.get()), "{}", system.residuals.get());
+    assert!((300..=1200).contains(&system.evaluations.get()), "{}", system.evaluations.get());
 }
 
 #[test]
