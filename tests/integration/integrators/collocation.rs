@@ -50,6 +50,22 @@ impl StiffSpring {
     }
 }
 
+/// The same with a rigid rod.
+struct Rod;
+
+#[lagrangian(coordinates = [theta])]
+impl Rod {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.theta.cos(), q.theta.sin())
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        self.bob(q).y
+    }
+}
+
 /// A cart with a pole, dampers of which one is very stiff, and a motor.
 struct CartPole;
 
@@ -197,6 +213,21 @@ fn a_stiff_spring_needs_no_short_steps() {
     let [error, energy] = stiff::<Gauss8>(1e-3, "0.001", 20_000);
     between(-1.0, error, 1e-12);
     between(-1.0, energy, 1e-14);
+}
+
+#[test]
+fn a_spring_stiffer_still_turns_far_within_a_step() {
+    // Eight hundred periods of the spring and a hundredth of a turn a step.
+    let system = StiffSpring { eps: 1e-6 };
+    let mut motion = system.stepper::<Gauss6>(State::at_rest([1.0, 0.0]));
+    for _ in 0..1000 {
+        motion.step(0.005, &[]).unwrap();
+    }
+    between(-1e-8, motion.energy(), 1e-8);
+    between(1.0 - 1e-9, motion.state().coordinates().norm(), 1.0 + 1e-9);
+    // The rod pendulum, θ″ = −cos θ, from the horizontal.
+    let rod = Rod.simulate(State::at_rest([0.0])).with_tolerance(1e-13).advance_to(5.0).unwrap().q[0];
+    close(motion.state().q[0], rod.cos(), 1e-6);
 }
 
 #[test]

@@ -8,6 +8,8 @@
 //! The equations are solved to rounding and the sums are compensated, so that the energy does a random walk of roundings
 //! instead of drifting (E. Hairer, R. I. McLachlan, A. Razakarivony, BIT 48 (2008) 231).
 
+mod frozen;
+mod full;
 mod stages;
 
 use super::tableau::gauss::{Collocation, GAUSS4, GAUSS6, GAUSS8};
@@ -68,8 +70,8 @@ pub struct LastStep<R, const N: usize, const K: usize, const STAGES: usize> {
 }
 
 impl<R: Ordered, const N: usize, const K: usize, const STAGES: usize> LastStep<R, N, K, STAGES> {
-    /// The accelerations that its polynomial gives at the stages of a step of `h`, and at the start of that.
-    fn extrapolated(&self, c: &[f64; STAGES], h: R, u: &[R; K]) -> Option<([[R; N]; STAGES], [R; N])> {
+    /// The accelerations that its polynomial gives at the stages of a step of `h`.
+    fn extrapolated(&self, c: &[f64; STAGES], h: R, u: &[R; K]) -> Option<[[R; N]; STAGES]> {
         let ratio = h / self.h;
         // Further out a polynomial says nothing.
         if self.u != *u || !(ratio > R::zero() && ratio < R::from_f64(2.5)) {
@@ -90,7 +92,7 @@ impl<R: Ordered, const N: usize, const K: usize, const STAGES: usize> LastStep<R
             }
             sum
         };
-        Some((c.map(|node| at(R::one() + R::from_f64(node) * ratio)), at(R::one())))
+        Some(c.map(|node| at(R::one() + R::from_f64(node) * ratio)))
     }
 }
 
@@ -121,14 +123,16 @@ where
         let start = Start { state: *from, lost_q, lost_v };
         let stages = Stages::new(system, constants, table, &start, h, u);
         let guess = last.and_then(|last| last.extrapolated(&table.c, h, u));
-        let a = match guess.and_then(|(guess, start)| stages.solve(guess, &start)) {
+        let a = match guess.and_then(|guess| stages.solve(guess)) {
             Some(a) => a,
             None => {
                 let start = system.accelerations_at(constants, from.t, &from.q, &from.v, u);
                 if !start.iter().all(|a| a.is_finite()) {
                     return Err(diagnose(system, constants, from.t, &from.q, &from.v));
                 }
-                stages.solve([start; STAGES], &start).ok_or(Cause::NotConverged)?
+                let rest = [start; STAGES];
+                let fully = || guess.into_iter().chain([rest]).find_map(|guess| stages.solve_fully(guess));
+                stages.solve(rest).or_else(fully).ok_or(Cause::NotConverged)?
             }
         };
         let end = stages.end(&a);
