@@ -7,8 +7,9 @@
 //! | [`system`] | the trait that generated code implements |
 //! | [`simulation`] | a motion under error control: advance, sample, steer |
 //! | [`stepper`] | a motion in fixed steps, for control loops |
-//! | [`integrator`] | the methods: RK4, Dormand–Prince 8(5,3), symplectic splittings |
+//! | [`integrator`] | the methods: Dormand–Prince 8(5,3), RK4, symplectic splittings, Gauss collocation |
 //! | [`proved`] | what the macro proved of a system and a method may demand |
+//! | [`linearized`] | derivatives of the equations, for implicit methods and for control |
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
 //! | [`structure`] | operation counts and proven facts of a model |

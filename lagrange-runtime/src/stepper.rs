@@ -1,6 +1,7 @@
 //! [`Stepper`]: a motion in steps that the caller chooses, as a control loop does.
 //!
-//! No error control: the accuracy is the method's order and the caller's step. Time is summed with compensation,
+//! No error control: the accuracy is the method's order and the caller's step. A method demands of the system what it
+//! needs, so one that would go wrong does not compile. Time is summed with compensation,
 //! so a million steps of 1 ms end within a rounding of 1000 s.
 
 use crate::error::{Cause, MotionError};

@@ -98,6 +98,32 @@ impl Saddle {
     }
 }
 
+/// Beads of a weight that depends on their place, between cubic springs, with a motor at every second: more
+/// coordinates and inputs than are named one by one, and matrices that are filled row by row.
+struct Beads;
+
+#[lagrangian(coordinates = [x: [40]], inputs = [motor: [20]], jacobians)]
+impl Beads {
+    #[kinetic]
+    fn kinetic(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        (0..40).map(|i| 0.5 * (1.0 + 0.3 * q.x[i].sin()) * v.x[i].powi(2)).sum()
+    }
+
+    #[potential]
+    fn springs(&self, q: &Coordinates) -> f64 {
+        q.x.windows(2).map(|pair| 0.25 * (pair[1] - pair[0]).powi(4)).sum()
+    }
+
+    #[force]
+    fn motors(&self, q: &Coordinates, u: &Inputs) -> [f64; 40] {
+        let mut forces = [0.0; 40];
+        for i in 0..20 {
+            forces[2 * i] = u.motor[i] * q.x[2 * i];
+        }
+        forces
+    }
+}
+
 #[track_caller]
 fn agrees<S, const N: usize, const K: usize>(system: &S, inputs: [f64; K], low: f64, high: f64)
 where
@@ -150,4 +176,9 @@ fn a_top_under_a_spring_that_moves() {
 #[test]
 fn an_indefinite_mass_matrix_and_a_magnetic_term() {
     agrees(&Saddle, [], 0.1, 0.9);
+}
+
+#[test]
+fn forty_beads_with_twenty_motors() {
+    agrees(&Beads, core::array::from_fn(|i| 0.1 * i as f64 - 0.7), -1.2, 1.2);
 }
