@@ -64,8 +64,8 @@ pub mod prelude {
         UnitQuaternion, Vector1, Vector2, Vector3,
     };
     pub use lagrange_runtime::{
-        BlanesMoan4, BlanesMoan6, Cause, Gauss4, Gauss6, Gauss8, Leapfrog, Linearized, MotionError, Ordered,
-        Real, Rk4, State, System, Yoshida4, Yoshida6, Yoshida8,
+        BlanesMoan4, BlanesMoan6, Cause, Dop853, Gauss4, Gauss6, Gauss8, Jet, Jets, Leapfrog, Linearized,
+        MotionError, Ordered, Real, Rk4, State, System, Yoshida4, Yoshida6, Yoshida8,
     };
 }
 

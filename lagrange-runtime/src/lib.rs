@@ -5,6 +5,7 @@
 //! | [`real`] | the scalar trait, open to scalars of your own |
 //! | [`state`] | time, coordinates, velocities |
 //! | [`system`] | the trait that generated code implements |
+//! | [`smooth`] | the same for Taylor coefficients of the motion |
 //! | [`simulation`] | a motion under error control: advance, sample, steer |
 //! | [`stepper`] | a motion in fixed steps, for control loops |
 //! | [`integrator`] | the methods: Dormand–Prince 8(5,3), RK4, symplectic splittings, Gauss collocation |
@@ -42,23 +43,26 @@ mod math;
 pub mod proved;
 pub mod real;
 pub mod simulation;
+pub mod smooth;
 mod solve;
 pub mod state;
 pub mod stepper;
 pub mod structure;
 pub mod system;
+mod tables;
 
 pub use algebra::PrincipalMoments;
 pub use error::{Cause, MotionError};
 pub use integrator::{
-    BlanesMoan, BlanesMoan4, BlanesMoan6, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Leapfrog, Rk4, Yoshida,
-    Yoshida4, Yoshida6, Yoshida8,
+    Adaptive, BlanesMoan, BlanesMoan4, BlanesMoan6, Dop853, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Jet,
+    Jets, Leapfrog, Rk4, Yoshida, Yoshida4, Yoshida6, Yoshida8,
 };
 pub use linearized::{Jacobians, Linearization, Linearized};
 pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Separable};
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
+pub use smooth::{Series, Smooth};
 pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
@@ -79,7 +83,14 @@ pub mod __private {
             check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric,
         };
     }
+    pub use crate::integrator::{Dop853, Jets};
+    pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
+    pub use crate::tables::Tables;
+    pub mod jets {
+        //! Recurrences of Taylor coefficients.
+        pub use crate::tables::{first, fraction, ramp};
+    }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::system::System;
     pub use nalgebra;

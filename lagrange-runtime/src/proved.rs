@@ -9,7 +9,7 @@ use crate::system::System;
 #[diagnostic::on_unimplemented(
     message = "the mass matrix of `{Self}` is not constant",
     label = "this needs a constant mass matrix",
-    note = "use a method for every system, such as `Rk4`, or coordinates in which the inertia is constant"
+    note = "use a method for every system, such as `Jet<6>`, or coordinates in which the inertia is constant"
 )]
 pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 
@@ -20,7 +20,7 @@ pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not separable: its mass matrix varies, or a force depends on velocities",
     label = "a splitting method does not work on `{Self}`",
-    note = "use `Rk4` or `simulate`, or for long runs `Gauss4`, `Gauss6` or `Gauss8`, which are symplectic on every \
+    note = "use `Jet<6>` or `simulate`, or for long runs `Gauss4`, `Gauss6` or `Gauss8`, which are symplectic on every \
             system and need `jacobians` in the attribute"
 )]
 pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}

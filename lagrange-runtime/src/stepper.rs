@@ -30,8 +30,7 @@ where
     #[inline]
     pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
         let constants = system.constants();
-        let memory = M::Memory::default();
-        Self { system, constants, memory, state: start, residue: num_traits::Zero::zero() }
+        Self { system, constants, memory: M::begin(system), state: start, residue: num_traits::Zero::zero() }
     }
 
     /// Goes on by `h` \[s] (backward if negative) with the inputs `u` held, and returns the state there.

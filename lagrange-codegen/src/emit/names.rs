@@ -40,7 +40,7 @@ impl Names {
     /// With the names of all coordinates, velocities and inputs taken.
     pub fn new(model: &Model) -> Names {
         let mut names = Names { taken: RESERVED.iter().map(|&name| name.to_owned()).collect(), anonymous: 0 };
-        let Locals { coordinates, velocities, accelerations, inputs, parameters } = &model.locals;
+        let Locals { coordinates, velocities, accelerations, inputs, parameters, .. } = &model.locals;
         let states = coordinates.iter().chain(velocities).chain(accelerations);
         names.taken.extend(states.chain(inputs).chain(parameters).cloned());
         names
@@ -93,7 +93,8 @@ pub(super) fn locals(model: &Model) -> Locals {
     let inputs = model.inputs.iter().map(|quantity| claim(quantity.label())).collect();
     let label = |parameter: &Parameter| claim(identifier(&parameter.label));
     let parameters = model.parameters.iter().map(label).collect();
-    Locals { coordinates, velocities, accelerations: Vec::new(), inputs, parameters }
+    let accelerations = Vec::new();
+    Locals { coordinates, velocities, accelerations, inputs, parameters, auxiliaries: Vec::new() }
 }
 
 /// Gives names to the accelerations as well, for bodies that are given them.
@@ -112,6 +113,7 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
         Variable::Time => "t".to_owned(),
         Variable::Input(i) => model.locals.inputs[i as usize].clone(),
         Variable::Parameter(i) => model.locals.parameters[i as usize].clone(),
+        Variable::Auxiliary(i) => model.locals.auxiliaries[i as usize].clone(),
     }
 }
 

@@ -3,9 +3,12 @@
 //! A fixed-step method implements [`FixedStep`] and runs in a [`Stepper`](crate::Stepper). Dormand–Prince 8(5,3)
 //! carries error control and dense output and runs in a [`Simulation`](crate::Simulation).
 
+pub(crate) mod adaptive;
 pub(crate) mod dense;
 pub(crate) mod dop853;
 mod gauss;
+mod jet;
+mod jets;
 mod rk4;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -13,13 +16,15 @@ mod splitting;
 pub(crate) mod step_size;
 mod tableau;
 
+pub use adaptive::{Adaptive, Dop853};
 pub use gauss::{Gauss, Gauss4, Gauss6, Gauss8, LastStep};
+pub use jet::Jet;
+pub use jets::Jets;
 pub use rk4::Rk4;
 pub use splitting::{
     BlanesMoan, BlanesMoan4, BlanesMoan6, LastKick, Leapfrog, Yoshida, Yoshida4, Yoshida6, Yoshida8,
 };
-
-use core::fmt::Debug;
+pub use step_size::Limits;
 
 use crate::error::Cause;
 use crate::real::Real;
@@ -28,9 +33,12 @@ use crate::system::System;
 
 /// A method that takes steps of a size chosen by the caller.
 pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
-    /// What a motion keeps from one step for the next; `default()` before the first. It belongs to one system with
-    /// its constants, but outlives steps that fail and inputs that change: a method asks whether it still fits.
-    type Memory: Copy + Debug + Default;
+    /// What it remembers between steps. It belongs to one system with its constants, but outlives steps that fail and
+    /// inputs that change: a method asks whether it still fits.
+    type Memory: Copy + core::fmt::Debug;
+
+    /// The memory before the first step.
+    fn begin(system: &S) -> Self::Memory;
 
     /// The state after a step of `h` from `from`, with the inputs `u` held. The time of the result is `from.t + h`.
     /// A result that is not finite is left to the caller.

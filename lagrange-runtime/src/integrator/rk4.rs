@@ -18,6 +18,9 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
     type Memory = ();
 
     #[inline]
+    fn begin(_: &S) {}
+
+    #[inline]
     fn step(
         (): &mut (),
         system: &S,

@@ -105,6 +105,11 @@ where
     type Memory = Option<LastStep<S::Scalar, N, K, STAGES>>;
 
     #[inline]
+    fn begin(_: &S) -> Self::Memory {
+        None
+    }
+
+    #[inline]
     fn step(
         memory: &mut Self::Memory,
         system: &S,

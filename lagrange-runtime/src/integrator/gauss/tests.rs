@@ -102,6 +102,7 @@ impl Linear {
 
 impl System<1, 1> for Linear {
     type Scalar = f64;
+    type Method = crate::integrator::Dop853;
     type Constants = ();
 
     fn constants(&self) {}
@@ -189,6 +190,7 @@ struct Explosive;
 
 impl System<1> for Explosive {
     type Scalar = f64;
+    type Method = crate::integrator::Dop853;
     type Constants = ();
 
     fn constants(&self) {}

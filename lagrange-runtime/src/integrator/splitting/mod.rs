@@ -109,6 +109,11 @@ impl<S: Separable<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for 
     type Memory = Option<LastKick<S::Scalar, N, K>>;
 
     #[inline]
+    fn begin(_: &S) -> Self::Memory {
+        None
+    }
+
+    #[inline]
     fn step(
         memory: &mut Self::Memory,
         system: &S,
@@ -129,6 +134,11 @@ where
     type Memory = Option<LastKick<S::Scalar, N, K>>;
 
     #[inline]
+    fn begin(_: &S) -> Self::Memory {
+        None
+    }
+
+    #[inline]
     fn step(
         memory: &mut Self::Memory,
         system: &S,
@@ -147,6 +157,11 @@ where
     Self: Splitting,
 {
     type Memory = Option<LastKick<S::Scalar, N, K>>;
+
+    #[inline]
+    fn begin(_: &S) -> Self::Memory {
+        None
+    }
 
     #[inline]
     fn step(

@@ -17,6 +17,7 @@ struct Driven(Cell<u32>);
 
 impl System<1, 1> for Driven {
     type Scalar = f64;
+    type Method = crate::integrator::Dop853;
     type Constants = ();
 
     fn constants(&self) {}

@@ -1,0 +1,89 @@
+//! Euler–Lagrange jets: Taylor recurrences on the Lagrangian itself.
+//!
+//! With p = ∂L/∂v and f = ∂L/∂q + Q the equations of motion are d/dt p = f. On normalised Taylor coefficients
+//! x\[k] along the motion that reads (k + 1) p\[k + 1] = f\[k] and (k + 1) q\[k + 1] = v\[k], and p\[k + 1] is affine in
+//! the unknown v\[k + 1] with the mass matrix at the point of expansion:
+//!
+//! M v\[k + 1] = f\[k] / (k + 1) − p\[k + 1] at v\[k + 1] = 0.
+//!
+//! No time derivative, no Coriolis term and no inverse is ever formed. [`auxiliary`] makes p and f polynomial,
+//! [`recurrence`] sorts the operations of the polynomial by when their coefficients of one order are known.
+//! Pryce and Nedialkov (*Solving differential-algebraic equations by Taylor series*, BIT 2005) have the
+//! mathematics.
+
+mod auxiliary;
+mod recurrence;
+mod rewriting;
+
+use crate::expr::{Graph, NodeId};
+use crate::mechanics::Equations;
+use crate::model::Model;
+use crate::schedule::plan;
+use crate::simplify::simplify;
+use auxiliary::{Auxiliary, NotSmooth, Rewriter};
+pub use auxiliary::{Relation, Value};
+pub use recurrence::{Coefficient, Jets, Lane, Operand, Series};
+use rewriting::{contract_angles, meet_flows};
+
+/// Beyond this many nodes only the plainest forms are compared: each costs time in proportion to the nodes.
+const COMPARABLE: usize = 4_000;
+
+/// The recurrences of a system; `None` where its equations have kinks or jumps, at which no series exists.
+pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
+    let count = equations.momenta.len();
+    let roots: Vec<NodeId> = equations.momenta.iter().chain(&equations.momentum_rates).copied().collect();
+    let mut forms = vec![roots];
+    if model.graph.cone(forms[0].iter().copied()).len() <= COMPARABLE {
+        forms.push(simplify(&mut model.graph, &mut model.hints, &forms[0]));
+        for place in 0..forms.len() {
+            let contracted = contract_angles(&mut model.graph, &forms[place]);
+            if contracted != forms[place] {
+                forms.push(contracted);
+            }
+        }
+    }
+    let mut best: Option<Jets> = None;
+    for form in forms {
+        for meeting in [false, true] {
+            let jets = recurrences(&mut model.graph, count, &form, meeting).ok()?;
+            if best.as_ref().is_none_or(|best| jets.cost() < best.cost()) {
+                best = Some(jets);
+            }
+        }
+    }
+    best
+}
+
+/// The recurrences of d/dt p = f for `roots` p and f.
+fn recurrences(graph: &mut Graph, count: usize, roots: &[NodeId], meeting: bool) -> Result<Jets, NotSmooth> {
+    let mut rewriter = Rewriter::new(graph, count);
+    let mut polynomials = Vec::with_capacity(roots.len());
+    for &root in roots {
+        polynomials.push(rewriter.polynomial(root)?);
+    }
+    let mut auxiliaries = std::mem::take(&mut rewriter.auxiliaries);
+    if meeting {
+        let flow = |auxiliary: &Auxiliary| match auxiliary.relation {
+            Relation::Flow(rate) => Some(rate),
+            _ => None,
+        };
+        let flows: Vec<NodeId> = auxiliaries.iter().filter_map(flow).collect();
+        polynomials = meet_flows(graph, &polynomials, &flows, &mut auxiliaries);
+    }
+    for auxiliary in &auxiliaries {
+        match &auxiliary.relation {
+            Relation::Chain(terms) => polynomials.extend(terms.iter().flat_map(|&(a, b)| [a, b])),
+            Relation::Flow(node) | Relation::Power(node, _) | Relation::Same(node) => polynomials.push(*node),
+        }
+        polynomials.extend(operands(&auxiliary.value));
+    }
+    let program = plan(graph, &polynomials);
+    Ok(Jets::of(program, auxiliaries, count))
+}
+
+fn operands(value: &Value<NodeId>) -> Vec<NodeId> {
+    match *value {
+        Value::Unary(_, x) | Value::Power(x, _) | Value::Same(x) => vec![x],
+        Value::Binary(_, x, y) => vec![x, y],
+    }
+}
