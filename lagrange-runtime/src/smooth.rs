@@ -66,17 +66,32 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
     }
 
     /// What coordinates and velocities gain in `theta` units of the scaled time: the terms of the orders 1 to
-    /// `orders`, smallest first (Horner).
+    /// `orders`, smallest first. Horner's scheme for odd and even orders side by side, which neither waits for.
     #[inline]
     pub fn gain(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
-        let (mut q, mut v) = ([R::zero(); N], [R::zero(); N]);
-        for (row_q, row_v) in self.q.iter().zip(&self.v).take(orders).rev() {
+        let zero = [R::zero(); N];
+        let (mut odd, mut even) = ((zero, zero), (zero, zero));
+        let square = theta * theta;
+        let (Some(q), Some(v)) = (self.q.get(..orders), self.v.get(..orders)) else { return odd };
+        let mut add = |to: &mut ([R; N], [R; N]), row_q: &[R; N], row_v: &[R; N]| {
             for i in 0..N {
-                q[i] = (q[i] + row_q[i]) * theta;
-                v[i] = (v[i] + row_v[i]) * theta;
+                to.0[i] = R::mul_add(to.0[i], square, row_q[i]);
+                to.1[i] = R::mul_add(to.1[i], square, row_v[i]);
             }
+        };
+        let ((pairs_q, rest_q), (pairs_v, rest_v)) = (q.as_chunks::<2>(), v.as_chunks::<2>());
+        if let ([row_q], [row_v]) = (rest_q, rest_v) {
+            add(&mut odd, row_q, row_v);
         }
-        (q, v)
+        for ([odd_q, even_q], [odd_v, even_v]) in pairs_q.iter().zip(pairs_v).rev() {
+            add(&mut even, even_q, even_v);
+            add(&mut odd, odd_q, odd_v);
+        }
+        for i in 0..N {
+            odd.0[i] = R::mul_add(even.0[i], square, odd.0[i] * theta);
+            odd.1[i] = R::mul_add(even.1[i], square, odd.1[i] * theta);
+        }
+        odd
     }
 
     /// What coordinates and velocities gain in one unit of the scaled time, all orders, smallest terms first.

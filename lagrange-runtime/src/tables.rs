@@ -71,12 +71,30 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         let (Some(left), Some(right)) = (self.left.get(EDGE..rows), self.right.get(EDGE..rows)) else {
             return;
         };
-        for (left, right) in left.iter().zip(right.iter().rev()) {
-            let (Some(left), Some(right)) = (left.get(first..first + W), right.get(first..first + W)) else {
-                break;
-            };
+        let mut add = |sum: &mut [R; W], left: &[R; L], right: &[R; L]| {
+            if let (Some(left), Some(right)) = (left.get(first..first + W), right.get(first..first + W)) {
+                for i in 0..W {
+                    sum[i] = Real::mul_add(left[i], right[i], sum[i]);
+                }
+            }
+        };
+        if W <= INLINE {
+            // Few lanes are few chains of additions, which would wait for themselves.
+            let mut other = [R::zero(); W];
+            let ((pairs, rest), (before, back)) = (left.as_chunks::<2>(), right.as_rchunks::<2>());
+            for ([left, next], [previous, right]) in pairs.iter().zip(back.iter().rev()) {
+                add(&mut sum, left, right);
+                add(&mut other, next, previous);
+            }
+            for (left, right) in rest.iter().zip(before) {
+                add(&mut sum, left, right);
+            }
             for i in 0..W {
-                sum[i] = Real::mul_add(left[i], right[i], sum[i]);
+                sum[i] += other[i];
+            }
+        } else {
+            for (left, right) in left.iter().zip(right.iter().rev()) {
+                add(&mut sum, left, right);
             }
         }
         for (to, from) in sums.iter_mut().skip(first).zip(sum) {
