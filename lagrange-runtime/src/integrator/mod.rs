@@ -22,7 +22,7 @@ pub use jet::Jet;
 pub use jets::Jets;
 pub use rk4::Rk4;
 pub use splitting::{
-    BlanesMoan, BlanesMoan4, BlanesMoan6, LastKick, Leapfrog, Yoshida, Yoshida4, Yoshida6, Yoshida8,
+    BlanesMoan, BlanesMoan4, BlanesMoan6, LastSplit, Leapfrog, Yoshida, Yoshida4, Yoshida6, Yoshida8,
 };
 pub use step_size::Limits;
 

@@ -5,33 +5,39 @@
 //! its error stays bounded at the size of one step's. Forces may depend on time and on inputs that are held.
 //!
 //! Where the last stage is a kick, its accelerations serve the first kick of the next step, if that starts at the same
-//! q and t with the same inputs.
+//! q and t with the same inputs. The sums of all but the leapfrog are compensated, so that roundings do not add up over
+//! long runs.
+
+use num_traits::Zero;
 
 use super::FixedStep;
+use super::dop853::add;
 use super::tableau::splitting as tableau;
 use crate::error::Cause;
 use crate::proved::Separable;
 use crate::real::Real;
 use crate::state::State;
 
-/// Accelerations at the end of a step, with all that they depend on.
+/// A step as the next one needs it.
 #[derive(Clone, Copy, Debug)]
-pub struct LastKick<R, const N: usize, const K: usize> {
-    t: R,
-    q: [R; N],
-    u: [R; K],
-    a: [R; N],
+pub struct LastSplit<R, const N: usize, const K: usize> {
+    /// Where it ended, and what rounding took from there.
+    end: State<R, N>,
+    lost_q: [R; N],
+    lost_v: [R; N],
+    /// The inputs and the accelerations of a kick at its end.
+    kick: Option<([R; K], [R; N])>,
 }
 
-impl<R: Real, const N: usize, const K: usize> LastKick<R, N, K> {
-    /// The accelerations, if they are those at `from` with the inputs `u`. The time that a stepper sums with
+impl<R: Real, const N: usize, const K: usize> LastSplit<R, N, K> {
+    /// The accelerations at `from` with the inputs `u`, if they are known. The time that a stepper sums with
     /// compensation may be a few roundings off the one that a step ended at.
     #[inline]
-    fn reused(&self, from: &State<R, N>, u: &[R; K]) -> Option<[R; N]> {
-        let apart = (self.t - from.t).abs();
+    fn accelerations(&self, from: &State<R, N>, u: &[R; K]) -> Option<[R; N]> {
+        let apart = (self.end.t - from.t).abs();
         let rounding = R::from_f64(4.0) * R::epsilon() * from.t.abs();
         let now = apart == R::zero() || (rounding - apart).is_positive();
-        (now && self.q == from.q && self.u == *u).then_some(self.a)
+        self.kick.filter(|(inputs, _)| now && inputs == u).map(|(_, a)| a)
     }
 }
 
@@ -82,6 +88,8 @@ trait Splitting {
     const KICKS: &'static [f64];
     /// Drifts.
     const DRIFTS: &'static [f64];
+    /// Whether sums are compensated: not where the error of the method is above rounding at any step worth taking.
+    const COMPENSATED: bool;
 }
 
 macro_rules! tabulated {
@@ -89,6 +97,7 @@ macro_rules! tabulated {
         impl Splitting for $method {
             const KICKS: &'static [f64] = &tableau::$table.kicks;
             const DRIFTS: &'static [f64] = &tableau::$table.drifts;
+            const COMPENSATED: bool = Self::KICKS.len() > 2;
         }
     )*};
 }
@@ -106,7 +115,7 @@ tabulated! {
 // methods away.
 
 impl<S: Separable<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Leapfrog {
-    type Memory = Option<LastKick<S::Scalar, N, K>>;
+    type Memory = Option<LastSplit<S::Scalar, N, K>>;
 
     #[inline]
     fn begin(_: &S) -> Self::Memory {
@@ -131,7 +140,7 @@ impl<S: Separable<N, K>, const ORDER: usize, const N: usize, const K: usize> Fix
 where
     Self: Splitting,
 {
-    type Memory = Option<LastKick<S::Scalar, N, K>>;
+    type Memory = Option<LastSplit<S::Scalar, N, K>>;
 
     #[inline]
     fn begin(_: &S) -> Self::Memory {
@@ -156,7 +165,7 @@ impl<S: Separable<N, K>, const ORDER: usize, const N: usize, const K: usize> Fix
 where
     Self: Splitting,
 {
-    type Memory = Option<LastKick<S::Scalar, N, K>>;
+    type Memory = Option<LastSplit<S::Scalar, N, K>>;
 
     #[inline]
     fn begin(_: &S) -> Self::Memory {
@@ -179,38 +188,52 @@ where
 /// A step of `h`.
 #[inline(always)]
 fn step<M: Splitting, S: Separable<N, K>, const N: usize, const K: usize>(
-    memory: &mut Option<LastKick<S::Scalar, N, K>>,
+    memory: &mut Option<LastSplit<S::Scalar, N, K>>,
     system: &S,
     constants: &S::Constants,
     from: &State<S::Scalar, N>,
     h: S::Scalar,
     u: &[S::Scalar; K],
 ) -> State<S::Scalar, N> {
-    let mut at = *from;
-    let mut last = memory.take().and_then(|kick| kick.reused(from, u));
+    let last = memory.take().filter(|last| last.end.q == from.q && last.end.v == from.v);
+    let mut known = last.and_then(|last| last.accelerations(from, u));
+    let nothing = [S::Scalar::zero(); N];
+    let (lost_q, lost_v) = last.map_or((nothing, nothing), |last| (last.lost_q, last.lost_v));
+    let mut at = LastSplit { end: *from, lost_q, lost_v, kick: None };
     let mut elapsed = 0.0;
     for (i, &kick) in M::KICKS.iter().enumerate() {
         if kick != 0.0 {
-            let a = last.take();
-            let a = a.unwrap_or_else(|| system.accelerations_at(constants, at.t, &at.q, &at.v, u));
+            let a = match known.take() {
+                Some(a) => a,
+                None => system.accelerations_at(constants, at.end.t, &at.end.q, &at.end.v, u),
+            };
             let reach = S::Scalar::from_f64(kick) * h;
-            for (v, a) in at.v.iter_mut().zip(a) {
-                *v += reach * a;
-            }
+            grow::<M, _, N>(&mut at.end.v, &mut at.lost_v, reach, &a);
             if i == M::DRIFTS.len() {
-                *memory = Some(LastKick { t: at.t, q: at.q, u: *u, a });
+                at.kick = Some((*u, a));
             }
         }
         if let Some(&drift) = M::DRIFTS.get(i) {
             let reach = S::Scalar::from_f64(drift) * h;
-            for (q, v) in at.q.iter_mut().zip(at.v) {
-                *q += reach * v;
-            }
+            grow::<M, _, N>(&mut at.end.q, &mut at.lost_q, reach, &at.end.v);
             elapsed = if i + 1 == M::DRIFTS.len() { 1.0 } else { elapsed + drift };
-            at.t = from.t + S::Scalar::from_f64(elapsed) * h;
+            at.end.t = from.t + S::Scalar::from_f64(elapsed) * h;
         }
     }
-    at
+    *memory = Some(at);
+    at.end
+}
+
+/// x + h ẋ, and what rounding took from it.
+#[inline(always)]
+fn grow<M: Splitting, R: Real, const N: usize>(x: &mut [R; N], lost: &mut [R; N], h: R, rates: &[R; N]) {
+    for n in 0..N {
+        if M::COMPENSATED {
+            (x[n], lost[n]) = add(x[n], lost[n], h * rates[n]);
+        } else {
+            x[n] += h * rates[n];
+        }
+    }
 }
 
 #[cfg(test)]
