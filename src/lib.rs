@@ -63,7 +63,10 @@ pub mod prelude {
         Rotation2, Rotation3, SMatrix, SVector, Translation2, Translation3, Unit, UnitComplex,
         UnitQuaternion, Vector1, Vector2, Vector3,
     };
-    pub use lagrange_runtime::{Cause, Dop853, Jet, Jets, MotionError, Ordered, Real, Rk4, State, System};
+    pub use lagrange_runtime::{
+        BlanesMoan4, BlanesMoan6, Cause, Dop853, Gauss4, Gauss6, Gauss8, Jet, Jets, Leapfrog, Linearized,
+        MotionError, Ordered, Real, Rk4, State, System, Yoshida4, Yoshida6, Yoshida8,
+    };
 }
 
 /// The programs of the README are compiled and run as tests.

@@ -359,4 +359,5 @@ A singular mass matrix, with the coordinate and the time.*/
             self.energy(&lagrange::State { t, q: *q, v: *v })
         }
     }
+    impl<R: Real> lagrange::Autonomous<2usize, 1usize> for CartPole<R> {}
 };

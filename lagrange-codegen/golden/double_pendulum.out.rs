@@ -320,4 +320,6 @@ A singular mass matrix, with the coordinate and the time.*/
             self.energy(&lagrange::State { t, q: *q, v: *v })
         }
     }
+    impl lagrange::Autonomous<2usize, 0usize> for DoublePendulum {}
+    impl lagrange::Conservative<2usize, 0usize> for DoublePendulum {}
 };

@@ -341,4 +341,6 @@ A singular mass matrix, with the coordinate and the time.*/
             self.energy(&lagrange::State { t, q: *q, v: *v })
         }
     }
+    impl lagrange::Autonomous<3usize, 0usize> for Top {}
+    impl lagrange::Conservative<3usize, 0usize> for Top {}
 };

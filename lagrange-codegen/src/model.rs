@@ -49,6 +49,8 @@ pub struct Locals {
     pub coordinates: Vec<String>,
     /// Names of the velocities.
     pub velocities: Vec<String>,
+    /// Names of the accelerations, where bodies are given them.
+    pub accelerations: Vec<String>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
     /// Names of the parameters.

@@ -50,3 +50,8 @@ fn cart_pole() {
 fn heavy_top() {
     check("heavy_top");
 }
+
+#[test]
+fn elastic_pendulum_with_jacobians() {
+    check("elastic_pendulum");
+}

@@ -15,6 +15,8 @@ pub enum Cause {
     },
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
+    /// The equations of an implicit step could not be solved: the step is too long for the motion.
+    NotConverged,
     /// The tolerance asks for steps below the resolution of time.
     StepTooSmall,
     /// One call took more steps than its limit.
@@ -38,6 +40,10 @@ impl fmt::Display for Cause {
             Self::NotFinite => out.write_str(
                 "a value is infinite or not a number: check the parameters and the start, or stop before \
                  the motion reaches a singularity",
+            ),
+            Self::NotConverged => out.write_str(
+                "the equations of an implicit step could not be solved: take shorter steps where the motion \
+                 is this fast",
             ),
             Self::StepTooSmall => out.write_str(
                 "the step fell below the resolution of time: the motion is singular here or too stiff, \

@@ -9,7 +9,9 @@
 //! | [`simulation`] | a motion under error control: advance, sample, steer |
 //! | [`batch`] | several motions at once, in the lanes of a SIMD vector |
 //! | [`stepper`] | a motion in fixed steps, for control loops |
-//! | [`integrator`] | the methods: RK4, Dormand–Prince 8(5,3) |
+//! | [`integrator`] | the methods: Taylor series, Dormand–Prince 8(5,3), RK4, symplectic splittings, Gauss collocation |
+//! | [`proved`] | what the macro proved of a system and a method may demand |
+//! | [`linearized`] | derivatives of the equations, for implicit methods and for control |
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
 //! | [`structure`] | operation counts and proven facts of a model |
@@ -39,7 +41,9 @@ pub mod batch;
 pub mod error;
 pub mod integrator;
 pub mod linear;
+pub mod linearized;
 mod math;
+pub mod proved;
 pub mod real;
 pub mod simulation;
 pub mod smooth;
@@ -53,10 +57,15 @@ mod tables;
 pub use algebra::PrincipalMoments;
 pub use batch::Batch;
 pub use error::{Cause, MotionError};
-pub use integrator::{Adaptive, Dop853, FixedStep, Jet, Jets, Rk4};
+pub use integrator::{
+    Adaptive, BlanesMoan, BlanesMoan4, BlanesMoan6, Dop853, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Jet,
+    Jets, Leapfrog, Rk4, Yoshida, Yoshida4, Yoshida6, Yoshida8,
+};
+pub use linearized::{Jacobians, Linearization, Linearized};
 pub use num_traits::{One, Zero};
 #[cfg(feature = "wide")]
 pub use real::Lanes;
+pub use proved::{Autonomous, Conservative, ConstantMass, Separable};
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use smooth::{Series, Smooth};
@@ -71,6 +80,8 @@ pub mod __private {
     pub use crate::algebra::{self, PrincipalMoments};
     pub use crate::error::{Cause, MotionError};
     pub use crate::linear::{Ldlt, Lu};
+    pub use crate::linearized::{Linearization, Linearized};
+    pub use crate::proved::{Autonomous, Conservative, ConstantMass, Separable};
     pub use crate::real::Real;
     pub mod solve {
         //! Solving for the accelerations.

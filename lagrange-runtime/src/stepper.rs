@@ -1,6 +1,7 @@
 //! [`Stepper`]: a motion in steps that the caller chooses, as a control loop does.
 //!
-//! No error control: the accuracy is the method's order and the caller's step. Time is summed with compensation,
+//! No error control: the accuracy is the method's order and the caller's step. A method demands of the system what it
+//! needs, so one that would go wrong does not compile. Time is summed with compensation,
 //! so a million steps of 1 ms end within a rounding of 1000 s.
 
 use crate::error::{Cause, MotionError};
@@ -36,7 +37,8 @@ where
     ///
     /// # Errors
     /// [`Cause::InvalidStep`] for an `h` that is not finite; where the result is not, the cause at the state before
-    /// the step: [`Cause::SingularMassMatrix`] or [`Cause::NotFinite`]. The state is then still that one.
+    /// the step: [`Cause::SingularMassMatrix`] or [`Cause::NotFinite`]; [`Cause::NotConverged`] of an implicit method.
+    /// The state is then still that one.
     #[inline]
     pub fn step(
         &mut self,
@@ -47,7 +49,8 @@ where
         if !h.is_finite() {
             return Err(MotionError { cause: Cause::InvalidStep, t: from.t });
         }
-        let mut next = M::step(&mut self.memory, self.system, &self.constants, from, h, u);
+        let step = M::step(&mut self.memory, self.system, &self.constants, from, h, u);
+        let mut next = step.map_err(|cause| MotionError { cause, t: from.t })?;
         let increment = h + self.residue;
         next.t = from.t + increment;
         if !next.is_finite() {

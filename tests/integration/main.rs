@@ -8,5 +8,6 @@ mod conservation;
 mod derivation;
 mod failure;
 mod hygiene;
+mod integrators;
 mod order;
 mod support;

@@ -50,6 +50,7 @@ impl Reads {
         Reads {
             coordinates: vec![false; model.coordinates.len()],
             velocities: vec![false; model.coordinates.len()],
+            accelerations: vec![false; model.coordinates.len()],
             inputs: vec![false; model.inputs.len()],
             parameters: vec![false; model.parameters.len()],
             time: false,
@@ -63,6 +64,7 @@ impl Reads {
         };
         join(&mut self.coordinates, &other.coordinates);
         join(&mut self.velocities, &other.velocities);
+        join(&mut self.accelerations, &other.accelerations);
         join(&mut self.inputs, &other.inputs);
         join(&mut self.parameters, &other.parameters);
         self.time |= other.time;
@@ -76,6 +78,8 @@ pub(super) struct Reads {
     pub coordinates: Vec<bool>,
     /// By coordinate.
     pub velocities: Vec<bool>,
+    /// By coordinate.
+    pub accelerations: Vec<bool>,
     /// By input.
     pub inputs: Vec<bool>,
     /// By parameter.
@@ -274,6 +278,12 @@ impl<'a> Writer<'a> {
                 self.reads.velocities[i as usize] = true;
                 if many {
                     return format!("v[{i}]");
+                }
+            }
+            Variable::Acceleration(i) => {
+                self.reads.accelerations[i as usize] = true;
+                if many {
+                    return format!("accelerations[{i}]");
                 }
             }
             Variable::Time => self.reads.time = true,

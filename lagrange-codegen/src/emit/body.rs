@@ -96,6 +96,8 @@ pub(super) fn prologue(model: &Model, scalar: &Scalar, reads: &Reads, source: So
     };
     let mut text = take_apart(model, &reads.coordinates, Variable::Coordinate, "q", q, source);
     text.push_str(&take_apart(model, &reads.velocities, Variable::Velocity, "v", v, source));
+    let (a, place) = ("accelerations", "*accelerations");
+    text.push_str(&take_apart(model, &reads.accelerations, Variable::Acceleration, a, place, source));
     text.push_str(&take_apart(model, &reads.inputs, Variable::Input, "u", u, source));
     if reads.time && matches!(source, Source::State) {
         text.push_str("let t = state.t;\n");

@@ -47,6 +47,10 @@ fn name(model: &Model, variable: Variable) -> String {
             let quantity = &model.coordinates[i as usize];
             indexed(&quantity.name, quantity.index, "′")
         }
+        Variable::Acceleration(i) => {
+            let quantity = &model.coordinates[i as usize];
+            indexed(&quantity.name, quantity.index, "″")
+        }
         Variable::Time => "t".to_owned(),
         Variable::Input(i) => {
             let quantity = &model.inputs[i as usize];

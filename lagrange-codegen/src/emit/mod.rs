@@ -4,9 +4,11 @@ mod block;
 mod body;
 mod docs;
 mod jets;
+mod linearization;
 mod methods;
 mod names;
 mod parts;
+mod proofs;
 mod records;
 mod scalar;
 mod stubs;
@@ -63,14 +65,26 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let methods = methods::methods(&mut emission);
     let report = report(&emission, before, after);
     let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
+    let linearization = linearization::linearization(&mut emission);
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
+    let linearization = linearization.map(|text| parameters.parse(&text));
 
     let Item { self_ty, generics, crate_path, cleaned, .. } = emission.item;
     let smooth = smooth.map(|text| parameters.parse(&text));
     let (impl_generics, _, where_clause) = generics.split_for_impl();
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let records = records::records(emission.item);
+    let proofs = proofs::proofs(emission.item, &proofs::proved(emission.facts), count, inputs);
+    let linearization = linearization.map(|items| {
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Linearized<#count, #inputs> for #self_ty #where_clause {
+                #items
+            }
+        }
+    });
     let lengths = tokens::length_checks(emission.model, diagnostics);
     let lengths = (!lengths.is_empty()).then(|| {
         quote! {
@@ -108,7 +122,9 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
                 #system
             }
 
+            #proofs
             #smooth
+            #linearization
         };
     }
 }

@@ -3,17 +3,19 @@
 use std::collections::BTreeSet;
 
 use crate::expr::{Unary, Variable};
-use crate::model::{Locals, Model, Parameter};
+use crate::model::{Locals, Model, Parameter, Quantity};
 use crate::schedule::{Instruction, Program, Slot};
 
 /// Longer names are replaced by a numbered one.
 const LONGEST: usize = 26;
 
 /// Names that generated bodies use for something else.
-const RESERVED: [&str; 15] = [
+const RESERVED: [&str; 17] = [
     "state",
     "inputs",
     "constants",
+    "accelerations",
+    "matrices",
     "mass",
     "row",
     "factor",
@@ -38,8 +40,9 @@ impl Names {
     /// With the names of all coordinates, velocities and inputs taken.
     pub fn new(model: &Model) -> Names {
         let mut names = Names { taken: RESERVED.iter().map(|&name| name.to_owned()).collect(), anonymous: 0 };
-        let Locals { coordinates, velocities, inputs, parameters, .. } = &model.locals;
-        names.taken.extend(coordinates.iter().chain(velocities).chain(inputs).chain(parameters).cloned());
+        let Locals { coordinates, velocities, accelerations, inputs, parameters, .. } = &model.locals;
+        let states = coordinates.iter().chain(velocities).chain(accelerations);
+        names.taken.extend(states.chain(inputs).chain(parameters).cloned());
         names
     }
 
@@ -90,7 +93,15 @@ pub(super) fn locals(model: &Model) -> Locals {
     let inputs = model.inputs.iter().map(|quantity| claim(quantity.label())).collect();
     let label = |parameter: &Parameter| claim(identifier(&parameter.label));
     let parameters = model.parameters.iter().map(label).collect();
-    Locals { coordinates, velocities, inputs, parameters, auxiliaries: Vec::new() }
+    let accelerations = Vec::new();
+    Locals { coordinates, velocities, accelerations, inputs, parameters, auxiliaries: Vec::new() }
+}
+
+/// Gives names to the accelerations as well, for bodies that are given them.
+pub(super) fn name_accelerations(model: &mut Model) {
+    let mut names = Names::new(model);
+    let claim = |quantity: &Quantity| names.claim(Some(format!("{}_ddot", quantity.label())));
+    model.locals.accelerations = model.coordinates.iter().map(claim).collect();
 }
 
 /// The local name of a variable.
@@ -98,6 +109,7 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
     match variable {
         Variable::Coordinate(i) => model.locals.coordinates[i as usize].clone(),
         Variable::Velocity(i) => model.locals.velocities[i as usize].clone(),
+        Variable::Acceleration(i) => model.locals.accelerations[i as usize].clone(),
         Variable::Time => "t".to_owned(),
         Variable::Input(i) => model.locals.inputs[i as usize].clone(),
         Variable::Parameter(i) => model.locals.parameters[i as usize].clone(),

@@ -4,7 +4,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::records;
+use super::{proofs, records};
 use crate::syntax::{Group, Item, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
@@ -23,6 +23,23 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     };
     let total = |groups: &[Group]| groups.iter().map(|group| group.length.unwrap_or(1)).sum::<usize>();
     let (count, inputs) = (total(&item.coordinates), total(&item.inputs));
+    let linearization = item.jacobians.then(|| {
+        let place = quote!(
+            &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
+        );
+        quote! {
+            impl #impl_generics lagrange::Linearized<#count, #inputs> for #self_ty #where_clause {
+                fn residual_at(
+                    #place, _: &[#scalar; #count], _: &[#scalar; #inputs]
+                ) -> [#scalar; #count] { loop {} }
+                fn linearization_at(
+                    #place, _: &[#scalar; #count], _: &[#scalar; #inputs]
+                ) -> lagrange::Linearization<#scalar, #count> { loop {} }
+                fn by_inputs_at(#place, _: &[#scalar; #inputs]) -> [[#scalar; #inputs]; #count] { loop {} }
+            }
+        }
+    });
+    let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let methods = methods(item, &quote!(#scalar), count, inputs);
     Some(quote! {
         #records
@@ -53,6 +70,9 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                     &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
                 ) -> #scalar { loop {} }
             }
+
+            #proofs
+            #linearization
         };
     })
 }

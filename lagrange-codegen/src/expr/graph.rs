@@ -40,6 +40,8 @@ pub enum Variable {
     Coordinate(u32),
     /// A generalized velocity.
     Velocity(u32),
+    /// A generalized acceleration, where it is given instead of solved for.
+    Acceleration(u32),
     /// Time.
     Time,
     /// An input.
@@ -89,6 +91,8 @@ impl Dependence {
     pub const INPUTS: Dependence = Dependence(8);
     /// Parameters.
     pub const PARAMETERS: Dependence = Dependence(16);
+    /// Generalized accelerations.
+    pub const ACCELERATIONS: Dependence = Dependence(32);
 
     /// The union of two sets.
     pub const fn union(self, other: Dependence) -> Dependence {
@@ -236,6 +240,7 @@ impl Graph {
             Node::Constant(_) => Dependence::NONE,
             Node::Variable(Variable::Coordinate(_) | Variable::Auxiliary(_)) => Dependence::COORDINATES,
             Node::Variable(Variable::Velocity(_)) => Dependence::VELOCITIES,
+            Node::Variable(Variable::Acceleration(_)) => Dependence::ACCELERATIONS,
             Node::Variable(Variable::Time) => Dependence::TIME,
             Node::Variable(Variable::Input(_)) => Dependence::INPUTS,
             Node::Variable(Variable::Parameter(_)) => Dependence::PARAMETERS,

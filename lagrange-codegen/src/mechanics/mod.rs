@@ -9,8 +9,11 @@ mod angular;
 mod energy;
 mod equations;
 mod forces;
+mod linearization;
 mod motion;
 mod validate;
+
+pub use linearization::Linearization;
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::NodeId;

@@ -9,6 +9,8 @@ use crate::model::Model;
 pub struct Facts {
     /// M is the same all through a run.
     pub constant_mass: bool,
+    /// M is constant and the forces do not depend on velocities.
+    pub separable: bool,
     /// M has no entry off its diagonal.
     pub diagonal_mass: bool,
     /// Time appears in no equation.
@@ -38,8 +40,11 @@ impl Facts {
         let conservative = model.forces.is_empty() && model.dissipation.is_empty();
         let appearing = appearing_coordinates(graph, &energies, count);
         let idle = |i: usize| graph.is_zero(equations.applied[i]);
+        let constant_mass = entries().all(fixed);
+        let resting = |&force: &NodeId| !graph.dependence(force).meets(Dependence::VELOCITIES);
         Facts {
-            constant_mass: entries().all(fixed),
+            constant_mass,
+            separable: constant_mass && equations.force.iter().all(resting),
             diagonal_mass: (0..count).all(|i| (0..i).all(|j| graph.is_zero(equations.mass[i][j]))),
             autonomous: !uses(Dependence::TIME),
             has_jacobi_integral: equations.jacobi_integral.is_some(),
@@ -54,6 +59,9 @@ impl Facts {
         let mut found = Vec::new();
         if self.constant_mass {
             found.push("the mass matrix is constant: factored once per run".to_owned());
+        }
+        if self.separable {
+            found.push("separable: no force depends on velocities".to_owned());
         }
         if self.blocks.len() > 1 && !self.diagonal_mass {
             let names: Vec<String> = self

@@ -1,4 +1,4 @@
-//! The arguments of the attribute: `coordinates = […], inputs = […], crate = …, allow(…)`.
+//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, crate = …, allow(…)`.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::ext::IdentExt;
@@ -16,7 +16,7 @@ use crate::diagnostics::{Diagnostics, catalogue};
 /// The checks that `allow(…)` can switch off.
 pub const LINTS: [&str; 2] = ["unused_input", "no_effect"];
 
-const KNOWN: [&str; 4] = ["coordinates", "inputs", "crate", "allow"];
+const KNOWN: [&str; 5] = ["coordinates", "inputs", "jacobians", "crate", "allow"];
 
 /// The parsed arguments.
 #[derive(Default)]
@@ -25,6 +25,8 @@ pub struct Args {
     pub coordinates: Vec<Declaration>,
     /// Declared inputs.
     pub inputs: Vec<Declaration>,
+    /// Whether the `jacobians` argument is there.
+    pub jacobians: bool,
     /// The `crate` argument.
     pub crate_path: Option<syn::Path>,
     /// The `allow` argument.
@@ -57,8 +59,11 @@ impl Parse for Declaration {
 /// One argument as written.
 enum Argument {
     Names(Ident, Vec<Declaration>),
+    Jacobians(Ident),
     Crate(Ident, syn::Path),
     Allow(Ident, Vec<Ident>),
+    /// With a value that it does not take.
+    Valued(Ident),
     Unknown(Ident),
 }
 
@@ -66,8 +71,10 @@ impl Argument {
     fn key(&self) -> &Ident {
         match self {
             Argument::Names(key, _)
+            | Argument::Jacobians(key)
             | Argument::Crate(key, _)
             | Argument::Allow(key, _)
+            | Argument::Valued(key)
             | Argument::Unknown(key) => key,
         }
     }
@@ -84,6 +91,7 @@ impl Parse for Argument {
                 let names = Punctuated::<Declaration, Token![,]>::parse_terminated(&content)?;
                 Ok(Argument::Names(key, names.into_iter().collect()))
             }
+            "jacobians" if input.is_empty() || input.peek(Token![,]) => Ok(Argument::Jacobians(key)),
             "crate" => {
                 input.parse::<Token![=]>()?;
                 Ok(Argument::Crate(key, syn::Path::parse_mod_style(input)?))
@@ -99,7 +107,7 @@ impl Parse for Argument {
                 while !input.is_empty() && !input.peek(Token![,]) {
                     input.parse::<proc_macro2::TokenTree>()?;
                 }
-                Ok(Argument::Unknown(key))
+                Ok(if key == "jacobians" { Argument::Valued(key) } else { Argument::Unknown(key) })
             }
         }
     }
@@ -134,6 +142,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
                 };
                 target.extend(names);
             }
+            Argument::Jacobians(_) => args.jacobians = true,
             Argument::Crate(_, path) => args.crate_path = Some(path),
             Argument::Allow(_, names) => {
                 for name in names {
@@ -147,6 +156,9 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
                         }
                     }
                 }
+            }
+            Argument::Valued(key) => {
+                diagnostics.error(key.span(), catalogue::argument_with_value(&key));
             }
             Argument::Unknown(key) => {
                 let text = key.to_string();

@@ -28,6 +28,8 @@ pub struct Item {
     pub inputs: Vec<Group>,
     /// The crate that generated code names.
     pub crate_path: syn::Path,
+    /// Whether derivatives of the equations are generated.
+    pub jacobians: bool,
     /// Lints switched off with `allow(…)`.
     pub allowed: Vec<&'static str>,
     /// The impl block as it is emitted again.

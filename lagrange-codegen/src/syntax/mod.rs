@@ -103,6 +103,7 @@ pub fn parse(
         coordinates,
         inputs,
         crate_path,
+        jacobians: args.jacobians,
         allowed: args.allowed,
         cleaned,
         functions,

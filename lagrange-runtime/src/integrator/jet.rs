@@ -5,6 +5,7 @@
 
 use super::FixedStep;
 use super::dop853::add;
+use crate::error::Cause;
 use crate::real::Real;
 use crate::smooth::{Series, Smooth};
 use crate::state::State;
@@ -48,18 +49,18 @@ where
         from: &State<S::Scalar, N>,
         h: S::Scalar,
         u: &[S::Scalar; K],
-    ) -> State<S::Scalar, N> {
+    ) -> Result<State<S::Scalar, N>, Cause> {
         let JetMemory { constants, tables, series, residue } = memory;
         let mut next = from.at_time(from.t + h);
         if !system.jet_at(constants, from.t, &from.q, &from.v, u, h, ORDER, tables, series) {
             next.v = [S::Scalar::from_f64(f64::NAN); N];
-            return next;
+            return Ok(next);
         }
         let (gain_q, gain_v) = series.sum();
         for i in 0..N {
             (next.q[i], residue.0[i]) = add(from.q[i], residue.0[i], gain_q[i]);
             (next.v[i], residue.1[i]) = add(from.v[i], residue.1[i], gain_v[i]);
         }
-        next
+        Ok(next)
     }
 }

@@ -6,18 +6,24 @@
 pub(crate) mod adaptive;
 pub(crate) mod dense;
 pub(crate) mod dop853;
+mod gauss;
 mod jet;
 pub(crate) mod jets;
 mod rk4;
 #[cfg(test)]
 pub(crate) mod samples;
+mod splitting;
 pub(crate) mod step_size;
 mod tableau;
 
 pub use adaptive::{Adaptive, Dop853};
+pub use gauss::{Gauss, Gauss4, Gauss6, Gauss8, LastStep};
 pub use jet::Jet;
 pub use jets::Jets;
 pub use rk4::Rk4;
+pub use splitting::{
+    BlanesMoan, BlanesMoan4, BlanesMoan6, LastSplit, Leapfrog, Yoshida, Yoshida4, Yoshida6, Yoshida8,
+};
 pub use step_size::Limits;
 
 use crate::error::Cause;
@@ -27,7 +33,8 @@ use crate::system::System;
 
 /// A method that takes steps of a size chosen by the caller.
 pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
-    /// What it remembers between steps.
+    /// What it remembers between steps. It belongs to one system with its constants, but outlives steps that fail and
+    /// inputs that change: a method asks whether it still fits.
     type Memory: Copy + core::fmt::Debug;
 
     /// The memory before the first step.
@@ -35,6 +42,9 @@ pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
 
     /// The state after a step of `h` from `from`, with the inputs `u` held. The time of the result is `from.t + h`.
     /// A result that is not finite is left to the caller.
+    ///
+    /// # Errors
+    /// What kept a method that solves equations from solving them.
     fn step(
         memory: &mut Self::Memory,
         system: &S,
@@ -42,7 +52,7 @@ pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
         from: &State<S::Scalar, N>,
         h: S::Scalar,
         u: &[S::Scalar; K],
-    ) -> State<S::Scalar, N>;
+    ) -> Result<State<S::Scalar, N>, Cause>;
 }
 
 /// The right-hand side of q″ = a(t, q, v).

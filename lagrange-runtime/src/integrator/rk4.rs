@@ -5,6 +5,7 @@
 
 use super::FixedStep;
 use super::tableau::rk4::{B, C};
+use crate::error::Cause;
 use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
@@ -27,7 +28,7 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
         from: &State<S::Scalar, N>,
         h: S::Scalar,
         u: &[S::Scalar; K],
-    ) -> State<S::Scalar, N> {
+    ) -> Result<State<S::Scalar, N>, Cause> {
         let mut slope_q = from.v;
         let mut slope_v = system.accelerations_at(constants, from.t, &from.q, &from.v, u);
         let first = S::Scalar::from_f64(B[0]);
@@ -54,7 +55,7 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
             next.q[n] += h * sum_q[n];
             next.v[n] += h * sum_v[n];
         }
-        next
+        Ok(next)
     }
 }
 

@@ -120,7 +120,7 @@ impl<'a> Start<'a> {
                         self.reads.parameters[i as usize] = true;
                         label.clone()
                     }
-                    Variable::Auxiliary(_) => label.clone(),
+                    Variable::Auxiliary(_) | Variable::Acceleration(_) => label.clone(),
                 };
                 (text, label)
             }

@@ -1,0 +1,408 @@
+impl ElasticPendulum {
+    #[allow(dead_code)]
+    fn bob(&self, q: &ElasticPendulumCoordinates) -> Vector2<f64> {
+        q.r * Vector2::new(q.theta.sin(), -q.theta.cos())
+    }
+    #[allow(dead_code)]
+    fn gravity(&self, q: &ElasticPendulumCoordinates) -> f64 {
+        self.mass * self.g * self.bob(q).y
+    }
+    #[allow(dead_code)]
+    fn spring(&self, q: &ElasticPendulumCoordinates) -> f64 {
+        0.5 * self.stiffness * (q.r - self.length).powi(2)
+    }
+    #[allow(dead_code)]
+    fn motor(&self, u: &ElasticPendulumInputs) -> f64 {
+        u.motor
+    }
+}
+///Generalized coordinates of [`ElasticPendulum`].
+#[allow(non_snake_case)]
+pub struct ElasticPendulumCoordinates<R = f64> {
+    ///`theta`
+    pub theta: R,
+    ///`r`
+    pub r: R,
+}
+impl<R: ::core::marker::Copy> ::core::marker::Copy for ElasticPendulumCoordinates<R> {}
+impl<R: ::core::marker::Copy> ::core::clone::Clone for ElasticPendulumCoordinates<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R: ::core::fmt::Debug> ::core::fmt::Debug for ElasticPendulumCoordinates<R> {
+    fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        f.debug_struct("ElasticPendulumCoordinates")
+            .field("theta", &self.theta)
+            .field("r", &self.r)
+            .finish()
+    }
+}
+impl<R> ::core::convert::From<[R; 2usize]> for ElasticPendulumCoordinates<R> {
+    fn from([x0, x1]: [R; 2usize]) -> Self {
+        Self { theta: x0, r: x1 }
+    }
+}
+impl<R> ::core::convert::From<ElasticPendulumCoordinates<R>> for [R; 2usize] {
+    fn from(
+        ElasticPendulumCoordinates { theta: x0, r: x1 }: ElasticPendulumCoordinates<R>,
+    ) -> Self {
+        [x0, x1]
+    }
+}
+///Generalized velocities of [`ElasticPendulum`].
+#[allow(non_snake_case)]
+pub struct ElasticPendulumVelocities<R = f64> {
+    ///`theta`
+    pub theta: R,
+    ///`r`
+    pub r: R,
+}
+impl<R: ::core::marker::Copy> ::core::marker::Copy for ElasticPendulumVelocities<R> {}
+impl<R: ::core::marker::Copy> ::core::clone::Clone for ElasticPendulumVelocities<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R: ::core::fmt::Debug> ::core::fmt::Debug for ElasticPendulumVelocities<R> {
+    fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        f.debug_struct("ElasticPendulumVelocities")
+            .field("theta", &self.theta)
+            .field("r", &self.r)
+            .finish()
+    }
+}
+impl<R> ::core::convert::From<[R; 2usize]> for ElasticPendulumVelocities<R> {
+    fn from([x0, x1]: [R; 2usize]) -> Self {
+        Self { theta: x0, r: x1 }
+    }
+}
+impl<R> ::core::convert::From<ElasticPendulumVelocities<R>> for [R; 2usize] {
+    fn from(
+        ElasticPendulumVelocities { theta: x0, r: x1 }: ElasticPendulumVelocities<R>,
+    ) -> Self {
+        [x0, x1]
+    }
+}
+///Inputs of [`ElasticPendulum`].
+#[allow(non_snake_case)]
+pub struct ElasticPendulumInputs<R = f64> {
+    ///`motor`
+    pub motor: R,
+}
+impl<R: ::core::marker::Copy> ::core::marker::Copy for ElasticPendulumInputs<R> {}
+impl<R: ::core::marker::Copy> ::core::clone::Clone for ElasticPendulumInputs<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<R: ::core::fmt::Debug> ::core::fmt::Debug for ElasticPendulumInputs<R> {
+    fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+        f.debug_struct("ElasticPendulumInputs").field("motor", &self.motor).finish()
+    }
+}
+impl<R> ::core::convert::From<[R; 1usize]> for ElasticPendulumInputs<R> {
+    fn from([x0]: [R; 1usize]) -> Self {
+        Self { motor: x0 }
+    }
+}
+impl<R> ::core::convert::From<ElasticPendulumInputs<R>> for [R; 1usize] {
+    fn from(ElasticPendulumInputs { motor: x0 }: ElasticPendulumInputs<R>) -> Self {
+        [x0]
+    }
+}
+const _: () = {
+    use ::lagrangian::__private as lagrange;
+    #[automatically_derived]
+    #[allow(clippy::all)]
+    impl ElasticPendulum {
+        /// The coordinates in the order of all vectors, to name the one that an error speaks of.
+        pub const COORDINATES: [&'static str; 2usize] = ["theta", "r"];
+        /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
+        /// computed once per run, and a factorisation in the runtime, are not counted.
+        pub const COST: lagrange::Costs = lagrange::Costs {
+            before: lagrange::Cost::new(10u32, 22u32, 2u32, 0u32, 1u32),
+            after: lagrange::Cost::new(5u32, 10u32, 1u32, 0u32, 1u32),
+        };
+        /// What was found in this system, and what its code therefore leaves out.
+        pub const STRUCTURE: lagrange::Structure = lagrange::Structure {
+            mass_matrix: "diagonal, solved by divisions",
+            facts: &[],
+            skipped: &[
+                "time: nothing depends on it",
+                "dissipation",
+                "the solution of a linear system: the mass matrix is diagonal",
+                "constraints and multipliers",
+            ],
+        };
+        /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
+
+The mass matrix is diagonal, solved by divisions.
+
+# Errors
+
+A singular mass matrix, with the coordinate and the time.*/
+        #[inline]
+        pub fn accelerations(
+            &self,
+            state: &lagrange::State<f64, 2>,
+            inputs: &[f64; 1],
+        ) -> ::core::result::Result<[f64; 2], lagrange::MotionError<f64>> {
+            let constants = lagrange::System::constants(self);
+            let accelerations = lagrange::System::accelerations_at(
+                self,
+                &constants,
+                state.t,
+                &state.q,
+                &state.v,
+                inputs,
+            );
+            lagrange::solve::finite(self, &constants, state, accelerations)
+        }
+        ///Mass matrix M = ∂²L/∂v∂v, symmetric, rows and columns in the order of the coordinates.
+        #[inline]
+        pub fn mass_matrix(
+            &self,
+            state: &lagrange::State<f64, 2>,
+        ) -> lagrange::nalgebra::SMatrix<f64, 2, 2> {
+            let [_, r] = state.q;
+            let mass_2: f64 = self.mass;
+            let mut mass = [[0.0; 2]; 2];
+            mass[0][0] = mass_2 * (r * r);
+            mass[1][1] = mass_2;
+            lagrange::solve::symmetric(mass)
+        }
+        /**Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.
+
+- `b(theta) = r·mass·(sin(theta)·g + 2·theta′·r′)`
+- `b(r) = r·(stiffness − theta′^2·mass) − (mass·cos(theta)·g + stiffness·length)`*/
+        #[inline]
+        pub fn bias(&self, state: &lagrange::State<f64, 2>) -> [f64; 2] {
+            use lagrange::Real;
+            let [theta, r] = state.q;
+            let [theta_dot, r_dot] = state.v;
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            let stiffness: f64 = self.stiffness;
+            let length: f64 = self.length;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            [
+                mass_2 * (r * (g * sin_theta + 2.0 * (theta_dot * r_dot))),
+                r * (stiffness - mass_2 * (theta_dot * theta_dot))
+                    - (mass_2 * g * cos_theta + stiffness * length),
+            ]
+        }
+        /**Generalized applied forces Q − ∂D/∂v.
+
+- `Q(theta) = motor`
+- `Q(r) = 0`*/
+        #[inline]
+        pub fn applied_forces(
+            &self,
+            _state: &lagrange::State<f64, 2>,
+            inputs: &[f64; 1],
+        ) -> [f64; 2] {
+            let [motor] = *inputs;
+            [motor, 0.0]
+        }
+        /**Generalized momenta p = ∂L/∂v.
+
+- `p(theta) = r^2·theta′·mass`
+- `p(r) = r′·mass`*/
+        #[inline]
+        pub fn momenta(&self, state: &lagrange::State<f64, 2>) -> [f64; 2] {
+            let [_, r] = state.q;
+            let [theta_dot, r_dot] = state.v;
+            let mass_2: f64 = self.mass;
+            [mass_2 * (r * r * theta_dot), mass_2 * r_dot]
+        }
+        /**Kinetic energy T \[J\].
+
+`T = 0.5·mass·(r′^2 + r^2·theta′^2)`*/
+        #[inline]
+        pub fn kinetic_energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
+            let [_, r] = state.q;
+            let [theta_dot, r_dot] = state.v;
+            let mass_2: f64 = self.mass;
+            0.5 * mass_2 * (r_dot * r_dot + r * r * (theta_dot * theta_dot))
+        }
+        /**Potential energy V \[J\].
+
+`V = −(r·mass·cos(theta)·g − 0.5·stiffness·(r − length)^2)`*/
+        #[inline]
+        pub fn potential_energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
+            use lagrange::Real;
+            let [theta, r] = state.q;
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            let stiffness: f64 = self.stiffness;
+            let length: f64 = self.length;
+            let r_minus_length = r - length;
+            let w1 = mass_2 * g * (r * Real::cos(theta))
+                - 0.5 * stiffness * (r_minus_length * r_minus_length);
+            -w1
+        }
+        /**Power v·(Q − ∂D/∂v) of the applied forces \[W\].
+
+`P = theta′·motor`*/
+        #[inline]
+        pub fn power(&self, state: &lagrange::State<f64, 2>, inputs: &[f64; 1]) -> f64 {
+            let [theta_dot, _] = state.v;
+            let [motor] = *inputs;
+            theta_dot * motor
+        }
+        ///Energy T + V \[J\].
+        #[inline]
+        pub fn energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
+            self.kinetic_energy(state) + self.potential_energy(state)
+        }
+    }
+    #[automatically_derived]
+    #[allow(clippy::all)]
+    impl lagrange::System<2usize, 1usize> for ElasticPendulum {
+        type Scalar = f64;
+        type Constants = [f64; 3];
+        #[inline]
+        fn constants(&self) -> Self::Constants {
+            let mass_2: f64 = self.mass;
+            let stiffness: f64 = self.stiffness;
+            let length: f64 = self.length;
+            [stiffness / mass_2, stiffness * length / mass_2, 1.0 / mass_2]
+        }
+        #[inline]
+        fn accelerations_at(
+            &self,
+            constants: &Self::Constants,
+            _t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+            u: &[f64; 1],
+        ) -> [f64; 2] {
+            use lagrange::Real;
+            let [theta, r] = *q;
+            let [theta_dot, r_dot] = *v;
+            let [motor] = *u;
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            let [stiffness_over_mass_2, w1, inverse_mass_2] = *constants;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let w2 = inverse_mass_2
+                * (motor - mass_2 * (r * (g * sin_theta + 2.0 * (theta_dot * r_dot))));
+            [
+                w2 / (r * r),
+                r * (theta_dot * theta_dot - stiffness_over_mass_2)
+                    + (g * cos_theta + w1),
+            ]
+        }
+        fn check_at(
+            &self,
+            _constants: &Self::Constants,
+            _t: f64,
+            q: &[f64; 2],
+            _v: &[f64; 2],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            let [_, r] = *q;
+            let mass_2: f64 = self.mass;
+            let mass_2_r_squared = mass_2 * (r * r);
+            lagrange::solve::check(mass_2_r_squared, mass_2_r_squared, 0)?;
+            lagrange::solve::check(mass_2, mass_2, 1)?;
+            ::core::result::Result::Ok(())
+        }
+        #[inline]
+        fn energy_at(
+            &self,
+            _constants: &Self::Constants,
+            t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+        ) -> f64 {
+            self.energy(&lagrange::State { t, q: *q, v: *v })
+        }
+    }
+    impl lagrange::Autonomous<2usize, 1usize> for ElasticPendulum {}
+    #[automatically_derived]
+    #[allow(clippy::all, unused_variables)]
+    impl lagrange::Linearized<2usize, 1usize> for ElasticPendulum {
+        #[inline]
+        fn residual_at(
+            &self,
+            _constants: &Self::Constants,
+            t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+            accelerations: &[f64; 2],
+            u: &[f64; 1],
+        ) -> [f64; 2] {
+            use lagrange::Real;
+            let [theta, r] = *q;
+            let [theta_dot, r_dot] = *v;
+            let [theta_ddot, r_ddot] = *accelerations;
+            let [motor] = *u;
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            let stiffness: f64 = self.stiffness;
+            let length: f64 = self.length;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let w1 = r * (stiffness - mass_2 * (theta_dot * theta_dot))
+                - (mass_2 * g * cos_theta + stiffness * length);
+            [
+                motor
+                    - mass_2
+                        * (r
+                            * (g * sin_theta + 2.0 * (theta_dot * r_dot)
+                                + r * theta_ddot)),
+                -(w1 + mass_2 * r_ddot),
+            ]
+        }
+        #[inline]
+        fn linearization_at(
+            &self,
+            _constants: &Self::Constants,
+            t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+            accelerations: &[f64; 2],
+            u: &[f64; 1],
+        ) -> lagrange::Linearization<f64, 2> {
+            use lagrange::Real;
+            let [theta, r] = *q;
+            let [theta_dot, r_dot] = *v;
+            let [theta_ddot, _] = *accelerations;
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            let stiffness: f64 = self.stiffness;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let mass_2_g = mass_2 * g;
+            let gravity = -(mass_2_g * (r * cos_theta));
+            let n2_mass_2 = 2.0 * mass_2;
+            let n2_mass_2_r_theta_dot = n2_mass_2 * (r * theta_dot);
+            let mut matrices = lagrange::Linearization {
+                mass: [[0.0; 2]; 2],
+                by_q: [[0.0; 2]; 2],
+                by_v: [[0.0; 2]; 2],
+            };
+            matrices.mass[0][0] = mass_2 * (r * r);
+            matrices.mass[1][1] = mass_2;
+            matrices.by_q[0][0] = gravity;
+            matrices.by_q[0][1] = -(mass_2
+                * (g * sin_theta + 2.0 * (theta_dot * r_dot) + 2.0 * (r * theta_ddot)));
+            matrices.by_q[1][0] = -(mass_2_g * sin_theta);
+            matrices.by_q[1][1] = -(stiffness - mass_2 * (theta_dot * theta_dot));
+            matrices.by_v[0][0] = -(n2_mass_2 * (r * r_dot));
+            matrices.by_v[0][1] = -n2_mass_2_r_theta_dot;
+            matrices.by_v[1][0] = n2_mass_2_r_theta_dot;
+            matrices
+        }
+        #[inline]
+        fn by_inputs_at(
+            &self,
+            _constants: &Self::Constants,
+            t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+            u: &[f64; 1],
+        ) -> [[f64; 1]; 2] {
+            [[1.0], [0.0]]
+        }
+    }
+};

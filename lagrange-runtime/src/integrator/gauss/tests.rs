@@ -1,0 +1,252 @@
+//! Orders, long runs, stiffness and failure, on systems with derivatives by hand.
+
+use core::cell::Cell;
+
+use super::*;
+use crate::integrator::samples::{Kepler, distance, pericentre};
+use crate::linearized::Linearization;
+use crate::system::System;
+
+impl Linearized<2> for Kepler {
+    fn residual_at(
+        &self,
+        (): &(),
+        t: f64,
+        q: &[f64; 2],
+        v: &[f64; 2],
+        a: &[f64; 2],
+        u: &[f64; 0],
+    ) -> [f64; 2] {
+        let f = self.accelerations_at(&(), t, q, v, u);
+        [f[0] - a[0], f[1] - a[1]]
+    }
+
+    fn linearization_at(
+        &self,
+        (): &(),
+        _: f64,
+        &[x, y]: &[f64; 2],
+        _: &[f64; 2],
+        _: &[f64; 2],
+        _: &[f64; 0],
+    ) -> Linearization<f64, 2> {
+        let r = x.hypot(y);
+        let (third, fifth) = (r.powi(-3), 3.0 * r.powi(-5));
+        let off = fifth * x * y;
+        Linearization {
+            mass: [[1.0, 0.0], [0.0, 1.0]],
+            by_q: [[fifth * x * x - third, off], [off, fifth * y * y - third]],
+            by_v: [[0.0; 2]; 2],
+        }
+    }
+
+    fn by_inputs_at(&self, (): &(), _: f64, _: &[f64; 2], _: &[f64; 2], _: &[f64; 0]) -> [[f64; 0]; 2] {
+        [[]; 2]
+    }
+}
+
+fn period<const STAGES: usize>(steps: u32) -> f64
+where
+    Gauss<STAGES>: FixedStep<Kepler, 2, 0>,
+{
+    let start = pericentre(0.4);
+    let mut motion = Kepler.stepper::<Gauss<STAGES>>(start);
+    for _ in 0..steps {
+        motion.step(core::f64::consts::TAU / f64::from(steps), &[]).unwrap();
+    }
+    distance(motion.state(), &start)
+}
+
+#[test]
+fn methods_have_their_order() {
+    fn check<const STAGES: usize>(steps: u32, order: f64)
+    where
+        Gauss<STAGES>: FixedStep<Kepler, 2, 0>,
+    {
+        let measured = (period::<STAGES>(steps) / period::<STAGES>(2 * steps)).log2();
+        assert!((measured - order).abs() < 0.2, "measured order {measured} instead of {order}");
+    }
+    check::<2>(80, 4.0);
+    check::<3>(80, 6.0);
+    check::<4>(60, 8.0);
+}
+
+#[test]
+fn where_steps_resolve_the_motion_the_energy_does_not_drift() {
+    let mut motion = Kepler.stepper::<Gauss8>(pericentre(0.4));
+    let energy = motion.energy();
+    let mut after = [0.0; 5];
+    for after in &mut after {
+        for _ in 0..100 * 60 {
+            motion.step(core::f64::consts::TAU / 60.0, &[]).unwrap();
+        }
+        *after = motion.energy() / energy - 1.0;
+    }
+    // A hundred periods each. Corrections that stop early, or coefficients rounded one by one, drift by 1e-14.
+    assert!(after.iter().all(|error| error.abs() < 5e-15), "{after:?}");
+}
+
+/// q″ = u − k q − c q′ with k, c as stiff as they come, which counts evaluations.
+struct Linear {
+    k: f64,
+    c: f64,
+    evaluations: Cell<u32>,
+    matrices: Cell<u32>,
+}
+
+impl Linear {
+    fn new(k: f64, c: f64) -> Self {
+        Self { k, c, evaluations: Cell::new(0), matrices: Cell::new(0) }
+    }
+}
+
+impl System<1, 1> for Linear {
+    type Scalar = f64;
+    type Method = crate::integrator::Dop853;
+    type Constants = ();
+
+    fn constants(&self) {}
+
+    fn accelerations_at(&self, (): &(), _: f64, q: &[f64; 1], v: &[f64; 1], u: &[f64; 1]) -> [f64; 1] {
+        self.evaluations.set(self.evaluations.get() + 1);
+        [u[0] - self.k * q[0] - self.c * v[0]]
+    }
+
+    fn energy_at(&self, (): &(), _: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {
+        0.5 * (v[0] * v[0] + self.k * q[0] * q[0])
+    }
+}
+
+impl Linearized<1, 1> for Linear {
+    fn residual_at(
+        &self,
+        (): &(),
+        t: f64,
+        q: &[f64; 1],
+        v: &[f64; 1],
+        a: &[f64; 1],
+        u: &[f64; 1],
+    ) -> [f64; 1] {
+        [self.accelerations_at(&(), t, q, v, u)[0] - a[0]]
+    }
+
+    fn linearization_at(
+        &self,
+        (): &(),
+        _: f64,
+        _: &[f64; 1],
+        _: &[f64; 1],
+        _: &[f64; 1],
+        _: &[f64; 1],
+    ) -> Linearization<f64, 1> {
+        self.matrices.set(self.matrices.get() + 1);
+        Linearization { mass: [[1.0]], by_q: [[-self.k]], by_v: [[-self.c]] }
+    }
+
+    fn by_inputs_at(&self, (): &(), _: f64, _: &[f64; 1], _: &[f64; 1], _: &[f64; 1]) -> [[f64; 1]; 1] {
+        [[1.0]]
+    }
+}
+
+#[test]
+fn a_linear_oscillator_turns_by_the_diagonal_pade_approximant() {
+    // (1 + z/2 + z²/12) / (1 − z/2 + z²/12) at z = i h ω, of modulus 1.
+    let (system, h) = (Linear::new(1e6, 0.0), 0.1);
+    let mut motion = system.stepper::<Gauss4>(State::new([1.0], [0.0]));
+    let energy = motion.energy();
+    let x = 1e3 * h;
+    let angle = 2.0 * (x / 2.0).atan2(1.0 - x * x / 12.0);
+    for k in 1..=1000 {
+        motion.step(h, &[0.0]).unwrap();
+        let expected = (f64::from(k) * angle).cos();
+        assert!((motion.state().q[0] - expected).abs() < 1e-10, "step {k}: {:?}", motion.state());
+    }
+    assert!((motion.energy() / energy - 1.0).abs() < 1e-11);
+}
+
+#[test]
+fn a_smooth_motion_takes_few_corrections() {
+    let system = Linear::new(1.0, 0.1);
+    let mut motion = system.stepper::<Gauss6>(State::new([1.0], [0.0]));
+    for _ in 0..100 {
+        motion.step(0.1, &[0.5]).unwrap();
+    }
+    assert_eq!(system.matrices.get(), 100);
+    assert!((300..=1200).contains(&system.evaluations.get()), "{}", system.evaluations.get());
+}
+
+#[test]
+fn overdamped_velocities_follow_the_force() {
+    let system = Linear::new(0.0, 1e9);
+    let mut motion = system.stepper::<Gauss6>(State::new([1.0], [2e-9]));
+    for _ in 0..100 {
+        motion.step(0.1, &[2.0]).unwrap();
+    }
+    assert!((motion.state().q[0] - 1.0 - 2e-8).abs() < 1e-15, "{:?}", motion.state());
+}
+
+/// q″ = e^q.
+struct Explosive;
+
+impl System<1> for Explosive {
+    type Scalar = f64;
+    type Method = crate::integrator::Dop853;
+    type Constants = ();
+
+    fn constants(&self) {}
+
+    fn accelerations_at(&self, (): &(), _: f64, q: &[f64; 1], _: &[f64; 1], _: &[f64; 0]) -> [f64; 1] {
+        [q[0].exp()]
+    }
+
+    fn energy_at(&self, (): &(), _: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {
+        0.5 * v[0] * v[0] - q[0].exp()
+    }
+}
+
+impl Linearized<1> for Explosive {
+    fn residual_at(
+        &self,
+        (): &(),
+        _: f64,
+        q: &[f64; 1],
+        _: &[f64; 1],
+        a: &[f64; 1],
+        _: &[f64; 0],
+    ) -> [f64; 1] {
+        [q[0].exp() - a[0]]
+    }
+
+    fn linearization_at(
+        &self,
+        (): &(),
+        _: f64,
+        q: &[f64; 1],
+        _: &[f64; 1],
+        _: &[f64; 1],
+        _: &[f64; 0],
+    ) -> Linearization<f64, 1> {
+        Linearization { mass: [[1.0]], by_q: [[q[0].exp()]], by_v: [[0.0]] }
+    }
+
+    fn by_inputs_at(&self, (): &(), _: f64, _: &[f64; 1], _: &[f64; 1], _: &[f64; 0]) -> [[f64; 0]; 1] {
+        [[]]
+    }
+}
+
+#[test]
+fn a_step_without_a_solution_is_an_error_and_nothing_moves() {
+    // At h = 10 the second stage would need a > exp(h² a / 24) > a.
+    let mut motion = Explosive.stepper::<Gauss4>(State::new([0.0], [0.0]));
+    let before = *motion.step(0.1, &[]).unwrap();
+    let error = motion.step(10.0, &[]).unwrap_err();
+    assert_eq!(error.cause, Cause::NotConverged);
+    assert_eq!(motion.state(), &before);
+    assert!(motion.step(0.1, &[]).is_ok());
+}
+
+#[test]
+fn a_step_of_no_length_goes_nowhere() {
+    let start = pericentre(0.5);
+    assert_eq!(Gauss8::step(&mut None, &Kepler, &(), &start, 0.0, &[]), Ok(start));
+}
