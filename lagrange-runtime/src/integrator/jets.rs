@@ -317,7 +317,7 @@ where
                 return Err(Cause::StepTooSmall);
             }
             memory.reach(length / unit);
-            memory.next = length;
+            memory.next = tolerated * unit;
         } else {
             // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
             let cause = if is_finite { Cause::StepTooSmall } else { Cause::NotFinite };
@@ -330,6 +330,7 @@ where
             continue;
         }
         if !memory.end.is_finite() {
+            (memory.end, memory.end_residue) = (memory.start, memory.residue);
             return Err(Cause::NotFinite);
         }
         memory.counts.accepted += 1;
