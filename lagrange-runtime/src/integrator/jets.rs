@@ -290,7 +290,8 @@ where
     }
     let left = target - from.t;
     let resolution = number(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
-    let mut unit = if memory.next.is_positive() { memory.next } else { left.abs() };
+    let mut remembered = memory.next.is_positive();
+    let mut unit = if remembered { memory.next } else { left.abs() };
     loop {
         if *attempts == 0 {
             return Err(Cause::TooManySteps);
@@ -307,10 +308,14 @@ where
         let tolerated = memory.tolerated(limits);
         let is_finite = memory.is_finite();
         if is_finite && tolerated == number(f64::INFINITY) {
-            // A polynomial in time.
-            let length = limits.clip(left.abs());
-            memory.reach(length / unit);
-            memory.next = length;
+            // A polynomial in time, or coefficients that underflow.
+            if remembered && unit < left.abs() {
+                (unit, remembered) = (left.abs(), false);
+                memory.counts.rejected += 1;
+                continue;
+            }
+            memory.reach(limits.clip(left.abs()) / unit);
+            memory.next = num_traits::Zero::zero();
         } else if is_finite && tolerated < number(NEAR) && tolerated * number(NEAR) > num_traits::One::one() {
             let length = limits.clip(tolerated * unit);
             if length.partial_cmp(&resolution) != Some(Ordering::Greater) {
