@@ -10,7 +10,7 @@ use crate::schedule::{Instruction, Program, Slot};
 const LONGEST: usize = 26;
 
 /// Names that generated bodies use for something else.
-const RESERVED: [&str; 15] = [
+const RESERVED: [&str; 25] = [
     "state",
     "inputs",
     "constants",
@@ -22,6 +22,16 @@ const RESERVED: [&str; 15] = [
     "v",
     "t",
     "u",
+    "h",
+    "rate",
+    "fraction",
+    "order",
+    "orders",
+    "inner",
+    "tables",
+    "series",
+    "left",
+    "right",
     "f64",
     "f32",
     "self",
