@@ -63,9 +63,9 @@ pub use integrator::{
 };
 pub use linearized::{Jacobians, Linearization, Linearized};
 pub use num_traits::{One, Zero};
+pub use proved::{Autonomous, Conservative, ConstantMass, Separable};
 #[cfg(feature = "wide")]
 pub use real::Lanes;
-pub use proved::{Autonomous, Conservative, ConstantMass, Separable};
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use smooth::{Series, Smooth};

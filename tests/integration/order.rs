@@ -43,11 +43,12 @@ fn rk4_is_of_order_four() {
 }
 
 #[test]
-fn the_default_method_is_of_order_eight() {
+fn dop853_is_of_order_eight() {
     let exact = state_at(&Pendulum, start(), 4.0);
     // A tolerance that accepts every step leaves the limit in charge.
     let error = |h: f64| {
-        let mut motion = Pendulum.simulate(start()).with_tolerance(1e6).with_step_limit(h);
+        let motion = Pendulum.simulate_with::<Dop853>(start());
+        let mut motion = motion.with_tolerance(1e6).with_step_limit(h);
         distance(motion.advance_to(4.0).unwrap(), &exact)
     };
     between(7.5, (error(0.1) / error(0.05)).log2(), 8.5);

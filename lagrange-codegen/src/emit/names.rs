@@ -10,7 +10,7 @@ use crate::schedule::{Instruction, Program, Slot};
 const LONGEST: usize = 26;
 
 /// Names that generated bodies use for something else.
-const RESERVED: [&str; 17] = [
+const RESERVED: [&str; 27] = [
     "state",
     "inputs",
     "constants",
@@ -24,6 +24,16 @@ const RESERVED: [&str; 17] = [
     "v",
     "t",
     "u",
+    "h",
+    "rate",
+    "fraction",
+    "order",
+    "orders",
+    "inner",
+    "tables",
+    "series",
+    "left",
+    "right",
     "f64",
     "f32",
     "self",

@@ -60,7 +60,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
 
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
                 type Scalar = #scalar;
-                type Method = lagrange::Dop853;
+                type Method = lagrange::Jets;
                 type Constants = ();
                 fn constants(&self) {}
                 fn accelerations_at(
@@ -73,6 +73,15 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
 
             #proofs
             #linearization
+            impl #impl_generics lagrange::Smooth<#count, #inputs> for #self_ty #where_clause {
+                type JetConstants = ();
+                type Tables<const P: usize> = ();
+                fn jet_constants(&self) {}
+                fn jet_at<const P: usize>(
+                    &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count], _: &[#scalar; #inputs],
+                    _: #scalar, _: usize, _: &mut (), _: &mut lagrange::Series<#scalar, #count, P>
+                ) -> bool { loop {} }
+            }
         };
     })
 }

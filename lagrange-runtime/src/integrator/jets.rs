@@ -35,6 +35,12 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 /// exp(−1 / `ORDERS_PER_DIGIT`): how much the terms of a series fall from order to order at the tolerated length.
 const DECAY: f64 = 0.29;
 
+/// Terms of a series decay by less than this from order to order, at a step that follows from the last two.
+const STEEPEST: f64 = 6.0;
+
+/// A step that grows by less than this needs no second look: its error would grow by a few times at most.
+const GROWTH: f64 = 1.1;
+
 /// A unit of time within this factor of the step keeps all coefficients far from the ends of the arithmetic.
 pub(crate) const NEAR: f64 = 64.0;
 
@@ -128,6 +134,9 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
 
     /// The length at which the last two terms fall to the tolerance, in units of the scaled time; not finite where
     /// a coefficient is not, infinite for a polynomial.
+    ///
+    /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
+    /// So the terms before the last two may not exceed the tolerance by more than [`STEEPEST`] for each order either.
     #[inline]
     fn tolerated(&self, limits: &Limits<R>) -> R {
         let relative = larger(limits.relative, R::epsilon());
@@ -140,20 +149,46 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let row = |rows: &[[R; N]; HIGHEST], k: usize| rows.get(k - 1).copied().unwrap_or([R::zero(); N]);
         let [q1, q2, qb, ql] = [1, 2, p - 1, p].map(|k| row(&series.q, k));
         let [v1, v2, vb, vl] = [1, 2, p - 1, p].map(|k| row(&series.v, k));
+        let (mut weights_q, mut weights_v) = ([R::zero(); N], [R::zero(); N]);
         for i in 0..N {
-            let weight_q = R::recip(size(self.start.q[i], q1[i], q2[i]));
-            let weight_v = R::recip(size(self.start.v[i], v1[i], v2[i]));
-            last = larger(larger(last, ql[i].abs() * weight_q), vl[i].abs() * weight_v);
-            before = larger(larger(before, qb[i].abs() * weight_q), vb[i].abs() * weight_v);
+            weights_q[i] = R::recip(size(self.start.q[i], q1[i], q2[i]));
+            weights_v[i] = R::recip(size(self.start.v[i], v1[i], v2[i]));
+            last = larger(larger(last, ql[i].abs() * weights_q[i]), vl[i].abs() * weights_v[i]);
+            before = larger(larger(before, qb[i].abs() * weights_q[i]), vb[i].abs() * weights_v[i]);
         }
         // At the tolerated length one term is about this much smaller than the one before it.
         let decay = R::from_f64(DECAY);
-        let worst = larger(last, decay * before);
-        if worst == R::zero() {
-            return R::from_f64(f64::INFINITY);
-        }
-        (-worst.ln() / R::from_f64(p as f64)).exp()
+        let length = reach(larger(last, decay * before), p);
+        if length > R::from_f64(GROWTH) { self.bounded(length, &weights_q, &weights_v) } else { length }
     }
+
+    /// A length that the terms of lower orders bear as well.
+    fn bounded(&self, mut length: R, weights_q: &[R; N], weights_v: &[R; N]) -> R {
+        let row = |rows: &[[R; N]; HIGHEST], k: usize| rows.get(k - 1).copied().unwrap_or([R::zero(); N]);
+        let mut allowed = R::from_f64(STEEPEST);
+        for order in (self.orders / 2..self.orders - 1).rev() {
+            allowed *= R::from_f64(STEEPEST);
+            let (q, v) = (row(&self.series.q, order), row(&self.series.v, order));
+            let mut term = R::zero();
+            for i in 0..N {
+                term = larger(larger(term, q[i].abs() * weights_q[i]), v[i].abs() * weights_v[i]);
+            }
+            let term = term / allowed;
+            if term != R::zero() && term * length.powi(order as i32) > R::one() {
+                length = reach(term, order);
+            }
+        }
+        length
+    }
+}
+
+/// The length at which a term of an order falls to one.
+#[inline]
+fn reach<R: Real>(term: R, order: usize) -> R {
+    if term == R::zero() {
+        return R::from_f64(f64::INFINITY);
+    }
+    (-term.ln() / R::from_f64(order as f64)).exp()
 }
 
 /// The order for a tolerance, with so many orders for each of its natural digits.
@@ -273,7 +308,8 @@ where
     }
     let left = target - from.t;
     let resolution = number(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
-    let mut unit = if memory.next.is_positive() { memory.next } else { left.abs() };
+    let mut remembered = memory.next.is_positive();
+    let mut unit = if remembered { memory.next } else { left.abs() };
     loop {
         if *attempts == 0 {
             return Err(Cause::TooManySteps);
@@ -290,17 +326,21 @@ where
         let tolerated = memory.tolerated(limits);
         let is_finite = memory.is_finite();
         if is_finite && tolerated == number(f64::INFINITY) {
-            // A polynomial in time.
-            let length = limits.clip(left.abs());
-            memory.reach(length / unit);
-            memory.next = length;
+            // A polynomial in time, or coefficients that underflow.
+            if remembered && unit < left.abs() {
+                (unit, remembered) = (left.abs(), false);
+                memory.counts.rejected += 1;
+                continue;
+            }
+            memory.reach(limits.clip(left.abs()) / unit);
+            memory.next = num_traits::Zero::zero();
         } else if is_finite && tolerated < number(NEAR) && tolerated * number(NEAR) > num_traits::One::one() {
             let length = limits.clip(tolerated * unit);
             if length.partial_cmp(&resolution) != Some(Ordering::Greater) {
                 return Err(Cause::StepTooSmall);
             }
             memory.reach(length / unit);
-            memory.next = length;
+            memory.next = tolerated * unit;
         } else {
             // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
             let cause = if is_finite { Cause::StepTooSmall } else { Cause::NotFinite };
@@ -314,6 +354,7 @@ where
             continue;
         }
         if !memory.end.is_finite() {
+            (memory.end, memory.end_residue) = (memory.start, memory.residue);
             return Err(Cause::NotFinite);
         }
         memory.counts.accepted += 1;

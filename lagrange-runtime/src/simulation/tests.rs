@@ -149,7 +149,7 @@ fn samples_reach_up_to_the_error_and_then_end() {
 #[test]
 fn bad_arguments_are_refused_and_change_nothing() {
     let start = State::new([1.0], [0.0]);
-    let cause = |motion: &mut Simulation<'_, _, _, 1, 1>, t| motion.advance_to(t).unwrap_err().cause;
+    let cause = |motion: &mut Simulation<'_, _, _, _, 1, 1>, t| motion.advance_to(t).unwrap_err().cause;
     assert_eq!(cause(&mut Oscillator.simulate(start), f64::NAN), Cause::InvalidTime);
     assert_eq!(cause(&mut Oscillator.simulate(start).with_tolerance(-1.0), 1.0), Cause::InvalidTolerance);
     assert_eq!(cause(&mut Oscillator.simulate(start).with_step_limit(0.0), 1.0), Cause::InvalidStep);

@@ -44,7 +44,7 @@ fn drift_at(tolerance: f64) -> f64 {
 #[test]
 fn a_chaotic_pendulum_keeps_its_energy_for_a_thousand_seconds() {
     let mut motion = PENDULUM.simulate(wild()).with_tolerance(TIGHT);
-    let turned = motion.advance_to(50.0).unwrap().q[1].abs();
+    let turned = motion.every(1.0).take(51).map(|s| s.unwrap().q[1].abs()).fold(0.0, f64::max);
     assert!(turned > std::f64::consts::TAU, "the motion is wild: {turned}");
     between(-1.0, drift(&mut motion, 1.0, 950, |s| PENDULUM.energy(s)), 1e-10);
 }

@@ -1,6 +1,6 @@
 //! Motions at the tightest practical tolerance, compared with reference states.
 
-use lagrangian::{Control, Simulation, State, System};
+use lagrangian::{Adaptive, Control, Simulation, State, System};
 
 use super::close::all_close;
 
@@ -61,8 +61,8 @@ where
 }
 
 /// The largest deviation of a quantity from its first value, at `count` samples `dt` apart.
-pub fn drift<S, C, const N: usize, const K: usize>(
-    motion: &mut Simulation<'_, S, C, N, K>,
+pub fn drift<S, C, M, const N: usize, const K: usize>(
+    motion: &mut Simulation<'_, S, C, M, N, K>,
     dt: f64,
     count: usize,
     quantity: impl Fn(&State<f64, N>) -> f64,
@@ -70,6 +70,7 @@ pub fn drift<S, C, const N: usize, const K: usize>(
 where
     S: System<N, K, Scalar = f64>,
     C: Control<f64, N, K>,
+    M: Adaptive<S, C, N, K>,
 {
     let first = quantity(motion.state());
     let mut largest = 0.0_f64;

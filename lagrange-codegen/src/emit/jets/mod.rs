@@ -20,10 +20,6 @@ use crate::schedule::{Instruction, Slot};
 use inertia::Inertia;
 use start::Start;
 
-/// Names that the body of `jet_at` uses for something else.
-const TAKEN: [&str; 9] =
-    ["rate", "fraction", "order", "orders", "inner", "tables", "series", "left", "right"];
-
 /// Rows of the tables are padded to a multiple of this many lanes.
 const WIDTH: usize = 4;
 
@@ -32,9 +28,6 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     label_auxiliaries(emission, jets);
     let inertia = Inertia::plan(emission);
     let mut names = Names::new(emission.model);
-    for name in TAKEN {
-        names.claim(Some(name.to_owned()));
-    }
     let (model, scalar) = (&*emission.model, &emission.item.scalar);
     let hoisted = jets.program.hoisted();
     let (labels, fixed) = body::constants(model, scalar, &jets.program, &hoisted, &mut names);

@@ -19,7 +19,7 @@ impl Field<f64, 1> for Plain {
 
 /// A tolerance that no error exceeds.
 fn loose() -> Limits<f64> {
-    Limits { absolute: 1e30, ..Limits::new() }
+    Limits { absolute: Some(1e30), ..Limits::new() }
 }
 
 fn step(motion: &mut Dop853Memory<f64, 1>, h: f64) {
