@@ -1,0 +1,42 @@
+//! The library itself: `jets` is what `simulate` does without further words.
+
+use lagrangian::prelude::*;
+
+use super::subject::{Function, Outcome, Subject};
+use crate::problem::Problem;
+use crate::systems::described as d;
+
+/// The subjects of one described system. A macro, because it calls what a user calls, whatever its bounds.
+macro_rules! ours {
+    ($system:expr, $problem:expr) => {{
+        let (q, v) = $problem.start();
+        let (start, t_end) = (State::new(q, v), $problem.t_end);
+        let jets = move |tolerance| {
+            let system = $system;
+            let mut motion = system.simulate(start).with_tolerance(tolerance);
+            motion.advance_to(t_end).map_err(|error| error.to_string())?;
+            Ok(Outcome { end: motion.state().iter().collect(), steps: motion.steps().accepted })
+        };
+        // Here other methods follow (`simulate_with::<Dop853>`), and batches in the lanes of one scalar.
+        vec![Box::new(Function { name: "jets", run: jets })]
+    }};
+}
+
+/// Everything of ours that can do this problem.
+pub fn subjects(problem: &Problem) -> Vec<Box<dyn Subject>> {
+    match problem.name {
+        "dpend" => ours!(d::DoublePendulum, problem),
+        "spring" => ours!(d::SpringPendulum, problem),
+        "hh" => ours!(d::HenonHeiles, problem),
+        "kepler" => ours!(d::Kepler, problem),
+        "pleiades" => ours!(d::Pleiades, problem),
+        "top" => ours!(d::Top, problem),
+        "sph" => ours!(d::SphericalPendulum, problem),
+        "cart" => ours!(d::CartPole, problem),
+        "nlink3" => ours!(d::Chain3, problem),
+        "nlink5" => ours!(d::Chain5, problem),
+        "nlink10" => ours!(d::Chain10, problem),
+        "nlink20" => ours!(d::Chain20, problem),
+        _ => Vec::new(),
+    }
+}
