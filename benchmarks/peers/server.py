@@ -11,6 +11,8 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
+import platform
 import statistics
 import sys
 import time
@@ -35,7 +37,7 @@ class Server:
         self.problems: dict[str, Problem] = problems()
         found = taylor.subjects() + compiled.subjects()
         self.subjects: dict[str, Subject] = {subject.name: subject for subject in found}
-        self.versions = taylor.versions() | compiled.versions()
+        self.versions = {"Python": platform.python_version()} | taylor.versions() | compiled.versions()
         self.present: tuple[str, float] | None = None
         self.integrators: dict[str, Integrator] = {}
 
@@ -78,10 +80,13 @@ class Server:
 
     def serve(self) -> None:
         """Answers until standard input ends."""
+        # Compiled peers print what they please; that must not come between the answers.
+        answers = os.fdopen(os.dup(sys.stdout.fileno()), "w")
+        os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
         subjects = [{"name": s.name, "systems": s.systems(self.problems)} for s in self.subjects.values()]
-        print(json.dumps({"versions": self.versions, "subjects": subjects}), flush=True)
+        print(json.dumps({"versions": self.versions, "subjects": subjects}), file=answers, flush=True)
         for line in sys.stdin:
-            print(json.dumps(self.answer(line)), flush=True)
+            print(json.dumps(self.answer(line)), file=answers, flush=True)
 
     def everything(self, system: str | None, subject: str | None) -> Iterator[dict[str, Any]]:
         """All records, or those of one system or one subject."""

@@ -49,6 +49,11 @@ pub fn enter(portable: bool) -> Result<(), Box<dyn Error>> {
     exit(status.code().unwrap_or(1))
 }
 
+/// Whether this build would run on other processors.
+pub fn portable() -> bool {
+    BUILT_FOR != Some("native")
+}
+
 /// Keeps this thread, and the processes it starts, on the last core there is.
 pub fn pin() {
     match core_affinity::get_core_ids().and_then(|cores| cores.last().copied()) {

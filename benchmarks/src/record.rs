@@ -5,6 +5,8 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use crate::problem::NAMES;
+
 /// A subject on a system at one tolerance.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Record {
@@ -26,6 +28,11 @@ pub fn of<'a>(
     subject: &'a str,
 ) -> impl Iterator<Item = &'a Record> + Clone {
     records.iter().filter(move |record| record.system == system && record.subject == subject)
+}
+
+/// The systems that were measured, in order.
+pub fn systems(records: &[Record]) -> impl Iterator<Item = &'static str> {
+    NAMES.into_iter().filter(|name| records.iter().any(|record| record.system == *name))
 }
 
 /// The cheapest run whose error is at or below `accuracy`.

@@ -5,7 +5,6 @@ use std::path::Path;
 
 use plotters::prelude::*;
 
-use crate::problem::NAMES;
 use crate::record::{self, Record};
 
 /// Subjects that are drawn, with their colours; related ones share a hue.
@@ -31,7 +30,7 @@ const ERRORS: std::ops::Range<f64> = 1e-16..1.0;
 /// One plot for each system that has records.
 pub fn draw_all(records: &[Record], directory: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(directory)?;
-    for system in NAMES {
+    for system in record::systems(records) {
         let path = directory.join(format!("{system}.svg"));
         let drawn: Vec<&Record> = records
             .iter()
@@ -60,7 +59,7 @@ fn draw(system: &str, records: &[Record], drawn: &[&Record], path: &Path) -> Res
         .x_label_area_size(40)
         .y_label_area_size(64)
         .build_cartesian_2d(ERRORS.log_scale(), times.log_scale())?;
-    let power = |value: &f64| format!("1e{:.0}", value.log10());
+    let power = |value: &f64| format!("{value:.0e}");
     chart
         .configure_mesh()
         .x_desc("error")
