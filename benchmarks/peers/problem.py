@@ -43,7 +43,10 @@ def problems() -> dict[str, Problem]:
 class Integrator(ABC):
     """A peer, built for one problem and one tolerance."""
 
+    # How many motions one run integrates.
     trajectories = 1
+    # Time of a run that does nothing, if it can be told [s]; not the peer's fault, and subtracted.
+    overhead = 0.0
 
     @abstractmethod
     def reset(self) -> None:

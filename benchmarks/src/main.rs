@@ -11,9 +11,11 @@ mod report;
 mod rhs;
 mod systems;
 
-use clap::{Args, Parser, Subcommand};
 use std::error::Error;
 use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+use precision::Effort;
 
 /// Measurements of the `lagrangian` crate.
 #[derive(Parser)]
@@ -34,6 +36,26 @@ struct Common {
     json: Option<PathBuf>,
 }
 
+/// How integrations are measured.
+#[derive(Args)]
+struct Runs {
+    /// Builds for any processor instead of the present one.
+    #[arg(long)]
+    portable: bool,
+    /// Repeats less: for a look, not for figures to keep.
+    #[arg(long)]
+    quick: bool,
+}
+
+impl Runs {
+    /// Goes on in the right build, on one core.
+    fn prepare(&self) -> Result<Effort, Box<dyn Error>> {
+        native::enter(self.portable)?;
+        native::pin();
+        Ok(if self.quick { Effort::QUICK } else { Effort::FULL })
+    }
+}
+
 #[derive(Subcommand)]
 enum Benchmark {
     /// One evaluation of the accelerations: generated code against code written by hand.
@@ -48,32 +70,26 @@ enum Benchmark {
         /// Draws one plot for each system into this directory.
         #[arg(long)]
         svg: Option<PathBuf>,
-        /// Builds for any processor instead of the present one.
-        #[arg(long)]
-        portable: bool,
+        #[command(flatten)]
+        runs: Runs,
     },
     /// As `precision`, with the peers in Python, into RESULTS.md and the plots beside it.
     Report {
         #[command(flatten)]
         common: Common,
-        /// Builds for any processor instead of the present one.
-        #[arg(long)]
-        portable: bool,
+        #[command(flatten)]
+        runs: Runs,
     },
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     match Arguments::parse().benchmark {
         Benchmark::Rhs { common: Common { system, json } } => rhs::run(system.as_deref(), json.as_deref()),
-        Benchmark::Precision { common: Common { system, json }, svg, portable } => {
-            native::enter(portable)?;
-            native::pin();
-            precision::run(system.as_deref(), json.as_deref(), svg.as_deref())
+        Benchmark::Precision { common: Common { system, json }, svg, runs } => {
+            precision::run(system.as_deref(), json.as_deref(), svg.as_deref(), runs.prepare()?)
         }
-        Benchmark::Report { common: Common { system, json }, portable } => {
-            native::enter(portable)?;
-            native::pin();
-            report::run(system.as_deref(), json.as_deref())
+        Benchmark::Report { common: Common { system, json }, runs } => {
+            report::run(system.as_deref(), json.as_deref(), runs.prepare()?)
         }
     }
 }

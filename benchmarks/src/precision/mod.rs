@@ -23,16 +23,33 @@ use subject::{Sample, Subject};
 pub const TOLERANCES: [f64; 12] =
     [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15];
 
-/// Times that subjects take turns.
-const ROUNDS: usize = 5;
-/// Time of a turn [s].
-const TURN: f64 = 0.01;
+/// How much repetition.
+#[derive(Clone, Copy)]
+pub struct Effort {
+    /// Times that the subjects take turns.
+    rounds: usize,
+    /// Time of a turn [s].
+    turn: f64,
+}
+
+impl Effort {
+    /// For figures to keep.
+    pub const FULL: Self = Self { rounds: 5, turn: 0.01 };
+    /// For a look.
+    pub const QUICK: Self = Self { rounds: 1, turn: 0.005 };
+}
+
 /// A run that takes longer [s] is not repeated and ends the series of its subject.
 const SLOW: f64 = 0.3;
 
 /// Measures all systems or one, ours and the peers in Rust.
-pub fn run(system: Option<&str>, json: Option<&Path>, svg: Option<&Path>) -> Result<(), Box<dyn Error>> {
-    let records = measure(system, None)?;
+pub fn run(
+    system: Option<&str>,
+    json: Option<&Path>,
+    svg: Option<&Path>,
+    effort: Effort,
+) -> Result<(), Box<dyn Error>> {
+    let records = measure(system, None, effort)?;
     if let Some(path) = json {
         record::write(&records, path)?;
     }
@@ -43,7 +60,11 @@ pub fn run(system: Option<&str>, json: Option<&Path>, svg: Option<&Path>) -> Res
 }
 
 /// Measures and prints; with a server its subjects take their turns too.
-pub fn measure(system: Option<&str>, server: Option<&Server>) -> Result<Vec<Record>, Box<dyn Error>> {
+pub fn measure(
+    system: Option<&str>,
+    server: Option<&Server>,
+    effort: Effort,
+) -> Result<Vec<Record>, Box<dyn Error>> {
     let mut records = Vec::new();
     println!(
         "{:10} {:26} {:>9} {:>9} {:>12} {:>9}",
@@ -54,13 +75,13 @@ pub fn measure(system: Option<&str>, server: Option<&Server>) -> Result<Vec<Reco
         #[cfg(feature = "peers")]
         subjects.extend(crates::subjects(&problem));
         subjects.extend(server.into_iter().flat_map(|server| server.subjects(problem.name)));
-        series(&problem, &mut subjects, &mut records);
+        series(&problem, &mut subjects, effort, &mut records);
     }
     Ok(records)
 }
 
 /// All tolerances of a system.
-fn series(problem: &Problem, subjects: &mut [Box<dyn Subject>], records: &mut Vec<Record>) {
+fn series(problem: &Problem, subjects: &mut [Box<dyn Subject>], effort: Effort, records: &mut Vec<Record>) {
     let mut slow = HashSet::new();
     for tolerance in TOLERANCES {
         let mut turns: Vec<(usize, Vec<Sample>)> = Vec::new();
@@ -71,9 +92,9 @@ fn series(problem: &Problem, subjects: &mut [Box<dyn Subject>], records: &mut Ve
                 Err(cause) => println!("{:10} {:26} {tolerance:9.0e} {cause}", problem.name, subject.name()),
             }
         }
-        for _ in 0..ROUNDS {
+        for _ in 0..effort.rounds {
             for (place, samples) in turns.iter_mut().filter(|(_, samples)| samples[0].us < SLOW * 1e6) {
-                samples.extend(subjects[*place].sample(problem, tolerance, TURN));
+                samples.extend(subjects[*place].sample(problem, tolerance, effort.turn));
             }
         }
         for (place, samples) in turns {

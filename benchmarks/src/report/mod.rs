@@ -6,13 +6,13 @@ mod tables;
 use std::error::Error;
 use std::path::Path;
 
-use crate::precision::{self, plot, server::Server};
+use crate::precision::{self, Effort, plot, server::Server};
 use crate::record;
 
 /// Measures and, for all systems, writes RESULTS.md and the plots; for one system prints its tables.
-pub fn run(system: Option<&str>, json: Option<&Path>) -> Result<(), Box<dyn Error>> {
+pub fn run(system: Option<&str>, json: Option<&Path>, effort: Effort) -> Result<(), Box<dyn Error>> {
     let server = Server::start()?;
-    let records = precision::measure(system, Some(&server))?;
+    let records = precision::measure(system, Some(&server), effort)?;
     if let Some(path) = json {
         record::write(&records, path)?;
     }

@@ -8,6 +8,9 @@ use crate::record::{Record, best, cheapest, of, systems};
 const ACCURACIES: [f64; 3] = [1e-6, 1e-9, 1e-12];
 /// What all others are compared with.
 const OURS: &str = "jets";
+/// Peers with a column of their own.
+const PEERS: [&str; 4] =
+    ["heyoka-lagrangian", "heyoka-lagrangian-fast", "heyoka-expert", "heyoka-expert-fast"];
 /// Explicit Runge–Kutta methods of peers; the best one counts.
 const RUNGE_KUTTA: [&str; 7] = [
     "diffeq-dopri5",
@@ -40,34 +43,37 @@ fn runge_kutta<'a>(records: &'a [Record], system: &'a str) -> impl Iterator<Item
 
 /// Time to reach an error.
 fn times(records: &[Record]) -> String {
-    let mut text = String::from(
+    let mut text = format!(
         "## Time to reach an error\n\n\
          Cheapest run whose error is at or below the bound [µs]; in parentheses the time relative to ours, so above one \
          ours is faster. `–`: not reached at any tolerance.\n\n\
-         | system | error | jets (ours) | heyoka-lagrangian | heyoka-expert | best Runge–Kutta of a peer |\n\
-         | --- | --- | --- | --- | --- | --- |\n",
+         | system | error | {OURS} (ours) | {} | best Runge–Kutta of a peer |\n| --- | --- | --- |{} --- |\n",
+        PEERS.join(" | "),
+        " --- |".repeat(PEERS.len())
     );
     for accuracy in ACCURACIES {
-        let mut ratios = [Vec::new(), Vec::new(), Vec::new()];
+        let mut ratios = vec![Vec::new(); PEERS.len() + 1];
         for system in systems(records) {
             let ours = cheapest(of(records, system, OURS), accuracy);
-            let peers = [
-                cheapest(of(records, system, "heyoka-lagrangian"), accuracy),
-                cheapest(of(records, system, "heyoka-expert"), accuracy),
-                cheapest(runge_kutta(records, system), accuracy),
-            ];
+            let method = cheapest(runge_kutta(records, system), accuracy);
+            let peers =
+                PEERS.iter().map(|peer| cheapest(of(records, system, peer), accuracy)).chain([method]);
             let _ = write!(text, "| {system} | {accuracy:.0e} | {}", time(ours, None));
-            for (peer, ratios) in peers.into_iter().zip(&mut ratios) {
+            for (peer, ratios) in peers.zip(&mut ratios) {
                 let _ = write!(text, " | {}", time(peer, ours));
                 ratios.extend(ours.zip(peer).map(|(ours, peer)| peer.us / ours.us));
             }
-            let method = peers[2].map_or(String::new(), |record| format!(" {}", record.subject));
-            let _ = writeln!(text, "{method} |");
+            let _ = writeln!(text, "{} |", name(method));
         }
-        let means = ratios.map(|ratios| mean(&ratios));
+        let means: Vec<String> = ratios.iter().map(|ratios| mean(ratios)).collect();
         let _ = writeln!(text, "| geometric mean | {accuracy:.0e} | | {} |", means.join(" | "));
     }
     text
+}
+
+/// Behind a figure, whose it is.
+fn name(record: Option<&Record>) -> String {
+    record.map_or(String::new(), |record| format!(" {}", record.subject))
 }
 
 /// A time, and how it compares.
@@ -90,27 +96,21 @@ fn mean(ratios: &[f64]) -> String {
 
 /// The most accurate run.
 fn errors(records: &[Record]) -> String {
-    let mut text = String::from(
+    let mut text = format!(
         "## Best error\n\n\
          The most accurate run at any tolerance, and its time [µs].\n\n\
-         | system | jets (ours) | heyoka-lagrangian | heyoka-expert | best Runge–Kutta of a peer |\n\
-         | --- | --- | --- | --- | --- |\n",
+         | system | {OURS} (ours) | {} | best Runge–Kutta of a peer |\n| --- | --- |{} --- |\n",
+        PEERS.join(" | "),
+        " --- |".repeat(PEERS.len())
     );
+    let cell = |record: Option<&Record>| {
+        record.map_or("–".to_owned(), |record| format!("{:.1e} ({:.0})", record.error, record.us))
+    };
     for system in systems(records) {
-        let cell = |record: Option<&Record>| {
-            record.map_or("–".to_owned(), |record| format!("{:.1e} ({:.0})", record.error, record.us))
-        };
-        let own = |subject| cell(best(of(records, system, subject)));
-        let peer = best(runge_kutta(records, system));
-        let method = peer.map_or(String::new(), |record| format!(" {}", record.subject));
-        let _ = writeln!(
-            text,
-            "| {system} | {} | {} | {} | {}{method} |",
-            own(OURS),
-            own("heyoka-lagrangian"),
-            own("heyoka-expert"),
-            cell(peer)
-        );
+        let own = [OURS].into_iter().chain(PEERS).map(|subject| cell(best(of(records, system, subject))));
+        let method = best(runge_kutta(records, system));
+        let own = own.collect::<Vec<_>>().join(" | ");
+        let _ = writeln!(text, "| {system} | {own} | {}{} |", cell(method), name(method));
     }
     text
 }
