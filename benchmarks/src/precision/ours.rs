@@ -40,3 +40,19 @@ pub fn subjects(problem: &Problem) -> Vec<Box<dyn Subject>> {
         _ => Vec::new(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::problem::problems;
+
+    /// The descriptions are the systems that the references belong to.
+    #[test]
+    fn descriptions_reach_the_references() {
+        for problem in problems(None).expect("the table of references") {
+            for mut subject in super::subjects(&problem) {
+                let sample = subject.sample(&problem, 1e-13, 0.0).expect("a motion");
+                assert!(sample.error < 1e-7, "{} {}: {:e}", problem.name, subject.name(), sample.error);
+            }
+        }
+    }
+}

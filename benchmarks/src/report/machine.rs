@@ -52,11 +52,15 @@ fn compiler() -> String {
     text.map_or_else(|| "rustc".to_owned(), |text| text.trim().to_owned())
 }
 
-/// Today, UTC, in the Gregorian calendar.
+/// Today, UTC.
 fn date() -> String {
-    let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
+    calendar(SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs()) / 86_400)
+}
+
+/// A day since 1970-01-01 in the Gregorian calendar.
+fn calendar(day: u64) -> String {
     // Years begin in March, so that the leap day is the last one: see Hinnant, "chrono-compatible date algorithms".
-    let days = seconds / 86_400 + 719_468;
+    let days = day + 719_468;
     let (era, day) = (days / 146_097, days % 146_097);
     let year = (day - day / 1_460 + day / 36_524 - day / 146_096) / 365;
     let day = day - (365 * year + year / 4 - year / 100);
@@ -64,4 +68,18 @@ fn date() -> String {
     let day = day - (153 * month + 2) / 5 + 1;
     let (month, next) = if month < 10 { (month + 3, 0) } else { (month - 9, 1) };
     format!("{:04}-{month:02}-{day:02}", era * 400 + year + next)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::calendar;
+
+    #[test]
+    fn days_have_their_dates() {
+        let days =
+            [(0, "1970-01-01"), (11_016, "2000-02-29"), (20_148, "2025-03-01"), (20_453, "2025-12-31")];
+        for (day, date) in days {
+            assert_eq!(calendar(day), date);
+        }
+    }
 }

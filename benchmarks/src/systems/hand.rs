@@ -2,6 +2,7 @@
 //! dense mass matrix with LDLᵀ, and the tridiagonal equations for the rod tensions.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
+#![cfg_attr(not(feature = "peers"), allow(dead_code, reason = "systems with constraints are for the peers"))]
 
 use super::number::Number;
 
@@ -120,6 +121,38 @@ by_hand!(
         let (whole, e, h) = (1.0 + m, c * (m * l), m * l * l);
         let det = (-(e * e) + whole * h).inverse();
         [(f1 * h - e * f2) * det, (f2 * whole - e * f1) * det]
+    }
+);
+
+by_hand!(
+    /// Cartesian pendulum, the multiplier eliminated.
+    Pendulum<2>, |_, q, v| {
+        let squares = v[0] * v[0] + v[1] * v[1] - q[1] * G;
+        let multiplier = -squares / (q[0] * q[0] + q[1] * q[1]);
+        [multiplier * q[0], multiplier * q[1] - G]
+    }
+);
+
+by_hand!(
+    /// Slider and crank, uniform links of lengths ½ and 1, unit masses, the multiplier eliminated.
+    SliderCrank<2>, |_, q, v| {
+        let (s1, c1) = q[0].sin_cos();
+        let (s2, c2) = q[1].sin_cos();
+        let (square1, square2) = (v[0] * v[0], v[1] * v[1]);
+        let (c, s) = (c1 * c2 + s1 * s2, s1 * c2 - c1 * s2);
+        let m11 = s1 * s1 * 0.25 + (1.0 / 12.0 + 0.25);
+        let m12 = c * 0.25 + s1 * s2 * 0.5;
+        let m22 = s2 * s2 + 1.0 / 3.0;
+        let piston = c1 * square1 * 0.5 + c2 * square2;
+        let bias1 = s * square2 * 0.25 + s1 * piston * 0.5 + c1 * (0.75 * G);
+        let bias2 = s2 * piston - s * square1 * 0.25 + c2 * (0.5 * G);
+        // The constraint gives the second acceleration as ratio · first + rest.
+        let inverse = c2.inverse();
+        let ratio = -(c1 * inverse * 0.5);
+        let rest = (s1 * square1 * 0.5 + s2 * square2) * inverse;
+        let force = bias1 + m12 * rest + ratio * (bias2 + m22 * rest);
+        let first = -force / (m11 + ratio * (m12 * 2.0 + ratio * m22));
+        [first, ratio * first + rest]
     }
 );
 

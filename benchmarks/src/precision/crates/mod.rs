@@ -51,6 +51,8 @@ pub fn subjects(problem: &Problem) -> Vec<Box<dyn Subject>> {
         "top" => all::<_, 3, 6>(h::Top, problem),
         "sph" => all::<_, 2, 4>(h::SphericalPendulum, problem),
         "cart" => all::<_, 2, 4>(h::CartPole, problem),
+        "pendc" => all::<_, 2, 4>(h::Pendulum, problem),
+        "slider" => all::<_, 2, 4>(h::SliderCrank, problem),
         "nlink3" => all::<_, 3, 6>(h::Linear, problem),
         "nlink5" => all::<_, 5, 10>(h::Linear, problem),
         "nlink10" => all::<_, 10, 20>(h::Linear, problem),
