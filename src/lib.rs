@@ -63,7 +63,7 @@ pub mod prelude {
         Rotation2, Rotation3, SMatrix, SVector, Translation2, Translation3, Unit, UnitComplex,
         UnitQuaternion, Vector1, Vector2, Vector3,
     };
-    pub use lagrange_runtime::{Cause, MotionError, Ordered, Real, Rk4, State, System};
+    pub use lagrange_runtime::{Cause, Dop853, Jet, Jets, MotionError, Ordered, Real, Rk4, State, System};
 }
 
 /// The programs of the README are compiled and run as tests.

@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::schedule::{Operations, plan};
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
-use crate::{lower, mechanics, syntax};
+use crate::{jets, lower, mechanics, syntax};
 
 /// Expands `#[lagrangian(args)] item`. Generated code names `default_crate` unless the user says
 /// `crate = path`. Where the description has mistakes, the expansion is all of their messages
@@ -54,8 +54,15 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
-    let emission =
-        Emission { item, model: &mut model, equations: &equations, facts: &facts, solution: &solution };
+    let jets = jets::derive(&mut model, &equations);
+    let emission = Emission {
+        item,
+        model: &mut model,
+        equations: &equations,
+        facts: &facts,
+        solution: &solution,
+        jets: jets.as_ref(),
+    };
     Some(emit(emission, before, diagnostics))
 }
 

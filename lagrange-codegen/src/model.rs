@@ -53,6 +53,8 @@ pub struct Locals {
     pub inputs: Vec<String>,
     /// Names of the parameters.
     pub parameters: Vec<String>,
+    /// Names of the auxiliaries of a Taylor expansion.
+    pub auxiliaries: Vec<String>,
 }
 
 /// A scalar coordinate or input.

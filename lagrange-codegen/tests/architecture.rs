@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Lower layers first; a module may name only modules of its own and lower layers.
-const LAYERS: [(&str, u32); 13] = [
+const LAYERS: [(&str, u32); 14] = [
     ("collections", 0),
     ("number", 0),
     ("diagnostics", 0),
@@ -17,12 +17,23 @@ const LAYERS: [(&str, u32); 13] = [
     ("mechanics", 4),
     ("structure", 5),
     ("schedule", 5),
-    ("emit", 6),
+    ("jets", 6),
+    ("emit", 7),
 ];
 
 /// Modules that know no tokens.
-const TOKEN_FREE: [&str; 9] =
-    ["collections", "number", "expr", "model", "calculus", "simplify", "mechanics", "structure", "schedule"];
+const TOKEN_FREE: [&str; 10] = [
+    "collections",
+    "number",
+    "expr",
+    "model",
+    "calculus",
+    "simplify",
+    "mechanics",
+    "structure",
+    "schedule",
+    "jets",
+];
 
 fn sources() -> Vec<(String, PathBuf, String)> {
     fn visit(folder: &Path, files: &mut Vec<PathBuf>) {

@@ -5,6 +5,7 @@
 //! | [`real`] | the scalar trait, open to scalars of your own |
 //! | [`state`] | time, coordinates, velocities |
 //! | [`system`] | the trait that generated code implements |
+//! | [`smooth`] | the same for Taylor coefficients of the motion |
 //! | [`simulation`] | a motion under error control: advance, sample, steer |
 //! | [`stepper`] | a motion in fixed steps, for control loops |
 //! | [`integrator`] | the methods: RK4, Dormand–Prince 8(5,3) |
@@ -38,18 +39,21 @@ pub mod linear;
 mod math;
 pub mod real;
 pub mod simulation;
+pub mod smooth;
 mod solve;
 pub mod state;
 pub mod stepper;
 pub mod structure;
 pub mod system;
+mod tables;
 
 pub use algebra::PrincipalMoments;
 pub use error::{Cause, MotionError};
-pub use integrator::{FixedStep, Rk4};
+pub use integrator::{Adaptive, Dop853, FixedStep, Jet, Jets, Rk4};
 pub use num_traits::{One, Zero};
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
+pub use smooth::{Series, Smooth};
 pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
@@ -68,7 +72,14 @@ pub mod __private {
             check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric,
         };
     }
+    pub use crate::integrator::{Dop853, Jets};
+    pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
+    pub use crate::tables::Tables;
+    pub mod jets {
+        //! Recurrences of Taylor coefficients.
+        pub use crate::tables::{first, fraction, ramp};
+    }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::system::System;
     pub use nalgebra;

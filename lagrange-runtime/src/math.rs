@@ -72,3 +72,32 @@ backend! { f32:
     powf(x, y) -> f32 = powf;
     hypot(x, y) -> f32 = hypotf;
 }
+
+/// Multiply–add in one instruction where the target has it, else a product and a sum. Never a call, and never
+/// fused with `libm` math, which promises the same bits everywhere.
+macro_rules! mul_add {
+    ($($scalar:ident)*) => {
+        $(pub(crate) mod $scalar {
+            #[inline(always)]
+            pub(crate) fn mul_add(a: $scalar, b: $scalar, c: $scalar) -> $scalar {
+                #[cfg(all(
+                    feature = "std",
+                    not(feature = "libm"),
+                    any(target_feature = "fma", target_arch = "aarch64")
+                ))]
+                return a.mul_add(b, c);
+                #[cfg(not(all(
+                    feature = "std",
+                    not(feature = "libm"),
+                    any(target_feature = "fma", target_arch = "aarch64")
+                )))]
+                return a * b + c;
+            }
+        })*
+    };
+}
+
+/// See [`crate::real::Real::mul_add`].
+pub(crate) mod fused {
+    mul_add! { f32 f64 }
+}

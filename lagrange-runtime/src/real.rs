@@ -208,6 +208,13 @@ pub trait Real:
         (self * self + other * other).sqrt()
     }
 
+    /// `self` · `factor` + `summand`. One rounding where the target has the instruction and the math is the standard
+    /// library's, else two: what is fast on the target, never a call.
+    #[inline(always)]
+    fn mul_add(self, factor: Self, summand: Self) -> Self {
+        self * factor + summand
+    }
+
     /// 1 / `self`.
     #[inline]
     fn recip(self) -> Self {
@@ -283,6 +290,10 @@ macro_rules! impl_real {
             #[inline]
             fn is_positive(self) -> bool {
                 self > 0.0
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                math::fused::$scalar::mul_add(self, factor, summand)
             }
             forward! { $scalar:
                 sin(); cos(); tan(); asin(); acos(); atan(); atan2(x);

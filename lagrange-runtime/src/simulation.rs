@@ -7,10 +7,9 @@
 //! so sampling costs no accuracy. A change of inputs does restart at the state that the caller sees.
 
 use crate::error::{Cause, MotionError};
-use crate::integrator::dop853::Dop853;
-pub use crate::integrator::dop853::Steps;
+pub use crate::integrator::adaptive::Steps;
 use crate::integrator::step_size::Limits;
-use crate::integrator::{Field, diagnose};
+use crate::integrator::{Adaptive, Dop853};
 use crate::real::Ordered;
 use crate::state::State;
 use crate::system::System;
@@ -43,29 +42,34 @@ impl<R, F: Fn(&State<R, N>) -> [R; K], const N: usize, const K: usize> Control<R
     }
 }
 
-/// A motion of `system` by Dormand–Prince 8(5,3), with inputs from `C`.
+/// A motion of `system` by method `M`, with inputs from `C`.
 #[derive(Clone, Copy, Debug)]
-pub struct Simulation<'a, S: System<N, K>, C, const N: usize, const K: usize = 0> {
+pub struct Simulation<'a, S, C, M, const N: usize, const K: usize = 0>
+where
+    S: System<N, K>,
+    M: Adaptive<S, C, N, K>,
+{
     system: &'a S,
     constants: S::Constants,
     control: C,
     limits: Limits<S::Scalar>,
-    method: Dop853<S::Scalar, N>,
+    memory: M::Memory,
     /// What the caller sees: the end of the step, or a sample inside it.
     state: State<S::Scalar, N>,
 }
 
-impl<'a, S, const N: usize, const K: usize> Simulation<'a, S, Held<S::Scalar, K>, N, K>
+impl<'a, S, M, const N: usize, const K: usize> Simulation<'a, S, Held<S::Scalar, K>, M, N, K>
 where
     S: System<N, K>,
     S::Scalar: Ordered,
+    M: Adaptive<S, Held<S::Scalar, K>, N, K>,
 {
     /// A motion from `start` with inputs at zero.
     #[inline]
     pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
         let control = Held([num_traits::Zero::zero(); K]);
-        let method = Dop853::new(start);
-        Self { system, constants: system.constants(), control, limits: Limits::new(), method, state: start }
+        let memory = M::begin(system, start);
+        Self { system, constants: system.constants(), control, limits: Limits::new(), memory, state: start }
     }
 
     /// Holds these inputs.
@@ -81,34 +85,38 @@ where
     pub fn set_inputs(&mut self, inputs: [S::Scalar; K]) {
         if inputs != self.control.0 {
             self.control.0 = inputs;
-            self.method.restart(self.state);
+            M::restart(&mut self.memory, self.state);
         }
     }
 
-    /// Takes the inputs from a function of the state (continuous feedback) from here on.
+    /// Takes the inputs from a function of the state (continuous feedback) from here on, by [`Dop853`]: nothing
+    /// is known of the derivatives of such a function.
     #[inline]
     #[must_use]
-    pub fn with_control<F>(mut self, control: F) -> Simulation<'a, S, Feedback<F>, N, K>
+    pub fn with_control<F>(self, control: F) -> Simulation<'a, S, Feedback<F>, Dop853, N, K>
     where
         F: Fn(&State<S::Scalar, N>) -> [S::Scalar; K],
     {
-        self.method.restart(self.state);
-        let Self { system, constants, limits, method, state, .. } = self;
-        Simulation { system, constants, control: Feedback(control), limits, method, state }
+        let Self { system, constants, limits, state, .. } = self;
+        let memory = <Dop853 as Adaptive<S, Feedback<F>, N, K>>::begin(system, state);
+        Simulation { system, constants, control: Feedback(control), limits, memory, state }
     }
 }
 
-impl<S, C, const N: usize, const K: usize> Simulation<'_, S, C, N, K>
+impl<S, C, M, const N: usize, const K: usize> Simulation<'_, S, C, M, N, K>
 where
     S: System<N, K>,
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
+    M: Adaptive<S, C, N, K>,
 {
-    /// Tolerated local error, relative and absolute alike. Default 1e-10, for `f32` 100 ε.
+    /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32` 100 ε.
+    /// [`Jets`](crate::Jets) take their order from it; [`Dop853`] takes it for an absolute error as well.
     #[inline]
     #[must_use]
-    pub fn with_tolerance(self, tolerance: S::Scalar) -> Self {
-        self.with_tolerances(tolerance, tolerance)
+    pub fn with_tolerance(mut self, tolerance: S::Scalar) -> Self {
+        (self.limits.relative, self.limits.absolute) = (tolerance, None);
+        self
     }
 
     /// Tolerated local error of a component y: `absolute` + `relative` · |y|. Below rounding a tolerance
@@ -116,7 +124,7 @@ where
     #[inline]
     #[must_use]
     pub fn with_tolerances(mut self, relative: S::Scalar, absolute: S::Scalar) -> Self {
-        (self.limits.relative, self.limits.absolute) = (relative, absolute);
+        (self.limits.relative, self.limits.absolute) = (relative, Some(absolute));
         self
     }
 
@@ -163,7 +171,7 @@ where
     /// What the motion has cost so far.
     #[inline]
     pub fn steps(&self) -> Steps {
-        self.method.counts
+        M::counts(&self.memory)
     }
 
     /// Moves to exactly time `t` \[s], forward or backward, and returns the state there.
@@ -176,13 +184,12 @@ where
     pub fn advance_to(&mut self, t: S::Scalar) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
         self.check(t)?;
         if t != self.state.t {
-            if self.method.end.state.t != t && !self.method.ahead(t) {
-                self.method.rewind();
-            }
             let mut attempts = self.limits.attempts;
-            while self.method.end.state.t != t {
-                if let Err(error) = self.step(t, true, &mut attempts) {
-                    let reached = self.method.end.state;
+            let Self { system, constants, control, limits, memory, .. } = self;
+            match M::advance(memory, *system, constants, control, limits, t, &mut attempts) {
+                Ok(state) => self.state = state,
+                Err(error) => {
+                    let reached = *M::end(memory);
                     // After a rewind the sample may be further than what was reached.
                     if (t - reached.t) * (t - reached.t) < (t - self.state.t) * (t - self.state.t) {
                         self.state = reached;
@@ -190,7 +197,6 @@ where
                     return Err(error);
                 }
             }
-            self.state = self.method.end.state;
         }
         Ok(&self.state)
     }
@@ -220,29 +226,10 @@ where
         self.check(t)?;
         if t != self.state.t {
             let mut attempts = self.limits.attempts;
-            while !self.method.covers(t) {
-                if !self.method.ahead(t) {
-                    self.method.rewind();
-                }
-                self.step(t, false, &mut attempts)?;
-            }
-            let Self { system, constants, control, method, .. } = self;
-            let found = method.sample(&Driven { system: *system, constants, control }, t);
-            self.state = found.map_err(|cause| MotionError { cause, t: self.state.t })?;
+            let Self { system, constants, control, limits, memory, .. } = self;
+            self.state = M::sample(memory, *system, constants, control, limits, t, &mut attempts)?;
         }
         Ok(self.state)
-    }
-
-    /// One step of the integrator towards `target`.
-    #[inline]
-    fn step(
-        &mut self,
-        target: S::Scalar,
-        land: bool,
-        attempts: &mut u64,
-    ) -> Result<(), MotionError<S::Scalar>> {
-        let Self { system, constants, control, limits, method, .. } = self;
-        method.step(&Driven { system: *system, constants, control }, limits, target, land, attempts)
     }
 
     /// Refuses a bad target or bad limits.
@@ -251,30 +238,6 @@ where
         use crate::real::Real;
         let verdict = if t.is_finite() { self.limits.check() } else { Err(Cause::InvalidTime) };
         verdict.map_err(|cause| MotionError { cause, t: self.state.t })
-    }
-}
-
-/// A system under control, as the integrator wants it.
-struct Driven<'a, S: System<N, K>, C, const N: usize, const K: usize> {
-    system: &'a S,
-    constants: &'a S::Constants,
-    control: &'a C,
-}
-
-impl<S, C, const N: usize, const K: usize> Field<S::Scalar, N> for Driven<'_, S, C, N, K>
-where
-    S: System<N, K>,
-    C: Control<S::Scalar, N, K>,
-{
-    #[inline(always)]
-    fn accelerations(&self, t: S::Scalar, q: &[S::Scalar; N], v: &[S::Scalar; N]) -> [S::Scalar; N] {
-        let u = self.control.inputs(&State { t, q: *q, v: *v });
-        self.system.accelerations_at(self.constants, t, q, v, &u)
-    }
-
-    #[cold]
-    fn cause(&self, t: S::Scalar, q: &[S::Scalar; N], v: &[S::Scalar; N]) -> Cause {
-        diagnose(self.system, self.constants, t, q, v)
     }
 }
 
@@ -288,11 +251,13 @@ pub struct Samples<'m, M, R> {
     next: Option<u64>,
 }
 
-impl<S, C, const N: usize, const K: usize> Iterator for Samples<'_, Simulation<'_, S, C, N, K>, S::Scalar>
+impl<S, C, M, const N: usize, const K: usize> Iterator
+    for Samples<'_, Simulation<'_, S, C, M, N, K>, S::Scalar>
 where
     S: System<N, K>,
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
+    M: Adaptive<S, C, N, K>,
 {
     type Item = Result<State<S::Scalar, N>, MotionError<S::Scalar>>;
 
@@ -311,12 +276,13 @@ where
     }
 }
 
-impl<S, C, const N: usize, const K: usize> core::iter::FusedIterator
-    for Samples<'_, Simulation<'_, S, C, N, K>, S::Scalar>
+impl<S, C, M, const N: usize, const K: usize> core::iter::FusedIterator
+    for Samples<'_, Simulation<'_, S, C, M, N, K>, S::Scalar>
 where
     S: System<N, K>,
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
+    M: Adaptive<S, C, N, K>,
 {
 }
 

@@ -11,10 +11,10 @@ use crate::system::System;
 
 /// A motion of `system` in fixed steps by method `M`.
 #[derive(Clone, Copy, Debug)]
-pub struct Stepper<'a, S: System<N, K>, M, const N: usize, const K: usize = 0> {
+pub struct Stepper<'a, S: System<N, K>, M: FixedStep<S, N, K>, const N: usize, const K: usize = 0> {
     system: &'a S,
     constants: S::Constants,
-    method: M,
+    memory: M::Memory,
     state: State<S::Scalar, N>,
     /// What rounding took from the time.
     residue: S::Scalar,
@@ -29,7 +29,7 @@ where
     #[inline]
     pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
         let constants = system.constants();
-        Self { system, constants, method: M::default(), state: start, residue: num_traits::Zero::zero() }
+        Self { system, constants, memory: M::begin(system), state: start, residue: num_traits::Zero::zero() }
     }
 
     /// Goes on by `h` \[s] (backward if negative) with the inputs `u` held, and returns the state there.
@@ -47,7 +47,7 @@ where
         if !h.is_finite() {
             return Err(MotionError { cause: Cause::InvalidStep, t: from.t });
         }
-        let mut next = self.method.step(self.system, &self.constants, from, h, u);
+        let mut next = M::step(&mut self.memory, self.system, &self.constants, from, h, u);
         let increment = h + self.residue;
         next.t = from.t + increment;
         if !next.is_finite() {

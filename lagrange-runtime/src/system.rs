@@ -1,7 +1,7 @@
 //! [`System`]: what generated code implements, and the two ways to run it.
 
 use crate::error::Cause;
-use crate::integrator::FixedStep;
+use crate::integrator::{Adaptive, FixedStep};
 use crate::real::{Ordered, Real};
 use crate::simulation::{Held, Simulation};
 use crate::state::State;
@@ -11,6 +11,9 @@ use crate::stepper::Stepper;
 pub trait System<const N: usize, const K: usize = 0> {
     /// The scalar of parameters, states and inputs.
     type Scalar: Real;
+
+    /// The method of [`System::simulate`]: [`Jets`](crate::Jets) for smooth systems, else [`Dop853`](crate::Dop853).
+    type Method: Adaptive<Self, Held<Self::Scalar, K>, N, K>;
 
     /// Subexpressions of parameters alone, computed once per run.
     type Constants: Copy;
@@ -57,10 +60,27 @@ pub trait System<const N: usize, const K: usize = 0> {
 
     /// A motion from `start` under error control, with inputs at zero until they are set.
     #[inline]
-    fn simulate(&self, start: State<Self::Scalar, N>) -> Simulation<'_, Self, Held<Self::Scalar, K>, N, K>
+    fn simulate(
+        &self,
+        start: State<Self::Scalar, N>,
+    ) -> Simulation<'_, Self, Held<Self::Scalar, K>, Self::Method, N, K>
     where
         Self: Sized,
         Self::Scalar: Ordered,
+    {
+        Simulation::new(self, start)
+    }
+
+    /// The same by method `M`: `simulate_with::<Dop853>(start)`.
+    #[inline]
+    fn simulate_with<M>(
+        &self,
+        start: State<Self::Scalar, N>,
+    ) -> Simulation<'_, Self, Held<Self::Scalar, K>, M, N, K>
+    where
+        Self: Sized,
+        Self::Scalar: Ordered,
+        M: Adaptive<Self, Held<Self::Scalar, K>, N, K>,
     {
         Simulation::new(self, start)
     }

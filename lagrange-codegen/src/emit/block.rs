@@ -44,6 +44,31 @@ pub(super) struct Block {
     pub reads: Reads,
 }
 
+impl Reads {
+    /// Nothing is read.
+    pub fn none(model: &Model) -> Reads {
+        Reads {
+            coordinates: vec![false; model.coordinates.len()],
+            velocities: vec![false; model.coordinates.len()],
+            inputs: vec![false; model.inputs.len()],
+            parameters: vec![false; model.parameters.len()],
+            time: false,
+        }
+    }
+
+    /// Reads what another body reads, too.
+    pub fn join(&mut self, other: &Reads) {
+        let join = |own: &mut Vec<bool>, other: &Vec<bool>| {
+            own.iter_mut().zip(other).for_each(|(own, other)| *own |= other);
+        };
+        join(&mut self.coordinates, &other.coordinates);
+        join(&mut self.velocities, &other.velocities);
+        join(&mut self.inputs, &other.inputs);
+        join(&mut self.parameters, &other.parameters);
+        self.time |= other.time;
+    }
+}
+
 /// The variables that a body reads.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reads {
@@ -140,13 +165,7 @@ impl<'a> Writer<'a> {
                 }
             }
         }
-        let reads = Reads {
-            coordinates: vec![false; model.coordinates.len()],
-            velocities: vec![false; model.coordinates.len()],
-            inputs: vec![false; model.inputs.len()],
-            parameters: vec![false; model.parameters.len()],
-            time: false,
-        };
+        let reads = Reads::none(model);
         Writer {
             typed: needed.len() > UNTYPED,
             model,
@@ -265,6 +284,7 @@ impl<'a> Writer<'a> {
                 }
             }
             Variable::Parameter(i) => self.reads.parameters[i as usize] = true,
+            Variable::Auxiliary(_) => {}
         }
         variable_label(self.model, variable)
     }

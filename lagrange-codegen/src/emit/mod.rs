@@ -3,6 +3,7 @@
 mod block;
 mod body;
 mod docs;
+mod jets;
 mod methods;
 mod names;
 mod parts;
@@ -16,6 +17,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::diagnostics::Diagnostics;
+use crate::jets::Jets;
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::schedule::Operations;
@@ -32,6 +34,8 @@ pub(crate) struct Emission<'a> {
     pub equations: &'a Equations,
     pub facts: &'a Facts,
     pub solution: &'a Solution,
+    /// The recurrences of a smooth system.
+    pub jets: Option<&'a Jets>,
 }
 
 impl Emission<'_> {
@@ -58,10 +62,12 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let (system, after) = system::system(&mut emission);
     let methods = methods::methods(&mut emission);
     let report = report(&emission, before, after);
+    let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
 
     let Item { self_ty, generics, crate_path, cleaned, .. } = emission.item;
+    let smooth = smooth.map(|text| parameters.parse(&text));
     let (impl_generics, _, where_clause) = generics.split_for_impl();
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let records = records::records(emission.item);
@@ -71,6 +77,15 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             #[doc(hidden)]
             #[allow(dead_code)]
             fn __lengths(&self) { #lengths }
+        }
+    });
+    let smooth = smooth.map(|items| {
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all)]
+            impl #impl_generics lagrange::Smooth<#count, #inputs> for #self_ty #where_clause {
+                #items
+            }
         }
     });
     quote! {
@@ -92,6 +107,8 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
                 #system
             }
+
+            #smooth
         };
     }
 }

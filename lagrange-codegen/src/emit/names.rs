@@ -38,7 +38,7 @@ impl Names {
     /// With the names of all coordinates, velocities and inputs taken.
     pub fn new(model: &Model) -> Names {
         let mut names = Names { taken: RESERVED.iter().map(|&name| name.to_owned()).collect(), anonymous: 0 };
-        let Locals { coordinates, velocities, inputs, parameters } = &model.locals;
+        let Locals { coordinates, velocities, inputs, parameters, .. } = &model.locals;
         names.taken.extend(coordinates.iter().chain(velocities).chain(inputs).chain(parameters).cloned());
         names
     }
@@ -90,7 +90,7 @@ pub(super) fn locals(model: &Model) -> Locals {
     let inputs = model.inputs.iter().map(|quantity| claim(quantity.label())).collect();
     let label = |parameter: &Parameter| claim(identifier(&parameter.label));
     let parameters = model.parameters.iter().map(label).collect();
-    Locals { coordinates, velocities, inputs, parameters }
+    Locals { coordinates, velocities, inputs, parameters, auxiliaries: Vec::new() }
 }
 
 /// The local name of a variable.
@@ -101,6 +101,7 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
         Variable::Time => "t".to_owned(),
         Variable::Input(i) => model.locals.inputs[i as usize].clone(),
         Variable::Parameter(i) => model.locals.parameters[i as usize].clone(),
+        Variable::Auxiliary(i) => model.locals.auxiliaries[i as usize].clone(),
     }
 }
 

@@ -43,6 +43,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
 
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
                 type Scalar = #scalar;
+                type Method = lagrange::Dop853;
                 type Constants = ();
                 fn constants(&self) {}
                 fn accelerations_at(

@@ -51,8 +51,9 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
             named(body, "v"),
         )
     };
+    let method = if emission.jets.is_some() { "Jets" } else { "Dop853" };
     let mut text = format!(
-        "type Scalar = {scalar};\ntype Constants = {};\n\
+        "type Scalar = {scalar};\ntype Method = lagrange::{method};\ntype Constants = {};\n\
          #[inline]\nfn constants(&self) -> Self::Constants {{\n{}\n}}\n\
          #[inline]\nfn accelerations_at({}, {}: &{inputs}) -> {vector} {{\n{accelerations}\n}}\n",
         constants.0,
@@ -211,6 +212,6 @@ fn check(emission: &mut Emission<'_>) -> Option<String> {
 }
 
 /// Whether a body mentions an identifier.
-fn mentions(body: &str, name: &str) -> bool {
+pub(super) fn mentions(body: &str, name: &str) -> bool {
     body.split(|c: char| c != '_' && !c.is_alphanumeric()).any(|word| word == name)
 }

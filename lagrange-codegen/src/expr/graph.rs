@@ -46,6 +46,8 @@ pub enum Variable {
     Input(u32),
     /// A parameter: a field of the user's struct or a constant outside the macro's sight.
     Parameter(u32),
+    /// A function of the others whose Taylor coefficients follow from a recurrence.
+    Auxiliary(u32),
 }
 
 /// One operation.
@@ -89,7 +91,7 @@ impl Dependence {
     pub const PARAMETERS: Dependence = Dependence(16);
 
     /// The union of two sets.
-    pub fn union(self, other: Dependence) -> Dependence {
+    pub const fn union(self, other: Dependence) -> Dependence {
         Dependence(self.0 | other.0)
     }
 
@@ -232,7 +234,7 @@ impl Graph {
         }
         let dependence = match &node {
             Node::Constant(_) => Dependence::NONE,
-            Node::Variable(Variable::Coordinate(_)) => Dependence::COORDINATES,
+            Node::Variable(Variable::Coordinate(_) | Variable::Auxiliary(_)) => Dependence::COORDINATES,
             Node::Variable(Variable::Velocity(_)) => Dependence::VELOCITIES,
             Node::Variable(Variable::Time) => Dependence::TIME,
             Node::Variable(Variable::Input(_)) => Dependence::INPUTS,

@@ -1,6 +1,6 @@
 //! Momenta, mass matrix and bias.
 
-use super::angular;
+use super::{angular, forces};
 use super::motion::{Motion, time_direction};
 use crate::calculus::{pullback, pushforward};
 use crate::expr::NodeId;
@@ -123,6 +123,31 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
     loads.direct.extend(changes.into_iter().enumerate());
     loads.through_q.extend(functions.into_iter().map(|value| (value, minus_one)));
     loads
+}
+
+/// ∂L/∂q + Q − ∂D/∂v, the right-hand side of d/dt p = f.
+///
+/// Unlike the bias this is not d'Alembert's form: nothing is differentiated by time.
+pub(super) fn momentum_rates(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
+    let mut loads = forces::loads(model, motion);
+    let graph = &mut model.graph;
+    for body in &motion.translations {
+        for &velocity in &body.velocity {
+            loads.through_q.push((velocity, graph.mul(body.mass, velocity)));
+        }
+    }
+    for body in &motion.rotations {
+        let momentum = angular::times(graph, &body.inertia, &body.rate);
+        loads.through_q.extend(body.rate.iter().copied().zip(momentum));
+    }
+    let (one, minus_one) = (graph.one(), graph.constant(Number::MINUS_ONE));
+    for term in model.kinetic.iter().chain(&model.lagrangian) {
+        loads.through_q.push((term.value, one));
+    }
+    for term in &model.potential {
+        loads.through_q.push((term.value, minus_one));
+    }
+    loads.sweep(model, motion)
 }
 
 /// Conservative part of the bias: ∂V/∂q.

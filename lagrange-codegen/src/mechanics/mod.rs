@@ -29,8 +29,10 @@ pub struct Equations {
     pub applied: Vec<NodeId>,
     /// Right-hand side of M a = f: the applied forces less the bias, from one sweep.
     pub force: Vec<NodeId>,
-    /// Generalized momenta ∂L/∂v.
+    /// Generalized momenta p = ∂L/∂v.
     pub momenta: Vec<NodeId>,
+    /// Their rates: Lagrange's equations are d/dt p = ∂L/∂q + Q − ∂D/∂v.
+    pub momentum_rates: Vec<NodeId>,
     /// T.
     pub kinetic_energy: NodeId,
     /// V.
@@ -85,6 +87,7 @@ pub fn derive(
     let applied = equations::negated(model, &applied);
     let total = inertial.joined(conservative).joined(applied_loads.negated(model)).sweep(model, &motion);
     let force = equations::negated(model, &total);
+    let momentum_rates = equations::momentum_rates(model, &motion);
     validate::inputs(model, &force, &mass, allows, diagnostics);
     let energies = energy::energies(model, &motion, &momenta);
     let power = energy::power(model, &motion, &applied);
@@ -94,6 +97,7 @@ pub fn derive(
         applied,
         force,
         momenta,
+        momentum_rates,
         kinetic_energy: energies.kinetic,
         potential_energy: energies.potential,
         energy: energies.total,

@@ -5,7 +5,7 @@
 //! of the order of the tolerance. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.6 and II.10.
 
 use super::Field;
-use super::dop853::{Dop853, Slope, combine, reach};
+use super::dop853::{Dop853Memory, Slope, combine, reach};
 use super::tableau::dop853::{A, C, D, STAGES, STAGES_DENSE};
 use crate::error::Cause;
 use crate::real::Ordered;
@@ -17,7 +17,7 @@ pub(crate) struct Dense<R, const N: usize> {
     coefficients: [Slope<R, N>; 7],
 }
 
-impl<R: Ordered, const N: usize> Dop853<R, N> {
+impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
     /// The state at a time inside the step.
     #[inline]
     pub(crate) fn sample<F>(&mut self, f: &F, t: R) -> Result<State<R, N>, Cause>

@@ -11,6 +11,7 @@ use core::cmp::Ordering;
 
 use super::Field;
 use super::dense::Dense;
+use super::adaptive::Steps;
 use super::step_size::{self, Limits};
 use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
 use crate::error::{Cause, MotionError};
@@ -31,31 +32,20 @@ pub(crate) struct Point<R, const N: usize> {
     residue: State<R, N>,
 }
 
-/// Counts of a motion so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Steps {
-    /// Steps taken.
-    pub accepted: u64,
-    /// Steps tried and repeated with a shorter length.
-    pub rejected: u64,
-    /// Evaluations of the accelerations.
-    pub evaluations: u64,
-}
-
 /// The step from `start` to `end`, and what the next one needs.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Dop853<R, const N: usize> {
-    pub start: Point<R, N>,
-    pub end: Point<R, N>,
+pub struct Dop853Memory<R, const N: usize> {
+    pub(crate) start: Point<R, N>,
+    pub(crate) end: Point<R, N>,
     /// Slopes of the stages of the step; the first is that at `start`.
-    pub slopes: [Slope<R, N>; STAGES],
+    pub(crate) slopes: [Slope<R, N>; STAGES],
     /// Slope at `end`, if known.
-    pub slope: Option<Slope<R, N>>,
+    pub(crate) slope: Option<Slope<R, N>>,
     /// Length of the next step; zero if not known.
     length: R,
     /// Polynomial through the step, once a sample has asked for it.
-    pub dense: Option<Dense<R, N>>,
-    pub counts: Steps,
+    pub(crate) dense: Option<Dense<R, N>>,
+    pub(crate) counts: Steps,
 }
 
 /// The weighted sum Σⱼ `weights[j]` `slopes[j]` of the first `M` slopes. `weights[0]` is not zero.
@@ -99,13 +89,13 @@ pub(crate) fn reach<R: Real, const N: usize>(
 
 /// Compensated x + d (Kahan).
 #[inline(always)]
-fn add<R: Real>(x: R, residue: R, d: R) -> (R, R) {
+pub(crate) fn add<R: Real>(x: R, residue: R, d: R) -> (R, R) {
     let d = d + residue;
     let sum = x + d;
     (sum, d - (sum - x))
 }
 
-impl<R: Ordered, const N: usize> Dop853<R, N> {
+impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
     pub(crate) fn new(state: State<R, N>) -> Self {
         let zero = [R::zero(); N];
         let point = Point { state, residue: State { t: R::zero(), q: zero, v: zero } };

@@ -3,27 +3,40 @@
 //! A fixed-step method implements [`FixedStep`] and runs in a [`Stepper`](crate::Stepper). Dormand–Prince 8(5,3)
 //! carries error control and dense output and runs in a [`Simulation`](crate::Simulation).
 
+pub(crate) mod adaptive;
 pub(crate) mod dense;
 pub(crate) mod dop853;
+mod jet;
+mod jets;
 mod rk4;
 #[cfg(test)]
 pub(crate) mod samples;
 pub(crate) mod step_size;
 mod tableau;
 
+pub use adaptive::{Adaptive, Dop853};
+pub use jet::Jet;
+pub use jets::Jets;
 pub use rk4::Rk4;
+pub use step_size::Limits;
 
 use crate::error::Cause;
 use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
 
-/// A method that takes steps of a size chosen by the caller. `default()` is its memory before the first step.
-pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize>: Default {
+/// A method that takes steps of a size chosen by the caller.
+pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
+    /// What it remembers between steps.
+    type Memory: Copy + core::fmt::Debug;
+
+    /// The memory before the first step.
+    fn begin(system: &S) -> Self::Memory;
+
     /// The state after a step of `h` from `from`, with the inputs `u` held. The time of the result is `from.t + h`.
     /// A result that is not finite is left to the caller.
     fn step(
-        &mut self,
+        memory: &mut Self::Memory,
         system: &S,
         constants: &S::Constants,
         from: &State<S::Scalar, N>,

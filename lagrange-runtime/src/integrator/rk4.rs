@@ -14,9 +14,14 @@ use crate::system::System;
 pub struct Rk4;
 
 impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4 {
+    type Memory = ();
+
+    #[inline]
+    fn begin(_: &S) {}
+
     #[inline]
     fn step(
-        &mut self,
+        (): &mut (),
         system: &S,
         constants: &S::Constants,
         from: &State<S::Scalar, N>,

@@ -17,6 +17,7 @@ macro_rules! system {
 
         impl System<$n, $k> for $name {
             type Scalar = f64;
+            type Method = crate::integrator::Dop853;
             type Constants = ();
 
             fn constants(&self) {}

@@ -10,11 +10,11 @@ use crate::real::{Ordered, larger, smaller};
 
 /// What the caller asks of the control.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits<R> {
+pub struct Limits<R> {
     /// Tolerated error relative to a component's size.
     pub relative: R,
-    /// Tolerated error of a component near zero.
-    pub absolute: R,
+    /// Tolerated error of a component near zero, where the caller gave one.
+    pub absolute: Option<R>,
     /// Longest step, if limited.
     pub step: Option<R>,
     /// Attempts that one call may make.
@@ -25,13 +25,13 @@ impl<R: Ordered> Limits<R> {
     /// Tolerance 1e-10, or 100 ε where that is coarser.
     pub(crate) fn new() -> Self {
         let tolerance = larger(R::from_f64(1e-10), R::from_f64(100.0) * R::epsilon());
-        Self { relative: tolerance, absolute: tolerance, step: None, attempts: 10_000_000 }
+        Self { relative: tolerance, absolute: None, step: None, attempts: 10_000_000 }
     }
 
     /// Refuses limits that no step can meet.
     pub(crate) fn check(&self) -> Result<(), Cause> {
         let bad = |x: R| !x.is_finite() || !(x.is_positive() || x == R::zero());
-        if bad(self.relative) || bad(self.absolute) {
+        if bad(self.relative) || self.absolute.is_some_and(bad) {
             return Err(Cause::InvalidTolerance);
         }
         match self.step {
@@ -45,7 +45,8 @@ impl<R: Ordered> Limits<R> {
     #[inline]
     pub(crate) fn scale(&self) -> Scale<R> {
         let ulp = R::epsilon();
-        Scale { relative: larger(self.relative, ulp), absolute: larger(self.absolute, smallest::<R>()) }
+        let absolute = self.absolute.unwrap_or(self.relative);
+        Scale { relative: larger(self.relative, ulp), absolute: larger(absolute, smallest::<R>()) }
     }
 
     /// `h` \[s] within the limit.
@@ -137,10 +138,10 @@ mod tests {
         assert_eq!(good.check(), Ok(()));
         for bad in [-1.0, f64::NAN, f64::INFINITY] {
             assert_eq!(Limits { relative: bad, ..good }.check(), Err(Cause::InvalidTolerance));
-            assert_eq!(Limits { absolute: bad, ..good }.check(), Err(Cause::InvalidTolerance));
+            assert_eq!(Limits { absolute: Some(bad), ..good }.check(), Err(Cause::InvalidTolerance));
             assert_eq!(Limits { step: Some(bad), ..good }.check(), Err(Cause::InvalidStep));
         }
-        assert_eq!(Limits { absolute: 0.0, ..good }.check(), Ok(()));
+        assert_eq!(Limits { absolute: Some(0.0), ..good }.check(), Ok(()));
         assert_eq!(Limits { step: Some(0.0), ..good }.check(), Err(Cause::InvalidStep));
     }
 }

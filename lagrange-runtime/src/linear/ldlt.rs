@@ -57,7 +57,7 @@ impl<R: Real, const N: usize> Ldlt<R, N> {
         let mut x = b;
         for i in 0..N {
             for k in 0..i {
-                x[i] -= self.factor[i][k] * x[k];
+                x[i] = R::mul_add(-self.factor[i][k], x[k], x[i]);
             }
         }
         for (x, &inverse) in x.iter_mut().zip(&self.inverse) {
@@ -65,7 +65,7 @@ impl<R: Real, const N: usize> Ldlt<R, N> {
         }
         for i in (0..N).rev() {
             for k in 0..i {
-                x[k] -= self.factor[i][k] * x[i];
+                x[k] = R::mul_add(-self.factor[i][k], x[i], x[k]);
             }
         }
         x

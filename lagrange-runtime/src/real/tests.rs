@@ -150,6 +150,7 @@ struct Fall<R>(R);
 
 impl<R: Real> System<1> for Fall<R> {
     type Scalar = R;
+    type Method = crate::Dop853;
     type Constants = R;
     fn constants(&self) -> R {
         self.0

@@ -22,7 +22,7 @@ fn loose() -> Limits<f64> {
     Limits { absolute: 1e30, ..Limits::new() }
 }
 
-fn step(motion: &mut Dop853<f64, 1>, h: f64) {
+fn step(motion: &mut Dop853Memory<f64, 1>, h: f64) {
     motion.start = motion.end;
     motion.slopes[0] = motion.slope.unwrap_or_else(|| motion.slope_at_end(&Plain).unwrap());
     motion.dense = None;
@@ -30,7 +30,7 @@ fn step(motion: &mut Dop853<f64, 1>, h: f64) {
 }
 
 fn error(steps: u32) -> f64 {
-    let mut motion = Dop853::new(driven(0.3));
+    let mut motion = Dop853Memory::new(driven(0.3));
     for _ in 0..steps {
         step(&mut motion, 4.0 / f64::from(steps));
     }
@@ -47,7 +47,7 @@ fn dop853_is_of_eighth_order() {
 fn the_dense_output_is_of_seventh_order() {
     // Order 7 of the polynomial is an error of h⁸ inside one step.
     let error = |h: f64| {
-        let mut motion = Dop853::new(driven(1.1));
+        let mut motion = Dop853Memory::new(driven(1.1));
         step(&mut motion, h);
         let t = 1.1 + 0.37 * h;
         distance(&motion.sample(&Plain, t).unwrap(), &driven(t))
@@ -58,7 +58,7 @@ fn the_dense_output_is_of_seventh_order() {
 
 #[test]
 fn samples_at_the_ends_are_the_ends_and_cost_nothing() {
-    let mut motion = Dop853::new(driven(0.3));
+    let mut motion = Dop853Memory::new(driven(0.3));
     step(&mut motion, 0.4);
     let before = motion.counts;
     for end in [motion.start.state, motion.end.state] {

@@ -1,0 +1,125 @@
+//! The implementation of the runtime's `Smooth`: Taylor coefficients of the motion.
+//!
+//! | function | what it computes |
+//! | --- | --- |
+//! | `jet_constants` | parameters alone, once per run: hoisted values, inverses and factorisations of constant blocks |
+//! | `jet_at` | values and the factorisation at the point of expansion, then one pass of a loop for each order |
+
+mod inertia;
+mod order;
+mod start;
+mod terms;
+
+use super::Emission;
+use super::body;
+use super::names::{Names, describe};
+use super::scalar;
+use crate::jets::{Jets, Value};
+use crate::expr::Variable;
+use crate::schedule::{Instruction, Slot};
+use inertia::Inertia;
+use start::Start;
+
+/// Names that the body of `jet_at` uses for something else.
+const TAKEN: [&str; 9] =
+    ["rate", "fraction", "order", "orders", "inner", "tables", "series", "left", "right"];
+
+/// Rows of the tables are padded to a multiple of this many lanes.
+const WIDTH: usize = 4;
+
+/// The items of the trait, as text.
+pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
+    label_auxiliaries(emission, jets);
+    let inertia = Inertia::plan(emission);
+    let mut names = Names::new(emission.model);
+    for name in TAKEN {
+        names.claim(Some(name.to_owned()));
+    }
+    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let hoisted = jets.program.hoisted();
+    let (labels, fixed) = body::constants(model, scalar, &jets.program, &hoisted, &mut names);
+    let mut start = Start::new(model, scalar, jets, &hoisted, &labels);
+    let values = start.values(&mut names);
+    let mass = inertia.at_start(model, scalar, jets, &start, &mut names);
+    let mut reads = start.reads.clone();
+    reads.join(&mass.reads);
+    let pass = order::pass(emission, jets, &start, &mass, &mut names);
+
+    let mut text = body::prologue(model, scalar, &reads, super::body::Source::Slices);
+    let all: Vec<String> = labels.iter().chain(&mass.labels).cloned().collect();
+    let (constants_type, constants_body) = inertia.constants(model, scalar, &fixed);
+    if !all.is_empty() {
+        let place = if inertia.factored() > 0 { "constants.0" } else { "*constants" };
+        text.push_str(&format!("let [{}] = {place};\n", all.join(", ")));
+    }
+    text.push_str(&values);
+    text.push_str(&mass.statements);
+    text.push_str(&pass);
+
+    let lanes = jets.lanes.len().div_ceil(WIDTH) * WIDTH;
+    let (vector, inputs, count) = (emission.vector_type(), emission.input_type(), emission.count());
+    let named = |name: &str| if super::system::mentions(&text, name) { name.to_owned() } else { format!("_{name}") };
+    format!(
+        "type JetConstants = {constants_type};\n\
+         type Tables<const P: usize> = lagrange::Tables<{scalar}, {lanes}, P>;\n\
+         #[inline]\nfn jet_constants(&self) -> Self::JetConstants {{\n{constants_body}\n}}\n\
+         #[inline]\nfn jet_at<const P: usize>(\n&self, {}: &Self::JetConstants, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
+         {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut Self::Tables<P>, \
+         series: &mut lagrange::Series<{scalar}, {count}, P>,\n) -> bool {{\n{}\n}}\n",
+        named("constants"),
+        named("t"),
+        named("q"),
+        named("v"),
+        named("u"),
+        named("tables"),
+        body::imported(text.clone()),
+    )
+}
+
+/// Gives the auxiliaries names from what they are functions of.
+fn label_auxiliaries(emission: &mut Emission<'_>, jets: &Jets) {
+    let index = |slot: Slot| match jets.program.instruction(slot) {
+        Instruction::Variable(Variable::Auxiliary(index)) => index as usize,
+        _ => 0,
+    };
+    let count = jets.auxiliaries.iter().map(|series| index(series.slot) + 1).max().unwrap_or(0);
+    emission.model.locals.auxiliaries = (0..count).map(|index| format!("y{index}")).collect();
+    for &slot in &jets.order {
+        let Some(series) = jets.auxiliary(slot) else { continue };
+        let of = |x: Slot| describe(emission.model, &jets.program, x, 0).unwrap_or_else(|| "x".to_owned());
+        let label = match series.value {
+            Value::Unary(function, x) => format!("{}_{}", function.name(), of(x)),
+            Value::Binary(function, x, y) => format!("{}_{}_{}", function.name(), of(x), of(y)),
+            Value::Power(x, exponent) => match exponent.0 {
+                1 => format!("root_{}", of(x)),
+                -2 => format!("inverse_{}", of(x)),
+                _ => format!("power_{}", of(x)),
+            },
+        };
+        emission.model.locals.auxiliaries[index(slot)] = label;
+    }
+}
+
+/// `let name: type = value;`
+fn binding(scalar: &crate::syntax::Scalar, name: &str, value: &str) -> String {
+    format!("let {name}: {scalar} = {};\n", bare(value))
+}
+
+/// A text without the parentheses around the whole of it.
+fn bare(value: &str) -> &str {
+    let Some(inner) = value.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) else { return value };
+    let mut depth = 0_i32;
+    for c in inner.chars() {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        if depth < 0 {
+            return value;
+        }
+    }
+    inner
+}
+
+/// A number of either sign as an expression of the scalar type.
+fn number(scalar: &crate::syntax::Scalar, value: crate::number::Number) -> String {
+    let text = scalar::literal(scalar, value.abs(), false);
+    if value.is_negative() { format!("(-{text})") } else { text }
+}

@@ -1,0 +1,476 @@
+//! The loop over the orders.
+//!
+//! An order starts with what lower orders determine (coordinates, then functions of them), evaluates the momenta with
+//! the new velocity coefficients at zero, solves for these, and completes what depends on them.
+
+use super::inertia::{AtStart, By};
+use super::start::Start;
+use super::terms::{Context, Operand, PowerNames, Term, chain};
+use super::{bare, binding};
+use crate::collections::Lookup;
+use crate::emit::Emission;
+use crate::emit::names::Names;
+use crate::emit::scalar;
+use crate::expr::Variable;
+use crate::jets::{Coefficient, Jets, Lane, Relation};
+use crate::number::Number;
+use crate::schedule::{Instruction, Slot};
+
+/// Up to this many lanes, the outermost terms of the interior sums are kept out of the tables: their sweep would wait
+/// for the row that was just written, which more lanes hide behind each other.
+const EDGED: usize = 16;
+
+/// Statements before the loop and the loop itself.
+pub(super) fn pass(
+    emission: &Emission<'_>,
+    jets: &Jets,
+    start: &Start<'_>,
+    mass: &AtStart,
+    names: &mut Names,
+) -> String {
+    let scalar = &emission.item.scalar;
+    let literal = |number: Number| scalar::literal(scalar, number, false);
+    let mut before = String::new();
+
+    let mut powers: Lookup<Slot, PowerNames> = Lookup::default();
+    for series in &jets.auxiliaries {
+        let (Relation::Power(base, exponent), true) = (&series.relation, jets.moves(series.slot)) else {
+            continue;
+        };
+        let (y, x) = (start.text(series.slot), start.text(*base));
+        let label = &start.labels[series.slot.index()];
+        let mut slope = names.claim(Some(format!("{label}_slope")));
+        let mut reciprocal = String::new();
+        if *exponent == Number::HALF {
+            before.push_str(&binding(scalar, &slope, &format!("{} / {y}", literal(Number::HALF))));
+        } else if *exponent == Number::MINUS_ONE {
+            reciprocal = y.to_owned();
+            before.push_str(&binding(scalar, &slope, &format!("-({y} * {y})")));
+        } else {
+            reciprocal = names.claim(Some(format!("{label}_divisor")));
+            before.push_str(&binding(scalar, &reciprocal, &format!("Real::recip({x})")));
+            let exponent = super::number(scalar, *exponent);
+            before.push_str(&binding(scalar, &slope, &format!("{exponent} * {y} * {reciprocal}")));
+        }
+        powers.insert(series.slot, PowerNames { slope: std::mem::take(&mut slope), reciprocal });
+    }
+
+    let named = named(jets);
+    let power_names = |slot: Slot| powers.get(&slot).cloned().unwrap_or_default();
+    let context = Context { jets, start: &start.texts, named: &named, powers: &power_names, literal: &literal };
+    let writer = Writer {
+        emission,
+        jets,
+        start,
+        context,
+        names,
+        coefficients: vec![String::new(); jets.program.len()],
+        partial: vec![None; jets.program.len()],
+        inner: Vec::new(),
+        edges: Vec::new(),
+        forces: Vec::new(),
+        before,
+        body: String::new(),
+        after: String::new(),
+    };
+    writer.write(mass)
+}
+
+/// Slots whose coefficients are bound to names.
+fn named(jets: &Jets) -> Vec<bool> {
+    let mut uses = vec![0_u32; jets.program.len()];
+    let mut named = vec![false; jets.program.len()];
+    for &slot in &jets.order {
+        if !jets.moves(slot) {
+            continue;
+        }
+        let instruction = jets.program.instruction(slot);
+        if instruction.is_leaf() {
+            named[slot.index()] = true;
+        }
+        jets.series_operands(slot, |operand| {
+            uses[operand.index()] += 1;
+            let multiplied = matches!(instruction, Instruction::Mul(..) | Instruction::Div(..));
+            named[operand.index()] |= multiplied || jets.auxiliary(slot).is_some();
+        });
+    }
+    for lane in &jets.lanes {
+        named[lane.left.slot.index()] = true;
+        named[lane.right.slot.index()] = true;
+    }
+    for slot in jets.rates.iter().chain(&jets.momenta) {
+        uses[slot.index()] += 1;
+    }
+    for (named, uses) in named.iter_mut().zip(uses) {
+        *named |= uses > 1;
+    }
+    named
+}
+
+struct Writer<'a, 'b> {
+    emission: &'a Emission<'a>,
+    jets: &'a Jets,
+    start: &'a Start<'a>,
+    context: Context<'a>,
+    names: &'b mut Names,
+    /// Names of the coefficients of the order, by slot.
+    coefficients: Vec<String>,
+    /// The same with the velocities' coefficients at zero; `None` for zero.
+    partial: Vec<Option<String>>,
+    /// The interior sums, by lane.
+    inner: Vec<String>,
+    /// Every factor of a lane with the variables that hold its coefficients of order 1 and of the last order.
+    edges: Vec<(crate::jets::Operand, String, String)>,
+    /// Variables that carry the momentum rates of the last order, by coordinate.
+    forces: Vec<String>,
+    before: String,
+    body: String,
+    /// Statements at the end of the loop.
+    after: String,
+}
+
+impl Writer<'_, '_> {
+    fn write(mut self, mass: &AtStart) -> String {
+        let scalar = &self.emission.item.scalar;
+        let count = self.emission.count();
+        let model = &*self.emission.model;
+        let under = self.jets.under_momenta();
+
+        let mut velocities = Vec::with_capacity(count);
+        for i in 0..count {
+            let (q, v) = (&model.locals.coordinates[i], &model.locals.velocities[i]);
+            let coordinate = self.names.claim(Some(format!("{q}_k")));
+            let velocity = self.names.claim(Some(format!("{v}_k")));
+            let last = self.names.claim(Some(format!("{v}_last")));
+            let value = if count > crate::emit::block::NAMED { format!("v[{i}]") } else { v.clone() };
+            self.before.push_str(&format!("let mut {last}: {scalar} = {value};\n"));
+            self.after.push_str(&format!("{last} = {velocity};\n"));
+            self.body.push_str(&binding(scalar, &coordinate, &format!("rate * {last}")));
+            let force = self.carry(self.jets.rates[i], &format!("{q}_force"));
+            self.forces.push(force);
+            velocities.push((coordinate, velocity));
+        }
+        for &slot in &self.jets.order {
+            if let Instruction::Variable(variable) = self.jets.program.instruction(slot) {
+                match variable {
+                    Variable::Coordinate(i) => {
+                        self.coefficients[slot.index()] = velocities[i as usize].0.clone();
+                    }
+                    Variable::Velocity(i) => {
+                        self.coefficients[slot.index()] = velocities[i as usize].1.clone();
+                    }
+                    _ => {}
+                }
+            }
+        }
+        self.interiors();
+        self.early();
+        self.partially(&under);
+        self.solve(mass, &velocities);
+        let join = |pick: fn(&(String, String)) -> &String| {
+            velocities.iter().map(|pair| pick(pair).clone()).collect::<Vec<_>>().join(", ")
+        };
+        self.body.push_str(&format!("series.set(order, [{}], [{}]);\n", join(|p| &p.0), join(|p| &p.1)));
+        self.body.push_str("if order == orders {\nbreak;\n}\n");
+        self.late(&under);
+        self.store();
+        let fraction = if self.body.contains("fraction") || self.body.contains("rate") {
+            format!("let fraction: {scalar} = lagrange::jets::fraction(order);\nlet rate = h * fraction;\n")
+        } else {
+            String::new()
+        };
+        let edges = usize::from(self.jets.lanes.len() <= EDGED);
+        let inner = if self.jets.lanes.is_empty() { String::new() } else { format!("let inner = tables.interior::<{edges}>(order);\n") };
+        format!(
+            "{}for order in 1..=orders {{\n{fraction}{inner}{}{}}}\ntrue",
+            self.before, self.body, self.after
+        )
+    }
+
+    /// A variable that carries the coefficient of a slot to the next order.
+    fn carry(&mut self, slot: Slot, wish: &str) -> String {
+        let scalar = &self.emission.item.scalar;
+        let name = self.names.claim(Some(wish.to_owned()));
+        self.before.push_str(&format!("let mut {name}: {scalar} = {};\n", self.start.text(slot)));
+        name
+    }
+
+    fn bind(&mut self, name: &str, text: &str) {
+        self.body.push_str(&binding(&self.emission.item.scalar, name, text));
+    }
+
+    fn zero(&self) -> String {
+        scalar::zero(&self.emission.item.scalar)
+    }
+
+    fn claim(&mut self, slot: Slot, suffix: &str) -> String {
+        let label = &self.start.labels[slot.index()];
+        let wish = if label.is_empty() { None } else { Some(format!("{label}_{suffix}")) };
+        self.names.claim(wish)
+    }
+
+    fn text(&self, operand: Operand) -> Option<String> {
+        match operand {
+            Operand::Inner(lane) => Some(self.inner[lane].clone()),
+            Operand::Slot(slot) => Some(self.coefficients[slot.index()].clone()),
+        }
+    }
+
+    fn partial_text(&self, operand: Operand) -> Option<String> {
+        match operand {
+            Operand::Slot(slot) if self.jets.coefficient(slot) == Coefficient::Late => {
+                self.partial[slot.index()].clone()
+            }
+            operand => self.text(operand),
+        }
+    }
+
+    /// Terms in the order in which their operands are known.
+    fn sorted(&self, mut terms: Vec<Term>) -> Vec<Term> {
+        terms.sort_by_key(|term| (self.context.coefficient(term.value), term.factor.is_some()));
+        // A chain starts with a positive term where it can, which saves the change of sign.
+        let earliest = terms.first().map(|term| self.context.coefficient(term.value));
+        if let Some(place) = terms.iter().position(|term| !term.negative)
+            && Some(self.context.coefficient(terms[place].value)) == earliest
+        {
+            let term = terms.remove(place);
+            terms.insert(0, term);
+        }
+        terms
+    }
+
+    /// The interior sums. Their outermost terms, with coefficients of order 1 and of the last order, are not in the
+    /// tables: a sweep over a row that was just written would wait for it.
+    fn interiors(&mut self) {
+        if self.jets.lanes.len() > EDGED {
+            self.inner = (0..self.jets.lanes.len()).map(|lane| format!("inner[{lane}]")).collect();
+            return;
+        }
+        let scalar = &self.emission.item.scalar;
+        let zero = self.zero();
+        let mut edges: Lookup<crate::jets::Operand, (String, String)> = Lookup::default();
+        let mut operands: Vec<crate::jets::Operand> = Vec::new();
+        for lane in &self.jets.lanes {
+            for operand in [lane.left, lane.right] {
+                if edges.get(&operand).is_some() {
+                    continue;
+                }
+                let label = &self.start.labels[operand.slot.index()];
+                let ramp = if operand.ramp { "_ramp" } else { "" };
+                let wish = |part: &str| Some(format!("{label}{ramp}_{part}")).filter(|_| !label.is_empty());
+                let (first, last) = (self.names.claim(wish("first")), self.names.claim(wish("last")));
+                self.before.push_str(&format!("let mut {first}: {scalar} = {zero};\n"));
+                self.before.push_str(&format!("let mut {last}: {scalar} = {zero};\n"));
+                edges.insert(operand, (first, last));
+                operands.push(operand);
+            }
+        }
+        for (place, lane) in self.jets.lanes.iter().enumerate() {
+            let (Some(left), Some(right)) = (edges.get(&lane.left), edges.get(&lane.right)) else { continue };
+            let text = if lane.left == lane.right {
+                format!("Real::mul_add({0} + {0}, {1}, inner[{place}])", left.0, left.1)
+            } else {
+                format!(
+                    "Real::mul_add({}, {}, Real::mul_add({}, {}, inner[{place}]))",
+                    left.0, right.1, right.0, left.1
+                )
+            };
+            let name = self.names.claim(Some(format!("inner_{place}")));
+            self.body.push_str(&binding(scalar, &name, &text));
+            self.inner.push(name);
+        }
+        self.edges = operands
+            .into_iter()
+            .filter_map(|operand| edges.get(&operand).map(|(first, last)| (operand, first.clone(), last.clone())))
+            .collect();
+    }
+
+    /// Everything that lower orders determine.
+    fn early(&mut self) {
+        let zero = self.zero();
+        for slot in self.jets.order.clone() {
+            if self.jets.coefficient(slot) != Coefficient::Early || !self.context.named[slot.index()] {
+                continue;
+            }
+            let instruction = self.jets.program.instruction(slot);
+            if let Instruction::Variable(Variable::Coordinate(_)) = instruction {
+                continue;
+            }
+            let text = if let Instruction::Variable(Variable::Time) = instruction {
+                format!("if order == 1 {{ h }} else {{ {zero} }}")
+            } else if let Some(Relation::Flow(rate)) = self.jets.auxiliary(slot).map(|series| series.relation.clone())
+            {
+                let label = self.start.labels[slot.index()].clone();
+                let flow = self.carry(rate, &format!("{label}_flow"));
+                let next = self.full(rate);
+                self.after.push_str(&format!("{flow} = {};\n", bare(&next)));
+                format!("rate * {flow}")
+            } else {
+                let terms = self.sorted(self.context.terms(slot));
+                chain(None, &terms, |operand| self.text(operand)).unwrap_or_else(|| zero.clone())
+            };
+            let name = self.claim(slot, "k");
+            self.bind(&name, &text);
+            self.coefficients[slot.index()] = name;
+        }
+    }
+
+    /// A name for the coefficient of a late slot that is known later than where it is asked for.
+    fn full(&mut self, slot: Slot) -> String {
+        if !self.jets.moves(slot) {
+            return self.zero();
+        }
+        // Resolved when the loop is complete: see `late`.
+        format!("\u{1}{}\u{1}", slot.index())
+    }
+
+    /// The momenta's operands with the velocities' coefficients at zero.
+    fn partially(&mut self, under: &[bool]) {
+        for slot in self.jets.order.clone() {
+            let late = self.jets.coefficient(slot) == Coefficient::Late;
+            let velocity = matches!(self.jets.program.instruction(slot), Instruction::Variable(Variable::Velocity(_)));
+            if !late || velocity || !under[slot.index()] || !self.context.named[slot.index()] {
+                continue;
+            }
+            let (known, unknown) = self.split(slot);
+            let mut base = chain(None, &known, |operand| self.text(operand));
+            if let Some(text) = &base {
+                let name = self.claim(slot, "known");
+                self.bind(&name, text);
+                base = Some(name);
+            }
+            // What the full coefficient starts from.
+            self.coefficients[slot.index()] = base.clone().unwrap_or_default();
+            let partial = chain(base.clone(), &unknown, |operand| self.partial_text(operand));
+            self.partial[slot.index()] = match partial {
+                Some(text) if Some(&text) != base.as_ref() => {
+                    let name = self.claim(slot, "partial");
+                    self.bind(&name, &text);
+                    Some(name)
+                }
+                partial => partial,
+            };
+        }
+    }
+
+    /// The terms of a late slot that are known before the solution, and the others.
+    fn split(&self, slot: Slot) -> (Vec<Term>, Vec<Term>) {
+        let terms = self.sorted(self.context.terms(slot));
+        terms.into_iter().partition(|term| self.context.coefficient(term.value) != Coefficient::Late)
+    }
+
+    fn solve(&mut self, mass: &AtStart, velocities: &[(String, String)]) {
+        for solver in &mass.solvers {
+            let mut right = Vec::with_capacity(solver.coordinates.len());
+            for &i in &solver.coordinates {
+                let mut momentum = self.sorted(self.context.read(self.jets.momenta[i]));
+                momentum.iter_mut().for_each(|term| term.negative = !term.negative);
+                let partial = chain(None, &momentum, |operand| self.partial_text(operand));
+                right.push(match partial {
+                    Some(partial) => format!("Real::mul_add(rate, {}, {partial})", self.forces[i]),
+                    None => format!("(rate * {})", self.forces[i]),
+                });
+            }
+            match &solver.by {
+                By::Nothing => self.bind(&velocities[solver.coordinates[0]].1, &right[0]),
+                By::Inverse(inverse) => {
+                    let text = format!("{} * {inverse}", right[0]);
+                    self.bind(&velocities[solver.coordinates[0]].1, &text);
+                }
+                By::Factor(factor) => {
+                    let names: Vec<&str> =
+                        solver.coordinates.iter().map(|&i| velocities[i].1.as_str()).collect();
+                    let right: Vec<&str> = right.iter().map(|text| bare(text)).collect();
+                    self.body.push_str(&format!(
+                        "let [{}] = {factor}.solve([{}]);\n",
+                        names.join(", "),
+                        right.join(", ")
+                    ));
+                }
+            }
+        }
+    }
+
+    /// What depends on the new velocity coefficients.
+    fn late(&mut self, under: &[bool]) {
+        for slot in self.jets.order.clone() {
+            let late = self.jets.coefficient(slot) == Coefficient::Late && self.context.named[slot.index()];
+            if !late || matches!(self.jets.program.instruction(slot), Instruction::Variable(Variable::Velocity(_))) {
+                continue;
+            }
+            let (known, unknown) = self.split(slot);
+            let base = if under[slot.index()] {
+                Some(std::mem::take(&mut self.coefficients[slot.index()])).filter(|base| !base.is_empty())
+            } else {
+                chain(None, &known, |operand| self.text(operand))
+            };
+            let text = chain(base, &unknown, |operand| self.text(operand)).unwrap_or_else(|| self.zero());
+            let name = self.claim(slot, "k");
+            self.bind(&name, &text);
+            self.coefficients[slot.index()] = name;
+        }
+        for (force, &slot) in self.forces.iter().zip(&self.jets.rates) {
+            let text = self.value(slot);
+            self.after.push_str(&format!("{force} = {};\n", bare(&text)));
+        }
+        let mut after = std::mem::take(&mut self.after);
+        for slot in &self.jets.order {
+            let mark = format!("\u{1}{}\u{1}", slot.index());
+            if after.contains(&mark) {
+                after = after.replace(&mark, bare(&self.value(*slot)));
+            }
+        }
+        self.after = after;
+    }
+
+    /// The coefficient of a slot that may have no name.
+    fn value(&self, slot: Slot) -> String {
+        let terms = self.sorted(self.context.read(slot));
+        chain(None, &terms, |operand| self.text(operand)).unwrap_or_else(|| self.zero())
+    }
+
+    /// Puts the operands of all convolutions into the tables.
+    fn store(&mut self) {
+        if self.jets.lanes.is_empty() {
+            return;
+        }
+        let mut operands: Vec<crate::jets::Operand> = Vec::new();
+        for lane in &self.jets.lanes {
+            operands.extend([lane.left, lane.right]);
+        }
+        let mut values: Lookup<crate::jets::Operand, String> = Lookup::default();
+        for operand in operands {
+            if values.get(&operand).is_some() {
+                continue;
+            }
+            let name = match &self.coefficients[operand.slot.index()] {
+                none if none.is_empty() => self.zero(),
+                name => name.clone(),
+            };
+            let value = if operand.ramp {
+                let ramped = self.claim(operand.slot, "ramp");
+                self.bind(&ramped, &format!("lagrange::jets::ramp(order, {name})"));
+                ramped
+            } else {
+                name
+            };
+            values.insert(operand, value);
+        }
+        for (operand, first, last) in std::mem::take(&mut self.edges) {
+            let value = values.get(&operand).cloned().unwrap_or_default();
+            self.after.push_str(&format!(
+                "{first} = lagrange::jets::first(order, {first}, {value});\n{last} = {value};\n"
+            ));
+        }
+        self.body.push_str("if let ::core::option::Option::Some((left, right)) = tables.row(order) {\n");
+        for (place, &Lane { left, right }) in self.jets.lanes.iter().enumerate() {
+            let value = |operand| values.get(&operand).cloned().unwrap_or_default();
+            self.body.push_str(&format!(
+                "left[{place}] = {};\nright[{place}] = {};\n",
+                value(left),
+                value(right)
+            ));
+        }
+        self.body.push_str("}\n");
+    }
+}

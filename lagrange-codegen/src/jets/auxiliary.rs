@@ -1,0 +1,278 @@
+//! Everything but sums and products becomes an auxiliary with a relation between Taylor series.
+//!
+//! What is left of a set of roots is polynomial in the variables and the auxiliaries, and the Taylor
+//! coefficients of a polynomial are convolutions. Three kinds of relations are enough for the whole language
+//! (Knuth, *The Art of Computer Programming* 2, 4.7; Griewank and Walther, *Evaluating Derivatives*, 13.2):
+//!
+//! * y = xᵉ satisfies x y′ = e x′ y: no division but one by x at the point of expansion;
+//! * y = f(x) with x linear along the motion, x′ = Σ c v: y′ = f′(x) x′ is a product of the system itself, which
+//!   velocities and momenta often share (sin θ and cos θ need cos θ · θ′ and sin θ · θ′, which are ẏ and ẋ of a rod);
+//! * any other y = f(x₁, …) satisfies y′ = Σ ∂f/∂xᵢ · xᵢ′, taken on the series of xᵢ.
+
+use crate::calculus::{pushforward, substitute, velocity_degrees};
+use crate::collections::Lookup;
+use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Variable};
+use crate::number::Number;
+
+/// What changes in the course of a step; inputs are held.
+const MOVING: Dependence = Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME);
+
+/// A function value with its series.
+#[derive(Clone, Debug)]
+pub struct Auxiliary {
+    /// The node of the given roots that it stands for; a power stands for itself.
+    pub origin: NodeId,
+    /// The value at the point of expansion.
+    pub value: Value<NodeId>,
+    /// Where the other coefficients come from.
+    pub relation: Relation<NodeId>,
+}
+
+/// A value of order zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Value<T> {
+    /// A function of one argument.
+    Unary(Unary, T),
+    /// A function of two arguments.
+    Binary(Binary, T, T),
+    /// A power.
+    Power(T, Exponent),
+}
+
+/// A relation between the series of an auxiliary and others.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Relation<T> {
+    /// y′ is this polynomial.
+    Flow(T),
+    /// y′ = Σ slope · argument′, as `(slope, argument)`.
+    Chain(Vec<(T, T)>),
+    /// y is this power of the base.
+    Power(T, Number),
+}
+
+/// Rewrites roots as polynomials.
+pub(super) struct Rewriter<'g> {
+    pub graph: &'g mut Graph,
+    /// The direction (v, 0, 1) of (q, v, t).
+    direction: Vec<(NodeId, NodeId)>,
+    images: Lookup<NodeId, NodeId>,
+    powers: Lookup<(NodeId, Exponent), NodeId>,
+    pub auxiliaries: Vec<Auxiliary>,
+}
+
+/// A function whose series does not exist everywhere: it has a kink or a jump.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NotSmooth;
+
+impl<'g> Rewriter<'g> {
+    pub fn new(graph: &'g mut Graph, coordinates: usize) -> Self {
+        let mut direction = Vec::with_capacity(coordinates + 1);
+        for i in 0..coordinates as u32 {
+            let (q, v) = (graph.variable(Variable::Coordinate(i)), graph.variable(Variable::Velocity(i)));
+            direction.push((q, v));
+        }
+        let one = graph.one();
+        direction.push((graph.variable(Variable::Time), one));
+        Rewriter {
+            graph,
+            direction,
+            images: Lookup::default(),
+            powers: Lookup::default(),
+            auxiliaries: Vec::new(),
+        }
+    }
+
+    /// The root as a polynomial.
+    pub fn polynomial(&mut self, root: NodeId) -> Result<NodeId, NotSmooth> {
+        for id in self.graph.cone([root]) {
+            if self.images.get(&id).is_none() {
+                let image = self.image(id)?;
+                self.images.insert(id, image);
+            }
+        }
+        Ok(self.of(root))
+    }
+
+    fn of(&self, id: NodeId) -> NodeId {
+        self.images.get(&id).copied().unwrap_or(id)
+    }
+
+    fn image(&mut self, id: NodeId) -> Result<NodeId, NotSmooth> {
+        if self.is_held(id) {
+            return Ok(id);
+        }
+        match self.graph.node(id).clone() {
+            Node::Constant(_) | Node::Variable(_) => Ok(id),
+            Node::Sum { offset, terms } => {
+                let terms: Vec<_> = terms.iter().map(|&(term, c)| (self.of(term), c)).collect();
+                Ok(self.graph.sum(offset, &terms))
+            }
+            Node::Product(factors) => {
+                let mut polynomial = Vec::with_capacity(factors.len());
+                for (factor, exponent) in factors {
+                    polynomial.extend(self.power(factor, exponent)?);
+                }
+                Ok(self.graph.product(&polynomial))
+            }
+            Node::Unary(function, argument) => self.unary(id, function, argument),
+            Node::Binary(function, first, second) => self.binary(id, function, first, second),
+        }
+    }
+
+    /// A power as whole powers of what is polynomial.
+    fn power(
+        &mut self,
+        factor: NodeId,
+        exponent: Exponent,
+    ) -> Result<Vec<(NodeId, Exponent)>, NotSmooth> {
+        let base = self.of(factor);
+        if self.is_held(factor) {
+            return Ok(vec![(base, exponent)]);
+        }
+        Ok(match exponent.as_integer() {
+            Some(power) if power > 0 => vec![(base, exponent)],
+            Some(power) => vec![(self.power_of(base, Exponent(-2)), Exponent(-2 * power))],
+            _ if self.rests_at_zero(factor) => return Err(NotSmooth),
+            None if exponent.0 > 0 => {
+                let root = self.power_of(base, Exponent(1));
+                let whole = (base, Exponent(exponent.0 - 1));
+                if exponent.0 > 1 { vec![(root, Exponent(2)), whole] } else { vec![(root, Exponent(2))] }
+            }
+            // An odd number of halves below zero is one power of its own: (x² + y²)^(−3/2).
+            None => vec![(self.power_of(base, exponent), Exponent(2))],
+        })
+    }
+
+    /// Whether a node is 0 wherever the system is at rest: the speed in a drag force, whose root has a kink there.
+    fn rests_at_zero(&mut self, id: NodeId) -> bool {
+        let zero = self.graph.zero();
+        let velocities: Vec<_> = self
+            .direction
+            .iter()
+            .map(|&(_, rate)| rate)
+            .filter(|&rate| self.graph.dependence(rate).meets(Dependence::VELOCITIES))
+            .map(|velocity| (velocity, zero))
+            .collect();
+        let at_rest = substitute(self.graph, &[id], &velocities)[0];
+        self.graph.is_zero(at_rest)
+    }
+
+    fn power_of(&mut self, base: NodeId, exponent: Exponent) -> NodeId {
+        if let Some(&known) = self.powers.get(&(base, exponent)) {
+            return known;
+        }
+        let origin = self.graph.product(&[(base, exponent)]);
+        let relation = Relation::Power(base, Number::halves(exponent.0));
+        let (variable, _) = self.auxiliary(origin, Value::Power(base, exponent), relation);
+        self.powers.insert((base, exponent), variable);
+        variable
+    }
+
+    fn auxiliary(
+        &mut self,
+        origin: NodeId,
+        value: Value<NodeId>,
+        relation: Relation<NodeId>,
+    ) -> (NodeId, usize) {
+        let index = self.auxiliaries.len();
+        self.auxiliaries.push(Auxiliary { origin, value, relation });
+        (self.graph.variable(Variable::Auxiliary(index as u32)), index)
+    }
+
+    fn unary(&mut self, id: NodeId, function: Unary, argument: NodeId) -> Result<NodeId, NotSmooth> {
+        let x = self.of(argument);
+        let value = Value::Unary(function, x);
+        let (variable, index) = self.auxiliary(id, value, Relation::Chain(Vec::new()));
+        // A function of its own derivative must be known before that is rewritten.
+        self.images.insert(id, variable);
+        let slope = match function {
+            Unary::Abs | Unary::Signum => return Err(NotSmooth),
+            Unary::Cbrt => {
+                self.auxiliaries[index].relation = Relation::Power(x, Number::Ratio(1, 3));
+                return Ok(variable);
+            }
+            // On series the slope follows from the value itself; cosh would overflow.
+            Unary::Tanh => {
+                let square = self.graph.powi(variable, 2);
+                self.graph.sum(Number::ONE, &[(square, Number::MINUS_ONE)])
+            }
+            Unary::ExpM1 => self.graph.sum(Number::ONE, &[(variable, Number::ONE)]),
+            _ => {
+                let one = self.graph.one();
+                let slope = pushforward(self.graph, &[id], &[(argument, one)])[0];
+                self.polynomial(slope)?
+            }
+        };
+        self.auxiliaries[index].relation = self.relation(&[(slope, argument)])?;
+        Ok(variable)
+    }
+
+    fn binary(
+        &mut self,
+        id: NodeId,
+        function: Binary,
+        first: NodeId,
+        second: NodeId,
+    ) -> Result<NodeId, NotSmooth> {
+        let value = Value::Binary(function, self.of(first), self.of(second));
+        let (variable, index) = self.auxiliary(id, value, Relation::Chain(Vec::new()));
+        self.images.insert(id, variable);
+        let slopes = match function {
+            Binary::Pivot => return Err(NotSmooth),
+            Binary::Atan2 => {
+                let one = self.graph.one();
+                let by_first = pushforward(self.graph, &[id], &[(first, one)])[0];
+                let by_second = pushforward(self.graph, &[id], &[(second, one)])[0];
+                [(self.polynomial(by_first)?, first), (self.polynomial(by_second)?, second)]
+            }
+            Binary::Powf => {
+                let reciprocal = self.power_of(self.of(first), Exponent(-2));
+                let exponent = self.of(second);
+                let by_base = self.graph.product(&[
+                    (variable, Exponent(2)),
+                    (exponent, Exponent(2)),
+                    (reciprocal, Exponent(2)),
+                ]);
+                let logarithm = self.graph.unary(Unary::Ln, first);
+                let moving = !self.is_held(second);
+                let by_exponent = if moving {
+                    let logarithm = self.polynomial(logarithm)?;
+                    self.graph.mul(variable, logarithm)
+                } else {
+                    self.graph.zero()
+                };
+                [(by_base, first), (by_exponent, second)]
+            }
+        };
+        self.auxiliaries[index].relation = self.relation(&slopes)?;
+        Ok(variable)
+    }
+
+    /// Whether a node is the same all through a step.
+    fn is_held(&self, id: NodeId) -> bool {
+        !self.graph.dependence(id).meets(MOVING)
+    }
+
+    /// The relation y′ = Σ slope · argument′ for slopes that are polynomials.
+    fn relation(&mut self, slopes: &[(NodeId, NodeId)]) -> Result<Relation<NodeId>, NotSmooth> {
+        let slopes: Vec<_> = slopes.iter().copied().filter(|&(_, argument)| !self.is_held(argument)).collect();
+        let arguments: Vec<NodeId> = slopes.iter().map(|&(_, argument)| argument).collect();
+        let rates = pushforward(self.graph, &arguments, &self.direction);
+        let bent = Dependence::COORDINATES.union(Dependence::TIME).union(Dependence::INPUTS);
+        let straight = |graph: &Graph, argument: NodeId, rate: NodeId| {
+            !graph.dependence(argument).meets(Dependence::VELOCITIES)
+                && !graph.dependence(rate).meets(bent)
+                && velocity_degrees(graph, rate).at_most(1)
+        };
+        if arguments.iter().zip(&rates).all(|(&argument, &rate)| straight(self.graph, argument, rate)) {
+            let terms: Vec<_> = slopes
+                .iter()
+                .zip(&rates)
+                .map(|(&(slope, _), &rate)| (self.graph.mul(slope, rate), Number::ONE))
+                .collect();
+            return Ok(Relation::Flow(self.graph.sum(Number::ZERO, &terms)));
+        }
+        let of = |&(slope, argument): &(NodeId, NodeId)| (slope, self.of(argument));
+        Ok(Relation::Chain(slopes.iter().map(of).collect()))
+    }
+}

@@ -1,0 +1,287 @@
+//! Which coefficient of an order is known when, and which convolutions there are.
+
+use super::auxiliary::{Auxiliary, Relation, Value};
+use crate::collections::Lookup;
+use crate::expr::{NodeId, Variable};
+use crate::schedule::{Instruction, Program, Slot};
+
+/// When the coefficient of order k of a slot is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Coefficient {
+    /// There is none: the value is the same all through a step, or no recurrence asks for it.
+    Constant,
+    /// From coefficients of lower orders alone.
+    Early,
+    /// With the velocities of order k.
+    Late,
+}
+
+/// One factor of a convolution: the coefficients x\[j], or with `ramp` j x\[j].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Operand {
+    /// Whose coefficients.
+    pub slot: Slot,
+    /// Whether they are multiplied by their order.
+    pub ramp: bool,
+}
+
+/// A convolution Σ left\[j] right\[k − j], of which 0 < j < k is summed for all lanes at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Lane {
+    /// First factor.
+    pub left: Operand,
+    /// Second factor.
+    pub right: Operand,
+}
+
+impl Lane {
+    fn of(a: Slot, b: Slot) -> Lane {
+        Lane { left: Operand { slot: a, ramp: false }, right: Operand { slot: b, ramp: false } }
+    }
+
+    fn ramped(a: Slot, b: Slot) -> Lane {
+        Lane { left: Operand { slot: a, ramp: true }, right: Operand { slot: b, ramp: false } }
+    }
+}
+
+/// An auxiliary in the program.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// The node that it stands for.
+    pub origin: NodeId,
+    /// Its slot.
+    pub slot: Slot,
+    /// Its value at the point of expansion.
+    pub value: Value<Slot>,
+    /// Its recurrence.
+    pub relation: Relation<Slot>,
+}
+
+/// The recurrences of a system.
+#[derive(Clone, Debug)]
+pub struct Jets {
+    /// The polynomial part; auxiliaries are variables of it.
+    pub program: Program,
+    /// Momenta.
+    pub momenta: Vec<Slot>,
+    /// Their rates.
+    pub rates: Vec<Slot>,
+    /// Auxiliaries that the program reads.
+    pub auxiliaries: Vec<Series>,
+    /// The auxiliary that a slot reads.
+    auxiliary_at: Lookup<Slot, usize>,
+    /// All convolutions.
+    pub lanes: Vec<Lane>,
+    lane_of: Lookup<Lane, usize>,
+    coefficients: Vec<Coefficient>,
+    /// All slots, those that others need first.
+    pub order: Vec<Slot>,
+}
+
+impl Jets {
+    /// Sorts a program whose outputs are momenta, rates, and the operands of the auxiliaries.
+    pub(super) fn of(program: Program, auxiliaries: Vec<Auxiliary>, count: usize) -> Jets {
+        let mut outputs = program.outputs.clone().into_iter();
+        let mut next = || outputs.next().expect("jets: as many slots as nodes");
+        let momenta: Vec<Slot> = (0..count).map(|_| next()).collect();
+        let rates: Vec<Slot> = (0..count).map(|_| next()).collect();
+        let mut variables: Vec<Option<Slot>> = vec![None; auxiliaries.len()];
+        for slot in program.needed(&program.outputs) {
+            if let Instruction::Variable(Variable::Auxiliary(index)) = program.instruction(slot) {
+                variables[index as usize] = Some(slot);
+            }
+        }
+        let mut series = Vec::with_capacity(auxiliaries.len());
+        let mut auxiliary_at = Lookup::default();
+        for (auxiliary, slot) in auxiliaries.into_iter().zip(variables) {
+            let relation = match auxiliary.relation {
+                Relation::Flow(_) => Relation::Flow(next()),
+                Relation::Chain(terms) => Relation::Chain(terms.iter().map(|_| (next(), next())).collect()),
+                Relation::Power(_, exponent) => Relation::Power(next(), exponent),
+            };
+            let value = match auxiliary.value {
+                Value::Unary(function, _) => Value::Unary(function, next()),
+                Value::Binary(function, ..) => Value::Binary(function, next(), next()),
+                Value::Power(_, exponent) => Value::Power(next(), exponent),
+            };
+            if let Some(slot) = slot {
+                auxiliary_at.insert(slot, series.len());
+                series.push(Series { origin: auxiliary.origin, slot, value, relation });
+            }
+        }
+        let mut jets = Jets {
+            coefficients: vec![Coefficient::Constant; program.len()],
+            order: Vec::new(),
+            program,
+            momenta,
+            rates,
+            auxiliaries: series,
+            auxiliary_at,
+            lanes: Vec::new(),
+            lane_of: Lookup::default(),
+        };
+        jets.sort();
+        jets.classify();
+        jets.find_lanes();
+        jets
+    }
+
+    /// When the coefficients of a slot are known.
+    pub fn coefficient(&self, slot: Slot) -> Coefficient {
+        self.coefficients[slot.index()]
+    }
+
+    /// Whether a slot changes in the course of a step and a recurrence asks for it.
+    pub fn moves(&self, slot: Slot) -> bool {
+        self.coefficient(slot) != Coefficient::Constant
+    }
+
+    /// The auxiliary at a slot.
+    pub fn auxiliary(&self, slot: Slot) -> Option<&Series> {
+        self.auxiliary_at.get(&slot).map(|&index| &self.auxiliaries[index])
+    }
+
+    /// The lane of a product of two moving slots.
+    pub fn product_lane(&self, a: Slot, b: Slot) -> usize {
+        self.lane(Lane::of(a, b))
+    }
+
+    /// The lanes of a relation, in the order its recurrence names them.
+    pub fn relation_lanes(&self, series: &Series) -> Vec<usize> {
+        relation_lanes(series).into_iter().map(|lane| self.lane(lane)).collect()
+    }
+
+    fn lane(&self, lane: Lane) -> usize {
+        self.lane_of.get(&lane).copied().expect("jets: every product of a recurrence has a lane")
+    }
+
+    /// A measure of the work of one order.
+    pub(super) fn cost(&self) -> usize {
+        /// A lane costs its share of the sweep, two terms of its own, and the stores of two operands.
+        const LANE: usize = 6;
+        let moving = self.order.iter().filter(|&&slot| self.moves(slot)).count();
+        LANE * self.lanes.len() + moving
+    }
+
+    /// The slots whose coefficients the momenta need beside the velocities: what is evaluated twice an order.
+    pub fn under_momenta(&self) -> Vec<bool> {
+        let mut under = vec![false; self.program.len()];
+        let mut stack = self.momenta.clone();
+        while let Some(slot) = stack.pop() {
+            if self.coefficient(slot) == Coefficient::Late && !std::mem::replace(&mut under[slot.index()], true) {
+                self.series_operands(slot, |operand| stack.push(operand));
+            }
+        }
+        under
+    }
+
+    /// Calls `visit` with the slots whose coefficients of the same order a slot needs.
+    pub fn series_operands(&self, slot: Slot, mut visit: impl FnMut(Slot)) {
+        match self.auxiliary(slot).map(|series| &series.relation) {
+            None => self.program.instruction(slot).operands(visit),
+            Some(Relation::Flow(_)) => {}
+            Some(Relation::Chain(terms)) => terms.iter().for_each(|&(_, argument)| visit(argument)),
+            Some(Relation::Power(base, _)) => visit(*base),
+        }
+    }
+
+    /// Puts every slot behind those it needs, at order zero and at any other.
+    fn sort(&mut self) {
+        let mut placed = vec![false; self.program.len()];
+        let mut order = Vec::with_capacity(self.program.len());
+        let roots = self.program.needed(&self.program.outputs);
+        for root in roots {
+            let mut stack = vec![(root, false)];
+            while let Some((slot, ready)) = stack.pop() {
+                if placed[slot.index()] {
+                    continue;
+                }
+                if ready {
+                    placed[slot.index()] = true;
+                    order.push(slot);
+                    continue;
+                }
+                stack.push((slot, true));
+                let mut operands = Vec::new();
+                self.series_operands(slot, |operand| operands.push(operand));
+                if let Some(series) = self.auxiliary(slot) {
+                    match series.value {
+                        Value::Unary(_, x) | Value::Power(x, _) => operands.push(x),
+                        Value::Binary(_, x, y) => operands.extend([x, y]),
+                    }
+                }
+                stack.extend(operands.into_iter().rev().map(|operand| (operand, false)));
+            }
+        }
+        self.order = order;
+    }
+
+    fn classify(&mut self) {
+        let mut classes = vec![Coefficient::Constant; self.program.len()];
+        for &slot in &self.order {
+            let mut class = match self.program.instruction(slot) {
+                Instruction::Variable(Variable::Velocity(_)) => Coefficient::Late,
+                Instruction::Variable(
+                    Variable::Coordinate(_) | Variable::Time | Variable::Auxiliary(_),
+                ) => Coefficient::Early,
+                _ => Coefficient::Constant,
+            };
+            self.series_operands(slot, |operand| class = class.max(classes[operand.index()]));
+            classes[slot.index()] = class;
+        }
+        // What no recurrence asks for has a value but no series.
+        let mut asked = vec![false; self.program.len()];
+        let mut stack: Vec<Slot> = self.momenta.iter().chain(&self.rates).copied().collect();
+        while let Some(slot) = stack.pop() {
+            if classes[slot.index()] == Coefficient::Constant
+                || std::mem::replace(&mut asked[slot.index()], true)
+            {
+                continue;
+            }
+            self.series_operands(slot, |operand| stack.push(operand));
+            match self.auxiliary(slot).map(|series| &series.relation) {
+                Some(Relation::Flow(rate)) => stack.push(*rate),
+                Some(Relation::Chain(terms)) => stack.extend(terms.iter().map(|&(slope, _)| slope)),
+                Some(Relation::Power(..)) | None => {}
+            }
+        }
+        for (class, asked) in classes.iter_mut().zip(asked) {
+            if !asked {
+                *class = Coefficient::Constant;
+            }
+        }
+        self.coefficients = classes;
+    }
+
+    fn find_lanes(&mut self) {
+        for slot in self.order.clone() {
+            if !self.moves(slot) {
+                continue;
+            }
+            let lanes = match (self.program.instruction(slot), self.auxiliary(slot)) {
+                (_, Some(series)) => relation_lanes(series),
+                (Instruction::Mul(a, b), None) if self.moves(a) && self.moves(b) => vec![Lane::of(a, b)],
+                _ => Vec::new(),
+            };
+            for lane in lanes {
+                if self.lane_of.get(&lane).is_none() {
+                    self.lane_of.insert(lane, self.lanes.len());
+                    self.lanes.push(lane);
+                }
+            }
+        }
+    }
+}
+
+/// The convolutions of a relation: of y = x^e those of x y and, unless e = −1, of x · j y\[j]; of a square root that of
+/// y y; of a chain one for each argument.
+fn relation_lanes(series: &Series) -> Vec<Lane> {
+    let y = series.slot;
+    match &series.relation {
+        Relation::Flow(_) => Vec::new(),
+        Relation::Chain(terms) => terms.iter().map(|&(slope, x)| Lane::ramped(x, slope)).collect(),
+        Relation::Power(_, exponent) if *exponent == crate::number::Number::HALF => vec![Lane::of(y, y)],
+        Relation::Power(x, exponent) if *exponent == crate::number::Number::MINUS_ONE => vec![Lane::of(y, *x)],
+        Relation::Power(x, _) => vec![Lane::of(y, *x), Lane::ramped(y, *x)],
+    }
+}

@@ -1,0 +1,185 @@
+//! [`Adaptive`]: methods that choose their own steps, and Dormand–Prince as one of them.
+
+use super::dop853::Dop853Memory;
+use super::step_size::Limits;
+use super::{Field, diagnose};
+use crate::error::{Cause, MotionError};
+use crate::real::Ordered;
+use crate::simulation::Control;
+use crate::state::State;
+use crate::system::System;
+
+/// Counts of a motion so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Steps {
+    /// Steps taken.
+    pub accepted: u64,
+    /// Steps tried and repeated with a shorter length.
+    pub rejected: u64,
+    /// Evaluations of the accelerations, or Taylor expansions.
+    pub evaluations: u64,
+}
+
+/// A method under error control, for motions with inputs from `C`. It may be ahead of the state that its caller sees,
+/// and goes on from the ends of its own steps.
+pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> {
+    /// What a motion by this method remembers between steps.
+    type Memory: Copy + core::fmt::Debug;
+
+    /// The memory of a motion that begins at a state.
+    fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
+    where
+        S::Scalar: Ordered;
+
+    /// Goes on from a state, as after a change of the inputs.
+    fn restart(memory: &mut Self::Memory, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered;
+
+    /// The end of the last step.
+    fn end(memory: &Self::Memory) -> &State<S::Scalar, N>;
+
+    /// What the motion has cost.
+    fn counts(memory: &Self::Memory) -> Steps;
+
+    /// The state at exactly time `t` \[s], as accurate as the ends of steps are.
+    ///
+    /// # Errors
+    /// Why and when the motion cannot go on; [`Adaptive::end`] is then the last good state.
+    fn advance(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered;
+
+    /// The state at time `t` \[s] without a step that ends there, accurate to the tolerance.
+    ///
+    /// # Errors
+    /// As [`Adaptive::advance`].
+    fn sample(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered;
+}
+
+/// Dormand–Prince 8(5,3): an explicit Runge–Kutta method of order 8 with dense output, for any system.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Dop853;
+
+impl<S, C, const N: usize, const K: usize> Adaptive<S, C, N, K> for Dop853
+where
+    S: System<N, K>,
+    C: Control<S::Scalar, N, K>,
+{
+    type Memory = Dop853Memory<S::Scalar, N>;
+
+    #[inline]
+    fn begin(_: &S, start: State<S::Scalar, N>) -> Self::Memory
+    where
+        S::Scalar: Ordered,
+    {
+        Dop853Memory::new(start)
+    }
+
+    #[inline]
+    fn restart(memory: &mut Self::Memory, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered,
+    {
+        memory.restart(state);
+    }
+
+    #[inline]
+    fn end(memory: &Self::Memory) -> &State<S::Scalar, N> {
+        &memory.end.state
+    }
+
+    #[inline]
+    fn counts(memory: &Self::Memory) -> Steps {
+        memory.counts
+    }
+
+    #[inline]
+    fn advance(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        if memory.end.state.t != t && !memory.ahead(t) {
+            memory.rewind();
+        }
+        while memory.end.state.t != t {
+            memory.step(&Driven { system, constants, control }, limits, t, true, attempts)?;
+        }
+        Ok(memory.end.state)
+    }
+
+    #[inline]
+    fn sample(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        let driven = Driven { system, constants, control };
+        while !memory.covers(t) {
+            if !memory.ahead(t) {
+                memory.rewind();
+            }
+            memory.step(&driven, limits, t, false, attempts)?;
+        }
+        let end = memory.end.state.t;
+        memory.sample(&driven, t).map_err(|cause| MotionError { cause, t: end })
+    }
+}
+
+/// A system under control, as the integrator wants it.
+struct Driven<'a, S: System<N, K>, C, const N: usize, const K: usize> {
+    system: &'a S,
+    constants: &'a S::Constants,
+    control: &'a C,
+}
+
+impl<S, C, const N: usize, const K: usize> Field<S::Scalar, N> for Driven<'_, S, C, N, K>
+where
+    S: System<N, K>,
+    C: Control<S::Scalar, N, K>,
+{
+    #[inline(always)]
+    fn accelerations(&self, t: S::Scalar, q: &[S::Scalar; N], v: &[S::Scalar; N]) -> [S::Scalar; N] {
+        let u = self.control.inputs(&State { t, q: *q, v: *v });
+        self.system.accelerations_at(self.constants, t, q, v, &u)
+    }
+
+    #[cold]
+    fn cause(&self, t: S::Scalar, q: &[S::Scalar; N], v: &[S::Scalar; N]) -> Cause {
+        diagnose(self.system, self.constants, t, q, v)
+    }
+}
+
