@@ -1,4 +1,4 @@
-//! The library itself: `jets` is what `simulate` does without further words.
+//! The library itself: `jets` is what `simulate` does without further words, `dop853` the method of that name.
 
 use lagrangian::prelude::*;
 
@@ -7,18 +7,28 @@ use crate::problem::Problem;
 use crate::systems::described as d;
 
 /// The subjects of one described system. A macro, because it calls what a user calls, whatever its bounds.
+///
+/// A batch in the lanes of one scalar, `jets-batch4` or `jets-batch8`, would be one more `motion!` with its time
+/// divided by the lanes.
 macro_rules! ours {
     ($system:expr, $problem:expr) => {{
         let (q, v) = $problem.start();
         let (start, t_end) = (State::new(q, v), $problem.t_end);
-        let jets = move |tolerance| {
-            let system = $system;
-            let mut motion = system.simulate(start).with_tolerance(tolerance);
-            motion.advance_to(t_end).map_err(|error| error.to_string())?;
-            Ok(Outcome { end: motion.state().iter().collect(), steps: motion.steps().accepted })
-        };
-        // Here other methods follow (`simulate_with::<Dop853>`), and batches in the lanes of one scalar.
-        vec![Box::new(Function { name: "jets", run: jets })]
+        macro_rules! motion {
+            ($name:literal, |$described:ident, $tolerance:ident| $begin:expr) => {{
+                let run = move |$tolerance| {
+                    let $described = $system;
+                    let mut motion = $begin;
+                    motion.advance_to(t_end).map_err(|error| error.to_string())?;
+                    Ok(Outcome { end: motion.state().iter().collect(), steps: motion.steps().accepted })
+                };
+                Box::new(Function { name: $name, run }) as Box<dyn Subject>
+            }};
+        }
+        vec![
+            motion!("jets", |system, tol| system.simulate(start).with_tolerance(tol)),
+            motion!("dop853", |system, tol| system.simulate_with::<Dop853>(start).with_tolerance(tol)),
+        ]
     }};
 }
 
