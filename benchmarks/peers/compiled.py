@@ -8,9 +8,10 @@ from __future__ import annotations
 import ctypes
 import hashlib
 import subprocess
+from collections.abc import Callable
 from importlib import metadata
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any
 
 import numpy as np
 
@@ -38,7 +39,9 @@ def library() -> ctypes.CDLL:
 class Run(Integrator):
     """One integration by a function of numbalsoda."""
 
-    def __init__(self, solve: Callable[..., Any], field: int, problem: Problem, tolerance: float) -> None:
+    def __init__(
+        self, solve: Callable[..., Any], field: int | None, problem: Problem, tolerance: float
+    ) -> None:
         self.solve = solve
         self.field = field
         self.problem = problem
@@ -51,7 +54,9 @@ class Run(Integrator):
 
     def run(self) -> None:
         tolerances = {"rtol": self.tolerance, "atol": self.tolerance}
-        states, success = self.solve(self.field, self.problem.start, self.times, mxstep=2_000_000, **tolerances)
+        states, success = self.solve(
+            self.field, self.problem.start, self.times, mxstep=2_000_000, **tolerances
+        )
         if not success:
             raise Failure("no success")
         self.end = states[-1]

@@ -7,11 +7,11 @@ than angle sums do.
 
 from __future__ import annotations
 
-from typing import Callable
+from collections.abc import Callable
 
 import heyoka as hy
+from heyoka import expression as Expression
 
-Expression = hy.expression
 G = 9.81
 
 

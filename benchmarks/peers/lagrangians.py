@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Callable
+from collections.abc import Callable
 
 import heyoka as hy
+from heyoka import expression as Expression
 
-Expression = hy.expression
 G = 9.81
 
 
@@ -92,7 +92,7 @@ SYSTEMS: dict[str, tuple[int, Callable[[list[Expression], list[Expression]], Exp
 
 
 def derive(name: str) -> list[tuple[Expression, Expression]]:
-    """heyoka's own first-order system."""
+    """Heyoka's own first-order system."""
     count, lagrangian = SYSTEMS[name]
     q = [hy.make_vars(f"q{i}") for i in range(count)]
     v = [hy.make_vars(f"v{i}") for i in range(count)]

@@ -32,7 +32,7 @@ def install() -> None:
     venv.create(ENVIRONMENT, with_pip=True, clear=True)
     for line in wanted.splitlines():
         if line and not line.startswith("#"):
-            pip = [PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", line]
+            pip = [str(PYTHON), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", line]
             # Standard output belongs to the records.
             if subprocess.run(pip, stdout=sys.stderr).returncode != 0:
                 print(f"peers: {line} could not be installed; its subjects are left out", file=sys.stderr)

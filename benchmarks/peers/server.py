@@ -16,8 +16,9 @@ import platform
 import statistics
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Iterator
+from typing import Any
 
 import compiled
 import taylor
@@ -41,7 +42,9 @@ class Server:
         self.present: tuple[str, float] | None = None
         self.integrators: dict[str, Integrator] = {}
 
-    def measure(self, system: str, subject: str, tolerance: float, seconds: float = SECONDS) -> dict[str, Any]:
+    def measure(
+        self, system: str, subject: str, tolerance: float, seconds: float = SECONDS
+    ) -> dict[str, Any]:
         """One record: the median time of the runs, the error of the last one."""
         if (system, tolerance) != self.present:
             self.present = (system, tolerance)
@@ -124,7 +127,10 @@ def main() -> None:
     records = []
     for record in server.everything(arguments.system, arguments.subject):
         records.append(record)
-        print("{system:10} {subject:28} {tolerance:7.0e} {error:10.1e} {us:12.1f} µs".format(**record), flush=True)
+        print(
+            "{system:10} {subject:28} {tolerance:7.0e} {error:10.1e} {us:12.1f} µs".format(**record),
+            flush=True,
+        )
     if arguments.json:
         arguments.json.write_text(json.dumps(records, indent=2))
 

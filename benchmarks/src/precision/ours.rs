@@ -8,8 +8,8 @@ use crate::systems::described as d;
 
 /// The subjects of one described system. A macro, because it calls what a user calls, whatever its bounds.
 ///
-/// A batch in the lanes of one scalar, `jets-batch4` or `jets-batch8`, would be one more `motion!` with its time
-/// divided by the lanes.
+/// A batch in the lanes of one scalar, `jets-batch4` or `jets-batch8`, would be one more entry with as many
+/// trajectories.
 macro_rules! ours {
     ($system:expr, $problem:expr) => {{
         let (q, v) = $problem.start();
@@ -22,7 +22,7 @@ macro_rules! ours {
                     motion.advance_to(t_end).map_err(|error| error.to_string())?;
                     Ok(Outcome { end: motion.state().iter().collect(), steps: motion.steps().accepted })
                 };
-                Box::new(Function { name: $name, run }) as Box<dyn Subject>
+                Box::new(Function { name: $name, trajectories: 1, run }) as Box<dyn Subject>
             }};
         }
         vec![

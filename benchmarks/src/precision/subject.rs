@@ -7,7 +7,7 @@ use crate::problem::Problem;
 
 /// A few runs.
 pub struct Sample {
-    /// Median time of a run [µs].
+    /// Median time of a run for each trajectory [µs].
     pub us: f64,
     pub error: f64,
     pub steps: u64,
@@ -31,6 +31,8 @@ pub struct Outcome {
 /// A subject that is a function of the tolerance.
 pub struct Function<F> {
     pub name: &'static str,
+    /// Motions that one run integrates side by side.
+    pub trajectories: u32,
     pub run: F,
 }
 
@@ -48,7 +50,8 @@ impl<F: Fn(f64) -> Result<Outcome, String>> Subject for Function<F> {
             times.push(start.elapsed().as_secs_f64() * 1e6);
             if begin.elapsed().as_secs_f64() >= seconds {
                 let Outcome { end, steps } = outcome;
-                return Ok(Sample { us: median(times), error: problem.error(&end), steps });
+                let us = median(times) / f64::from(self.trajectories);
+                return Ok(Sample { us, error: problem.error(&end), steps });
             }
         }
     }

@@ -11,7 +11,7 @@ use crate::systems::number::Number;
 
 /// A boxed subject.
 fn subject(name: &'static str, run: impl Fn(f64) -> Result<Outcome, String> + 'static) -> Box<dyn Subject> {
-    Box::new(Function { name, run })
+    Box::new(Function { name, trajectories: 1, run })
 }
 
 /// dy/dt of y = (q, v), with D = 2 N.
