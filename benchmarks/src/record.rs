@@ -15,7 +15,7 @@ pub struct Record {
     pub subject: String,
     pub tolerance: f64,
     pub error: f64,
-    /// Median time of the whole integration, in batch mode for each trajectory [µs].
+    /// Time of the whole integration, in batch mode for each trajectory [µs].
     pub us: f64,
     /// Steps; evaluations where a subject counts nothing else; zero where it does not tell.
     pub steps: u64,

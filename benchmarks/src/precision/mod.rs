@@ -1,7 +1,8 @@
 //! Time of a whole integration against the error at its end.
 //!
 //! All subjects of a system and a tolerance run in turn, several rounds of a few milliseconds each, on one core, so that
-//! what disturbs the machine disturbs them alike. The time is the median over the rounds of the median in a round.
+//! what disturbs the machine disturbs them alike. The time is the median over the rounds of the fastest run in a round:
+//! other processes only ever add to a run.
 
 #[cfg(feature = "peers")]
 mod crates;
@@ -34,7 +35,7 @@ pub struct Effort {
 
 impl Effort {
     /// For figures to keep.
-    pub const FULL: Self = Self { rounds: 5, turn: 0.01 };
+    pub const FULL: Self = Self { rounds: 5, turn: 0.02 };
     /// For a look.
     pub const QUICK: Self = Self { rounds: 1, turn: 0.005 };
 }
