@@ -40,7 +40,7 @@ fn processor() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let names: Vec<&str> = text.lines().filter(|line| line.starts_with("model name")).collect();
     match names.first().and_then(|line| line.split_once(':')) {
-        Some((_, name)) => format!("{} with {} ({})", name.trim(), names.len(), std::env::consts::ARCH),
+        Some((_, name)) => format!("{} ({} cores, {})", name.trim(), names.len(), std::env::consts::ARCH),
         None => std::env::consts::ARCH.to_owned(),
     }
 }
