@@ -11,7 +11,7 @@ usage: scripts/check.sh NAME …
   docs        rustdoc, warnings denied
   random      10 000 random Lagrangians against dual numbers
   bare-metal  the runtime and a generated system for Cortex-M without an allocator
-  benchmarks  the benchmark crate builds
+  benchmarks  the benchmark crate builds, with the peers from crates
   all         everything above
 EOF
 }
@@ -20,6 +20,7 @@ fmt() { cargo fmt --all --check; }
 
 clippy() {
     cargo clippy --workspace --all-targets -- -D warnings
+    cargo clippy -p benchmarks --all-targets --features peers -- -D warnings
     cargo clippy -p lagrange-runtime --no-default-features --features libm -- -D warnings
 }
 
@@ -39,7 +40,7 @@ bare_metal() {
     done
 }
 
-benchmarks() { cargo build --release -p benchmarks; }
+benchmarks() { cargo build --release -p benchmarks --features peers; }
 
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do

@@ -1,14 +1,21 @@
-//! Measurements: `cargo run --release -p benchmarks -- rhs [--json FILE]`.
+//! Measurements: `cargo run --release -p benchmarks -- rhs | precision | report`.
 //!
 //! A figure counts only as a ratio within one run: all subjects of a system are timed in turn,
 //! on the same states, and absolute times drift between machines.
 
+mod native;
+mod precision;
+mod problem;
+mod record;
+mod report;
 mod rhs;
 mod systems;
 
-use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+use precision::Effort;
 
 /// Measurements of the `lagrangian` crate.
 #[derive(Parser)]
@@ -18,21 +25,71 @@ struct Arguments {
     benchmark: Benchmark,
 }
 
+/// What every measurement can be told.
+#[derive(Args)]
+struct Common {
+    /// Measures one system only.
+    #[arg(long)]
+    system: Option<String>,
+    /// Writes the records as JSON.
+    #[arg(long)]
+    json: Option<PathBuf>,
+}
+
+/// How integrations are measured.
+#[derive(Args)]
+struct Runs {
+    /// Builds for any processor instead of the present one.
+    #[arg(long)]
+    portable: bool,
+    /// Repeats less: for a look, not for figures to keep.
+    #[arg(long)]
+    quick: bool,
+}
+
+impl Runs {
+    /// Goes on in the right build, on one core.
+    fn prepare(&self) -> Result<Effort, Box<dyn Error>> {
+        native::enter(self.portable)?;
+        native::pin();
+        Ok(if self.quick { Effort::QUICK } else { Effort::FULL })
+    }
+}
+
 #[derive(Subcommand)]
 enum Benchmark {
     /// One evaluation of the accelerations: generated code against code written by hand.
     Rhs {
-        /// Measures one system only.
+        #[command(flatten)]
+        common: Common,
+    },
+    /// Time of a whole integration against its error: the library and integrators from crates.
+    Precision {
+        #[command(flatten)]
+        common: Common,
+        /// Draws one plot for each system into this directory.
         #[arg(long)]
-        system: Option<String>,
-        /// Writes the records as JSON.
-        #[arg(long)]
-        json: Option<PathBuf>,
+        svg: Option<PathBuf>,
+        #[command(flatten)]
+        runs: Runs,
+    },
+    /// As `precision`, with the peers in Python, into RESULTS.md and the plots beside it.
+    Report {
+        #[command(flatten)]
+        common: Common,
+        #[command(flatten)]
+        runs: Runs,
     },
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     match Arguments::parse().benchmark {
-        Benchmark::Rhs { system, json } => rhs::run(system.as_deref(), json.as_deref()),
+        Benchmark::Rhs { common: Common { system, json } } => rhs::run(system.as_deref(), json.as_deref()),
+        Benchmark::Precision { common: Common { system, json }, svg, runs } => {
+            precision::run(system.as_deref(), json.as_deref(), svg.as_deref(), runs.prepare()?)
+        }
+        Benchmark::Report { common: Common { system, json }, runs } => {
+            report::run(system.as_deref(), json.as_deref(), runs.prepare()?)
+        }
     }
 }

@@ -2,177 +2,257 @@
 //! dense mass matrix with LDLᵀ, and the tridiagonal equations for the rod tensions.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
+#![cfg_attr(not(feature = "peers"), allow(dead_code, reason = "systems with constraints are for the peers"))]
+
+use super::number::Number;
 
 /// Gravitational acceleration [m/s²].
 const G: f64 = 9.81;
 
-/// Double pendulum.
-#[inline(never)]
-pub fn dpend(_t: f64, q: &[f64; 2], v: &[f64; 2], a: &mut [f64; 2]) {
-    let (s1, c1) = q[0].sin_cos();
-    let (s2, c2) = q[1].sin_cos();
-    let c = c1 * c2 + s1 * s2;
-    let s = s1 * c2 - c1 * s2;
-    let f1 = -(s * v[1] * v[1]) - 2.0 * G * s1;
-    let f2 = s * v[0] * v[0] - G * s2;
-    let det = 1.0 / (2.0 - c * c);
-    *a = [(f1 - c * f2) * det, (2.0 * f2 - c * f1) * det];
+/// Accelerations by hand of a system of `N` coordinates.
+pub trait ByHand<const N: usize>: Copy + 'static {
+    /// Writes the accelerations at (t, q, v).
+    fn accelerations<R: Number>(t: f64, q: &[R; N], v: &[R; N], a: &mut [R; N]);
 }
 
-/// Spring pendulum.
-#[inline(never)]
-pub fn spring(_t: f64, q: &[f64; 2], v: &[f64; 2], a: &mut [f64; 2]) {
-    let (s, c) = q[1].sin_cos();
-    *a = [q[0] * v[1] * v[1] + G * c - 40.0 * (q[0] - 1.0), -(G * s + 2.0 * v[0] * v[1]) / q[0]];
-}
+/// The structure and its formulas.
+macro_rules! by_hand {
+    ($(#[$doc:meta])* $name:ident<$count:literal>, |$t:pat_param, $q:ident, $v:pat_param| $body:expr) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy)]
+        pub struct $name;
 
-/// Hénon–Heiles.
-#[inline(never)]
-pub fn hh(_t: f64, q: &[f64; 2], _v: &[f64; 2], a: &mut [f64; 2]) {
-    let [x, y] = *q;
-    *a = [-x - 2.0 * x * y, y * y - x * x - y];
-}
-
-/// Kepler.
-#[inline(never)]
-pub fn kepler(_t: f64, q: &[f64; 2], _v: &[f64; 2], a: &mut [f64; 2]) {
-    let r2 = q[0] * q[0] + q[1] * q[1];
-    let w = -1.0 / (r2 * r2.sqrt());
-    *a = [w * q[0], w * q[1]];
-}
-
-/// Pleiades: every pair once.
-#[inline(never)]
-pub fn pleiades(_t: f64, q: &[f64; 14], _v: &[f64; 14], a: &mut [f64; 14]) {
-    *a = [0.0; 14];
-    for i in 0..7 {
-        for j in i + 1..7 {
-            let (dx, dy) = (q[j] - q[i], q[7 + j] - q[7 + i]);
-            let r2 = dx * dx + dy * dy;
-            let w = 1.0 / (r2 * r2.sqrt());
-            let (wx, wy) = (w * dx, w * dy);
-            let (mi, mj) = ((i + 1) as f64, (j + 1) as f64);
-            a[i] += mj * wx;
-            a[7 + i] += mj * wy;
-            a[j] -= mi * wx;
-            a[7 + j] -= mi * wy;
+        impl ByHand<$count> for $name {
+            #[inline]
+            fn accelerations<R: Number>($t: f64, $q: &[R; $count], $v: &[R; $count], a: &mut [R; $count]) {
+                *a = $body;
+            }
         }
+    };
+}
+
+by_hand!(
+    /// Double pendulum.
+    DoublePendulum<2>, |_, q, v| {
+        let (s1, c1) = q[0].sin_cos();
+        let (s2, c2) = q[1].sin_cos();
+        let c = c1 * c2 + s1 * s2;
+        let s = s1 * c2 - c1 * s2;
+        let f1 = -(s * v[1] * v[1]) - s1 * (2.0 * G);
+        let f2 = s * v[0] * v[0] - s2 * G;
+        let det = (-(c * c) + 2.0).inverse();
+        [(f1 - c * f2) * det, (f2 * 2.0 - c * f1) * det]
     }
-}
+);
 
-/// Heavy top.
-#[inline(never)]
-pub fn top(_t: f64, q: &[f64; 3], v: &[f64; 3], a: &mut [f64; 3]) {
-    let (s, c) = q[1].sin_cos();
-    let [p, n, r] = *v;
-    let spin = r + p * c;
-    let nutation = s * (p * p * c - 0.6 * spin * p + 2.0);
-    let precession = n * (0.6 * spin - 2.0 * p * c) / s;
-    *a = [precession, nutation, p * n * s - precession * c];
-}
+by_hand!(
+    /// Spring pendulum.
+    SpringPendulum<2>, |_, q, v| {
+        let (s, c) = q[1].sin_cos();
+        [q[0] * v[1] * v[1] + c * G - (q[0] - 1.0) * 40.0, -(s * G + v[0] * v[1] * 2.0) / q[0]]
+    }
+);
 
-/// Spherical pendulum.
-#[inline(never)]
-pub fn sph(_t: f64, q: &[f64; 2], v: &[f64; 2], a: &mut [f64; 2]) {
-    let (s, c) = q[0].sin_cos();
-    *a = [s * (v[1] * v[1] * c - G), -(2.0 * v[0] * v[1] * c) / s];
-}
+by_hand!(
+    /// Hénon–Heiles.
+    HenonHeiles<2>, |_, q, _| {
+        let [x, y] = *q;
+        [-x - x * y * 2.0, y * y - x * x - y]
+    }
+);
 
-/// Cart and pole.
-#[inline(never)]
-pub fn cart(t: f64, q: &[f64; 2], v: &[f64; 2], a: &mut [f64; 2]) {
-    let (m, l) = (0.2, 0.5);
-    let (s, c) = q[1].sin_cos();
-    let f1 = m * l * s * v[1] * v[1] - 0.1 * v[0] + 2.0 * (1.5 * t).cos();
-    let f2 = m * G * l * s - 0.02 * v[1];
-    let (whole, e, h) = (1.0 + m, m * l * c, m * l * l);
-    let det = 1.0 / (whole * h - e * e);
-    *a = [(h * f1 - e * f2) * det, (whole * f2 - e * f1) * det];
-}
+by_hand!(
+    /// Kepler.
+    Kepler<2>, |_, q, _| {
+        let r2 = q[0] * q[0] + q[1] * q[1];
+        let w = -(r2 * r2.sqrt()).inverse();
+        [w * q[0], w * q[1]]
+    }
+);
+
+by_hand!(
+    /// Pleiades: every pair once.
+    Pleiades<14>, |_, q, _| {
+        let mut a = [R::default(); 14];
+        for i in 0..7 {
+            for j in i + 1..7 {
+                let (dx, dy) = (q[j] - q[i], q[7 + j] - q[7 + i]);
+                let r2 = dx * dx + dy * dy;
+                let w = (r2 * r2.sqrt()).inverse();
+                let (wx, wy) = (w * dx, w * dy);
+                let (mi, mj) = ((i + 1) as f64, (j + 1) as f64);
+                a[i] += wx * mj;
+                a[7 + i] += wy * mj;
+                a[j] -= wx * mi;
+                a[7 + j] -= wy * mi;
+            }
+        }
+        a
+    }
+);
+
+by_hand!(
+    /// Heavy top.
+    Top<3>, |_, q, v| {
+        let (s, c) = q[1].sin_cos();
+        let [p, n, r] = *v;
+        let spin = r + p * c;
+        let nutation = s * (p * p * c - spin * p * 0.6 + 2.0);
+        let precession = n * (spin * 0.6 - p * c * 2.0) / s;
+        [precession, nutation, p * n * s - precession * c]
+    }
+);
+
+by_hand!(
+    /// Spherical pendulum.
+    SphericalPendulum<2>, |_, q, v| {
+        let (s, c) = q[0].sin_cos();
+        [s * (v[1] * v[1] * c - G), -(v[0] * v[1] * c * 2.0) / s]
+    }
+);
+
+by_hand!(
+    /// Cart and pole.
+    CartPole<2>, |t, q, v| {
+        let (m, l) = (0.2, 0.5);
+        let (s, c) = q[1].sin_cos();
+        let f1 = s * (m * l) * v[1] * v[1] - v[0] * 0.1 + 2.0 * (1.5 * t).cos();
+        let f2 = s * (m * G * l) - v[1] * 0.02;
+        let (whole, e, h) = (1.0 + m, c * (m * l), m * l * l);
+        let det = (-(e * e) + whole * h).inverse();
+        [(f1 * h - e * f2) * det, (f2 * whole - e * f1) * det]
+    }
+);
+
+by_hand!(
+    /// Cartesian pendulum, the multiplier eliminated.
+    Pendulum<2>, |_, q, v| {
+        let squares = v[0] * v[0] + v[1] * v[1] - q[1] * G;
+        let multiplier = -squares / (q[0] * q[0] + q[1] * q[1]);
+        [multiplier * q[0], multiplier * q[1] - G]
+    }
+);
+
+by_hand!(
+    /// Slider and crank, uniform links of lengths ½ and 1, unit masses, the multiplier eliminated.
+    SliderCrank<2>, |_, q, v| {
+        let (s1, c1) = q[0].sin_cos();
+        let (s2, c2) = q[1].sin_cos();
+        let (square1, square2) = (v[0] * v[0], v[1] * v[1]);
+        let (c, s) = (c1 * c2 + s1 * s2, s1 * c2 - c1 * s2);
+        let m11 = s1 * s1 * 0.25 + (1.0 / 12.0 + 0.25);
+        let m12 = c * 0.25 + s1 * s2 * 0.5;
+        let m22 = s2 * s2 + 1.0 / 3.0;
+        let piston = c1 * square1 * 0.5 + c2 * square2;
+        let bias1 = s * square2 * 0.25 + s1 * piston * 0.5 + c1 * (0.75 * G);
+        let bias2 = s2 * piston - s * square1 * 0.25 + c2 * (0.5 * G);
+        // The constraint gives the second acceleration as ratio · first + rest.
+        let inverse = c2.inverse();
+        let ratio = -(c1 * inverse * 0.5);
+        let rest = (s1 * square1 * 0.5 + s2 * square2) * inverse;
+        let force = bias1 + m12 * rest + ratio * (bias2 + m22 * rest);
+        let first = -force / (m11 + ratio * (m12 * 2.0 + ratio * m22));
+        [first, ratio * first + rest]
+    }
+);
 
 /// Chain: dense mass matrix, LDLᵀ by rows.
-#[inline(never)]
-pub fn dense<const N: usize>(_t: f64, q: &[f64; N], v: &[f64; N], a: &mut [f64; N]) {
-    let (mut s, mut c, mut b, mut w2) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N]);
-    let mut m = [[0.0; N]; N];
-    for i in 0..N {
-        (s[i], c[i]) = q[i].sin_cos();
-        b[i] = -(G * (N - i) as f64) * s[i];
-        w2[i] = v[i] * v[i];
-    }
-    for i in 0..N {
-        let weight = (N - i) as f64;
-        m[i][i] = weight;
-        for j in 0..i {
-            m[i][j] = weight * (c[i] * c[j] + s[i] * s[j]);
-            let sine = weight * (s[i] * c[j] - c[i] * s[j]);
-            b[i] -= sine * w2[j];
-            b[j] += sine * w2[i];
+#[derive(Clone, Copy)]
+pub struct Dense;
+
+impl<const N: usize> ByHand<N> for Dense {
+    #[inline]
+    fn accelerations<R: Number>(_t: f64, q: &[R; N], v: &[R; N], a: &mut [R; N]) {
+        let zero = R::default();
+        let (mut s, mut c, mut b, mut w2) = ([zero; N], [zero; N], [zero; N], [zero; N]);
+        let mut m = [[zero; N]; N];
+        for i in 0..N {
+            (s[i], c[i]) = q[i].sin_cos();
+            b[i] = -(s[i] * (G * (N - i) as f64));
+            w2[i] = v[i] * v[i];
         }
-    }
-    let mut inverse = [0.0; N];
-    for i in 0..N {
-        let mut pivot = m[i][i];
-        for j in 0..i {
-            let mut entry = m[i][j];
-            for k in 0..j {
-                entry -= m[i][k] * m[j][k];
+        for i in 0..N {
+            let weight = (N - i) as f64;
+            m[i][i] = R::from(weight);
+            for j in 0..i {
+                m[i][j] = (c[i] * c[j] + s[i] * s[j]) * weight;
+                let sine = (s[i] * c[j] - c[i] * s[j]) * weight;
+                b[i] -= sine * w2[j];
+                b[j] += sine * w2[i];
             }
-            m[i][j] = entry;
         }
-        for j in 0..i {
-            let scaled = m[i][j];
-            let factor = scaled * inverse[j];
-            pivot -= scaled * factor;
-            m[i][j] = factor;
+        let mut inverse = [zero; N];
+        for i in 0..N {
+            let mut pivot = m[i][i];
+            for j in 0..i {
+                let mut entry = m[i][j];
+                for k in 0..j {
+                    entry -= m[i][k] * m[j][k];
+                }
+                m[i][j] = entry;
+            }
+            for j in 0..i {
+                let scaled = m[i][j];
+                let factor = scaled * inverse[j];
+                pivot -= scaled * factor;
+                m[i][j] = factor;
+            }
+            // Row i keeps the unit factors; the inner products above pair them with scaled rows.
+            inverse[i] = pivot.inverse();
+            for j in 0..i {
+                m[j][i] = m[i][j] / inverse[j];
+            }
         }
-        // Row i keeps the unit factors; the inner products above pair them with scaled rows.
-        inverse[i] = 1.0 / pivot;
-        for j in 0..i {
-            m[j][i] = m[i][j] / inverse[j];
+        for i in 0..N {
+            for k in 0..i {
+                let known = b[k];
+                b[i] -= m[i][k] * known;
+            }
         }
+        for i in 0..N {
+            b[i] *= inverse[i];
+        }
+        for i in (0..N).rev() {
+            let known = b[i];
+            for k in 0..i {
+                b[k] -= m[i][k] * known;
+            }
+        }
+        *a = b;
     }
-    for i in 0..N {
-        for k in 0..i {
-            b[i] -= m[i][k] * b[k];
-        }
-    }
-    for i in 0..N {
-        b[i] *= inverse[i];
-    }
-    for i in (0..N).rev() {
-        for k in 0..i {
-            b[k] -= m[i][k] * b[i];
-        }
-    }
-    *a = b;
 }
 
 /// Chain: tridiagonal equations for the rod tensions.
-#[inline(never)]
-pub fn linear<const N: usize>(_t: f64, q: &[f64; N], v: &[f64; N], a: &mut [f64; N]) {
-    let (mut s, mut c, mut tension) = ([0.0; N], [0.0; N], [0.0; N]);
-    let (mut cd, mut sd, mut inverse) = ([0.0; N], [0.0; N], [0.0; N]);
-    for i in 0..N {
-        (s[i], c[i]) = q[i].sin_cos();
-    }
-    for i in 0..N - 1 {
-        cd[i] = c[i] * c[i + 1] + s[i] * s[i + 1];
-        sd[i] = s[i + 1] * c[i] - c[i + 1] * s[i];
-    }
-    inverse[0] = 1.0;
-    tension[0] = v[0] * v[0] + G * c[0];
-    for i in 1..N {
-        let factor = cd[i - 1] * inverse[i - 1];
-        inverse[i] = 1.0 / (2.0 - cd[i - 1] * factor);
-        tension[i] = v[i] * v[i] + factor * tension[i - 1];
-    }
-    tension[N - 1] *= inverse[N - 1];
-    for i in (0..N - 1).rev() {
-        tension[i] = (tension[i] + cd[i] * tension[i + 1]) * inverse[i];
-    }
-    for i in 0..N {
-        let above = if i == 0 { -G * s[0] } else { -(sd[i - 1] * tension[i - 1]) };
-        a[i] = if i + 1 < N { above + sd[i] * tension[i + 1] } else { above };
+#[derive(Clone, Copy)]
+pub struct Linear;
+
+impl<const N: usize> ByHand<N> for Linear {
+    #[inline]
+    fn accelerations<R: Number>(_t: f64, q: &[R; N], v: &[R; N], a: &mut [R; N]) {
+        let zero = R::default();
+        let (mut s, mut c, mut tension) = ([zero; N], [zero; N], [zero; N]);
+        let (mut cd, mut sd, mut inverse) = ([zero; N], [zero; N], [zero; N]);
+        for i in 0..N {
+            (s[i], c[i]) = q[i].sin_cos();
+        }
+        for i in 0..N - 1 {
+            cd[i] = c[i] * c[i + 1] + s[i] * s[i + 1];
+            sd[i] = s[i + 1] * c[i] - c[i + 1] * s[i];
+        }
+        inverse[0] = R::from(1.0);
+        tension[0] = v[0] * v[0] + c[0] * G;
+        for i in 1..N {
+            let factor = cd[i - 1] * inverse[i - 1];
+            inverse[i] = (-(cd[i - 1] * factor) + 2.0).inverse();
+            tension[i] = v[i] * v[i] + factor * tension[i - 1];
+        }
+        tension[N - 1] *= inverse[N - 1];
+        for i in (0..N - 1).rev() {
+            tension[i] = (tension[i] + cd[i] * tension[i + 1]) * inverse[i];
+        }
+        for i in 0..N {
+            let above = if i == 0 { -(s[0] * G) } else { -(sd[i - 1] * tension[i - 1]) };
+            a[i] = if i + 1 < N { above + sd[i] * tension[i + 1] } else { above };
+        }
     }
 }

@@ -1,7 +1,10 @@
 //! The systems of all benchmarks, described to the macro and written by hand.
 
 pub mod described;
+#[cfg(feature = "peers")]
+pub mod dual;
 pub mod hand;
+pub mod number;
 
 use std::cell::RefCell;
 use std::hint::black_box;
@@ -9,6 +12,7 @@ use std::hint::black_box;
 use lagrangian::System;
 
 use crate::rhs::random_states;
+use hand::ByHand as _;
 
 /// A system with several implementations of its accelerations.
 pub trait Case {
@@ -112,26 +116,41 @@ pub fn for_each(visit: &mut dyn FnMut(&dyn Case)) {
     let tilted = |i: usize, q: f64| if i == 1 { 0.4 * q + 1.0 } else { q };
     let spherical = |i: usize, q: f64| if i == 0 { 0.4 * q + 1.0 } else { q };
     let spread = |i: usize, q: f64| q + 3.0 * (i % 7) as f64;
-    visit(&measured("dpend", d::DoublePendulum, &[("hand", h::dpend)], same));
-    visit(&measured("spring", d::SpringPendulum, &[("hand", h::spring)], polar));
-    visit(&measured("hh", d::HenonHeiles, &[("hand", h::hh)], same));
-    visit(&measured("kepler", d::Kepler, &[("hand", h::kepler)], polar));
-    visit(&measured("pleiades", d::Pleiades, &[("hand", h::pleiades)], spread));
-    visit(&measured("top", d::Top, &[("hand", h::top)], tilted));
-    visit(&measured("sph", d::SphericalPendulum, &[("hand", h::sph)], spherical));
-    visit(&measured("cart", d::CartPole, &[("hand", h::cart)], same));
-    visit(&measured("nlink3", d::Chain3, &[("hand", h::dense::<3>), ("hand_linear", h::linear::<3>)], same));
-    visit(&measured("nlink5", d::Chain5, &[("hand", h::dense::<5>), ("hand_linear", h::linear::<5>)], same));
+    visit(&measured("dpend", d::DoublePendulum, &[("hand", h::DoublePendulum::accelerations)], same));
+    visit(&measured("spring", d::SpringPendulum, &[("hand", h::SpringPendulum::accelerations)], polar));
+    visit(&measured("hh", d::HenonHeiles, &[("hand", h::HenonHeiles::accelerations)], same));
+    visit(&measured("kepler", d::Kepler, &[("hand", h::Kepler::accelerations)], polar));
+    visit(&measured("pleiades", d::Pleiades, &[("hand", h::Pleiades::accelerations)], spread));
+    visit(&measured("top", d::Top, &[("hand", h::Top::accelerations)], tilted));
+    visit(&measured(
+        "sph",
+        d::SphericalPendulum,
+        &[("hand", h::SphericalPendulum::accelerations)],
+        spherical,
+    ));
+    visit(&measured("cart", d::CartPole, &[("hand", h::CartPole::accelerations)], same));
+    visit(&measured(
+        "nlink3",
+        d::Chain3,
+        &[("hand", h::Dense::accelerations), ("hand_linear", h::Linear::accelerations)],
+        same,
+    ));
+    visit(&measured(
+        "nlink5",
+        d::Chain5,
+        &[("hand", h::Dense::accelerations), ("hand_linear", h::Linear::accelerations)],
+        same,
+    ));
     visit(&measured(
         "nlink10",
         d::Chain10,
-        &[("hand", h::dense::<10>), ("hand_linear", h::linear::<10>)],
+        &[("hand", h::Dense::accelerations), ("hand_linear", h::Linear::accelerations)],
         same,
     ));
     visit(&measured(
         "nlink20",
         d::Chain20,
-        &[("hand", h::dense::<20>), ("hand_linear", h::linear::<20>)],
+        &[("hand", h::Dense::accelerations), ("hand_linear", h::Linear::accelerations)],
         same,
     ));
 }

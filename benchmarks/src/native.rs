@@ -1,0 +1,63 @@
+//! The build that is measured: optimised across crates, for the present processor, with the peers.
+//!
+//! heyoka compiles for the processor it runs on, so ours must be too before times are compared. What
+//! `cargo run` builds is compiled for any processor and without the peers; [`enter`] builds the program once more
+//! and runs that instead.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::{Command, exit};
+
+/// Set while the second build compiles; the value says what for.
+const BUILT_FOR: Option<&str> = option_env!("BENCHMARKS_BUILT_FOR");
+
+/// Returns in the right build, and in any other one builds and runs the right one and does not return.
+pub fn enter(portable: bool) -> Result<(), Box<dyn Error>> {
+    let wanted = if portable { "portable" } else { "native" };
+    match BUILT_FOR {
+        Some(target) if target == wanted => return Ok(()),
+        Some(target) => return Err(format!("this program is built for {target}").into()),
+        None => {}
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    let mut flags = std::env::var("RUSTFLAGS").unwrap_or_default();
+    if !portable {
+        flags += " -C target-cpu=native";
+    }
+    eprintln!("benchmarks: building for the {wanted} target with the peers, then running that build");
+    let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        .args([
+            "run",
+            "--quiet",
+            "--profile",
+            "measured",
+            "-p",
+            "benchmarks",
+            "--features",
+            "peers",
+            "--manifest-path",
+        ])
+        .arg(root.join("Cargo.toml"))
+        .arg("--target-dir")
+        .arg(target.join(wanted))
+        .arg("--")
+        .args(std::env::args_os().skip(1))
+        .env("RUSTFLAGS", flags.trim())
+        .env("BENCHMARKS_BUILT_FOR", wanted)
+        .status()?;
+    exit(status.code().unwrap_or(1))
+}
+
+/// Whether this build would run on other processors.
+pub fn portable() -> bool {
+    BUILT_FOR != Some("native")
+}
+
+/// Keeps this thread, and the processes it starts, on the last core there is.
+pub fn pin() {
+    match core_affinity::get_core_ids().and_then(|cores| cores.last().copied()) {
+        Some(core) if core_affinity::set_for_current(core) => {}
+        _ => eprintln!("benchmarks: this system does not pin threads; times will scatter"),
+    }
+}

@@ -1,0 +1,128 @@
+//! Time of a whole integration against the error at its end.
+//!
+//! All subjects of a system and a tolerance run in turn, several rounds of a few milliseconds each, on one core, so that
+//! what disturbs the machine disturbs them alike. The time is the median over the rounds of the fastest run in a round:
+//! other processes only ever add to a run.
+
+#[cfg(feature = "peers")]
+mod crates;
+mod ours;
+pub mod plot;
+pub mod server;
+mod subject;
+
+use std::collections::HashSet;
+use std::error::Error;
+use std::path::Path;
+
+use crate::problem::{Problem, problems};
+use crate::record::{self, Record};
+use server::Server;
+use subject::{Sample, Subject};
+
+/// What every subject is asked for, relative and absolute alike.
+pub const TOLERANCES: [f64; 12] =
+    [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15];
+
+/// How much repetition.
+#[derive(Clone, Copy)]
+pub struct Effort {
+    /// Times that the subjects take turns.
+    rounds: usize,
+    /// Time of a turn [s].
+    turn: f64,
+}
+
+impl Effort {
+    /// For figures to keep.
+    pub const FULL: Self = Self { rounds: 5, turn: 0.02 };
+    /// For a look.
+    pub const QUICK: Self = Self { rounds: 1, turn: 0.005 };
+}
+
+/// A run that takes longer [s] is not repeated and ends the series of its subject.
+const SLOW: f64 = 0.3;
+
+/// Measures all systems or one, ours and the peers in Rust.
+pub fn run(
+    system: Option<&str>,
+    json: Option<&Path>,
+    svg: Option<&Path>,
+    effort: Effort,
+) -> Result<(), Box<dyn Error>> {
+    let records = measure(system, None, effort)?;
+    if let Some(path) = json {
+        record::write(&records, path)?;
+    }
+    if let Some(directory) = svg {
+        plot::draw_all(&records, directory)?;
+    }
+    Ok(())
+}
+
+/// Measures and prints; with a server its subjects take their turns too.
+pub fn measure(
+    system: Option<&str>,
+    server: Option<&Server>,
+    effort: Effort,
+) -> Result<Vec<Record>, Box<dyn Error>> {
+    let mut records = Vec::new();
+    println!(
+        "{:10} {:26} {:>9} {:>9} {:>12} {:>9}",
+        "system", "subject", "tolerance", "error", "µs", "steps"
+    );
+    for problem in problems(system)? {
+        let mut subjects = ours::subjects(&problem);
+        #[cfg(feature = "peers")]
+        subjects.extend(crates::subjects(&problem));
+        subjects.extend(server.into_iter().flat_map(|server| server.subjects(problem.name)));
+        series(&problem, &mut subjects, effort, &mut records);
+    }
+    Ok(records)
+}
+
+/// All tolerances of a system.
+fn series(problem: &Problem, subjects: &mut [Box<dyn Subject>], effort: Effort, records: &mut Vec<Record>) {
+    let mut slow = HashSet::new();
+    for tolerance in TOLERANCES {
+        let mut turns: Vec<(usize, Vec<Sample>)> = Vec::new();
+        for (place, subject) in subjects.iter_mut().enumerate().filter(|(place, _)| !slow.contains(place)) {
+            // The first run warms up and tells what to expect.
+            match subject.sample(problem, tolerance, 0.0) {
+                Ok(sample) => turns.push((place, vec![sample])),
+                Err(cause) => println!("{:10} {:26} {tolerance:9.0e} {cause}", problem.name, subject.name()),
+            }
+        }
+        for _ in 0..effort.rounds {
+            for (place, samples) in turns.iter_mut().filter(|(_, samples)| samples[0].us < SLOW * 1e6) {
+                samples.extend(subjects[*place].sample(problem, tolerance, effort.turn));
+            }
+        }
+        for (place, samples) in turns {
+            if samples[0].us >= SLOW * 1e6 {
+                slow.insert(place);
+            }
+            let record = summary(problem, subjects[place].name(), tolerance, &samples);
+            println!(
+                "{:10} {:26} {:9.0e} {:9.1e} {:12.1} {:9}",
+                record.system, record.subject, record.tolerance, record.error, record.us, record.steps
+            );
+            records.push(record);
+        }
+    }
+}
+
+/// The record of a subject; the warming up does not count if there is anything else.
+fn summary(problem: &Problem, subject: &str, tolerance: f64, samples: &[Sample]) -> Record {
+    let timed = if samples.len() > 1 { &samples[1..] } else { samples };
+    let us = subject::median(timed.iter().map(|sample| sample.us).collect());
+    Record {
+        benchmark: "precision".into(),
+        system: problem.name.into(),
+        subject: subject.into(),
+        tolerance,
+        error: samples[0].error,
+        us,
+        steps: samples[0].steps,
+    }
+}

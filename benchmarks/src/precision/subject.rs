@@ -1,0 +1,65 @@
+//! [`Subject`]: an integrator under its own name; [`Function`], one that lives in this process.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use crate::problem::Problem;
+
+/// A few runs.
+pub struct Sample {
+    /// Time of the fastest run, for each trajectory [µs].
+    pub us: f64,
+    pub error: f64,
+    pub steps: u64,
+}
+
+/// What takes turns.
+pub trait Subject {
+    /// Its name in all reports.
+    fn name(&self) -> &str;
+
+    /// Runs for `seconds`, at least once.
+    fn sample(&mut self, problem: &Problem, tolerance: f64, seconds: f64) -> Result<Sample, String>;
+}
+
+/// Where a run ended, (q, v), and what it took.
+pub struct Outcome {
+    pub end: Vec<f64>,
+    pub steps: u64,
+}
+
+/// A subject that is a function of the tolerance.
+pub struct Function<F> {
+    pub name: &'static str,
+    /// Motions that one run integrates side by side.
+    pub trajectories: u32,
+    pub run: F,
+}
+
+impl<F: Fn(f64) -> Result<Outcome, String>> Subject for Function<F> {
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn sample(&mut self, problem: &Problem, tolerance: f64, seconds: f64) -> Result<Sample, String> {
+        let begin = Instant::now();
+        let mut fastest = f64::INFINITY;
+        loop {
+            let start = Instant::now();
+            let outcome = black_box(&self.run)(black_box(tolerance))?;
+            fastest = fastest.min(start.elapsed().as_secs_f64() * 1e6);
+            if begin.elapsed().as_secs_f64() >= seconds {
+                let Outcome { end, steps } = outcome;
+                let us = fastest / f64::from(self.trajectories);
+                return Ok(Sample { us, error: problem.error(&end), steps });
+            }
+        }
+    }
+}
+
+/// The middle one.
+pub fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    let middle = times.len() / 2;
+    if times.len() % 2 == 1 { times[middle] } else { 0.5 * (times[middle - 1] + times[middle]) }
+}

@@ -1,0 +1,52 @@
+//! [`Problem`]: a system with its start, the time to stop and the true state there.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+
+use serde::Deserialize;
+
+/// The systems in the order of all reports.
+pub const NAMES: [&str; 12] = [
+    "dpend", "spring", "hh", "kepler", "pleiades", "top", "sph", "cart", "nlink3", "nlink5", "nlink10",
+    "nlink20",
+];
+
+/// Where a motion starts and where it has to arrive; states are (q, v).
+#[derive(Clone, Debug, Deserialize)]
+pub struct Problem {
+    #[serde(skip)]
+    pub name: &'static str,
+    pub t_end: f64,
+    pub start: Vec<f64>,
+    pub end: Vec<f64>,
+}
+
+impl Problem {
+    /// Largest deviation of a coordinate or velocity at the end, relative where the true one is above one.
+    pub fn error(&self, found: &[f64]) -> f64 {
+        assert_eq!(found.len(), self.end.len(), "{}", self.name);
+        let deviations = found.iter().zip(&self.end).map(|(y, end)| (y - end).abs() / end.abs().max(1.0));
+        // `f64::max` would hide what is not a number.
+        deviations.fold(0.0, |worst, error| if error.is_nan() || error > worst { error } else { worst })
+    }
+
+    /// Coordinates and velocities at the start.
+    pub fn start<const N: usize>(&self) -> ([f64; N], [f64; N]) {
+        let (q, v) = self.start.split_at(N);
+        (q.try_into().expect("N coordinates"), v.try_into().expect("N velocities"))
+    }
+}
+
+/// All problems, or the one that is named. The peers in Python read the same file.
+pub fn problems(only: Option<&str>) -> Result<Vec<Problem>, Box<dyn Error>> {
+    let mut known: BTreeMap<String, Problem> = serde_json::from_str(include_str!("../references.json"))?;
+    let chosen: Vec<Problem> = NAMES
+        .into_iter()
+        .filter(|name| only.is_none_or(|only| only == *name))
+        .filter_map(|name| known.remove(name).map(|problem| Problem { name, ..problem }))
+        .collect();
+    if chosen.is_empty() {
+        return Err(format!("no such system; there are {}", NAMES.join(", ")).into());
+    }
+    Ok(chosen)
+}
