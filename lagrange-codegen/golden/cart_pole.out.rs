@@ -274,6 +274,7 @@ A singular mass matrix, with the coordinate and the time.*/
     #[allow(clippy::all)]
     impl<R: Real> lagrange::System<2usize, 1usize> for CartPole<R> {
         type Scalar = R;
+        type Method = lagrange::Jets;
         type Constants = [R; 7];
         #[inline]
         fn constants(&self) -> Self::Constants {
@@ -360,4 +361,217 @@ A singular mass matrix, with the coordinate and the time.*/
         }
     }
     impl<R: Real> lagrange::Autonomous<2usize, 1usize> for CartPole<R> {}
+    #[automatically_derived]
+    #[allow(clippy::all)]
+    impl<R: Real> lagrange::Smooth<2usize, 1usize> for CartPole<R> {
+        type JetConstants = [R; 5];
+        type Tables<const P: usize> = lagrange::Tables<R, 4, P>;
+        #[inline]
+        fn jet_constants(&self) -> Self::JetConstants {
+            {
+                let [c0_0, c0_1] = {
+                    let cart_mass: R = self.cart_mass;
+                    let pole_mass: R = self.pole_mass;
+                    let length: R = self.length;
+                    [cart_mass + pole_mass, pole_mass * length]
+                };
+                let [c1_0, c1_1, c1_2] = {
+                    let cart_mass: R = self.cart_mass;
+                    let pole_mass: R = self.pole_mass;
+                    let length: R = self.length;
+                    [
+                        cart_mass + pole_mass,
+                        pole_mass * length,
+                        pole_mass * (length * length),
+                    ]
+                };
+                [c0_0, c0_1, c1_0, c1_1, c1_2]
+            }
+        }
+        #[inline]
+        fn jet_at<const P: usize>(
+            &self,
+            constants: &Self::JetConstants,
+            _t: R,
+            q: &[R; 2],
+            v: &[R; 2],
+            u: &[R; 1],
+            h: R,
+            orders: usize,
+            tables: &mut Self::Tables<P>,
+            series: &mut lagrange::Series<R, 2, P>,
+        ) -> bool {
+            use lagrange::Real;
+            let [_, theta] = *q;
+            let [x_dot, theta_dot] = *v;
+            let [motor] = *u;
+            let length: R = self.length;
+            let g: R = self.g;
+            let damping: R = self.damping;
+            let [cart_mass_plus_pole_mass, pole_mass_length, cart_mass_plus_pole_mass_2,
+            pole_mass_length_2, pole_mass_length_squared] = *constants;
+            let (cos_theta, sin_theta) = {
+                let (s, c) = Real::sin_cos(theta);
+                (c, s)
+            };
+            let theta_dot_sin_theta: R = theta_dot * sin_theta;
+            let theta_dot_sin_theta_2: R = theta_dot_sin_theta;
+            let theta_dot_cos_theta: R = theta_dot * cos_theta;
+            let x_dot_theta_dot_sin_theta: R = x_dot * theta_dot_sin_theta_2;
+            let g_sin_theta: R = g * sin_theta;
+            let w5: R = g_sin_theta - x_dot_theta_dot_sin_theta;
+            let damping_theta_dot: R = damping * theta_dot;
+            let w6: R = pole_mass_length * w5;
+            let w7: R = damping_theta_dot - w6;
+            let w9: R = -w7;
+            let minus_theta_dot_sin_theta: R = -theta_dot_sin_theta;
+            let mut mass = [[R::zero(); 2]; 2];
+            mass[0][0] = cart_mass_plus_pole_mass_2;
+            mass[1][0] = pole_mass_length_2 * cos_theta;
+            mass[1][1] = pole_mass_length_squared;
+            let ::core::option::Option::Some(x_factors) = lagrange::solve::factor::<
+                lagrange::Ldlt<R, 2>,
+                _,
+                _,
+            >(mass) else {
+                return false;
+            };
+            let mut x_dot_last: R = x_dot;
+            let mut x_force: R = motor;
+            let mut theta_dot_last: R = theta_dot;
+            let mut theta_force: R = w9;
+            let mut theta_dot_first: R = R::zero();
+            let mut theta_dot_last_2: R = R::zero();
+            let mut sin_theta_first: R = R::zero();
+            let mut sin_theta_last: R = R::zero();
+            let mut cos_theta_first: R = R::zero();
+            let mut cos_theta_last: R = R::zero();
+            let mut x_dot_first: R = R::zero();
+            let mut x_dot_last_2: R = R::zero();
+            let mut w10: R = R::zero();
+            let mut theta_dot_sin_theta_2_last: R = R::zero();
+            let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
+            let mut sin_theta_flow: R = theta_dot_cos_theta;
+            for order in 1..=orders {
+                let fraction: R = lagrange::jets::fraction(order);
+                let rate = h * fraction;
+                let inner = tables.interior::<1>(order);
+                let x_k: R = rate * x_dot_last;
+                let theta_k: R = rate * theta_dot_last;
+                let inner_0: R = Real::mul_add(
+                    theta_dot_first,
+                    sin_theta_last,
+                    Real::mul_add(sin_theta_first, theta_dot_last_2, inner[0]),
+                );
+                let inner_1: R = Real::mul_add(
+                    theta_dot_first,
+                    cos_theta_last,
+                    Real::mul_add(cos_theta_first, theta_dot_last_2, inner[1]),
+                );
+                let inner_2: R = Real::mul_add(
+                    x_dot_first,
+                    cos_theta_last,
+                    Real::mul_add(cos_theta_first, x_dot_last_2, inner[2]),
+                );
+                let inner_3: R = Real::mul_add(
+                    x_dot_first,
+                    theta_dot_sin_theta_2_last,
+                    Real::mul_add(w10, x_dot_last_2, inner[3]),
+                );
+                let cos_theta_k: R = rate * cos_theta_flow;
+                let sin_theta_k: R = rate * sin_theta_flow;
+                let theta_dot_cos_theta_known: R = Real::mul_add(
+                    theta_dot,
+                    cos_theta_k,
+                    inner_1,
+                );
+                let w4_known: R = Real::mul_add(x_dot, cos_theta_k, inner_2);
+                let [x_dot_k, theta_dot_k] = x_factors
+                    .solve([
+                        Real::mul_add(
+                            rate,
+                            x_force,
+                            (-(pole_mass_length * theta_dot_cos_theta_known)),
+                        ),
+                        Real::mul_add(
+                            rate,
+                            theta_force,
+                            (-(pole_mass_length * w4_known)),
+                        ),
+                    ]);
+                series.set(order, [x_k, theta_k], [x_dot_k, theta_dot_k]);
+                if order == orders {
+                    break;
+                }
+                let theta_dot_sin_theta_k: R = Real::mul_add(
+                    sin_theta,
+                    theta_dot_k,
+                    Real::mul_add(theta_dot, sin_theta_k, inner_0),
+                );
+                let theta_dot_sin_theta_2_k: R = theta_dot_sin_theta_k;
+                let theta_dot_cos_theta_k: R = Real::mul_add(
+                    cos_theta,
+                    theta_dot_k,
+                    theta_dot_cos_theta_known,
+                );
+                let w4_k: R = Real::mul_add(
+                    cos_theta,
+                    x_dot_k,
+                    Real::mul_add(length, theta_dot_k, w4_known),
+                );
+                let w5_k: R = Real::mul_add(
+                    -theta_dot_sin_theta_2,
+                    x_dot_k,
+                    Real::mul_add(
+                        -x_dot,
+                        theta_dot_sin_theta_2_k,
+                        Real::mul_add(g, sin_theta_k, (-inner_3)),
+                    ),
+                );
+                if let ::core::option::Option::Some((left, right)) = tables.row(order) {
+                    left[0] = theta_dot_k;
+                    right[0] = sin_theta_k;
+                    left[1] = theta_dot_k;
+                    right[1] = cos_theta_k;
+                    left[2] = x_dot_k;
+                    right[2] = cos_theta_k;
+                    left[3] = x_dot_k;
+                    right[3] = theta_dot_sin_theta_2_k;
+                }
+                x_dot_last = x_dot_k;
+                theta_dot_last = theta_dot_k;
+                cos_theta_flow = -theta_dot_sin_theta_k;
+                sin_theta_flow = theta_dot_cos_theta_k;
+                x_force = R::zero();
+                theta_force = Real::mul_add(
+                    -damping,
+                    theta_dot_k,
+                    (pole_mass_length * w5_k),
+                );
+                theta_dot_first = lagrange::jets::first(
+                    order,
+                    theta_dot_first,
+                    theta_dot_k,
+                );
+                theta_dot_last_2 = theta_dot_k;
+                sin_theta_first = lagrange::jets::first(
+                    order,
+                    sin_theta_first,
+                    sin_theta_k,
+                );
+                sin_theta_last = sin_theta_k;
+                cos_theta_first = lagrange::jets::first(
+                    order,
+                    cos_theta_first,
+                    cos_theta_k,
+                );
+                cos_theta_last = cos_theta_k;
+                x_dot_first = lagrange::jets::first(order, x_dot_first, x_dot_k);
+                x_dot_last_2 = x_dot_k;
+                w10 = lagrange::jets::first(order, w10, theta_dot_sin_theta_2_k);
+                theta_dot_sin_theta_2_last = theta_dot_sin_theta_2_k;
+            }
+            true
+        }
+    }
 };

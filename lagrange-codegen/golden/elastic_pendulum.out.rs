@@ -261,6 +261,7 @@ A singular mass matrix, with the coordinate and the time.*/
     #[allow(clippy::all)]
     impl lagrange::System<2usize, 1usize> for ElasticPendulum {
         type Scalar = f64;
+        type Method = lagrange::Jets;
         type Constants = [f64; 3];
         #[inline]
         fn constants(&self) -> Self::Constants {
@@ -320,6 +321,225 @@ A singular mass matrix, with the coordinate and the time.*/
         }
     }
     impl lagrange::Autonomous<2usize, 1usize> for ElasticPendulum {}
+    #[automatically_derived]
+    #[allow(clippy::all)]
+    impl lagrange::Smooth<2usize, 1usize> for ElasticPendulum {
+        type JetConstants = [f64; 3];
+        type Tables<const P: usize> = lagrange::Tables<f64, 8, P>;
+        #[inline]
+        fn jet_constants(&self) -> Self::JetConstants {
+            use lagrange::Real;
+            {
+                let [c0_0, c0_1] = {
+                    let mass_2: f64 = self.mass;
+                    let g: f64 = self.g;
+                    let stiffness: f64 = self.stiffness;
+                    let length: f64 = self.length;
+                    [mass_2 * g, stiffness * length]
+                };
+                let [c1_0] = {
+                    let mass_2: f64 = self.mass;
+                    [Real::recip(mass_2)]
+                };
+                [c0_0, c0_1, c1_0]
+            }
+        }
+        #[inline]
+        fn jet_at<const P: usize>(
+            &self,
+            constants: &Self::JetConstants,
+            _t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+            u: &[f64; 1],
+            h: f64,
+            orders: usize,
+            tables: &mut Self::Tables<P>,
+            series: &mut lagrange::Series<f64, 2, P>,
+        ) -> bool {
+            use lagrange::Real;
+            let [theta, r] = *q;
+            let [theta_dot, r_dot] = *v;
+            let [motor] = *u;
+            let mass_2: f64 = self.mass;
+            let stiffness: f64 = self.stiffness;
+            let [mass_2_g, stiffness_length, r_inverse_mass] = *constants;
+            let theta_dot_squared: f64 = theta_dot * theta_dot;
+            let mass_2_theta_dot_squared: f64 = mass_2 * theta_dot_squared;
+            let w1: f64 = stiffness - mass_2_theta_dot_squared;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let r_sin_theta: f64 = r * sin_theta;
+            let mass_2_g_r_sin_theta: f64 = mass_2_g * r_sin_theta;
+            let w2: f64 = motor - mass_2_g_r_sin_theta;
+            let mass_2_g_cos_theta: f64 = mass_2_g * cos_theta;
+            let w3: f64 = mass_2_g_cos_theta + stiffness_length;
+            let w4: f64 = r * w1;
+            let w5: f64 = w4 - w3;
+            let r_squared: f64 = r * r;
+            let w6: f64 = -w5;
+            let theta_dot_cos_theta: f64 = theta_dot * cos_theta;
+            let theta_dot_sin_theta: f64 = theta_dot * sin_theta;
+            let minus_theta_dot_sin_theta: f64 = -theta_dot_sin_theta;
+            let theta_inverse_mass: f64 = Real::recip(mass_2 * (r * r));
+            let mut theta_dot_last: f64 = theta_dot;
+            let mut theta_force: f64 = w2;
+            let mut r_dot_last: f64 = r_dot;
+            let mut r_force: f64 = w6;
+            let mut theta_dot_first: f64 = 0.0;
+            let mut theta_dot_last_2: f64 = 0.0;
+            let mut r_first: f64 = 0.0;
+            let mut r_last: f64 = 0.0;
+            let mut sin_theta_first: f64 = 0.0;
+            let mut sin_theta_last: f64 = 0.0;
+            let mut w1_first: f64 = 0.0;
+            let mut w1_last: f64 = 0.0;
+            let mut r_squared_first: f64 = 0.0;
+            let mut r_squared_last: f64 = 0.0;
+            let mut cos_theta_first: f64 = 0.0;
+            let mut cos_theta_last: f64 = 0.0;
+            let mut sin_theta_flow: f64 = theta_dot_cos_theta;
+            let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
+            for order in 1..=orders {
+                let fraction: f64 = lagrange::jets::fraction(order);
+                let rate = h * fraction;
+                let inner = tables.interior::<1>(order);
+                let theta_k: f64 = rate * theta_dot_last;
+                let r_k: f64 = rate * r_dot_last;
+                let inner_0: f64 = Real::mul_add(
+                    theta_dot_first + theta_dot_first,
+                    theta_dot_last_2,
+                    inner[0],
+                );
+                let inner_1: f64 = Real::mul_add(
+                    r_first,
+                    sin_theta_last,
+                    Real::mul_add(sin_theta_first, r_last, inner[1]),
+                );
+                let inner_2: f64 = Real::mul_add(
+                    r_first,
+                    w1_last,
+                    Real::mul_add(w1_first, r_last, inner[2]),
+                );
+                let inner_3: f64 = Real::mul_add(r_first + r_first, r_last, inner[3]);
+                let inner_4: f64 = Real::mul_add(
+                    r_squared_first,
+                    theta_dot_last_2,
+                    Real::mul_add(theta_dot_first, r_squared_last, inner[4]),
+                );
+                let inner_5: f64 = Real::mul_add(
+                    theta_dot_first,
+                    cos_theta_last,
+                    Real::mul_add(cos_theta_first, theta_dot_last_2, inner[5]),
+                );
+                let inner_6: f64 = Real::mul_add(
+                    theta_dot_first,
+                    sin_theta_last,
+                    Real::mul_add(sin_theta_first, theta_dot_last_2, inner[6]),
+                );
+                let sin_theta_k: f64 = rate * sin_theta_flow;
+                let cos_theta_k: f64 = rate * cos_theta_flow;
+                let r_sin_theta_k: f64 = Real::mul_add(
+                    sin_theta,
+                    r_k,
+                    Real::mul_add(r, sin_theta_k, inner_1),
+                );
+                let r_squared_k: f64 = Real::mul_add((r + r), r_k, inner_3);
+                let r_squared_theta_dot_known: f64 = Real::mul_add(
+                    theta_dot,
+                    r_squared_k,
+                    inner_4,
+                );
+                let theta_dot_k: f64 = Real::mul_add(
+                    rate,
+                    theta_force,
+                    (-(mass_2 * r_squared_theta_dot_known)),
+                ) * theta_inverse_mass;
+                let r_dot_k: f64 = (rate * r_force) * r_inverse_mass;
+                series.set(order, [theta_k, r_k], [theta_dot_k, r_dot_k]);
+                if order == orders {
+                    break;
+                }
+                let theta_dot_squared_k: f64 = Real::mul_add(
+                    (theta_dot + theta_dot),
+                    theta_dot_k,
+                    inner_0,
+                );
+                let w1_k: f64 = -(mass_2 * theta_dot_squared_k);
+                let r_squared_theta_dot_k: f64 = Real::mul_add(
+                    r_squared,
+                    theta_dot_k,
+                    r_squared_theta_dot_known,
+                );
+                if let ::core::option::Option::Some((left, right)) = tables.row(order) {
+                    left[0] = theta_dot_k;
+                    right[0] = theta_dot_k;
+                    left[1] = r_k;
+                    right[1] = sin_theta_k;
+                    left[2] = r_k;
+                    right[2] = w1_k;
+                    left[3] = r_k;
+                    right[3] = r_k;
+                    left[4] = r_squared_k;
+                    right[4] = theta_dot_k;
+                    left[5] = theta_dot_k;
+                    right[5] = cos_theta_k;
+                    left[6] = theta_dot_k;
+                    right[6] = sin_theta_k;
+                }
+                theta_dot_last = theta_dot_k;
+                r_dot_last = r_dot_k;
+                sin_theta_flow = Real::mul_add(
+                    cos_theta,
+                    theta_dot_k,
+                    Real::mul_add(theta_dot, cos_theta_k, inner_5),
+                );
+                cos_theta_flow = Real::mul_add(
+                    -sin_theta,
+                    theta_dot_k,
+                    Real::mul_add(-theta_dot, sin_theta_k, (-inner_6)),
+                );
+                theta_force = -(mass_2_g * r_sin_theta_k);
+                r_force = Real::mul_add(
+                    -r,
+                    w1_k,
+                    Real::mul_add(
+                        mass_2_g,
+                        cos_theta_k,
+                        Real::mul_add(-w1, r_k, (-inner_2)),
+                    ),
+                );
+                theta_dot_first = lagrange::jets::first(
+                    order,
+                    theta_dot_first,
+                    theta_dot_k,
+                );
+                theta_dot_last_2 = theta_dot_k;
+                r_first = lagrange::jets::first(order, r_first, r_k);
+                r_last = r_k;
+                sin_theta_first = lagrange::jets::first(
+                    order,
+                    sin_theta_first,
+                    sin_theta_k,
+                );
+                sin_theta_last = sin_theta_k;
+                w1_first = lagrange::jets::first(order, w1_first, w1_k);
+                w1_last = w1_k;
+                r_squared_first = lagrange::jets::first(
+                    order,
+                    r_squared_first,
+                    r_squared_k,
+                );
+                r_squared_last = r_squared_k;
+                cos_theta_first = lagrange::jets::first(
+                    order,
+                    cos_theta_first,
+                    cos_theta_k,
+                );
+                cos_theta_last = cos_theta_k;
+            }
+            true
+        }
+    }
     #[automatically_derived]
     #[allow(clippy::all, unused_variables)]
     impl lagrange::Linearized<2usize, 1usize> for ElasticPendulum {

@@ -52,7 +52,7 @@ fn a_chaotic_pendulum_keeps_its_energy_for_a_thousand_seconds() {
 #[test]
 fn the_tolerance_controls_the_energy() {
     between(1e-7, drift_at(1e-5), 1e-1);
-    between(1e-12, drift_at(1e-9), 1e-6);
+    between(1e-12, drift_at(1e-9), 1e-5);
     between(1e2, drift_at(1e-5) / drift_at(1e-9), 1e6);
 }
 

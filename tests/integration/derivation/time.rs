@@ -162,5 +162,5 @@ fn a_motion_may_start_at_any_time() {
     let mut motion = driven.simulate(State::at_rest([1.0])).with_tolerance(1e-14);
     let half = *motion.advance_to(3.0).unwrap();
     let rest = *driven.simulate(half).with_tolerance(1e-14).advance_to(6.0).unwrap();
-    all_close([rest.t, rest.q[0], rest.v[0]], [whole.t, whole.q[0], whole.v[0]], 1e-12);
+    all_close([rest.t, rest.q[0], rest.v[0]], [whole.t, whole.q[0], whole.v[0]], 1e-11);
 }
