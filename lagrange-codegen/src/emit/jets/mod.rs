@@ -56,7 +56,7 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     text.push_str(&mass.statements);
     text.push_str(&pass);
 
-    let lanes = jets.lanes.len().div_ceil(WIDTH) * WIDTH;
+    let width = if jets.lanes.len() > 16 { 8 } else { WIDTH }; let lanes = jets.lanes.len().div_ceil(width) * width;
     let (vector, inputs, count) = (emission.vector_type(), emission.input_type(), emission.count());
     let named =
         |name: &str| if super::system::mentions(&text, name) { name.to_owned() } else { format!("_{name}") };
