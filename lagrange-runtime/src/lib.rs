@@ -38,6 +38,7 @@ compile_error!(
 
 pub mod algebra;
 pub mod batch;
+mod columns;
 pub mod error;
 pub mod integrator;
 pub mod linear;
@@ -89,12 +90,14 @@ pub mod __private {
             check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric,
         };
     }
+    pub use crate::columns::Columns;
     pub use crate::integrator::{Dop853, Jets};
     pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
     pub use crate::tables::Tables;
     pub mod jets {
         //! Recurrences of Taylor coefficients.
+        pub use crate::columns::{Products, column, product, square, tile};
         pub use crate::tables::{first, fraction, ramp};
     }
     pub use crate::structure::{Cost, Costs, Structure};

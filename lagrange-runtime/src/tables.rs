@@ -14,6 +14,7 @@ const TOGETHER: usize = 40;
 
 /// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Tables<R, const L: usize, const P: usize> {
     left: [[R; L]; P],
     right: [[R; L]; P],

@@ -12,6 +12,7 @@
 //! mathematics.
 
 mod auxiliary;
+mod bundles;
 mod recurrence;
 mod rewriting;
 
@@ -22,6 +23,7 @@ use crate::schedule::plan;
 use crate::simplify::simplify;
 use auxiliary::{Auxiliary, NotSmooth, Rewriter};
 pub use auxiliary::{Relation, Value};
+pub use bundles::{Bundle, bundles};
 pub use recurrence::{Coefficient, Jets, Lane, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
 

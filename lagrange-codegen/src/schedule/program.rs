@@ -9,6 +9,12 @@ use crate::number::Number;
 pub struct Slot(u32);
 
 impl Slot {
+    /// The slot at a position.
+    #[cfg(test)]
+    pub fn of(index: usize) -> Slot {
+        Slot(index as u32)
+    }
+
     /// The position in the program, for side tables.
     pub fn index(self) -> usize {
         self.0 as usize

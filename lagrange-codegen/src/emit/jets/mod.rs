@@ -5,10 +5,12 @@
 //! | `jet_constants` | parameters alone, once per run: hoisted values, inverses and factorisations of constant blocks |
 //! | `jet_at` | values and the factorisation at the point of expansion, then one pass of a loop for each order |
 
+mod convolutions;
 mod inertia;
 mod order;
 mod start;
 mod terms;
+mod wide;
 
 use super::Emission;
 use super::body;
@@ -19,6 +21,7 @@ use crate::jets::{Jets, Value};
 use crate::schedule::{Instruction, Slot};
 use inertia::Inertia;
 use start::Start;
+use wide::Wide;
 
 /// Rows of the tables are padded to a multiple of this many lanes.
 const WIDTH: usize = 4;
@@ -36,7 +39,8 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     let mass = inertia.at_start(model, scalar, jets, &start, &mut names);
     let mut reads = start.reads.clone();
     reads.join(&mass.reads);
-    let pass = order::pass(emission, jets, &start, &mass, &mut names);
+    let wide = (jets.lanes.len() > convolutions::EDGED).then(|| Wide::of(emission.model, jets, &start));
+    let pass = order::pass(emission, jets, &start, &mass, wide.as_ref(), &mut names);
 
     let mut text = body::prologue(model, scalar, &reads, super::body::Source::Slices);
     let all: Vec<String> = labels.iter().chain(&mass.labels).cloned().collect();
@@ -49,17 +53,21 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     text.push_str(&mass.statements);
     text.push_str(&pass);
 
-    let lanes = jets.lanes.len().div_ceil(WIDTH) * WIDTH;
+    let tables = match &wide {
+        Some(wide) => format!("Columns<{scalar}, {}, P>", wide.columns),
+        None => format!("Tables<{scalar}, {}, P>", jets.lanes.len().next_multiple_of(WIDTH)),
+    };
+    let items = wide.as_ref().map(Wide::items).unwrap_or_default();
     let (vector, inputs, count) = (emission.vector_type(), emission.input_type(), emission.count());
     let named =
         |name: &str| if super::system::mentions(&text, name) { name.to_owned() } else { format!("_{name}") };
     format!(
         "type JetConstants = {constants_type};\n\
-         type Tables<const P: usize> = lagrange::Tables<{scalar}, {lanes}, P>;\n\
+         type Tables<const P: usize> = lagrange::{tables};\n\
          #[inline]\nfn jet_constants(&self) -> Self::JetConstants {{\n{constants_body}\n}}\n\
          #[inline]\nfn jet_at<const P: usize>(\n&self, {}: &Self::JetConstants, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut Self::Tables<P>, \
-         series: &mut lagrange::Series<{scalar}, {count}, P>,\n) -> bool {{\n{}\n}}\n",
+         series: &mut lagrange::Series<{scalar}, {count}, P>,\n) -> bool {{\n{items}{}\n}}\n",
         named("constants"),
         named("t"),
         named("q"),

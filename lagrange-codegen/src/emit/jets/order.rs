@@ -6,19 +6,16 @@
 use super::inertia::{AtStart, By};
 use super::start::Start;
 use super::terms::{Context, Operand, PowerNames, Term, chain};
+use super::wide::Wide;
 use super::{bare, binding};
 use crate::collections::Lookup;
 use crate::emit::Emission;
 use crate::emit::names::Names;
 use crate::emit::scalar;
 use crate::expr::Variable;
-use crate::jets::{Coefficient, Jets, Lane, Relation};
+use crate::jets::{Coefficient, Jets, Relation};
 use crate::number::Number;
 use crate::schedule::{Instruction, Slot};
-
-/// Up to this many lanes, the outermost terms of the interior sums are kept out of the tables: their sweep would wait
-/// for the row that was just written, which more lanes hide behind each other.
-const EDGED: usize = 16;
 
 /// Statements before the loop and the loop itself.
 pub(super) fn pass(
@@ -26,6 +23,7 @@ pub(super) fn pass(
     jets: &Jets,
     start: &Start<'_>,
     mass: &AtStart,
+    wide: Option<&Wide>,
     names: &mut Names,
 ) -> String {
     let scalar = &emission.item.scalar;
@@ -63,6 +61,7 @@ pub(super) fn pass(
         emission,
         jets,
         start,
+        wide,
         context,
         names,
         coefficients: vec![String::new(); jets.program.len()],
@@ -108,26 +107,29 @@ fn named(jets: &Jets) -> Vec<bool> {
     named
 }
 
-struct Writer<'a, 'b> {
-    emission: &'a Emission<'a>,
-    jets: &'a Jets,
-    start: &'a Start<'a>,
-    context: Context<'a>,
-    names: &'b mut Names,
+/// The statements as they grow.
+pub(super) struct Writer<'a, 'b> {
+    pub(super) emission: &'a Emission<'a>,
+    pub(super) jets: &'a Jets,
+    pub(super) start: &'a Start<'a>,
+    /// The tables, where there are many lanes.
+    pub(super) wide: Option<&'a Wide>,
+    pub(super) context: Context<'a>,
+    pub(super) names: &'b mut Names,
     /// Names of the coefficients of the order, by slot.
-    coefficients: Vec<String>,
+    pub(super) coefficients: Vec<String>,
     /// The same with the velocities' coefficients at zero; `None` for zero.
-    partial: Vec<Option<String>>,
+    pub(super) partial: Vec<Option<String>>,
     /// The interior sums, by lane.
-    inner: Vec<String>,
+    pub(super) inner: Vec<String>,
     /// Every factor of a lane with the variables that hold its coefficients of order 1 and of the last order.
-    edges: Vec<(crate::jets::Operand, String, String)>,
+    pub(super) edges: Vec<(crate::jets::Operand, String, String)>,
     /// Variables that carry the momentum rates of the last order, by coordinate.
-    forces: Vec<String>,
-    before: String,
-    body: String,
+    pub(super) forces: Vec<String>,
+    pub(super) before: String,
+    pub(super) body: String,
     /// Statements at the end of the loop.
-    after: String,
+    pub(super) after: String,
 }
 
 impl Writer<'_, '_> {
@@ -180,12 +182,7 @@ impl Writer<'_, '_> {
         } else {
             String::new()
         };
-        let edges = usize::from(self.jets.lanes.len() <= EDGED);
-        let inner = if self.jets.lanes.is_empty() {
-            String::new()
-        } else {
-            format!("let inner = tables.interior::<{edges}>(order);\n")
-        };
+        let inner = self.sweep();
         format!(
             "{}for order in 1..=orders {{\n{fraction}{inner}{}{}}}\ntrue",
             self.before, self.body, self.after
@@ -200,15 +197,15 @@ impl Writer<'_, '_> {
         name
     }
 
-    fn bind(&mut self, name: &str, text: &str) {
+    pub(super) fn bind(&mut self, name: &str, text: &str) {
         self.body.push_str(&binding(&self.emission.item.scalar, name, text));
     }
 
-    fn zero(&self) -> String {
+    pub(super) fn zero(&self) -> String {
         scalar::zero(&self.emission.item.scalar)
     }
 
-    fn claim(&mut self, slot: Slot, suffix: &str) -> String {
+    pub(super) fn claim(&mut self, slot: Slot, suffix: &str) -> String {
         let label = &self.start.labels[slot.index()];
         let wish = if label.is_empty() { None } else { Some(format!("{label}_{suffix}")) };
         self.names.claim(wish)
@@ -242,54 +239,6 @@ impl Writer<'_, '_> {
             terms.insert(0, term);
         }
         terms
-    }
-
-    /// The interior sums. Their outermost terms, with coefficients of order 1 and of the last order, are not in the
-    /// tables: a sweep over a row that was just written would wait for it.
-    fn interiors(&mut self) {
-        if self.jets.lanes.len() > EDGED {
-            self.inner = (0..self.jets.lanes.len()).map(|lane| format!("inner[{lane}]")).collect();
-            return;
-        }
-        let scalar = &self.emission.item.scalar;
-        let zero = self.zero();
-        let mut edges: Lookup<crate::jets::Operand, (String, String)> = Lookup::default();
-        let mut operands: Vec<crate::jets::Operand> = Vec::new();
-        for lane in &self.jets.lanes {
-            for operand in [lane.left, lane.right] {
-                if edges.get(&operand).is_some() {
-                    continue;
-                }
-                let label = &self.start.labels[operand.slot.index()];
-                let ramp = if operand.ramp { "_ramp" } else { "" };
-                let wish = |part: &str| Some(format!("{label}{ramp}_{part}")).filter(|_| !label.is_empty());
-                let (first, last) = (self.names.claim(wish("first")), self.names.claim(wish("last")));
-                self.before.push_str(&format!("let mut {first}: {scalar} = {zero};\n"));
-                self.before.push_str(&format!("let mut {last}: {scalar} = {zero};\n"));
-                edges.insert(operand, (first, last));
-                operands.push(operand);
-            }
-        }
-        for (place, lane) in self.jets.lanes.iter().enumerate() {
-            let (Some(left), Some(right)) = (edges.get(&lane.left), edges.get(&lane.right)) else { continue };
-            let text = if lane.left == lane.right {
-                format!("Real::mul_add({0} + {0}, {1}, inner[{place}])", left.0, left.1)
-            } else {
-                format!(
-                    "Real::mul_add({}, {}, Real::mul_add({}, {}, inner[{place}]))",
-                    left.0, right.1, right.0, left.1
-                )
-            };
-            let name = self.names.claim(Some(format!("inner_{place}")));
-            self.body.push_str(&binding(scalar, &name, &text));
-            self.inner.push(name);
-        }
-        self.edges = operands
-            .into_iter()
-            .filter_map(|operand| {
-                edges.get(&operand).map(|(first, last)| (operand, first.clone(), last.clone()))
-            })
-            .collect();
     }
 
     /// Everything that lower orders determine.
@@ -438,50 +387,5 @@ impl Writer<'_, '_> {
     fn value(&self, slot: Slot) -> String {
         let terms = self.sorted(self.context.read(slot));
         chain(None, &terms, |operand| self.text(operand)).unwrap_or_else(|| self.zero())
-    }
-
-    /// Puts the operands of all convolutions into the tables.
-    fn store(&mut self) {
-        if self.jets.lanes.is_empty() {
-            return;
-        }
-        let mut operands: Vec<crate::jets::Operand> = Vec::new();
-        for lane in &self.jets.lanes {
-            operands.extend([lane.left, lane.right]);
-        }
-        let mut values: Lookup<crate::jets::Operand, String> = Lookup::default();
-        for operand in operands {
-            if values.get(&operand).is_some() {
-                continue;
-            }
-            let name = match &self.coefficients[operand.slot.index()] {
-                none if none.is_empty() => self.zero(),
-                name => name.clone(),
-            };
-            let value = if operand.ramp {
-                let ramped = self.claim(operand.slot, "ramp");
-                self.bind(&ramped, &format!("lagrange::jets::ramp(order, {name})"));
-                ramped
-            } else {
-                name
-            };
-            values.insert(operand, value);
-        }
-        for (operand, first, last) in std::mem::take(&mut self.edges) {
-            let value = values.get(&operand).cloned().unwrap_or_default();
-            self.after.push_str(&format!(
-                "{first} = lagrange::jets::first(order, {first}, {value});\n{last} = {value};\n"
-            ));
-        }
-        self.body.push_str("if let ::core::option::Option::Some((left, right)) = tables.row(order) {\n");
-        for (place, &Lane { left, right }) in self.jets.lanes.iter().enumerate() {
-            let value = |operand| values.get(&operand).cloned().unwrap_or_default();
-            self.body.push_str(&format!(
-                "left[{place}] = {};\nright[{place}] = {};\n",
-                value(left),
-                value(right)
-            ));
-        }
-        self.body.push_str("}\n");
     }
 }

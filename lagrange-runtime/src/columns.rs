@@ -1,0 +1,116 @@
+//! The tables behind the recurrences of Taylor coefficients of systems with many products. Reached through generated
+//! code only.
+//!
+//! As in [`crate::tables`], one sweep sums the interiors of all products at once. Here each factor is stored once, as a
+//! column, and the sweep runs over rows from both ends at once: a\[j] b\[k − j] + a\[k − j] b\[j] for all products of a tile.
+//! A tile is a set of instances of one pattern of products (the links of a chain, the pairs of bodies), side by side:
+//! every vector of a column is loaded once for all products of the pattern, and squares need one term for two.
+
+use crate::real::Real;
+
+/// The products of a system: `C` columns, `L` sums.
+pub trait Products<const C: usize, const L: usize> {
+    /// The interior sums over rows that hold the coefficients of the orders below.
+    fn sum<R: Real>(rows: &[[R; C]], sums: &mut [R; L]);
+}
+
+/// Factors of products, coefficients of the orders 1 to `P` (at the index before). Rows start on lines of the cache: a
+/// vector that crosses one costs two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Columns<R, const C: usize, const P: usize> {
+    rows: [[R; C]; P],
+}
+
+impl<R: Real, const C: usize, const P: usize> Default for Columns<R, C, P> {
+    #[inline]
+    fn default() -> Self {
+        Self { rows: [[R::zero(); C]; P] }
+    }
+}
+
+impl<R: Real, const C: usize, const P: usize> Columns<R, C, P> {
+    /// Where the factors of an order go.
+    #[inline(always)]
+    pub fn row(&mut self, order: usize) -> Option<&mut [R; C]> {
+        self.rows.get_mut(order - 1)
+    }
+
+    /// Σ a\[j] b\[order − j] over 0 < j < order, for all products a b.
+    #[inline(always)]
+    pub fn interior<S: Products<C, L>, const L: usize>(&self, order: usize) -> [R; L] {
+        let mut sums = [R::zero(); L];
+        if let Some(rows) = self.rows.get(..order - 1) {
+            outlined::<S, R, C, L>(rows, &mut sums);
+        }
+        sums
+    }
+}
+
+/// A function of its own: between scalar code the compiler would take its vectors apart.
+#[inline(never)]
+fn outlined<S: Products<C, L>, R: Real, const C: usize, const L: usize>(rows: &[[R; C]], sums: &mut [R; L]) {
+    S::sum(rows, sums);
+}
+
+/// The sums of one tile, `W` instances of `M` products, to the places from `first` on. `products` adds the terms of two
+/// rows at the same distance from the ends.
+#[inline(always)]
+pub fn tile<R: Real, const C: usize, const L: usize, const W: usize, const M: usize>(
+    rows: &[[R; C]],
+    sums: &mut [R; L],
+    first: usize,
+    products: impl Fn(&[R; C], &[R; C], &mut [[R; W]; M]),
+) {
+    let mut sum = [[R::zero(); W]; M];
+    let half = rows.len() / 2;
+    let (Some(low), Some(high)) = (rows.get(..half), rows.get(half..)) else { return };
+    let mut high = high.iter();
+    if rows.len() % 2 == 1
+        && let Some(middle) = high.next()
+    {
+        // Both terms are the same one.
+        products(middle, middle, &mut sum);
+        for x in sum.as_flattened_mut() {
+            *x *= R::from_f64(0.5);
+        }
+    }
+    // From the middle outwards: the row that was just written comes last.
+    for (low, high) in low.iter().rev().zip(high) {
+        products(low, high, &mut sum);
+    }
+    for (to, from) in sums.iter_mut().skip(first).zip(sum.as_flattened()) {
+        *to = *from;
+    }
+}
+
+/// The column at `place` of two rows.
+#[inline(always)]
+pub fn column<'a, R: Real, const C: usize, const W: usize>(
+    low: &'a [R; C],
+    high: &'a [R; C],
+    place: usize,
+) -> Option<(&'a [R; W], &'a [R; W])> {
+    Some((low.get(place..)?.first_chunk()?, high.get(place..)?.first_chunk()?))
+}
+
+/// A column of both rows.
+type Column<'a, R, const W: usize> = Option<(&'a [R; W], &'a [R; W])>;
+
+/// Adds the terms of a product of two columns.
+#[inline(always)]
+pub fn product<R: Real, const W: usize>(sum: &mut [R; W], a: Column<'_, R, W>, b: Column<'_, R, W>) {
+    let (Some((a_low, a_high)), Some((b_low, b_high))) = (a, b) else { return };
+    for i in 0..W {
+        sum[i] = Real::mul_add(a_low[i], b_high[i], Real::mul_add(a_high[i], b_low[i], sum[i]));
+    }
+}
+
+/// Adds the terms of the square of a column.
+#[inline(always)]
+pub fn square<R: Real, const W: usize>(sum: &mut [R; W], a: Column<'_, R, W>) {
+    let Some((low, high)) = a else { return };
+    for i in 0..W {
+        sum[i] = Real::mul_add(low[i] + low[i], high[i], sum[i]);
+    }
+}
