@@ -61,12 +61,13 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     let (vector, inputs, count) = (emission.vector_type(), emission.input_type(), emission.count());
     let named =
         |name: &str| if super::system::mentions(&text, name) { name.to_owned() } else { format!("_{name}") };
+    // Types are spelled out: where the trait cannot be found, `Self::Tables` would be a second error.
     format!(
         "type JetConstants = {constants_type};\n\
          type Tables<const P: usize> = lagrange::{tables};\n\
-         #[inline]\nfn jet_constants(&self) -> Self::JetConstants {{\n{constants_body}\n}}\n\
-         #[inline]\nfn jet_at<const P: usize>(\n&self, {}: &Self::JetConstants, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
-         {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut Self::Tables<P>, \
+         #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
+         #[inline]\nfn jet_at<const P: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
+         {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
          series: &mut lagrange::Series<{scalar}, {count}, P>,\n) -> bool {{\n{items}{}\n}}\n",
         named("constants"),
         named("t"),
