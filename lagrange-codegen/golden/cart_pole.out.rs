@@ -127,7 +127,9 @@ const _: () = {
         /// What was found in this system, and what its code therefore leaves out.
         pub const STRUCTURE: lagrange::Structure = lagrange::Structure {
             mass_matrix: "dense, solved by a factorisation written out (2 × 2)",
-            facts: &[],
+            facts: &[
+                "smooth: a Taylor series of the motion takes 4 convolutions and the recurrences of 2 functions an order",
+            ],
             skipped: &["time: nothing depends on it", "constraints and multipliers"],
         };
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
@@ -367,7 +369,7 @@ A singular mass matrix, with the coordinate and the time.*/
         type JetConstants = [R; 5];
         type Tables<const P: usize> = lagrange::Tables<R, 4, P>;
         #[inline]
-        fn jet_constants(&self) -> Self::JetConstants {
+        fn jet_constants(&self) -> [R; 5] {
             {
                 let [c0_0, c0_1] = {
                     let cart_mass: R = self.cart_mass;
@@ -391,14 +393,14 @@ A singular mass matrix, with the coordinate and the time.*/
         #[inline]
         fn jet_at<const P: usize>(
             &self,
-            constants: &Self::JetConstants,
+            constants: &[R; 5],
             _t: R,
             q: &[R; 2],
             v: &[R; 2],
             u: &[R; 1],
             h: R,
             orders: usize,
-            tables: &mut Self::Tables<P>,
+            tables: &mut lagrange::Tables<R, 4, P>,
             series: &mut lagrange::Series<R, 2, P>,
         ) -> bool {
             use lagrange::Real;
@@ -525,7 +527,7 @@ A singular mass matrix, with the coordinate and the time.*/
                     Real::mul_add(
                         -x_dot,
                         theta_dot_sin_theta_2_k,
-                        Real::mul_add(g, sin_theta_k, (-inner_3)),
+                        Real::mul_add(g, sin_theta_k, -inner_3),
                     ),
                 );
                 if let ::core::option::Option::Some((left, right)) = tables.row(order) {
@@ -546,7 +548,7 @@ A singular mass matrix, with the coordinate and the time.*/
                 theta_force = Real::mul_add(
                     -damping,
                     theta_dot_k,
-                    (pole_mass_length * w5_k),
+                    pole_mass_length * w5_k,
                 );
                 theta_dot_first = lagrange::jets::first(
                     order,

@@ -1,9 +1,10 @@
 //! [`Simulation`]: a motion under error control, its samples and its inputs.
 //!
-//! The integrator takes steps of its own choice and may be ahead of the state that the caller sees.
-//! [`Simulation::advance_to`] shortens the last step to land exactly on its target; [`Simulation::every`]
-//! leaves the steps alone and reads between them from a polynomial whose error is of the order of the tolerance.
-//! After a sample inside a step, `advance_to` goes on from the ends of that step, never from the sample,
+//! The integrator takes steps of its own choice and may be ahead of the state that the caller sees. Between their ends
+//! it has a polynomial. That of [`Jets`](crate::Jets) is as accurate as the steps themselves, so that neither
+//! [`Simulation::advance_to`] nor [`Simulation::every`] ever shortens one. That of [`Dop853`] has the error of the
+//! tolerance: `every` reads from it, `advance_to` shortens the last step to land exactly on its target.
+//! After a sample inside a step the motion goes on from the ends of that step, never from the sample,
 //! so sampling costs no accuracy. A change of inputs does restart at the state that the caller sees.
 
 use crate::error::{Cause, MotionError};

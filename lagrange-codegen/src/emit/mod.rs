@@ -137,8 +137,20 @@ fn report(emission: &Emission<'_>, before: Operations, after: Operations) -> Tok
     };
     let (before, after) = (cost(before), cost(after));
     let mass_matrix = emission.solution.describe(emission.facts);
-    let facts = emission.facts.found(emission.model);
-    let skipped = emission.facts.skipped(emission.model);
+    let mut facts = emission.facts.found(emission.model);
+    let mut skipped = emission.facts.skipped(emission.model);
+    match emission.jets {
+        Some(jets) => {
+            facts.push(jets.describe());
+            if jets.is_momentum_linear() {
+                let line = "in Taylor series: momenta, which are the velocities times constants";
+                skipped.push(line.to_owned());
+            }
+        }
+        None => {
+            facts.push("not smooth: a function has a kink or a jump, so there is no Taylor series".to_owned())
+        }
+    }
     let coordinates: Vec<String> =
         emission.model.coordinates.iter().map(|quantity| quantity.written()).collect();
     let count = coordinates.len();

@@ -157,6 +157,41 @@ impl Jets {
         self.lane_of.get(&lane).copied().expect("jets: every product of a recurrence has a lane")
     }
 
+    /// A line for the report.
+    pub fn describe(&self) -> String {
+        let named = |series: &&Series| !matches!(series.relation, Relation::Same(_));
+        let functions =
+            self.auxiliaries.iter().filter(named).filter(|series| self.moves(series.slot)).count();
+        let count = |count: usize, what: &str| match count {
+            0 => format!("no {what}s"),
+            1 => format!("1 {what}"),
+            count => format!("{count} {what}s"),
+        };
+        let (products, functions) = (count(self.lanes.len(), "convolution"), count(functions, "function"));
+        format!(
+            "smooth: a Taylor series of the motion takes {products} and the recurrences of {functions} an order"
+        )
+    }
+
+    /// Whether no momentum needs an evaluation beside the velocities.
+    pub fn is_momentum_linear(&self) -> bool {
+        let mut linear = true;
+        let mut stack = self.momenta.clone();
+        while let Some(slot) = stack.pop() {
+            if !self.moves(slot) {
+                continue;
+            }
+            match self.program.instruction(slot) {
+                Instruction::Variable(Variable::Velocity(_)) => {}
+                Instruction::Add(a, b) | Instruction::Sub(a, b) => stack.extend([a, b]),
+                Instruction::Neg(a) => stack.push(a),
+                Instruction::Mul(a, b) if !(self.moves(a) && self.moves(b)) => stack.extend([a, b]),
+                _ => linear = false,
+            }
+        }
+        linear
+    }
+
     /// A measure of the work of one order.
     pub(super) fn cost(&self) -> usize {
         /// A lane costs its share of the sweep, two terms of its own, and the stores of two operands.

@@ -1,5 +1,6 @@
 //! The coefficient of one order as a chain of multiply–adds, earliest known terms first.
 
+use super::bare;
 use crate::jets::{Coefficient, Jets, Relation, Series};
 use crate::number::Number;
 use crate::schedule::{Instruction, Slot};
@@ -190,8 +191,8 @@ pub(super) fn chain(
             (None, Some(factor), true) => format!("(-({factor} * {value}))"),
             (Some(sum), None, false) => format!("({sum} + {value})"),
             (Some(sum), None, true) => format!("({sum} - {value})"),
-            (Some(sum), Some(factor), false) => format!("Real::mul_add({factor}, {value}, {sum})"),
-            (Some(sum), Some(factor), true) => format!("Real::mul_add(-{factor}, {value}, {sum})"),
+            (Some(sum), Some(factor), false) => format!("Real::mul_add({factor}, {value}, {})", bare(&sum)),
+            (Some(sum), Some(factor), true) => format!("Real::mul_add(-{factor}, {value}, {})", bare(&sum)),
         });
     }
     sum
