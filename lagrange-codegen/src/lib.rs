@@ -25,7 +25,7 @@ mod emit;
 mod expand;
 pub mod expr;
 pub mod jets;
-mod lower;
+pub mod lower;
 pub mod mechanics;
 pub mod model;
 pub mod number;

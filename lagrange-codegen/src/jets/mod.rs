@@ -6,8 +6,8 @@
 //!
 //! M v\[k + 1] = f\[k] / (k + 1) − p\[k + 1] at v\[k + 1] = 0.
 //!
-//! No time derivative, no Coriolis term and no inverse is ever formed. [`auxiliary`] makes p and f polynomial,
-//! [`recurrence`] sorts the operations of the polynomial by when their coefficients of one order are known.
+//! No time derivative, no Coriolis term and no inverse is ever formed. `auxiliary` makes p and f polynomial,
+//! `recurrence` sorts the operations of the polynomial by when their coefficients of one order are known.
 //! Pryce and Nedialkov (*Solving differential-algebraic equations by Taylor series*, BIT 2005) have the
 //! mathematics.
 
