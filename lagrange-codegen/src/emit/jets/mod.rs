@@ -55,9 +55,9 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     format!(
         "type JetConstants = {constants_type};\n\
          type Tables<const P: usize> = lagrange::Tables<{scalar}, {lanes}, P>;\n\
-         #[inline]\nfn jet_constants(&self) -> Self::JetConstants {{\n{constants_body}\n}}\n\
-         #[inline]\nfn jet_at<const P: usize>(\n&self, {}: &Self::JetConstants, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
-         {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut Self::Tables<P>, \
+         #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
+         #[inline]\nfn jet_at<const P: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
+         {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::Tables<{scalar}, {lanes}, P>, \
          series: &mut lagrange::Series<{scalar}, {count}, P>,\n) -> bool {{\n{}\n}}\n",
         named("constants"),
         named("t"),
