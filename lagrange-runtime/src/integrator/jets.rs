@@ -131,8 +131,10 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     ///
     /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
     /// So the terms before the last two may not exceed the tolerance by more than [`DECAY`] for each order either.
+    ///
+    /// The size of a component is that of its first terms over `span`, which should be about the length itself.
     #[inline]
-    fn tolerated(&self, limits: &Limits<R>) -> R {
+    fn tolerated(&self, limits: &Limits<R>, span: R) -> R {
         let relative = larger(limits.relative, R::epsilon());
         let absolute = limits.absolute.unwrap_or_else(R::zero);
         let (mut last, mut before) = (R::zero(), R::zero());
@@ -144,8 +146,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let [v1, v2, vb, vl] = [1, 2, p - 1, p].map(|k| row(&series.v, k));
         let (mut weights_q, mut weights_v) = ([R::zero(); N], [R::zero(); N]);
         for i in 0..N {
-            weights_q[i] = R::recip(size(self.start.q[i], q1[i], q2[i]));
-            weights_v[i] = R::recip(size(self.start.v[i], v1[i], v2[i]));
+            weights_q[i] = R::recip(size(self.start.q[i], q1[i] * span, q2[i] * span * span));
+            weights_v[i] = R::recip(size(self.start.v[i], v1[i] * span, v2[i] * span * span));
             last = larger(larger(last, ql[i].abs() * weights_q[i]), vl[i].abs() * weights_v[i]);
             before = larger(larger(before, qb[i].abs() * weights_q[i]), vb[i].abs() * weights_v[i]);
         }
@@ -305,7 +307,13 @@ where
         if !solved {
             return Err(Cause::NotFinite);
         }
-        let tolerated = memory.tolerated(limits);
+        let mut tolerated = memory.tolerated(limits, num_traits::One::one());
+        let mut span = number(1.0);
+        // In a unit much longer than the step the first terms are no measure of the size.
+        while tolerated < number(0.5) * span && tolerated * number(NEAR * NEAR) > num_traits::One::one() {
+            span = tolerated;
+            tolerated = memory.tolerated(limits, span);
+        }
         let is_finite = memory.is_finite();
         if is_finite && tolerated == number(f64::INFINITY) {
             // A polynomial in time, or coefficients that underflow.
