@@ -294,6 +294,7 @@ where
     let resolution = number(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
     let mut remembered = memory.next.is_positive();
     let mut unit = if remembered { memory.next } else { left.abs() };
+    let mut overflowed = false;
     loop {
         if *attempts == 0 {
             return Err(Cause::TooManySteps);
@@ -324,16 +325,21 @@ where
             }
             memory.reach(limits.clip(left.abs()) / unit);
             memory.next = num_traits::Zero::zero();
-        } else if is_finite && tolerated < number(NEAR) && tolerated * number(NEAR) > num_traits::One::one() {
-            let length = limits.clip(tolerated * unit);
+        } else if is_finite
+            && (tolerated < number(NEAR) || overflowed)
+            && tolerated * number(NEAR) > num_traits::One::one()
+        {
+            // A shorter step than the tolerance allows where coefficients overflow in a longer unit.
+            let length = limits.clip(smaller(tolerated, number(NEAR)) * unit);
             if length.partial_cmp(&resolution) != Some(Ordering::Greater) {
                 return Err(Cause::StepTooSmall);
             }
             memory.reach(length / unit);
-            memory.next = tolerated * unit;
+            memory.next = smaller(tolerated, number(NEAR)) * unit;
         } else {
             // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
             let cause = if is_finite { Cause::StepTooSmall } else { Cause::NotFinite };
+            overflowed |= !is_finite;
             let factor = if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
             unit *= factor;
             memory.counts.rejected += 1;
