@@ -8,5 +8,6 @@ mod conservation;
 mod derivation;
 mod failure;
 mod hygiene;
+mod jets;
 mod order;
 mod support;
