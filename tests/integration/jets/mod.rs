@@ -7,5 +7,8 @@ mod control;
 mod failures;
 mod functions;
 mod gaps;
+mod long;
 mod mechanics;
 mod oracle;
+mod steps;
+mod units;
