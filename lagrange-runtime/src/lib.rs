@@ -78,7 +78,7 @@ pub mod __private {
     pub use crate::tables::Tables;
     pub mod jets {
         //! Recurrences of Taylor coefficients.
-        pub use crate::tables::{first, fraction, ramp};
+        pub use crate::tables::{first, fraction, ramp, rate};
     }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::system::System;
