@@ -98,7 +98,7 @@ pub mod __private {
     pub mod jets {
         //! Recurrences of Taylor coefficients.
         pub use crate::columns::{Products, column, product, square, tile};
-        pub use crate::tables::{first, fraction, ramp};
+        pub use crate::tables::{first, fraction, ramp, rate};
     }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::system::System;

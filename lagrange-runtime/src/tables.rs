@@ -104,6 +104,13 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     }
 }
 
+/// h / order. Not h · (1 / order): the rounding of 1/3 would have the same sign in every step, and the energy would
+/// drift with the number of steps instead of its root.
+#[inline(always)]
+pub fn rate<R: Real>(h: R, order: usize) -> R {
+    h / R::from_f64(order as f64)
+}
+
 /// 1 / order.
 #[inline(always)]
 pub fn fraction<R: Real>(order: usize) -> R {

@@ -9,5 +9,6 @@ mod derivation;
 mod failure;
 mod hygiene;
 mod integrators;
+mod jets;
 mod order;
 mod support;

@@ -32,4 +32,5 @@ fn main() {
     let mut motion = pendulum.simulate(start);
     let _ = motion.advance_to(1.0);
     let _ = pendulum.stepper::<Rk4>(start).step(1e-3, &[]);
+    let _ = pendulum.stepper::<Jet<6>>(start).step(1e-3, &[]);
 }

@@ -57,9 +57,14 @@ where
             return Ok(next);
         }
         let (gain_q, gain_v) = series.sum();
+        let mut rest = *residue;
         for i in 0..N {
-            (next.q[i], residue.0[i]) = add(from.q[i], residue.0[i], gain_q[i]);
-            (next.v[i], residue.1[i]) = add(from.v[i], residue.1[i], gain_v[i]);
+            (next.q[i], rest.0[i]) = add(from.q[i], rest.0[i], gain_q[i]);
+            (next.v[i], rest.1[i]) = add(from.v[i], rest.1[i], gain_v[i]);
+        }
+        // A step that fails is not taken.
+        if next.is_finite() {
+            *residue = rest;
         }
         Ok(next)
     }

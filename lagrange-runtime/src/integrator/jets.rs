@@ -137,8 +137,10 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     ///
     /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
     /// So the terms before the last two may not exceed the tolerance by more than [`STEEPEST`] for each order either.
+    ///
+    /// The size of a component is that of its first terms over `span`, which should be about the length itself.
     #[inline]
-    fn tolerated(&self, limits: &Limits<R>) -> R {
+    fn tolerated(&self, limits: &Limits<R>, span: R) -> R {
         let relative = larger(limits.relative, R::epsilon());
         let absolute = limits.absolute.unwrap_or_else(R::zero);
         let (mut last, mut before) = (R::zero(), R::zero());
@@ -151,8 +153,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let [v1, v2, vb, vl] = [1, 2, p - 1, p].map(|k| row(&series.v, k));
         let (mut weights_q, mut weights_v) = ([R::zero(); N], [R::zero(); N]);
         for i in 0..N {
-            weights_q[i] = R::recip(size(self.start.q[i], q1[i], q2[i]));
-            weights_v[i] = R::recip(size(self.start.v[i], v1[i], v2[i]));
+            weights_q[i] = R::recip(size(self.start.q[i], q1[i] * span, q2[i] * span * span));
+            weights_v[i] = R::recip(size(self.start.v[i], v1[i] * span, v2[i] * span * span));
             last = larger(larger(last, ql[i].abs() * weights_q[i]), vl[i].abs() * weights_v[i]);
             before = larger(larger(before, qb[i].abs() * weights_q[i]), vb[i].abs() * weights_v[i]);
         }
@@ -310,6 +312,7 @@ where
     let resolution = number(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
     let mut remembered = memory.next.is_positive();
     let mut unit = if remembered { memory.next } else { left.abs() };
+    let mut overflowed = false;
     loop {
         if *attempts == 0 {
             return Err(Cause::TooManySteps);
@@ -323,7 +326,13 @@ where
         if !solved {
             return Err(Cause::NotFinite);
         }
-        let tolerated = memory.tolerated(limits);
+        let mut tolerated = memory.tolerated(limits, num_traits::One::one());
+        let mut span = number(1.0);
+        // In a unit much longer than the step the first terms are no measure of the size.
+        while tolerated < number(0.5) * span && tolerated * number(NEAR * NEAR) > num_traits::One::one() {
+            span = tolerated;
+            tolerated = memory.tolerated(limits, span);
+        }
         let is_finite = memory.is_finite();
         if is_finite && tolerated == number(f64::INFINITY) {
             // A polynomial in time, or coefficients that underflow.
@@ -334,16 +343,21 @@ where
             }
             memory.reach(limits.clip(left.abs()) / unit);
             memory.next = num_traits::Zero::zero();
-        } else if is_finite && tolerated < number(NEAR) && tolerated * number(NEAR) > num_traits::One::one() {
-            let length = limits.clip(tolerated * unit);
+        } else if is_finite
+            && (tolerated < number(NEAR) || overflowed)
+            && tolerated * number(NEAR) > num_traits::One::one()
+        {
+            // A shorter step than the tolerance allows where coefficients overflow in a longer unit.
+            let length = limits.clip(smaller(tolerated, number(NEAR)) * unit);
             if length.partial_cmp(&resolution) != Some(Ordering::Greater) {
                 return Err(Cause::StepTooSmall);
             }
             memory.reach(length / unit);
-            memory.next = tolerated * unit;
+            memory.next = smaller(tolerated, number(NEAR)) * unit;
         } else {
             // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
             let cause = if is_finite { Cause::StepTooSmall } else { Cause::NotFinite };
+            overflowed |= !is_finite;
             let factor =
                 if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
             unit *= factor;

@@ -177,11 +177,10 @@ impl Writer<'_, '_> {
         self.body.push_str("if order == orders {\nbreak;\n}\n");
         self.late(&under);
         self.store();
-        let fraction = if self.body.contains("fraction") || self.body.contains("rate") {
-            format!("let fraction: {scalar} = lagrange::jets::fraction(order);\nlet rate = h * fraction;\n")
-        } else {
-            String::new()
-        };
+        let mut fraction = format!("let rate: {scalar} = lagrange::jets::rate(h, order);\n");
+        if self.body.contains("fraction") {
+            fraction.push_str(&format!("let fraction: {scalar} = lagrange::jets::fraction(order);\n"));
+        }
         let inner = self.sweep();
         format!(
             "{}for order in 1..=orders {{\n{fraction}{inner}{}{}}}\ntrue",

@@ -1,0 +1,131 @@
+//! Long runs: the error of the energy is that of rounding, and grows like a random walk. Slow:
+//! `cargo test --release --test integration jets::long -- --ignored --nocapture`.
+
+use lagrangian::prelude::*;
+
+use crate::support::close::between;
+
+struct DoublePendulum;
+
+#[lagrangian(coordinates = [upper, lower])]
+impl DoublePendulum {
+    #[point(mass = 1.0)]
+    fn elbow(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.upper.sin(), -q.upper.cos())
+    }
+
+    #[point(mass = 1.0)]
+    fn hand(&self, q: &Coordinates) -> Vector2<f64> {
+        self.elbow(q) + Vector2::new(q.lower.sin(), -q.lower.cos())
+    }
+
+    /// Zero at rest, which keeps the digits of small swings.
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        let rise = |angle: f64| 2.0 * (0.5 * angle).sin().powi(2);
+        9.81 * (2.0 * rise(q.upper) + rise(q.lower))
+    }
+}
+
+struct SphericalPendulum;
+
+#[lagrangian(coordinates = [theta, phi])]
+impl SphericalPendulum {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> Vector3<f64> {
+        let (sin, cos) = q.theta.sin_cos();
+        Vector3::new(sin * q.phi.cos(), sin * q.phi.sin(), -cos)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * self.bob(q).z
+    }
+}
+
+struct Kepler;
+
+#[lagrangian(coordinates = [x, y])]
+impl Kepler {
+    #[point(mass = 1.0)]
+    fn planet(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn sun(&self, q: &Coordinates) -> f64 {
+        -1.0 / self.planet(q).norm()
+    }
+}
+
+/// The root of the mean square of a relative error of the energy over each of `blocks` blocks, each twice as long as
+/// the one before, of which the first has `first` samples of `dt`.
+fn growth<S: System<2, 0, Scalar = f64, Method = Jets> + lagrangian::Smooth<2>>(
+    name: &str,
+    system: &S,
+    start: State<f64, 2>,
+    dt: f64,
+    first: u32,
+    blocks: u32,
+) -> Vec<f64> {
+    let mut motion = system.simulate(start).with_tolerance(0.0);
+    let energy = motion.energy();
+    let mut errors = Vec::new();
+    let mut time = 0_u32;
+    for block in 0..blocks {
+        let count = first << block;
+        let mut squares = 0.0;
+        for _ in 0..count {
+            time += 1;
+            motion.advance_to(dt * f64::from(time)).unwrap();
+            squares += (motion.energy() / energy - 1.0).powi(2);
+        }
+        errors.push((squares / f64::from(count)).sqrt());
+        let steps = motion.steps().accepted;
+        println!("{name}: t = {:.0}, {steps} steps, energy {:.1e}", motion.t(), errors[errors.len() - 1]);
+    }
+    let ratio = errors[errors.len() - 1] / errors[0];
+    println!("{name}: exponent {:.2}", ratio.log2() / f64::from(blocks - 1));
+    errors
+}
+
+#[test]
+#[ignore = "a million steps and more"]
+fn the_energy_of_a_double_pendulum_walks_at_random() {
+    let small = growth("small swings", &DoublePendulum, State::at_rest([0.01, 0.02]), 1.0, 500, 10);
+    between(0.0, small[9], 1e-13);
+    let wild = growth("wild", &DoublePendulum, State::at_rest([2.0, 2.5]), 1.0, 250, 10);
+    between(0.0, wild[9], 1e-12);
+}
+
+#[test]
+#[ignore = "a million steps and more"]
+fn the_energy_of_a_spherical_pendulum_walks_at_random() {
+    let errors = growth("spherical", &SphericalPendulum, State::new([1.0, 0.0], [0.0, 2.0]), 1.0, 500, 10);
+    between(0.0, errors[9], 1e-13);
+}
+
+#[test]
+#[ignore = "a million steps and more"]
+fn the_energy_of_a_planet_walks_at_random() {
+    let start = State::new([0.4, 0.0], [0.0, 2.0]);
+    let period = std::f64::consts::TAU;
+    let errors = growth("Kepler, e = 0.6", &Kepler, start, 0.618 * period, 200, 10);
+    between(0.0, errors[9], 2e-13);
+}
+
+#[test]
+#[ignore = "millions of steps"]
+fn fixed_steps_keep_the_energy_as_well() {
+    let mut motion = DoublePendulum.stepper::<Jet<12>>(State::at_rest([0.01, 0.02]));
+    let energy = motion.energy();
+    let mut largest = 0.0_f64;
+    for step in 0..5_000_000 {
+        motion.step(0.02, &[]).unwrap();
+        if step % 1000 == 0 {
+            largest = largest.max((motion.energy() / energy - 1.0).abs());
+        }
+    }
+    println!("fixed steps: energy {largest:.1e}");
+    between(0.0, largest, 1e-12);
+}
