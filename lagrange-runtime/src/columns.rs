@@ -38,12 +38,10 @@ impl<R: Real, const C: usize, const P: usize> Columns<R, C, P> {
 
     /// Σ a\[j] b\[order − j] over 0 < j < order, for all products a b.
     #[inline(always)]
-    pub fn interior<S: Products<C, L>, const L: usize>(&self, order: usize) -> [R; L] {
-        let mut sums = [R::zero(); L];
+    pub fn interior<S: Products<C, L>, const L: usize>(&self, order: usize, sums: &mut [R; L]) {
         if let Some(rows) = self.rows.get(..order - 1) {
-            outlined::<S, R, C, L>(rows, &mut sums);
+            outlined::<S, R, C, L>(rows, sums);
         }
-        sums
     }
 }
 

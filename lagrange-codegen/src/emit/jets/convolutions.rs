@@ -2,6 +2,7 @@
 
 use super::binding;
 use super::order::Writer;
+use super::wide::Wide;
 use crate::collections::Lookup;
 use crate::jets::Lane;
 
@@ -9,20 +10,34 @@ use crate::jets::Lane;
 /// for the row that was just written, which more lanes hide behind each other.
 pub(super) const EDGED: usize = 16;
 
+/// So many sums are made anew in each order; more are overwritten, which saves setting them to zero.
+const FRESH: usize = 32;
+
 impl Writer<'_, '_> {
     /// The statement before everything else.
     pub(super) fn sweep(&self) -> String {
         match (self.wide, self.jets.lanes.is_empty()) {
             (_, true) => String::new(),
-            (Some(wide), _) => format!("let inner = tables.interior::<Products, {}>(order);\n", wide.sums),
+            (Some(wide), _) => {
+                let sums = if wide.sums > FRESH { String::new() } else { self.sums(wide) };
+                format!("{sums}tables.interior::<Products, _>(order, &mut inner);\n")
+            }
             (None, _) => "let inner = tables.interior::<1>(order);\n".to_owned(),
         }
+    }
+
+    fn sums(&self, wide: &Wide) -> String {
+        let (scalar, sums) = (&self.emission.item.scalar, wide.sums);
+        format!("let mut inner: [{scalar}; {sums}] = [{}; {sums}];\n", self.zero())
     }
 
     /// The interior sums. Their outermost terms, with coefficients of order 1 and of the last order, are not in the
     /// tables: a sweep over a row that was just written would wait for it.
     pub(super) fn interiors(&mut self) {
         if let Some(wide) = self.wide {
+            if wide.sums > FRESH {
+                self.before.push_str(&self.sums(wide));
+            }
             self.inner = wide.lanes.iter().map(|place| format!("inner[{place}]")).collect();
             return;
         }
