@@ -455,8 +455,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
             let mut sin_theta_flow: R = theta_dot_cos_theta;
             for order in 1..=orders {
-                let fraction: R = lagrange::jets::fraction(order);
-                let rate = h * fraction;
+                let rate: R = lagrange::jets::rate(h, order);
                 let inner = tables.interior::<1>(order);
                 let x_k: R = rate * x_dot_last;
                 let theta_k: R = rate * theta_dot_last;

@@ -446,8 +446,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut sin_theta_1_flow: f64 = theta_1_dot_cos_theta_1;
             let mut cos_theta_1_flow: f64 = w24;
             for order in 1..=orders {
-                let fraction: f64 = lagrange::jets::fraction(order);
-                let rate = h * fraction;
+                let rate: f64 = lagrange::jets::rate(h, order);
                 let inner = tables.interior::<1>(order);
                 let theta_0_k: f64 = rate * theta_0_dot_last;
                 let theta_1_k: f64 = rate * theta_1_dot_last;

@@ -449,8 +449,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut sin_theta_flow: f64 = theta_dot_cos_theta;
             let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
             for order in 1..=orders {
-                let fraction: f64 = lagrange::jets::fraction(order);
-                let rate = h * fraction;
+                let rate: f64 = lagrange::jets::rate(h, order);
                 let inner = tables.interior::<1>(order);
                 let phi_k: f64 = rate * phi_dot_last;
                 let theta_k: f64 = rate * theta_dot_last;
