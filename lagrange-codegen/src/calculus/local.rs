@@ -4,7 +4,7 @@ use crate::expr::{Binary, Graph, NodeId, Unary};
 use crate::number::Number;
 
 /// f′ at `argument`; `value` is f(argument).
-pub(super) fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value: NodeId) -> NodeId {
+pub fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value: NodeId) -> NodeId {
     let one_plus = |graph: &mut Graph, square_of: NodeId, sign: Number| {
         let square = graph.powi(square_of, 2);
         graph.sum(Number::ONE, &[(square, sign)])
@@ -71,7 +71,7 @@ pub(super) fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value:
 }
 
 /// The two partial derivatives at `(first, second)`; `value` is the function's value.
-pub(super) fn binary(
+pub fn binary(
     graph: &mut Graph,
     function: Binary,
     first: NodeId,

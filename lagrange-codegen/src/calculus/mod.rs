@@ -15,5 +15,6 @@ mod tests;
 
 pub use degree::{Degrees, first_beyond_degree, velocity_degrees};
 pub use forward::pushforward;
+pub use local::{binary as partial_derivatives, unary as derivative};
 pub use reverse::pullback;
 pub use substitute::{rebuild, substitute};

@@ -212,6 +212,6 @@ fn check(emission: &mut Emission<'_>) -> Option<String> {
 }
 
 /// Whether a body mentions an identifier.
-pub(super) fn mentions(body: &str, name: &str) -> bool {
+fn mentions(body: &str, name: &str) -> bool {
     body.split(|c: char| c != '_' && !c.is_alphanumeric()).any(|word| word == name)
 }

@@ -9,7 +9,7 @@
 //!   velocities and momenta often share (sin θ and cos θ need cos θ · θ′ and sin θ · θ′, which are ẏ and ẋ of a rod);
 //! * any other y = f(x₁, …) satisfies y′ = Σ ∂f/∂xᵢ · xᵢ′, taken on the series of xᵢ.
 
-use crate::calculus::{pushforward, substitute, velocity_degrees};
+use crate::calculus::{derivative, partial_derivatives, pushforward, substitute, velocity_degrees};
 use crate::collections::Lookup;
 use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Variable};
 use crate::number::Number;
@@ -86,15 +86,19 @@ impl<'g> Rewriter<'g> {
         }
     }
 
-    /// The root as a polynomial.
-    pub fn polynomial(&mut self, root: NodeId) -> Result<NodeId, NotSmooth> {
-        for id in self.graph.cone([root]) {
-            if self.images.get(&id).is_none() {
+    /// The roots as polynomials.
+    pub fn polynomials(&mut self, roots: &[NodeId]) -> Result<Vec<NodeId>, NotSmooth> {
+        for id in self.graph.cone(roots.iter().copied()) {
+            if !self.images.contains(&id) {
                 let image = self.image(id)?;
                 self.images.insert(id, image);
             }
         }
-        Ok(self.of(root))
+        Ok(roots.iter().map(|&root| self.of(root)).collect())
+    }
+
+    fn polynomial(&mut self, root: NodeId) -> Result<NodeId, NotSmooth> {
+        self.polynomials(&[root]).map(|images| images[0])
     }
 
     fn of(&self, id: NodeId) -> NodeId {
@@ -198,8 +202,7 @@ impl<'g> Rewriter<'g> {
             }
             Unary::ExpM1 => self.graph.sum(Number::ONE, &[(variable, Number::ONE)]),
             _ => {
-                let one = self.graph.one();
-                let slope = pushforward(self.graph, &[id], &[(argument, one)])[0];
+                let slope = derivative(self.graph, function, argument, id);
                 self.polynomial(slope)?
             }
         };
@@ -220,9 +223,7 @@ impl<'g> Rewriter<'g> {
         let slopes = match function {
             Binary::Pivot => return Err(NotSmooth),
             Binary::Atan2 => {
-                let one = self.graph.one();
-                let by_first = pushforward(self.graph, &[id], &[(first, one)])[0];
-                let by_second = pushforward(self.graph, &[id], &[(second, one)])[0];
+                let (by_first, by_second) = partial_derivatives(self.graph, function, first, second, id);
                 [(self.polynomial(by_first)?, first), (self.polynomial(by_second)?, second)]
             }
             Binary::Powf => {
@@ -248,6 +249,18 @@ impl<'g> Rewriter<'g> {
         Ok(variable)
     }
 
+    /// The time derivatives of the arguments of functions at zero accelerations.
+    fn rates(&mut self, arguments: &[NodeId]) -> Vec<NodeId> {
+        let known = |argument: &NodeId| {
+            self.direction.iter().find(|(variable, _)| variable == argument).map(|&(_, rate)| rate)
+        };
+        // A sweep takes time in proportion to the whole graph; most arguments are coordinates.
+        match arguments.iter().map(known).collect() {
+            Some(rates) => rates,
+            None => pushforward(self.graph, arguments, &self.direction),
+        }
+    }
+
     /// Whether a node is the same all through a step.
     fn is_held(&self, id: NodeId) -> bool {
         !self.graph.dependence(id).meets(MOVING)
@@ -258,9 +271,12 @@ impl<'g> Rewriter<'g> {
         let slopes: Vec<_> =
             slopes.iter().copied().filter(|&(_, argument)| !self.is_held(argument)).collect();
         let arguments: Vec<NodeId> = slopes.iter().map(|&(_, argument)| argument).collect();
-        let rates = pushforward(self.graph, &arguments, &self.direction);
+        let rates = self.rates(&arguments);
         let bent = Dependence::COORDINATES.union(Dependence::TIME).union(Dependence::INPUTS);
         let straight = |graph: &Graph, argument: NodeId, rate: NodeId| {
+            if let Node::Variable(_) = graph.node(argument) {
+                return !graph.dependence(argument).meets(Dependence::VELOCITIES);
+            }
             !graph.dependence(argument).meets(Dependence::VELOCITIES)
                 && !graph.dependence(rate).meets(bent)
                 && velocity_degrees(graph, rate).at_most(1)

@@ -59,10 +59,7 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
 /// The recurrences of d/dt p = f for `roots` p and f.
 fn recurrences(graph: &mut Graph, count: usize, roots: &[NodeId], meeting: bool) -> Result<Jets, NotSmooth> {
     let mut rewriter = Rewriter::new(graph, count);
-    let mut polynomials = Vec::with_capacity(roots.len());
-    for &root in roots {
-        polynomials.push(rewriter.polynomial(root)?);
-    }
+    let mut polynomials = rewriter.polynomials(roots)?;
     let mut auxiliaries = std::mem::take(&mut rewriter.auxiliaries);
     if meeting {
         let flow = |auxiliary: &Auxiliary| match auxiliary.relation {

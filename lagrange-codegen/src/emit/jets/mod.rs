@@ -59,8 +59,9 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     };
     let items = wide.as_ref().map(Wide::items).unwrap_or_default();
     let (vector, inputs, count) = (emission.vector_type(), emission.input_type(), emission.count());
-    let named =
-        |name: &str| if super::system::mentions(&text, name) { name.to_owned() } else { format!("_{name}") };
+    let words: std::collections::BTreeSet<&str> =
+        text.split(|c: char| c != '_' && !c.is_alphanumeric()).collect();
+    let named = |name: &str| if words.contains(name) { name.to_owned() } else { format!("_{name}") };
     // Types are spelled out: where the trait cannot be found, `Self::Tables` would be a second error.
     format!(
         "type JetConstants = {constants_type};\n\
