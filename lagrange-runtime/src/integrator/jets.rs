@@ -32,6 +32,10 @@ const HIGHEST: usize = 32;
 /// square of the order (Jorba and Zou); here it grows more slowly. Measured on the systems of the benchmarks.
 const ORDERS_PER_DIGIT: f64 = 0.7;
 
+/// The finest tolerance in units of rounding: the error of a series is systematic, that of rounding a random walk, so
+/// over millions of steps the first must be smaller by far. Sums are compensated and carry the digits.
+const FINEST: f64 = 1e-3;
+
 /// Terms of a series decay by less than this from order to order, at a step that follows from the last two.
 const DECAY: f64 = 6.0;
 
@@ -135,7 +139,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// The size of a component is that of its first terms over `span`, which should be about the length itself.
     #[inline]
     fn tolerated(&self, limits: &Limits<R>, span: R) -> R {
-        let relative = larger(limits.relative, R::epsilon());
+        let relative = larger(limits.relative, R::epsilon() * R::from_f64(FINEST));
         let absolute = limits.absolute.unwrap_or_else(R::zero);
         let (mut last, mut before) = (R::zero(), R::zero());
         let tiny = step_size::smallest::<R>();
@@ -178,7 +182,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
 /// The order for a tolerance.
 #[inline]
 fn orders<R: Ordered>(relative: R) -> usize {
-    let digits = -larger(relative, R::epsilon()).ln();
+    let digits = -larger(relative, R::epsilon() * R::from_f64(FINEST)).ln();
     let mut orders = 4;
     // A cast of a generic scalar: the smallest integer above.
     while orders < HIGHEST && R::from_f64(orders as f64) < R::from_f64(ORDERS_PER_DIGIT) * digits + R::one() {
