@@ -113,3 +113,6 @@ pub fn first<R: Real>(order: usize, first: R, coefficient: R) -> R {
         _ => first,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -28,7 +28,8 @@ const FALL: f64 = std::f64::consts::PI / (2.0 * std::f64::consts::SQRT_2);
 fn a_collision_is_an_error_near_its_time_at_every_tolerance() {
     for (tolerance, near) in [(1e-4, 2e-4), (1e-8, 1e-7), (1e-12, 1e-10), (1e-15, 1e-12), (0.0, 1e-12)] {
         for direction in [1.0, -1.0] {
-            let mut motion = Kepler { mu: 1.0 }.simulate(State::at_rest([1.0, 0.0])).with_tolerance(tolerance);
+            let mut motion =
+                Kepler { mu: 1.0 }.simulate(State::at_rest([1.0, 0.0])).with_tolerance(tolerance);
             let error = motion.advance_to(2.0 * direction).unwrap_err();
             assert!(matches!(error.cause, Cause::StepTooSmall | Cause::NotFinite), "{error}");
             close(error.t, FALL * direction, near);
@@ -81,7 +82,8 @@ fn an_escape_to_infinity_is_an_error_at_its_time() {
 #[test]
 fn what_is_not_finite_is_refused_and_changes_nothing() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for start in [State::new([bad], [0.0]), State::new([0.0], [bad]), State::at_rest([1.0]).at_time(bad)] {
+        for start in [State::new([bad], [0.0]), State::new([0.0], [bad]), State::at_rest([1.0]).at_time(bad)]
+        {
             let runaway = Runaway { c: 1.0 };
             let mut motion = runaway.simulate(start);
             assert_eq!(motion.advance_to(1.0).unwrap_err().cause, Cause::NotFinite);

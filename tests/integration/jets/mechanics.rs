@@ -180,7 +180,8 @@ impl Linear {
     #[potential]
     fn springs(&self, q: &Coordinates) -> f64 {
         let [a, b, c] = q.x;
-        0.5 * (self.k[0] * a * a + self.k[1] * (a - b).powi(2) + self.k[2] * (b - c).powi(2)) + 9.81 * q.falling
+        0.5 * (self.k[0] * a * a + self.k[1] * (a - b).powi(2) + self.k[2] * (b - c).powi(2))
+            + 9.81 * q.falling
     }
 
     #[dissipation]

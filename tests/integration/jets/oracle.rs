@@ -58,8 +58,7 @@ where
     S: Smooth<N, K, Scalar = f64>,
 {
     let constants = system.constants();
-    let accelerations =
-        |s: &State<f64, N>| system.accelerations_at(&constants, s.t, &s.q, &s.v, inputs);
+    let accelerations = |s: &State<f64, N>| system.accelerations_at(&constants, s.t, &s.q, &s.v, inputs);
     let unit = series(system, start, inputs, 1.0);
     all_close_on_largest(unit.q[0], start.v, 1e-14);
     all_close_on_largest(unit.v[0], accelerations(start), 1e-12);

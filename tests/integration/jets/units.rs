@@ -92,7 +92,8 @@ fn units_that_are_powers_of_ten_give_the_same_motion() {
     let (expected, expansions) = run(1.0, 1.0, 1.0, 1e-14);
     for exponent in [-12, -5, 7, 12] {
         let unit = 10.0_f64.powi(exponent);
-        for (mass, length, time) in [(unit, 1.0, 1.0), (1.0, unit, 1.0), (1.0, 1.0, unit), (unit, unit, unit)] {
+        for (mass, length, time) in [(unit, 1.0, 1.0), (1.0, unit, 1.0), (1.0, 1.0, unit), (unit, unit, unit)]
+        {
             let (found, count) = run(mass, length, time, 1e-14);
             for (found, expected) in found.into_iter().zip(expected) {
                 close(found, expected, 3e-13);
