@@ -375,34 +375,34 @@ A singular mass matrix, with the coordinate and the time.*/
             let [l_0_m_0_plus_m_1, m_1_l_1, g_m_0_plus_m_1, l_0_squared_m_0_plus_m_1,
             l_0_m_1_l_1, m_1_l_1_squared] = *constants;
             let theta_0_minus_theta_1: f64 = theta_0 - theta_1;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
             let (cos_theta_0_minus_theta_1, sin_theta_0_minus_theta_1) = {
                 let (s, c) = Real::sin_cos(theta_0_minus_theta_1);
                 (c, s)
             };
-            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
-            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
             let w1: f64 = theta_0_dot - theta_1_dot;
             let theta_1_dot_theta_0_dot: f64 = theta_1_dot * theta_0_dot;
             let w9: f64 = sin_theta_0_minus_theta_1 * theta_1_dot_theta_0_dot;
-            let g_m_0_plus_m_1_sin_theta_0: f64 = g_m_0_plus_m_1 * sin_theta_0;
-            let w10: f64 = m_1_l_1 * w9;
-            let w11: f64 = g_m_0_plus_m_1_sin_theta_0 + w10;
             let g_sin_theta_1: f64 = g * sin_theta_1;
-            let w12: f64 = l_0 * w9;
-            let w13: f64 = g_sin_theta_1 - w12;
-            let w16: f64 = l_0 * w11;
+            let w10: f64 = l_0 * w9;
+            let w11: f64 = g_sin_theta_1 - w10;
+            let g_m_0_plus_m_1_sin_theta_0: f64 = g_m_0_plus_m_1 * sin_theta_0;
+            let w12: f64 = m_1_l_1 * w9;
+            let w13: f64 = g_m_0_plus_m_1_sin_theta_0 + w12;
+            let w16: f64 = l_0 * w13;
             let w17: f64 = -w16;
-            let w18: f64 = m_1_l_1 * w13;
+            let w18: f64 = m_1_l_1 * w11;
             let w19: f64 = -w18;
-            let w20: f64 = sin_theta_0_minus_theta_1 * w1;
-            let w21: f64 = -w20;
-            let w22: f64 = cos_theta_0_minus_theta_1 * w1;
             let theta_0_dot_cos_theta_0: f64 = theta_0_dot * cos_theta_0;
             let theta_0_dot_sin_theta_0: f64 = theta_0_dot * sin_theta_0;
-            let w23: f64 = -theta_0_dot_sin_theta_0;
+            let w20: f64 = -theta_0_dot_sin_theta_0;
             let theta_1_dot_cos_theta_1: f64 = theta_1_dot * cos_theta_1;
             let theta_1_dot_sin_theta_1: f64 = theta_1_dot * sin_theta_1;
-            let w24: f64 = -theta_1_dot_sin_theta_1;
+            let w21: f64 = -theta_1_dot_sin_theta_1;
+            let w22: f64 = sin_theta_0_minus_theta_1 * w1;
+            let w23: f64 = -w22;
+            let w24: f64 = cos_theta_0_minus_theta_1 * w1;
             let mut mass = [[0.0; 2]; 2];
             mass[0][0] = l_0_squared_m_0_plus_m_1;
             mass[1][0] = l_0_m_1_l_1
@@ -419,18 +419,16 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut theta_0_force: f64 = w17;
             let mut theta_1_dot_last: f64 = theta_1_dot;
             let mut theta_1_force: f64 = w19;
-            let mut theta_1_dot_first: f64 = 0.0;
-            let mut theta_1_dot_last_2: f64 = 0.0;
-            let mut w25: f64 = 0.0;
-            let mut w26: f64 = 0.0;
             let mut theta_0_dot_first: f64 = 0.0;
             let mut theta_0_dot_last_2: f64 = 0.0;
+            let mut w25: f64 = 0.0;
+            let mut w26: f64 = 0.0;
+            let mut theta_1_dot_first: f64 = 0.0;
+            let mut theta_1_dot_last_2: f64 = 0.0;
             let mut w27: f64 = 0.0;
             let mut w28: f64 = 0.0;
             let mut w29: f64 = 0.0;
             let mut w30: f64 = 0.0;
-            let mut w1_first: f64 = 0.0;
-            let mut w1_last: f64 = 0.0;
             let mut cos_theta_0_first: f64 = 0.0;
             let mut cos_theta_0_last: f64 = 0.0;
             let mut sin_theta_0_first: f64 = 0.0;
@@ -439,26 +437,28 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut cos_theta_1_last: f64 = 0.0;
             let mut sin_theta_1_first: f64 = 0.0;
             let mut sin_theta_1_last: f64 = 0.0;
-            let mut w31: f64 = w21;
-            let mut w33: f64 = w22;
+            let mut w1_first: f64 = 0.0;
+            let mut w1_last: f64 = 0.0;
             let mut sin_theta_0_flow: f64 = theta_0_dot_cos_theta_0;
-            let mut cos_theta_0_flow: f64 = w23;
+            let mut cos_theta_0_flow: f64 = w20;
             let mut sin_theta_1_flow: f64 = theta_1_dot_cos_theta_1;
-            let mut cos_theta_1_flow: f64 = w24;
+            let mut cos_theta_1_flow: f64 = w21;
+            let mut w31: f64 = w23;
+            let mut w33: f64 = w24;
             for order in 1..=orders {
                 let rate: f64 = lagrange::jets::rate(h, order);
                 let inner = tables.interior::<1>(order);
                 let theta_0_k: f64 = rate * theta_0_dot_last;
                 let theta_1_k: f64 = rate * theta_1_dot_last;
                 let inner_0: f64 = Real::mul_add(
-                    theta_1_dot_first,
-                    w26,
-                    Real::mul_add(w25, theta_1_dot_last_2, inner[0]),
-                );
-                let inner_1: f64 = Real::mul_add(
                     theta_0_dot_first,
                     w26,
-                    Real::mul_add(w25, theta_0_dot_last_2, inner[1]),
+                    Real::mul_add(w25, theta_0_dot_last_2, inner[0]),
+                );
+                let inner_1: f64 = Real::mul_add(
+                    theta_1_dot_first,
+                    w26,
+                    Real::mul_add(w25, theta_1_dot_last_2, inner[1]),
                 );
                 let inner_2: f64 = Real::mul_add(
                     theta_1_dot_first,
@@ -471,49 +471,49 @@ A singular mass matrix, with the coordinate and the time.*/
                     Real::mul_add(w29, w28, inner[3]),
                 );
                 let inner_4: f64 = Real::mul_add(
-                    w27,
-                    w1_last,
-                    Real::mul_add(w1_first, w28, inner[4]),
-                );
-                let inner_5: f64 = Real::mul_add(
-                    w25,
-                    w1_last,
-                    Real::mul_add(w1_first, w26, inner[5]),
-                );
-                let inner_6: f64 = Real::mul_add(
                     theta_0_dot_first,
                     cos_theta_0_last,
-                    Real::mul_add(cos_theta_0_first, theta_0_dot_last_2, inner[6]),
+                    Real::mul_add(cos_theta_0_first, theta_0_dot_last_2, inner[4]),
                 );
-                let inner_7: f64 = Real::mul_add(
+                let inner_5: f64 = Real::mul_add(
                     theta_0_dot_first,
                     sin_theta_0_last,
-                    Real::mul_add(sin_theta_0_first, theta_0_dot_last_2, inner[7]),
+                    Real::mul_add(sin_theta_0_first, theta_0_dot_last_2, inner[5]),
                 );
-                let inner_8: f64 = Real::mul_add(
+                let inner_6: f64 = Real::mul_add(
                     theta_1_dot_first,
                     cos_theta_1_last,
-                    Real::mul_add(cos_theta_1_first, theta_1_dot_last_2, inner[8]),
+                    Real::mul_add(cos_theta_1_first, theta_1_dot_last_2, inner[6]),
                 );
-                let inner_9: f64 = Real::mul_add(
+                let inner_7: f64 = Real::mul_add(
                     theta_1_dot_first,
                     sin_theta_1_last,
-                    Real::mul_add(sin_theta_1_first, theta_1_dot_last_2, inner[9]),
+                    Real::mul_add(sin_theta_1_first, theta_1_dot_last_2, inner[7]),
                 );
-                let w32: f64 = rate * w31;
-                let w34: f64 = rate * w33;
+                let inner_8: f64 = Real::mul_add(
+                    w27,
+                    w1_last,
+                    Real::mul_add(w1_first, w28, inner[8]),
+                );
+                let inner_9: f64 = Real::mul_add(
+                    w25,
+                    w1_last,
+                    Real::mul_add(w1_first, w26, inner[9]),
+                );
                 let sin_theta_0_k: f64 = rate * sin_theta_0_flow;
                 let cos_theta_0_k: f64 = rate * cos_theta_0_flow;
                 let sin_theta_1_k: f64 = rate * sin_theta_1_flow;
                 let cos_theta_1_k: f64 = rate * cos_theta_1_flow;
-                let w2_known: f64 = Real::mul_add(theta_1_dot, w32, inner_0);
-                let w5_partial: f64 = m_1_l_1 * w2_known;
-                let w6_known: f64 = Real::mul_add(theta_0_dot, w32, inner_1);
-                let w8_partial: f64 = l_0 * w6_known;
+                let w32: f64 = rate * w31;
+                let w34: f64 = rate * w33;
+                let w2_known: f64 = Real::mul_add(theta_0_dot, w32, inner_0);
+                let w4_partial: f64 = l_0 * w2_known;
+                let w5_known: f64 = Real::mul_add(theta_1_dot, w32, inner_1);
+                let w8_partial: f64 = m_1_l_1 * w5_known;
                 let [theta_0_dot_k, theta_1_dot_k] = theta_0_factors
                     .solve([
-                        Real::mul_add(rate, theta_0_force, (-(l_0 * w5_partial))),
-                        Real::mul_add(rate, theta_1_force, (-(m_1_l_1 * w8_partial))),
+                        Real::mul_add(rate, theta_0_force, (-(l_0 * w8_partial))),
+                        Real::mul_add(rate, theta_1_force, (-(m_1_l_1 * w4_partial))),
                     ]);
                 series
                     .set(order, [theta_0_k, theta_1_k], [theta_0_dot_k, theta_1_dot_k]);
@@ -523,20 +523,20 @@ A singular mass matrix, with the coordinate and the time.*/
                 let w1_k: f64 = theta_0_dot_k - theta_1_dot_k;
                 let w2_k: f64 = Real::mul_add(
                     cos_theta_0_minus_theta_1,
-                    theta_1_dot_k,
+                    theta_0_dot_k,
                     w2_known,
                 );
+                let w4_k: f64 = Real::mul_add(l_0, w2_k, l_1 * theta_1_dot_k);
                 let w5_k: f64 = Real::mul_add(
+                    cos_theta_0_minus_theta_1,
+                    theta_1_dot_k,
+                    w5_known,
+                );
+                let w8_k: f64 = Real::mul_add(
                     m_1_l_1,
-                    w2_k,
+                    w5_k,
                     l_0_m_0_plus_m_1 * theta_0_dot_k,
                 );
-                let w6_k: f64 = Real::mul_add(
-                    cos_theta_0_minus_theta_1,
-                    theta_0_dot_k,
-                    w6_known,
-                );
-                let w8_k: f64 = Real::mul_add(l_0, w6_k, l_1 * theta_1_dot_k);
                 let theta_1_dot_theta_0_dot_k: f64 = Real::mul_add(
                     theta_0_dot,
                     theta_1_dot_k,
@@ -547,88 +547,86 @@ A singular mass matrix, with the coordinate and the time.*/
                     theta_1_dot_theta_0_dot_k,
                     Real::mul_add(theta_1_dot_theta_0_dot, w34, inner_3),
                 );
-                let w11_k: f64 = Real::mul_add(
+                let w11_k: f64 = Real::mul_add(-l_0, w9_k, g * sin_theta_1_k);
+                let w13_k: f64 = Real::mul_add(
                     m_1_l_1,
                     w9_k,
                     g_m_0_plus_m_1 * sin_theta_0_k,
                 );
-                let w13_k: f64 = Real::mul_add(-l_0, w9_k, g * sin_theta_1_k);
                 if let ::core::option::Option::Some((left, right)) = tables.row(order) {
-                    left[0] = theta_1_dot_k;
+                    left[0] = theta_0_dot_k;
                     right[0] = w32;
-                    left[1] = theta_0_dot_k;
+                    left[1] = theta_1_dot_k;
                     right[1] = w32;
                     left[2] = theta_1_dot_k;
                     right[2] = theta_0_dot_k;
                     left[3] = w34;
                     right[3] = theta_1_dot_theta_0_dot_k;
-                    left[4] = w34;
-                    right[4] = w1_k;
-                    left[5] = w32;
-                    right[5] = w1_k;
-                    left[6] = theta_0_dot_k;
-                    right[6] = cos_theta_0_k;
-                    left[7] = theta_0_dot_k;
-                    right[7] = sin_theta_0_k;
-                    left[8] = theta_1_dot_k;
-                    right[8] = cos_theta_1_k;
-                    left[9] = theta_1_dot_k;
-                    right[9] = sin_theta_1_k;
+                    left[4] = theta_0_dot_k;
+                    right[4] = cos_theta_0_k;
+                    left[5] = theta_0_dot_k;
+                    right[5] = sin_theta_0_k;
+                    left[6] = theta_1_dot_k;
+                    right[6] = cos_theta_1_k;
+                    left[7] = theta_1_dot_k;
+                    right[7] = sin_theta_1_k;
+                    left[8] = w34;
+                    right[8] = w1_k;
+                    left[9] = w32;
+                    right[9] = w1_k;
                 }
                 theta_0_dot_last = theta_0_dot_k;
                 theta_1_dot_last = theta_1_dot_k;
-                w31 = Real::mul_add(
-                    -sin_theta_0_minus_theta_1,
-                    w1_k,
-                    Real::mul_add(-w1, w34, -inner_4),
-                );
-                w33 = Real::mul_add(
-                    cos_theta_0_minus_theta_1,
-                    w1_k,
-                    Real::mul_add(w1, w32, inner_5),
-                );
                 sin_theta_0_flow = Real::mul_add(
                     cos_theta_0,
                     theta_0_dot_k,
-                    Real::mul_add(theta_0_dot, cos_theta_0_k, inner_6),
+                    Real::mul_add(theta_0_dot, cos_theta_0_k, inner_4),
                 );
                 cos_theta_0_flow = Real::mul_add(
                     -sin_theta_0,
                     theta_0_dot_k,
-                    Real::mul_add(-theta_0_dot, sin_theta_0_k, -inner_7),
+                    Real::mul_add(-theta_0_dot, sin_theta_0_k, -inner_5),
                 );
                 sin_theta_1_flow = Real::mul_add(
                     cos_theta_1,
                     theta_1_dot_k,
-                    Real::mul_add(theta_1_dot, cos_theta_1_k, inner_8),
+                    Real::mul_add(theta_1_dot, cos_theta_1_k, inner_6),
                 );
                 cos_theta_1_flow = Real::mul_add(
                     -sin_theta_1,
                     theta_1_dot_k,
-                    Real::mul_add(-theta_1_dot, sin_theta_1_k, -inner_9),
+                    Real::mul_add(-theta_1_dot, sin_theta_1_k, -inner_7),
                 );
-                theta_0_force = -(l_0 * w11_k);
-                theta_1_force = -(m_1_l_1 * w13_k);
-                theta_1_dot_first = lagrange::jets::first(
-                    order,
-                    theta_1_dot_first,
-                    theta_1_dot_k,
+                w31 = Real::mul_add(
+                    -sin_theta_0_minus_theta_1,
+                    w1_k,
+                    Real::mul_add(-w1, w34, -inner_8),
                 );
-                theta_1_dot_last_2 = theta_1_dot_k;
-                w25 = lagrange::jets::first(order, w25, w32);
-                w26 = w32;
+                w33 = Real::mul_add(
+                    cos_theta_0_minus_theta_1,
+                    w1_k,
+                    Real::mul_add(w1, w32, inner_9),
+                );
+                theta_0_force = -(l_0 * w13_k);
+                theta_1_force = -(m_1_l_1 * w11_k);
                 theta_0_dot_first = lagrange::jets::first(
                     order,
                     theta_0_dot_first,
                     theta_0_dot_k,
                 );
                 theta_0_dot_last_2 = theta_0_dot_k;
+                w25 = lagrange::jets::first(order, w25, w32);
+                w26 = w32;
+                theta_1_dot_first = lagrange::jets::first(
+                    order,
+                    theta_1_dot_first,
+                    theta_1_dot_k,
+                );
+                theta_1_dot_last_2 = theta_1_dot_k;
                 w27 = lagrange::jets::first(order, w27, w34);
                 w28 = w34;
                 w29 = lagrange::jets::first(order, w29, theta_1_dot_theta_0_dot_k);
                 w30 = theta_1_dot_theta_0_dot_k;
-                w1_first = lagrange::jets::first(order, w1_first, w1_k);
-                w1_last = w1_k;
                 cos_theta_0_first = lagrange::jets::first(
                     order,
                     cos_theta_0_first,
@@ -653,6 +651,8 @@ A singular mass matrix, with the coordinate and the time.*/
                     sin_theta_1_k,
                 );
                 sin_theta_1_last = sin_theta_1_k;
+                w1_first = lagrange::jets::first(order, w1_first, w1_k);
+                w1_last = w1_k;
             }
             true
         }

@@ -370,31 +370,31 @@ A singular mass matrix, with the coordinate and the time.*/
             let mass_2_theta_dot_squared: f64 = mass_2 * theta_dot_squared;
             let w1: f64 = stiffness - mass_2_theta_dot_squared;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let mass_2_g_cos_theta: f64 = mass_2_g * cos_theta;
+            let w2: f64 = mass_2_g_cos_theta + stiffness_length;
+            let w3: f64 = r * w1;
+            let w4: f64 = w3 - w2;
             let r_sin_theta: f64 = r * sin_theta;
             let mass_2_g_r_sin_theta: f64 = mass_2_g * r_sin_theta;
-            let w2: f64 = motor - mass_2_g_r_sin_theta;
-            let mass_2_g_cos_theta: f64 = mass_2_g * cos_theta;
-            let w3: f64 = mass_2_g_cos_theta + stiffness_length;
-            let w4: f64 = r * w1;
-            let w5: f64 = w4 - w3;
+            let w5: f64 = motor - mass_2_g_r_sin_theta;
             let r_squared: f64 = r * r;
-            let w6: f64 = -w5;
+            let w6: f64 = -w4;
             let theta_dot_cos_theta: f64 = theta_dot * cos_theta;
             let theta_dot_sin_theta: f64 = theta_dot * sin_theta;
             let minus_theta_dot_sin_theta: f64 = -theta_dot_sin_theta;
             let theta_inverse_mass: f64 = Real::recip(mass_2 * (r * r));
             let mut theta_dot_last: f64 = theta_dot;
-            let mut theta_force: f64 = w2;
+            let mut theta_force: f64 = w5;
             let mut r_dot_last: f64 = r_dot;
             let mut r_force: f64 = w6;
             let mut theta_dot_first: f64 = 0.0;
             let mut theta_dot_last_2: f64 = 0.0;
             let mut r_first: f64 = 0.0;
             let mut r_last: f64 = 0.0;
-            let mut sin_theta_first: f64 = 0.0;
-            let mut sin_theta_last: f64 = 0.0;
             let mut w1_first: f64 = 0.0;
             let mut w1_last: f64 = 0.0;
+            let mut sin_theta_first: f64 = 0.0;
+            let mut sin_theta_last: f64 = 0.0;
             let mut r_squared_first: f64 = 0.0;
             let mut r_squared_last: f64 = 0.0;
             let mut cos_theta_first: f64 = 0.0;
@@ -413,13 +413,13 @@ A singular mass matrix, with the coordinate and the time.*/
                 );
                 let inner_1: f64 = Real::mul_add(
                     r_first,
-                    sin_theta_last,
-                    Real::mul_add(sin_theta_first, r_last, inner[1]),
+                    w1_last,
+                    Real::mul_add(w1_first, r_last, inner[1]),
                 );
                 let inner_2: f64 = Real::mul_add(
                     r_first,
-                    w1_last,
-                    Real::mul_add(w1_first, r_last, inner[2]),
+                    sin_theta_last,
+                    Real::mul_add(sin_theta_first, r_last, inner[2]),
                 );
                 let inner_3: f64 = Real::mul_add(r_first + r_first, r_last, inner[3]);
                 let inner_4: f64 = Real::mul_add(
@@ -442,7 +442,7 @@ A singular mass matrix, with the coordinate and the time.*/
                 let r_sin_theta_k: f64 = Real::mul_add(
                     sin_theta,
                     r_k,
-                    Real::mul_add(r, sin_theta_k, inner_1),
+                    Real::mul_add(r, sin_theta_k, inner_2),
                 );
                 let r_squared_k: f64 = Real::mul_add((r + r), r_k, inner_3);
                 let r_squared_theta_dot_known: f64 = Real::mul_add(
@@ -475,9 +475,9 @@ A singular mass matrix, with the coordinate and the time.*/
                     left[0] = theta_dot_k;
                     right[0] = theta_dot_k;
                     left[1] = r_k;
-                    right[1] = sin_theta_k;
+                    right[1] = w1_k;
                     left[2] = r_k;
-                    right[2] = w1_k;
+                    right[2] = sin_theta_k;
                     left[3] = r_k;
                     right[3] = r_k;
                     left[4] = r_squared_k;
@@ -506,7 +506,7 @@ A singular mass matrix, with the coordinate and the time.*/
                     Real::mul_add(
                         mass_2_g,
                         cos_theta_k,
-                        Real::mul_add(-w1, r_k, -inner_2),
+                        Real::mul_add(-w1, r_k, -inner_1),
                     ),
                 );
                 theta_dot_first = lagrange::jets::first(
@@ -517,14 +517,14 @@ A singular mass matrix, with the coordinate and the time.*/
                 theta_dot_last_2 = theta_dot_k;
                 r_first = lagrange::jets::first(order, r_first, r_k);
                 r_last = r_k;
+                w1_first = lagrange::jets::first(order, w1_first, w1_k);
+                w1_last = w1_k;
                 sin_theta_first = lagrange::jets::first(
                     order,
                     sin_theta_first,
                     sin_theta_k,
                 );
                 sin_theta_last = sin_theta_k;
-                w1_first = lagrange::jets::first(order, w1_first, w1_k);
-                w1_last = w1_k;
                 r_squared_first = lagrange::jets::first(
                     order,
                     r_squared_first,

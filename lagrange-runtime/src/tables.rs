@@ -132,3 +132,6 @@ pub fn first<R: Real>(order: usize, first: R, coefficient: R) -> R {
         _ => first,
     }
 }
+
+#[cfg(test)]
+mod tests;

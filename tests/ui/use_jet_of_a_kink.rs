@@ -23,6 +23,5 @@ impl Ball {
 
 fn main() {
     let ball = Ball { mass: 1.0, drag: 0.1 };
-    let mut motion = ball.stepper::<Jet<6>>(State::at_rest([0.0, 1.0]));
-    let _ = motion.step(1e-3, &[]);
+    let _ = ball.stepper::<Jet<6>>(State::at_rest([0.0, 1.0]));
 }

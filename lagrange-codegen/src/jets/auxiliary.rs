@@ -191,6 +191,7 @@ impl<'g> Rewriter<'g> {
         self.images.insert(id, variable);
         let slope = match function {
             Unary::Abs | Unary::Signum => return Err(NotSmooth),
+            Unary::Cbrt if self.rests_at_zero(argument) => return Err(NotSmooth),
             Unary::Cbrt => {
                 self.auxiliaries[index].relation = Relation::Power(x, Number::Ratio(1, 3));
                 return Ok(variable);
@@ -222,6 +223,7 @@ impl<'g> Rewriter<'g> {
         self.images.insert(id, variable);
         let slopes = match function {
             Binary::Pivot => return Err(NotSmooth),
+            Binary::Powf if self.rests_at_zero(first) => return Err(NotSmooth),
             Binary::Atan2 => {
                 let (by_first, by_second) = partial_derivatives(self.graph, function, first, second, id);
                 [(self.polynomial(by_first)?, first), (self.polynomial(by_second)?, second)]

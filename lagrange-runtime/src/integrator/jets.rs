@@ -35,6 +35,10 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 /// exp(−1 / `ORDERS_PER_DIGIT`): how much the terms of a series fall from order to order at the tolerated length.
 const DECAY: f64 = 0.29;
 
+/// The finest tolerance in units of rounding: the error of a series is systematic, that of rounding a random walk, so
+/// over millions of steps the first must be smaller by far. Sums are compensated and carry the digits.
+const FINEST: f64 = 1e-3;
+
 /// Terms of a series decay by less than this from order to order, at a step that follows from the last two.
 const STEEPEST: f64 = 6.0;
 
@@ -141,7 +145,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// The size of a component is that of its first terms over `span`, which should be about the length itself.
     #[inline]
     fn tolerated(&self, limits: &Limits<R>, span: R) -> R {
-        let relative = larger(limits.relative, R::epsilon());
+        let relative = larger(limits.relative, R::epsilon() * R::from_f64(FINEST));
         let absolute = limits.absolute.unwrap_or_else(R::zero);
         let (mut last, mut before) = (R::zero(), R::zero());
         let tiny = step_size::smallest::<R>();
@@ -196,7 +200,7 @@ fn reach<R: Real>(term: R, order: usize) -> R {
 /// The order for a tolerance, with so many orders for each of its natural digits.
 #[inline]
 pub(crate) fn orders<R: Ordered>(relative: R, per_digit: f64) -> usize {
-    let digits = -larger(relative, R::epsilon()).ln();
+    let digits = -larger(relative, R::epsilon() * R::from_f64(FINEST)).ln();
     let mut orders = 4;
     // A cast of a generic scalar: the smallest integer above.
     while orders < HIGHEST && R::from_f64(orders as f64) < R::from_f64(per_digit) * digits + R::one() {

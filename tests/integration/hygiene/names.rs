@@ -84,3 +84,48 @@ impl Sphere {
 fn a_coordinate_may_share_its_name_with_a_constant() {
     assert_eq!(Sphere.accelerations(&State::at_rest([2.0])).unwrap(), [-8.0]);
 }
+
+/// Names of the variables of the recurrences, as coordinates, inputs, parameters and locals of a helper.
+struct Recurrences {
+    orders: f64,
+    tables: f64,
+}
+
+#[lagrangian(coordinates = [h, rate, order, inner, x], inputs = [left, fraction])]
+impl Recurrences {
+    #[kinetic]
+    fn kinetic(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        let inertia = 1.0 + self.series(q).powi(2);
+        0.5 * (inertia * v.h.powi(2) + v.rate.powi(2) + v.order.powi(2) + v.inner.powi(2) + v.x.powi(2))
+    }
+
+    #[potential]
+    fn potential(&self, q: &Coordinates) -> f64 {
+        self.orders * (q.h * q.rate).cos() + self.tables * (1.0 + q.order * q.inner).sqrt() + self.series(q)
+    }
+
+    #[force(on = h)]
+    fn force(&self, v: &Velocities, u: &Inputs) -> f64 {
+        let right = u.left - u.fraction * v.h;
+        right * v.x
+    }
+
+    fn series(&self, q: &Coordinates) -> f64 {
+        let h = q.x * q.h;
+        let order = h.sin() + h;
+        let rate = order * order;
+        rate.exp() * order
+    }
+}
+
+#[test]
+fn names_of_the_recurrences_are_free() {
+    let system = Recurrences { orders: 2.0, tables: 3.0 };
+    let start = State::new([0.1, 0.2, 0.3, 0.4, 0.5], [0.5, 0.4, 0.3, 0.2, 0.1]);
+    let inputs = [0.7, 0.3];
+    let mut jets = system.simulate(start).with_inputs(inputs).with_tolerance(1e-14);
+    let mut other = system.simulate_with::<Dop853>(start).with_inputs(inputs).with_tolerance(1e-14);
+    let (found, expected) = (*jets.advance_to(1.0).unwrap(), *other.advance_to(1.0).unwrap());
+    all_close(found.q, expected.q, 1e-11);
+    all_close(found.v, expected.v, 1e-11);
+}

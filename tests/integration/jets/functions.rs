@@ -245,3 +245,44 @@ fn a_relativistic_oscillator_keeps_energy_and_angular_momentum() {
     let mut motion = charge.simulate(start).with_tolerance(1e-15);
     assert!(drift(&mut motion, 1.0, 50, momentum) < 5e-13);
 }
+
+/// Drag by roots and powers of the speed, which have no series at rest.
+struct Drag;
+
+#[lagrangian(coordinates = [x, y])]
+impl Drag {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * (v.x.powi(2) + v.y.powi(2))
+    }
+
+    #[force(on = x)]
+    fn resistance(&self, v: &Velocities) -> f64 {
+        1.0 - (v.x.powi(2) + v.y.powi(2)).powf(0.85)
+    }
+}
+
+struct CubeRoot;
+
+#[lagrangian(coordinates = [x, y])]
+impl CubeRoot {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * (v.x.powi(2) + v.y.powi(2))
+    }
+
+    #[force(on = x)]
+    fn root(&self, v: &Velocities) -> f64 {
+        1.0 - v.x.cbrt()
+    }
+}
+
+#[test]
+fn a_power_of_a_speed_that_may_be_zero_is_not_smooth() {
+    fn by_runge_kutta<S: System<2, 0, Scalar = f64, Method = Dop853>>(system: &S) {
+        let mut motion = system.simulate(State::at_rest([0.0; 2]));
+        assert!(motion.advance_to(1.0).unwrap().q[0] > 0.1);
+    }
+    by_runge_kutta(&Drag);
+    by_runge_kutta(&CubeRoot);
+}

@@ -105,7 +105,7 @@ fn steps_have_their_orders_in_both_directions() {
     order::<5>(60);
     order::<6>(60);
     order::<8>(40);
-    order::<12>(20);
+    order::<12>(32);
 }
 
 #[test]
