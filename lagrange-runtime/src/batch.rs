@@ -6,7 +6,7 @@
 
 use crate::error::{Cause, MotionError};
 use crate::integrator::dop853::add;
-use crate::integrator::jets::{HIGHEST, NEAR, orders};
+use crate::integrator::jets::{FINEST, HIGHEST, NEAR, STEEPEST, orders};
 use crate::real::Real;
 use crate::smooth::{Series, Smooth};
 use crate::state::State;
@@ -139,7 +139,12 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
                 self.unit = S::Scalar::splat(left.abs().largest());
             }
             self.expand(orders, direction)?;
-            let tolerated = self.tolerated(orders);
+            let one: S::Scalar = num_traits::One::one();
+            let mut tolerated = self.tolerated(orders, one);
+            if (number(0.5) - tolerated).largest() > zero {
+                // In a unit much longer than the step the first terms are no measure of the size.
+                tolerated = self.tolerated(orders, tolerated.min(one));
+            }
             if !(tolerated.is_finite() && self.series_is_finite(orders)) {
                 // Some lane is out of the range of the arithmetic, or of the domain of the equations.
                 self.unit *= number(1e-3);
@@ -182,20 +187,32 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         Err(system.check_at(&constants, state.t, &state.q, &state.v).err().unwrap_or(Cause::NotFinite))
     }
 
-    /// The lengths at which the last two terms fall to the tolerance, in units.
+    /// The lengths at which the terms of the highest orders fall to the tolerance, in units. The size of a component is
+    /// that of its first terms over `span`. As in a single motion, terms before the last two bear a part of it, because
+    /// the last ones may vanish by symmetry.
     #[inline]
-    fn tolerated(&self, orders: usize) -> S::Scalar {
+    fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
         let number = S::Scalar::from_f64;
-        let relative = S::Scalar::splat(self.tolerance).max(S::Scalar::epsilon());
+        let finest = S::Scalar::epsilon() * number(FINEST);
+        let relative = S::Scalar::splat(self.tolerance).max(finest);
         // Far below any other number, but not zero.
         let tiny = S::Scalar::epsilon().powi(4);
         let mut worst = tiny;
         let mut weigh = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST]| {
             let row = |k: usize| rows.get(k).copied().unwrap_or([num_traits::Zero::zero(); N]);
-            let (first, second, before, last) = (row(0), row(1), row(orders - 2), row(orders - 1));
+            let (first, second) = (row(0), row(1));
+            let mut terms: [S::Scalar; N] = [num_traits::Zero::zero(); N];
+            let last_but_two = rows.iter().take(orders.saturating_sub(2)).skip(orders / 2);
+            for term in last_but_two {
+                for i in 0..N {
+                    terms[i] = (terms[i] * number(1.0 / STEEPEST)).max(term[i].abs());
+                }
+            }
+            let (before, last) = (row(orders - 2), row(orders - 1));
             for i in 0..N {
-                let size = x[i].abs().max(first[i].abs()).max(second[i].abs());
-                let term = last[i].abs().max(number(DECAY) * before[i].abs());
+                let size = x[i].abs().max(first[i].abs() * span).max(second[i].abs() * span * span);
+                let early = terms[i] * number(1.0 / (STEEPEST * STEEPEST));
+                let term = last[i].abs().max(number(DECAY) * before[i].abs()).max(early);
                 worst = worst.max(term / (relative * size + tiny));
             }
         };

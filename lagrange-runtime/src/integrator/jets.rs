@@ -37,10 +37,10 @@ const DECAY: f64 = 0.29;
 
 /// The finest tolerance in units of rounding: the error of a series is systematic, that of rounding a random walk, so
 /// over millions of steps the first must be smaller by far. Sums are compensated and carry the digits.
-const FINEST: f64 = 1e-3;
+pub(crate) const FINEST: f64 = 1e-3;
 
 /// Terms of a series decay by less than this from order to order, at a step that follows from the last two.
-const STEEPEST: f64 = 6.0;
+pub(crate) const STEEPEST: f64 = 6.0;
 
 /// A step that grows by less than this needs no second look: its error would grow by a few times at most.
 const GROWTH: f64 = 1.1;
