@@ -112,3 +112,48 @@ pub fn square<R: Real, const W: usize>(sum: &mut [R; W], a: Column<'_, R, W>) {
         sum[i] = Real::mul_add(low[i] + low[i], high[i], sum[i]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two instances of the pattern a b, a a, b c in a row of three columns of two.
+    struct Pattern;
+
+    impl Products<6, 6> for Pattern {
+        fn sum<R: Real>(rows: &[[R; 6]], sums: &mut [R; 6]) {
+            tile::<R, 6, 6, 2, 3>(rows, sums, 0, |low, high, sum| {
+                let [a, b, c] = [0, 2, 4].map(|place| column::<_, _, 2>(low, high, place));
+                product(&mut sum[0], a, b);
+                square(&mut sum[1], a);
+                product(&mut sum[2], b, c);
+            });
+        }
+    }
+
+    #[test]
+    fn sums_are_the_interiors_of_convolutions() {
+        const ORDERS: usize = 9;
+        let coefficient = |order: usize, place: usize| ((7 * order + 3 * place) % 11) as f64 - 4.5;
+        let mut columns = Columns::<f64, 6, ORDERS>::default();
+        let mut sums = [f64::NAN; 6];
+        for order in 1..=ORDERS {
+            columns.interior::<Pattern, 6>(order, &mut sums);
+            for instance in 0..2 {
+                for (product, (a, b)) in [(0, 2), (0, 0), (2, 4)].into_iter().enumerate() {
+                    let expected: f64 = (1..order)
+                        .map(|j| coefficient(j, a + instance) * coefficient(order - j, b + instance))
+                        .sum();
+                    assert_eq!(sums[2 * product + instance], expected, "order {order}, product {product}");
+                }
+            }
+            *columns.row(order).unwrap() = core::array::from_fn(|place| coefficient(order, place));
+        }
+        assert!(columns.row(ORDERS + 1).is_none());
+    }
+
+    #[test]
+    fn rows_start_on_lines_of_the_cache() {
+        assert_eq!(align_of::<Columns<f64, 8, 3>>(), 64);
+    }
+}
