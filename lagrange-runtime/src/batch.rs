@@ -6,7 +6,7 @@
 
 use crate::error::{Cause, MotionError};
 use crate::integrator::dop853::add;
-use crate::integrator::jets::{FINEST, HIGHEST, NEAR, STEEPEST, orders};
+use crate::integrator::jets::{FINEST, HIGHEST, NEAR, SAFETY, STEEPEST, orders};
 use crate::real::Real;
 use crate::smooth::{Series, Smooth};
 use crate::state::State;
@@ -194,7 +194,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
     fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
         let number = S::Scalar::from_f64;
         let finest = S::Scalar::epsilon() * number(FINEST);
-        let relative = S::Scalar::splat(self.tolerance).max(finest);
+        let relative = (number(SAFETY) * S::Scalar::splat(self.tolerance)).max(finest);
         // Far below any other number, but not zero.
         let tiny = S::Scalar::epsilon().powi(4);
         let mut worst = tiny;

@@ -35,6 +35,9 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 /// exp(−1 / `ORDERS_PER_DIGIT`): how much the terms of a series fall from order to order at the tolerated length.
 const DECAY: f64 = 0.29;
 
+/// The last term of a series falls to this part of the tolerance: all terms after it together are then smaller still.
+pub(crate) const SAFETY: f64 = 0.2;
+
 /// The finest tolerance in units of rounding: the error of a series is systematic, that of rounding a random walk, so
 /// over millions of steps the first must be smaller by far. Sums are compensated and carry the digits.
 pub(crate) const FINEST: f64 = 1e-3;
@@ -142,11 +145,13 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
     /// So the terms before the last two may not exceed the tolerance by more than [`STEEPEST`] for each order either.
     ///
-    /// The size of a component is that of its first terms over `span`, which should be about the length itself.
+    /// The size of a component is that of its first terms over `span`, which should be about the length itself. With
+    /// `steady` the unit is the last step.
     #[inline]
-    fn tolerated(&self, limits: &Limits<R>, span: R) -> R {
-        let relative = larger(limits.relative, R::epsilon() * R::from_f64(FINEST));
-        let absolute = limits.absolute.unwrap_or_else(R::zero);
+    fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool) -> R {
+        let safety = R::from_f64(SAFETY);
+        let relative = larger(safety * limits.relative, R::epsilon() * R::from_f64(FINEST));
+        let absolute = safety * limits.absolute.unwrap_or_else(R::zero);
         let (mut last, mut before) = (R::zero(), R::zero());
         let tiny = step_size::smallest::<R>();
         let size =
@@ -165,7 +170,10 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         // At the tolerated length one term is about this much smaller than the one before it.
         let decay = R::from_f64(DECAY);
         let length = reach(larger(last, decay * before), p);
-        if length > R::from_f64(GROWTH) { self.bounded(length, &weights_q, &weights_v) } else { length }
+        if steady && length <= R::from_f64(GROWTH) {
+            return length;
+        }
+        self.bounded(length, &weights_q, &weights_v)
     }
 
     /// A length that the terms of lower orders bear as well.
@@ -316,7 +324,7 @@ where
     let resolution = number(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
     let mut remembered = memory.next.is_positive();
     let mut unit = if remembered { memory.next } else { left.abs() };
-    let mut overflowed = false;
+    let (mut overflowed, mut rescaled) = (false, false);
     loop {
         if *attempts == 0 {
             return Err(Cause::TooManySteps);
@@ -330,12 +338,13 @@ where
         if !solved {
             return Err(Cause::NotFinite);
         }
-        let mut tolerated = memory.tolerated(limits, num_traits::One::one());
+        let steady = remembered && !rescaled;
+        let mut tolerated = memory.tolerated(limits, num_traits::One::one(), steady);
         let mut span = number(1.0);
         // In a unit much longer than the step the first terms are no measure of the size.
         while tolerated < number(0.5) * span && tolerated * number(NEAR * NEAR) > num_traits::One::one() {
             span = tolerated;
-            tolerated = memory.tolerated(limits, span);
+            tolerated = memory.tolerated(limits, span, steady);
         }
         let is_finite = memory.is_finite();
         if is_finite && tolerated == number(f64::INFINITY) {
@@ -365,6 +374,7 @@ where
             let factor =
                 if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
             unit *= factor;
+            rescaled = true;
             memory.counts.rejected += 1;
             if unit.partial_cmp(&resolution) != Some(Ordering::Greater) {
                 return Err(cause);
