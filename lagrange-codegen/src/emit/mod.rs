@@ -3,6 +3,7 @@
 mod block;
 mod body;
 mod docs;
+mod gather;
 mod jets;
 mod linearization;
 mod methods;

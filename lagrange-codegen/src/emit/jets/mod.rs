@@ -14,6 +14,7 @@ mod wide;
 
 use super::Emission;
 use super::body;
+use super::gather::gather;
 use super::names::{Names, describe};
 use super::scalar;
 use crate::expr::Variable;
@@ -76,7 +77,7 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
         named("v"),
         named("u"),
         named("tables"),
-        body::imported(text.clone()),
+        body::imported(gather(&text)),
     )
 }
 
