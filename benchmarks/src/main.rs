@@ -1,8 +1,9 @@
-//! Measurements: `cargo run --release -p benchmarks -- rhs | precision | report`.
+//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report`.
 //!
 //! A figure counts only as a ratio within one run: all subjects of a system are timed in turn,
 //! on the same states, and absolute times drift between machines.
 
+mod fixed;
 mod native;
 mod precision;
 mod problem;
@@ -36,7 +37,7 @@ struct Common {
     json: Option<PathBuf>,
 }
 
-/// How integrations are measured.
+/// How whole runs are measured.
 #[derive(Args)]
 struct Runs {
     /// Builds for any processor instead of the present one.
@@ -63,6 +64,13 @@ enum Benchmark {
         #[command(flatten)]
         common: Common,
     },
+    /// Fixed steps, as a control loop takes them: the error at the end and the time of a step.
+    Fixed {
+        #[command(flatten)]
+        common: Common,
+        #[command(flatten)]
+        runs: Runs,
+    },
     /// Time of a whole integration against its error: the library and integrators from crates.
     Precision {
         #[command(flatten)]
@@ -85,6 +93,9 @@ enum Benchmark {
 fn main() -> Result<(), Box<dyn Error>> {
     match Arguments::parse().benchmark {
         Benchmark::Rhs { common: Common { system, json } } => rhs::run(system.as_deref(), json.as_deref()),
+        Benchmark::Fixed { common: Common { system, json }, runs } => {
+            fixed::run(system.as_deref(), json.as_deref(), runs.prepare()?)
+        }
         Benchmark::Precision { common: Common { system, json }, svg, runs } => {
             precision::run(system.as_deref(), json.as_deref(), svg.as_deref(), runs.prepare()?)
         }

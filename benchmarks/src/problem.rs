@@ -22,10 +22,12 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// Largest deviation of a coordinate or velocity at the end, relative where the true one is above one.
+    /// Largest deviation of a coordinate or velocity at the end, relative where the true one is above one; that of the
+    /// worst where several trajectories were found.
     pub fn error(&self, found: &[f64]) -> f64 {
-        assert_eq!(found.len(), self.end.len(), "{}", self.name);
-        let deviations = found.iter().zip(&self.end).map(|(y, end)| (y - end).abs() / end.abs().max(1.0));
+        assert!(!found.is_empty() && found.len().is_multiple_of(self.end.len()), "{}", self.name);
+        let deviations =
+            found.iter().zip(self.end.iter().cycle()).map(|(y, end)| (y - end).abs() / end.abs().max(1.0));
         // `f64::max` would hide what is not a number.
         deviations.fold(0.0, |worst, error| if error.is_nan() || error > worst { error } else { worst })
     }

@@ -9,7 +9,7 @@ mod crates;
 mod ours;
 pub mod plot;
 pub mod server;
-mod subject;
+pub mod subject;
 
 use std::collections::HashSet;
 use std::error::Error;
@@ -28,9 +28,9 @@ pub const TOLERANCES: [f64; 12] =
 #[derive(Clone, Copy)]
 pub struct Effort {
     /// Times that the subjects take turns.
-    rounds: usize,
+    pub rounds: usize,
     /// Time of a turn [s].
-    turn: f64,
+    pub turn: f64,
 }
 
 impl Effort {

@@ -22,7 +22,7 @@ pub trait Subject {
     fn sample(&mut self, problem: &Problem, tolerance: f64, seconds: f64) -> Result<Sample, String>;
 }
 
-/// Where a run ended, (q, v), and what it took.
+/// Where a run ended, (q, v) of one trajectory after the other, and what it took.
 pub struct Outcome {
     pub end: Vec<f64>,
     pub steps: u64,
@@ -42,17 +42,21 @@ impl<F: Fn(f64) -> Result<Outcome, String>> Subject for Function<F> {
     }
 
     fn sample(&mut self, problem: &Problem, tolerance: f64, seconds: f64) -> Result<Sample, String> {
-        let begin = Instant::now();
-        let mut fastest = f64::INFINITY;
-        loop {
-            let start = Instant::now();
-            let outcome = black_box(&self.run)(black_box(tolerance))?;
-            fastest = fastest.min(start.elapsed().as_secs_f64() * 1e6);
-            if begin.elapsed().as_secs_f64() >= seconds {
-                let Outcome { end, steps } = outcome;
-                let us = fastest / f64::from(self.trajectories);
-                return Ok(Sample { us, error: problem.error(&end), steps });
-            }
+        let (us, Outcome { end, steps }) = fastest(seconds, || (self.run)(black_box(tolerance)))?;
+        Ok(Sample { us: us / f64::from(self.trajectories), error: problem.error(&end), steps })
+    }
+}
+
+/// Runs for `seconds`, at least once: the time of the fastest run [µs], and what came of the last one.
+pub fn fastest<T>(seconds: f64, run: impl Fn() -> Result<T, String>) -> Result<(f64, T), String> {
+    let begin = Instant::now();
+    let mut fastest = f64::INFINITY;
+    loop {
+        let start = Instant::now();
+        let outcome = black_box(&run)()?;
+        fastest = fastest.min(start.elapsed().as_secs_f64() * 1e6);
+        if begin.elapsed().as_secs_f64() >= seconds {
+            return Ok((fastest, outcome));
         }
     }
 }

@@ -21,14 +21,10 @@ const RUNGE_KUTTA: [&str; 7] = [
     "numbalsoda-dop853",
     "ode_solvers-dop853",
 ];
-/// Several trajectories at once, in the lanes of a processor.
-const BATCHES: [&str; 6] = [
-    "jets-batch4",
-    "jets-batch8",
-    "heyoka-lagrangian-batch4",
-    "heyoka-lagrangian-batch8",
-    "heyoka-expert-batch4",
-    "heyoka-expert-batch8",
+/// Several trajectories at once, in the lanes of a processor: ours, and the peers with as many lanes.
+const BATCHES: [(&str, [&str; 2]); 2] = [
+    ("jets-batch4", ["heyoka-lagrangian-batch4", "heyoka-expert-batch4"]),
+    ("jets-batch8", ["heyoka-lagrangian-batch8", "heyoka-expert-batch8"]),
 ];
 
 /// All tables.
@@ -117,21 +113,32 @@ fn errors(records: &[Record]) -> String {
 
 /// Time for each trajectory of a batch.
 fn batches(records: &[Record]) -> String {
-    let present: Vec<&str> =
-        BATCHES.into_iter().filter(|batch| records.iter().any(|record| record.subject == *batch)).collect();
-    let mut text = String::from(
+    let columns = BATCHES.map(|(ours, peers)| format!(" {ours} (ours) | {} |", peers.join(" | ")));
+    let mut text = format!(
         "## Batches\n\n\
-         The same trajectory in every lane, cheapest run at or below the error, time for each trajectory [µs].\n\n\
-         | system | error |",
+         The same trajectory in every lane, cheapest run at or below the error, time for each trajectory [µs]; in \
+         parentheses the time relative to ours with as many lanes.\n\n\
+         | system | error |{}\n| --- | --- |{}\n",
+        columns.concat(),
+        " --- |".repeat(3 * BATCHES.len())
     );
-    let _ = writeln!(text, " {} |\n| --- | --- |{}", present.join(" | "), " --- |".repeat(present.len()));
-    for system in systems(records) {
-        for accuracy in ACCURACIES {
-            let cells =
-                present.iter().map(|batch| time(cheapest(of(records, system, batch), accuracy), None));
-            let _ =
-                writeln!(text, "| {system} | {accuracy:.0e} | {} |", cells.collect::<Vec<_>>().join(" | "));
+    for accuracy in ACCURACIES {
+        let mut ratios = BATCHES.map(|(_, peers)| peers.map(|_| Vec::new()));
+        for system in systems(records) {
+            let _ = write!(text, "| {system} | {accuracy:.0e} |");
+            for ((ours, peers), ratios) in BATCHES.iter().zip(&mut ratios) {
+                let ours = cheapest(of(records, system, ours), accuracy);
+                let _ = write!(text, " {} |", time(ours, None));
+                for (peer, ratios) in peers.iter().zip(ratios) {
+                    let peer = cheapest(of(records, system, peer), accuracy);
+                    let _ = write!(text, " {} |", time(peer, ours));
+                    ratios.extend(ours.zip(peer).map(|(ours, peer)| peer.us / ours.us));
+                }
+            }
+            text.push('\n');
         }
+        let means = ratios.map(|[one, other]| format!(" | {} | {} |", mean(&one), mean(&other)));
+        let _ = writeln!(text, "| geometric mean | {accuracy:.0e} |{}", means.concat());
     }
     text
 }

@@ -8,6 +8,7 @@ pub mod number;
 
 use std::cell::RefCell;
 use std::hint::black_box;
+use std::marker::PhantomData;
 
 use lagrangian::System;
 
@@ -116,40 +117,50 @@ pub fn for_each(visit: &mut dyn FnMut(&dyn Case)) {
     let tilted = |i: usize, q: f64| if i == 1 { 0.4 * q + 1.0 } else { q };
     let spherical = |i: usize, q: f64| if i == 0 { 0.4 * q + 1.0 } else { q };
     let spread = |i: usize, q: f64| q + 3.0 * (i % 7) as f64;
-    visit(&measured("dpend", d::DoublePendulum, &[("hand", h::DoublePendulum::accelerations)], same));
-    visit(&measured("spring", d::SpringPendulum, &[("hand", h::SpringPendulum::accelerations)], polar));
-    visit(&measured("hh", d::HenonHeiles, &[("hand", h::HenonHeiles::accelerations)], same));
-    visit(&measured("kepler", d::Kepler, &[("hand", h::Kepler::accelerations)], polar));
-    visit(&measured("pleiades", d::Pleiades, &[("hand", h::Pleiades::accelerations)], spread));
-    visit(&measured("top", d::Top, &[("hand", h::Top::accelerations)], tilted));
+    visit(&measured(
+        "dpend",
+        d::DoublePendulum(PhantomData),
+        &[("hand", h::DoublePendulum::accelerations)],
+        same,
+    ));
+    visit(&measured(
+        "spring",
+        d::SpringPendulum(PhantomData),
+        &[("hand", h::SpringPendulum::accelerations)],
+        polar,
+    ));
+    visit(&measured("hh", d::HenonHeiles(PhantomData), &[("hand", h::HenonHeiles::accelerations)], same));
+    visit(&measured("kepler", d::Kepler(PhantomData), &[("hand", h::Kepler::accelerations)], polar));
+    visit(&measured("pleiades", d::Pleiades(PhantomData), &[("hand", h::Pleiades::accelerations)], spread));
+    visit(&measured("top", d::Top(PhantomData), &[("hand", h::Top::accelerations)], tilted));
     visit(&measured(
         "sph",
-        d::SphericalPendulum,
+        d::SphericalPendulum(PhantomData),
         &[("hand", h::SphericalPendulum::accelerations)],
         spherical,
     ));
-    visit(&measured("cart", d::CartPole, &[("hand", h::CartPole::accelerations)], same));
+    visit(&measured("cart", d::CartPole(PhantomData), &[("hand", h::CartPole::accelerations)], same));
     visit(&measured(
         "nlink3",
-        d::Chain3,
+        d::Chain3(PhantomData),
         &[("hand", h::Dense::accelerations), ("hand_linear", h::Linear::accelerations)],
         same,
     ));
     visit(&measured(
         "nlink5",
-        d::Chain5,
+        d::Chain5(PhantomData),
         &[("hand", h::Dense::accelerations), ("hand_linear", h::Linear::accelerations)],
         same,
     ));
     visit(&measured(
         "nlink10",
-        d::Chain10,
+        d::Chain10(PhantomData),
         &[("hand", h::Dense::accelerations), ("hand_linear", h::Linear::accelerations)],
         same,
     ));
     visit(&measured(
         "nlink20",
-        d::Chain20,
+        d::Chain20(PhantomData),
         &[("hand", h::Dense::accelerations), ("hand_linear", h::Linear::accelerations)],
         same,
     ));
