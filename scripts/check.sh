@@ -11,7 +11,9 @@ usage: scripts/check.sh NAME …
   docs        rustdoc, warnings denied
   random      10 000 random Lagrangians against dual numbers
   bare-metal  the runtime and a generated system for Cortex-M without an allocator
-  benchmarks  the benchmark crate builds, with the peers from crates
+  benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
+  lanes       several motions in the lanes of SIMD vectors
+  long        energy over millions of steps
   all         everything above
 EOF
 }
@@ -19,7 +21,7 @@ EOF
 fmt() { cargo fmt --all --check; }
 
 clippy() {
-    cargo clippy --workspace --all-targets -- -D warnings
+    cargo clippy --workspace --all-targets --features lagrangian/wide -- -D warnings
     cargo clippy -p benchmarks --all-targets --features peers -- -D warnings
     cargo clippy -p lagrange-runtime --no-default-features --features libm -- -D warnings
 }
@@ -40,14 +42,18 @@ bare_metal() {
     done
 }
 
-benchmarks() { cargo build --release -p benchmarks --features peers; }
+benchmarks() { cargo build --release -p benchmarks; }
+
+lanes() { cargo test --features wide --test batch; }
+
+long() { cargo test --release --test integration jets::long -- --ignored --nocapture; }
 
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
-        fmt | clippy | docs | random | benchmarks) "$name" ;;
+        fmt | clippy | docs | random | benchmarks | lanes | long) "$name" ;;
         bare-metal) bare_metal ;;
-        all) fmt; clippy; docs; random; bare_metal; benchmarks ;;
+        all) fmt; clippy; docs; random; bare_metal; benchmarks; lanes; long ;;
         *) usage; exit 2 ;;
     esac
 done

@@ -6,7 +6,7 @@
 
 use crate::error::{Cause, MotionError};
 use crate::integrator::dop853::add;
-use crate::integrator::jets::{FINEST, HIGHEST, NEAR, SAFETY, STEEPEST, orders};
+use crate::integrator::jets::{HIGHEST, NEAR, STEEPEST, last_term, orders};
 use crate::real::Real;
 use crate::smooth::{Series, Smooth};
 use crate::state::State;
@@ -193,8 +193,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
     #[inline]
     fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
         let number = S::Scalar::from_f64;
-        let finest = S::Scalar::epsilon() * number(FINEST);
-        let relative = (number(SAFETY) * S::Scalar::splat(self.tolerance)).max(finest);
+        let relative = S::Scalar::splat(last_term(self.tolerance));
         // Far below any other number, but not zero.
         let tiny = S::Scalar::epsilon().powi(4);
         let mut worst = tiny;

@@ -74,6 +74,8 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
 pub use system::System;
+#[cfg(feature = "wide")]
+pub use wide;
 
 /// The only path that an expansion may name. No part of the public interface.
 #[doc(hidden)]

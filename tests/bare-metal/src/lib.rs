@@ -61,6 +61,22 @@ pub extern "C" fn step(angle: &mut f32, rate: &mut f32, torque: f32) -> i32 {
     }
 }
 
+/// The same step by a Taylor series.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code, reason = "the entry point needs a fixed symbol so that the linker keeps it")]
+pub extern "C" fn jet_step(angle: &mut f32, rate: &mut f32, torque: f32) -> i32 {
+    let pendulum = DoublePendulum { m: [0.5, 0.25], l: [0.5, 0.25], g: 9.81 };
+    let mut plant = pendulum.stepper::<Jet<6>>(State::new([*angle, 0.0], [*rate, 0.0]));
+    match plant.step(1e-3, &[torque]) {
+        Ok(state) => {
+            *angle = state.q[0];
+            *rate = state.v[0];
+            0
+        }
+        Err(_) => 1,
+    }
+}
+
 /// A run under error control in double precision; returns the energy at the end.
 #[unsafe(no_mangle)]
 #[allow(unsafe_code, reason = "the entry point needs a fixed symbol so that the linker keeps it")]

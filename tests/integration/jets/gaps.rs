@@ -101,3 +101,29 @@ fn a_tiny_first_call_does_not_mislead_the_next() {
 fn start_late() -> State<f64, 3> {
     State::new([1.0, 0.3, -0.5], [0.0, 1.0, 0.2]).at_time(1.0)
 }
+
+/// x″ = t⁴⁰: at t = 0 all coefficients up to the highest order vanish.
+struct Late;
+
+#[lagrangian(coordinates = [x])]
+impl Late {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * v.x.powi(2)
+    }
+
+    #[force]
+    fn push(&self, t: f64) -> [f64; 1] {
+        [t.powi(40)]
+    }
+}
+
+#[test]
+fn coefficients_that_vanish_to_the_highest_order_are_no_polynomial() {
+    for tolerance in [1e-6, 1e-10, 1e-15] {
+        let mut motion = Late.simulate(State::at_rest([0.0])).with_tolerance(tolerance);
+        close(motion.advance_to(1.0).unwrap().q[0], 1.0 / (41.0 * 42.0), 1e-12 + tolerance);
+    }
+    let mut free = Late.simulate(State::at_rest([0.0]));
+    close(free.advance_to(-1.0).unwrap().q[0], 1.0 / (41.0 * 42.0), 1e-9);
+}

@@ -1,0 +1,162 @@
+//! The series of a step, and how far it reaches.
+
+use super::super::adaptive::Steps;
+use super::super::dop853::add;
+use super::super::step_size::{self, Limits};
+use super::{DECAY, GROWTH, HIGHEST, SAFETY, STEEPEST, last_term};
+use crate::real::{Ordered, Real, larger};
+use crate::smooth::Series;
+use crate::state::State;
+
+/// What [`Jets`] remember between steps.
+#[derive(Clone, Copy, Debug)]
+pub struct JetsMemory<C, T, R, const N: usize> {
+    pub(super) constants: C,
+    pub(super) tables: T,
+    pub(super) series: Series<R, N, HIGHEST>,
+    pub(super) orders: usize,
+    /// The tolerance that the order is for.
+    pub(super) tolerance: R,
+    /// The point of expansion and what rounding took from it.
+    pub(super) start: State<R, N>,
+    pub(super) residue: State<R, N>,
+    /// Unit of time of the coefficients \[s], with the direction of the motion.
+    pub(super) unit: R,
+    /// The unit of the next step, without direction; zero if not known.
+    pub(super) next: R,
+    pub(super) end: State<R, N>,
+    pub(super) end_residue: State<R, N>,
+    pub(super) counts: Steps,
+}
+
+impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R, N> {
+    pub(super) fn new(constants: C, start: State<R, N>) -> Self {
+        let zero = State { t: R::zero(), q: [R::zero(); N], v: [R::zero(); N] };
+        Self {
+            constants,
+            tables: T::default(),
+            series: Series::default(),
+            orders: 0,
+            tolerance: -R::one(),
+            start,
+            residue: zero,
+            unit: R::zero(),
+            next: R::zero(),
+            end: start,
+            end_residue: zero,
+            counts: Steps::default(),
+        }
+    }
+
+    /// Whether `t` lies in the step, ends included.
+    pub(super) fn covers(&self, t: R) -> bool {
+        let (a, b) = (self.start.t, self.end.t);
+        (a <= t && t <= b) || (b <= t && t <= a)
+    }
+
+    /// Whether `t` lies beyond the end of the step in its direction; true for a step of no length.
+    pub(super) fn ahead(&self, t: R) -> bool {
+        let (a, b) = (self.start.t, self.end.t);
+        if a <= b { t >= b || a == b } else { t <= b }
+    }
+
+    /// The state at a time in the step.
+    #[inline]
+    pub(super) fn at(&self, t: R) -> State<R, N> {
+        if t == self.end.t {
+            return self.end;
+        }
+        let theta = ((t - self.start.t) - self.residue.t) / self.unit;
+        let mut state = self.start.at_time(t);
+        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
+        for i in 0..N {
+            state.q[i] += gain_q[i] + self.residue.q[i];
+            state.v[i] += gain_v[i] + self.residue.v[i];
+        }
+        state
+    }
+
+    /// Moves the end of the step to `length` units of the scaled time.
+    #[inline]
+    pub(super) fn reach(&mut self, length: R) {
+        let (gain_q, gain_v) = self.series.gain(length, self.orders);
+        (self.end.t, self.end_residue.t) = add(self.start.t, self.residue.t, length * self.unit);
+        for i in 0..N {
+            (self.end.q[i], self.end_residue.q[i]) = add(self.start.q[i], self.residue.q[i], gain_q[i]);
+            (self.end.v[i], self.end_residue.v[i]) = add(self.start.v[i], self.residue.v[i], gain_v[i]);
+        }
+    }
+
+    /// Whether the coefficients of the highest order are finite, and with them all others.
+    #[inline]
+    pub(super) fn is_finite(&self) -> bool {
+        let row = |rows: &[[R; N]; HIGHEST]| {
+            rows.get(self.orders - 1).is_some_and(|row| row.iter().all(|x| x.is_finite()))
+        };
+        row(&self.series.q) && row(&self.series.v)
+    }
+
+    /// The length at which the last two terms fall to the tolerance, in units of the scaled time; not finite where
+    /// a coefficient is not, infinite for a polynomial.
+    ///
+    /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
+    /// So the terms before the last two may not exceed the tolerance by more than [`STEEPEST`] for each order either.
+    ///
+    /// The size of a component is that of its first terms over `span`, which should be about the length itself. With
+    /// `steady` the unit is the last step.
+    #[inline]
+    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool) -> R {
+        let relative = last_term(limits.relative);
+        let absolute = R::from_f64(SAFETY) * limits.absolute.unwrap_or_else(R::zero);
+        let (mut last, mut before) = (R::zero(), R::zero());
+        let tiny = step_size::smallest::<R>();
+        let size =
+            |x0: R, x1: R, x2: R| relative * larger(x0.abs(), larger(x1.abs(), x2.abs())) + absolute + tiny;
+        let (series, p) = (&self.series, self.orders);
+        let row = |rows: &[[R; N]; HIGHEST], k: usize| rows.get(k - 1).copied().unwrap_or([R::zero(); N]);
+        let [q1, q2, qb, ql] = [1, 2, p - 1, p].map(|k| row(&series.q, k));
+        let [v1, v2, vb, vl] = [1, 2, p - 1, p].map(|k| row(&series.v, k));
+        let (mut weights_q, mut weights_v) = ([R::zero(); N], [R::zero(); N]);
+        for i in 0..N {
+            weights_q[i] = R::recip(size(self.start.q[i], q1[i] * span, q2[i] * span * span));
+            weights_v[i] = R::recip(size(self.start.v[i], v1[i] * span, v2[i] * span * span));
+            last = larger(larger(last, ql[i].abs() * weights_q[i]), vl[i].abs() * weights_v[i]);
+            before = larger(larger(before, qb[i].abs() * weights_q[i]), vb[i].abs() * weights_v[i]);
+        }
+        // At the tolerated length one term is about this much smaller than the one before it.
+        let decay = R::from_f64(DECAY);
+        let length = reach(larger(last, decay * before), p);
+        if steady && length <= R::from_f64(GROWTH) {
+            return length;
+        }
+        self.bounded(length, &weights_q, &weights_v)
+    }
+
+    /// A length that the terms of lower orders bear as well.
+    fn bounded(&self, mut length: R, weights_q: &[R; N], weights_v: &[R; N]) -> R {
+        let row = |rows: &[[R; N]; HIGHEST], k: usize| rows.get(k - 1).copied().unwrap_or([R::zero(); N]);
+        let mut allowed = R::from_f64(STEEPEST);
+        for order in (self.orders / 2..self.orders - 1).rev() {
+            allowed *= R::from_f64(STEEPEST);
+            let (q, v) = (row(&self.series.q, order), row(&self.series.v, order));
+            let mut term = R::zero();
+            for i in 0..N {
+                term = larger(larger(term, q[i].abs() * weights_q[i]), v[i].abs() * weights_v[i]);
+            }
+            let term = term / allowed;
+            if term != R::zero() && term * length.powi(order as i32) > R::one() {
+                length = reach(term, order);
+            }
+        }
+        length
+    }
+}
+
+/// The length at which a term of an order falls to one.
+#[inline]
+fn reach<R: Real>(term: R, order: usize) -> R {
+    if term == R::zero() {
+        return R::from_f64(f64::INFINITY);
+    }
+    (-term.ln() / R::from_f64(order as f64)).exp()
+}
