@@ -169,7 +169,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             if missing.min(resolution - length).largest() > zero {
                 return Err(Cause::StepTooSmall);
             }
-            self.take(direction * length, direction * length / self.unit, orders)?;
+            self.take(direction * length, length / self.unit, orders)?;
             self.unit = natural;
         }
     }

@@ -65,28 +65,29 @@ where
                 memory.counts.rejected += 1;
                 continue;
             }
-            let mut length = limits.clip(left.abs());
-            memory.reach(length / unit);
-            // Of x″ = t⁴⁰ all coefficients vanish at t = 0, but it is no polynomial of this order.
+            memory.reach(limits.clip(left.abs()) / unit);
+            memory.next = num_traits::Zero::zero();
+            // Of x″ = t⁴⁰ all coefficients vanish at t = 0.
             while !moves_on(memory, system, constants, control, limits) {
-                length *= number(0.5);
-                if length.partial_cmp(&resolution) != Some(Ordering::Greater) {
+                let length = number(0.5) * (memory.end.t - memory.start.t);
+                if length.abs().partial_cmp(&resolution) != Some(Ordering::Greater) {
+                    (memory.end, memory.end_residue) = (memory.start, memory.residue);
                     return Err(Cause::StepTooSmall);
                 }
-                memory.reach(length / unit);
+                memory.reach(length / memory.unit);
             }
-            memory.next = num_traits::Zero::zero();
         } else if is_finite
             && (tolerated < number(NEAR) || overflowed)
             && tolerated * number(NEAR) > num_traits::One::one()
         {
             // A shorter step than the tolerance allows where coefficients overflow in a longer unit.
-            let length = limits.clip(smaller(tolerated, number(NEAR)) * unit);
+            let natural = smaller(tolerated, number(NEAR)) * unit;
+            let length = limits.clip(natural);
             if length.partial_cmp(&resolution) != Some(Ordering::Greater) {
                 return Err(Cause::StepTooSmall);
             }
             memory.reach(length / unit);
-            memory.next = smaller(tolerated, number(NEAR)) * unit;
+            memory.next = natural;
         } else {
             // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
             let cause = if is_finite { Cause::StepTooSmall } else { Cause::NotFinite };
@@ -135,6 +136,6 @@ where
         }
         let (expected, found) = (slope / *unit * span, accelerations[i] * span);
         let size = larger(larger(expected.abs(), found.abs()), larger(start.v[i].abs(), end.v[i].abs()));
-        (found - expected).abs() <= relative * size
+        (found - expected).abs() <= relative * size + step_size::smallest()
     })
 }
