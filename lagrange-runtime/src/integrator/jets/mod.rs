@@ -5,6 +5,9 @@
 //! of ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005). The polynomial is the dense
 //! output, so nothing ever shortens a step to land on a time. State and time are summed with compensation.
 //!
+//! The memory of a motion holds tables for the highest order: 7.5 kB for a double pendulum, 50 kB for a chain of 20
+//! links. Where that is too much, take fixed steps by [`Jet`](crate::Jet), whose tables end at its own order.
+//!
 //! Coefficients are those of time in units of the last step, so none over- or underflows in any units of mass,
 //! length and time.
 
