@@ -26,7 +26,7 @@ mod scope;
 mod shape;
 mod statement;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod value;
 mod vector;
 

@@ -42,13 +42,21 @@ impl Expansion {
         let mut expansion = Expansion { methods: Functions::new(), system: Functions::new() };
         for statement in blocks {
             if let Stmt::Item(Item::Impl(block)) = statement {
-                let target =
-                    if block.trait_.is_some() { &mut expansion.system } else { &mut expansion.methods };
-                collect(block, target)?;
+                let name = block.trait_.as_ref().map(|(path, _)| last_segment(path));
+                match name.as_deref() {
+                    None => collect(block, &mut expansion.methods)?,
+                    Some("System") => collect(block, &mut expansion.system)?,
+                    // Series and proofs have tests of their own.
+                    Some(_) => {}
+                }
             }
         }
         Ok(expansion)
     }
+}
+
+fn last_segment(path: &syn::Path) -> String {
+    path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default()
 }
 
 /// The expansion as tokens.

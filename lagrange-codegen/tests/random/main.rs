@@ -79,7 +79,6 @@ fn the_same_description_gives_the_same_tokens() {
 #[test]
 fn planted_faults_in_random_systems_are_caught() {
     let caught: Mutex<BTreeMap<Fault, (usize, usize)>> = Mutex::default();
-    let missed = Mutex::new(Vec::new());
     runner::run(runner::cases(QUICK) / 8, cases, |(system, samples)| {
         let source = Source::of(system);
         let expansion = Expansion::of(&source)?;
@@ -96,13 +95,14 @@ fn planted_faults_in_random_systems_are_caught() {
                 let (noticed_ones, all) = caught.entry(fault).or_default();
                 *noticed_ones += usize::from(noticed);
                 *all += 1;
-                if !noticed {
-                    missed.lock().unwrap().push(format!("{fault:?} {site} of {count}\n{source}"));
-                }
             }
         }
         Ok(())
     });
-    println!("{:?}", caught.lock().unwrap());
-    std::fs::write("/tmp/missed.txt", missed.lock().unwrap().join("\n\n")).unwrap();
+    // Some faults are none: a term that is zero, a digit of what is added to something far larger.
+    for (fault, (noticed, all)) in caught.into_inner().expect("a worker has failed") {
+        println!("{fault:?}: {noticed} of {all} are noticed");
+        let least = if matches!(fault, Fault::Digit) { 5 } else { 8 };
+        assert!(10 * noticed >= least * all, "{fault:?}: only {noticed} of {all} are noticed");
+    }
 }
