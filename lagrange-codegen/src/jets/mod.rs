@@ -86,6 +86,3 @@ fn operands(value: &Value<NodeId>) -> Vec<NodeId> {
         Value::Binary(_, x, y) => vec![x, y],
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -26,7 +26,7 @@ mod scope;
 mod shape;
 mod statement;
 #[cfg(test)]
-pub(crate) mod tests;
+mod tests;
 mod value;
 mod vector;
 

@@ -1,20 +1,21 @@
 //! Recurrences of whole descriptions: how many convolutions they take, and the coefficients they give.
 
+use lagrange_codegen::diagnostics::Diagnostics;
+use lagrange_codegen::expr::Variable;
+use lagrange_codegen::jets::{self, Jets, Relation, Value};
+use lagrange_codegen::mechanics::{self, Equations};
+use lagrange_codegen::model::Model;
+use lagrange_codegen::schedule::{Instruction, Slot};
+use lagrange_codegen::{lower, syntax};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::*;
-use crate::diagnostics::Diagnostics;
-use crate::expr::Variable;
-use crate::lower::tests::lowered;
-use crate::mechanics;
-use crate::schedule::{Instruction, Slot};
-
 fn derived(args: TokenStream, item: TokenStream) -> (Model, Equations, Option<Jets>) {
-    let mut model = lowered(args, item).expect("the description is good");
     let mut diagnostics = Diagnostics::new();
+    let item = syntax::parse(args, item, "::lagrangian", &mut diagnostics).expect("the description is good");
+    let mut model = lower::lower(&item, &mut diagnostics);
     let equations = mechanics::derive(&mut model, &|_| false, &mut diagnostics).expect("there is a motion");
-    let jets = derive(&mut model, &equations);
+    let jets = jets::derive(&mut model, &equations);
     (model, equations, jets)
 }
 
@@ -162,9 +163,8 @@ fn solved(columns: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
     for k in 0..count {
         for i in k + 1..count {
             let factor = a[i][k] / a[k][k];
-            for j in k..count {
-                a[i][j] -= factor * a[k][j];
-            }
+            let pivot = a[k].clone();
+            a[i].iter_mut().zip(&pivot).skip(k).for_each(|(entry, pivot)| *entry -= factor * pivot);
             right[i] -= factor * right[k];
         }
     }
