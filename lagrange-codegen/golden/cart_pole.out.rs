@@ -453,7 +453,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
             for order in 1..=orders {
                 let rate: R = lagrange::jets::rate(h, order);
-                let inner = tables.interior::<1>(order);
+                let inner = tables.interior(order);
                 let x_k: R = rate * x_dot_last;
                 let theta_k: R = rate * theta_dot_last;
                 let inner_0: R = Real::mul_add(

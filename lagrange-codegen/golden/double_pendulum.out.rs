@@ -447,7 +447,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut w33: f64 = w24;
             for order in 1..=orders {
                 let rate: f64 = lagrange::jets::rate(h, order);
-                let inner = tables.interior::<1>(order);
+                let inner = tables.interior(order);
                 let theta_0_k: f64 = rate * theta_0_dot_last;
                 let theta_1_k: f64 = rate * theta_1_dot_last;
                 let inner_0: f64 = Real::mul_add(

@@ -403,7 +403,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
             for order in 1..=orders {
                 let rate: f64 = lagrange::jets::rate(h, order);
-                let inner = tables.interior::<1>(order);
+                let inner = tables.interior(order);
                 let theta_k: f64 = rate * theta_dot_last;
                 let r_k: f64 = rate * r_dot_last;
                 let inner_0: f64 = Real::mul_add(

@@ -450,7 +450,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
             for order in 1..=orders {
                 let rate: f64 = lagrange::jets::rate(h, order);
-                let inner = tables.interior::<1>(order);
+                let inner = tables.interior(order);
                 let phi_k: f64 = rate * phi_dot_last;
                 let theta_k: f64 = rate * theta_dot_last;
                 let psi_k: f64 = rate * psi_dot_last;

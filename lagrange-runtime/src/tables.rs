@@ -2,15 +2,13 @@
 //!
 //! In c\[k] = Σ a\[j] b\[k − j] only the two end terms know coefficients of order k. The interior needs lower orders
 //! alone, for every product of a system at once: each product is a lane of two tables, and one sweep over the rows
-//! sums all lanes. No lane waits for another, so the sweep runs on vectors of any width.
+//! sums all lanes. No lane waits for another, so the sweep runs on vectors of any width. For systems of few products;
+//! [`crate::columns`] serves those of many.
 
 use crate::real::Real;
 
 /// So many lanes are summed in the middle of the code that uses them.
 const INLINE: usize = 12;
-
-/// So many lanes are summed in one loop: as many as the registers of common vector units hold.
-const TOGETHER: usize = 40;
 
 /// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,73 +32,45 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         Some((self.left.get_mut(order - 1)?, self.right.get_mut(order - 1)?))
     }
 
-    /// Σ left\[j] right\[order − j] over `EDGE` < j < order − `EDGE`, for all lanes.
+    /// Σ left\[j] right\[order − j] over 1 < j < order − 1, for all lanes. The outermost terms, of orders that were just
+    /// stored, are the caller's.
     #[inline(always)]
-    pub fn interior<const EDGE: usize>(&self, order: usize) -> [R; L] {
-        let rows = order.saturating_sub(1 + EDGE);
-        let mut sums = [R::zero(); L];
-        if L <= INLINE {
-            self.sweep::<EDGE, L>(rows, 0, &mut sums);
-        } else {
-            self.outlined::<EDGE>(rows, &mut sums);
-        }
-        sums
+    pub fn interior(&self, order: usize) -> [R; L] {
+        let rows = order.saturating_sub(2);
+        if L <= INLINE { self.sweep(rows) } else { self.outlined(rows) }
     }
 
     /// A function of its own: between scalar code the compiler would take its vectors apart.
     #[inline(never)]
-    fn outlined<const EDGE: usize>(&self, rows: usize, sums: &mut [R; L]) {
-        if L <= TOGETHER {
-            return self.sweep::<EDGE, L>(rows, 0, sums);
-        }
-        let mut done = 0;
-        macro_rules! blocks {
-            ($($width:literal)*) => {$(
-                while done + $width <= L {
-                    self.sweep::<EDGE, $width>(rows, done, sums);
-                    done += $width;
-                }
-            )*};
-        }
-        blocks!(32 16 8 4);
+    fn outlined(&self, rows: usize) -> [R; L] {
+        self.sweep(rows)
     }
 
-    /// The sums of `W` lanes from the lane `first` on, over the indices `EDGE` to `rows` − 1 and back.
+    /// The sums over the indices 1 to `rows` − 1 and back.
     #[inline(always)]
-    fn sweep<const EDGE: usize, const W: usize>(&self, rows: usize, first: usize, sums: &mut [R; L]) {
-        let mut sum = [R::zero(); W];
-        let (Some(left), Some(right)) = (self.left.get(EDGE..rows), self.right.get(EDGE..rows)) else {
-            return;
+    fn sweep(&self, rows: usize) -> [R; L] {
+        // One chain of additions for each lane would wait for itself.
+        let (mut sum, mut other) = ([R::zero(); L], [R::zero(); L]);
+        let (Some(left), Some(right)) = (self.left.get(1..rows), self.right.get(1..rows)) else {
+            return sum;
         };
-        let add = |sum: &mut [R; W], left: &[R; L], right: &[R; L]| {
-            if let (Some(left), Some(right)) = (left.get(first..first + W), right.get(first..first + W)) {
-                for i in 0..W {
-                    sum[i] = Real::mul_add(left[i], right[i], sum[i]);
-                }
+        let add = |sum: &mut [R; L], left: &[R; L], right: &[R; L]| {
+            for i in 0..L {
+                sum[i] = Real::mul_add(left[i], right[i], sum[i]);
             }
         };
-        if W <= INLINE {
-            // Few lanes are few chains of additions, which would wait for themselves.
-            let mut other = [R::zero(); W];
-            let ((pairs, rest), (before, back)) = (left.as_chunks::<2>(), right.as_rchunks::<2>());
-            for ([left, next], [previous, right]) in pairs.iter().zip(back.iter().rev()) {
-                add(&mut sum, left, right);
-                add(&mut other, next, previous);
-            }
-            for (left, right) in rest.iter().zip(before) {
-                add(&mut sum, left, right);
-            }
-            for i in 0..W {
-                sum[i] += other[i];
-            }
-        } else {
-            for (left, right) in left.iter().zip(right.iter().rev()) {
-                add(&mut sum, left, right);
-            }
+        let ((pairs, rest), (before, back)) = (left.as_chunks::<2>(), right.as_rchunks::<2>());
+        for ([left, next], [previous, right]) in pairs.iter().zip(back.iter().rev()) {
+            add(&mut sum, left, right);
+            add(&mut other, next, previous);
         }
-        for (to, from) in sums.iter_mut().skip(first).zip(sum) {
-            *to = from;
+        for (left, right) in rest.iter().zip(before) {
+            add(&mut sum, left, right);
         }
+        for i in 0..L {
+            sum[i] += other[i];
+        }
+        sum
     }
 }
 

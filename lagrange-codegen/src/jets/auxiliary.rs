@@ -12,6 +12,7 @@
 use crate::calculus::{derivative, partial_derivatives, pushforward, substitute, velocity_degrees};
 use crate::collections::Lookup;
 use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Variable};
+use crate::mechanics::time_direction;
 use crate::number::Number;
 
 /// What changes in the course of a step; inputs are held.
@@ -70,13 +71,7 @@ pub(super) struct NotSmooth;
 
 impl<'g> Rewriter<'g> {
     pub fn new(graph: &'g mut Graph, coordinates: usize) -> Self {
-        let mut direction = Vec::with_capacity(coordinates + 1);
-        for i in 0..coordinates as u32 {
-            let (q, v) = (graph.variable(Variable::Coordinate(i)), graph.variable(Variable::Velocity(i)));
-            direction.push((q, v));
-        }
-        let one = graph.one();
-        direction.push((graph.variable(Variable::Time), one));
+        let direction = time_direction(graph, coordinates);
         Rewriter {
             graph,
             direction,

@@ -20,6 +20,7 @@ use crate::expr::NodeId;
 use crate::model::Model;
 use crate::simplify::simplify;
 use motion::Motion;
+pub(crate) use motion::time_direction;
 
 /// The equations of motion and the scalars that go with them.
 #[derive(Clone, Debug)]

@@ -43,7 +43,7 @@ pub(super) struct Turning {
 }
 
 /// The direction (v, 0, 1) of (q, v, t): total time derivatives at a = 0.
-pub(super) fn time_direction(graph: &mut Graph, coordinates: usize) -> Vec<(NodeId, NodeId)> {
+pub(crate) fn time_direction(graph: &mut Graph, coordinates: usize) -> Vec<(NodeId, NodeId)> {
     let mut direction = Vec::with_capacity(coordinates + 1);
     for i in 0..coordinates as u32 {
         direction.push((graph.variable(Variable::Coordinate(i)), graph.variable(Variable::Velocity(i))));

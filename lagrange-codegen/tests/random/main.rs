@@ -23,6 +23,7 @@ mod runner;
 mod source;
 mod strategy;
 mod system;
+mod writer;
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;

@@ -18,28 +18,23 @@ fn filled<const L: usize>() -> Tables<f64, L, 9> {
     tables
 }
 
-fn sweeps<const L: usize, const EDGE: usize>() {
+fn sweeps<const L: usize>() {
     let tables = filled::<L>();
     for order in 1..=10 {
-        let found = tables.interior::<EDGE>(order);
+        let found = tables.interior(order);
         for (lane, found) in found.iter().enumerate() {
-            let inner = (1 + EDGE)..order.saturating_sub(EDGE);
+            let inner = 2..order.saturating_sub(1);
             let expected: f64 = inner.map(|j| entry(j, lane, 0) * entry(order - j, lane, 1)).sum();
-            assert_eq!(*found, expected, "{L} lanes, edge {EDGE}, order {order}, lane {lane}");
+            assert_eq!(*found, expected, "{L} lanes, order {order}, lane {lane}");
         }
     }
 }
 
 #[test]
 fn the_sweep_is_the_convolution() {
-    sweeps::<4, 0>();
-    sweeps::<4, 1>();
-    sweeps::<12, 1>();
-    sweeps::<16, 1>();
-    sweeps::<16, 0>();
-    sweeps::<40, 0>();
-    sweeps::<44, 0>();
-    sweeps::<92, 0>();
+    sweeps::<4>();
+    sweeps::<12>();
+    sweeps::<16>();
 }
 
 #[test]
@@ -47,11 +42,11 @@ fn the_outermost_terms_complete_the_sum() {
     let tables = filled::<4>();
     let (mut firsts, mut lasts) = ([[0.0; 2]; 4], [[0.0; 2]; 4]);
     for order in 1..=9 {
-        let inner = tables.interior::<1>(order);
-        let whole = tables.interior::<0>(order);
+        let inner = tables.interior(order);
         for lane in 0..4 {
             let [first, last] = [firsts[lane], lasts[lane]];
-            assert_eq!(first[0] * last[1] + first[1] * last[0] + inner[lane], whole[lane], "order {order}");
+            let whole: f64 = (1..order).map(|j| entry(j, lane, 0) * entry(order - j, lane, 1)).sum();
+            assert_eq!(first[0] * last[1] + first[1] * last[0] + inner[lane], whole, "order {order}");
             for side in 0..2 {
                 let coefficient = entry(order, lane, side);
                 (firsts[lane][side], lasts[lane][side]) =

@@ -22,7 +22,7 @@ impl Writer<'_, '_> {
                 let sums = if wide.sums > FRESH { String::new() } else { self.sums(wide) };
                 format!("{sums}tables.interior::<Products, _>(order, &mut inner);\n")
             }
-            (None, _) => "let inner = tables.interior::<1>(order);\n".to_owned(),
+            (None, _) => "let inner = tables.interior(order);\n".to_owned(),
         }
     }
 

@@ -37,7 +37,7 @@ pub(super) fn pass(
         };
         let (y, x) = (start.text(series.slot), start.text(*base));
         let label = &start.labels[series.slot.index()];
-        let mut slope = names.claim(Some(format!("{label}_slope")));
+        let slope = names.claim(Some(format!("{label}_slope")));
         let mut reciprocal = String::new();
         if *exponent == Number::HALF {
             before.push_str(&binding(scalar, &slope, &format!("{} / {y}", literal(Number::HALF))));
@@ -50,7 +50,7 @@ pub(super) fn pass(
             let exponent = super::number(scalar, *exponent);
             before.push_str(&binding(scalar, &slope, &format!("{exponent} * {y} * {reciprocal}")));
         }
-        powers.insert(series.slot, PowerNames { slope: std::mem::take(&mut slope), reciprocal });
+        powers.insert(series.slot, PowerNames { slope, reciprocal });
     }
 
     let named = named(jets);
