@@ -111,42 +111,78 @@ tabulated! {
     BlanesMoan6 = BLANES_MOAN6;
 }
 
-// Three implementations instead of one for every `Splitting`, which would take the compiler's messages about other
-// methods away.
+// Three implementations written out: one for every `Splitting` would take the compiler's messages about other methods
+// away, and a macro would stand in the middle of those about these.
 
-macro_rules! fixed_step {
-    ($($method:ident $(<const $order:ident>)?;)*) => {$(
-        impl<S: Separable<N, K>, $(const $order: usize,)? const N: usize, const K: usize> FixedStep<S, N, K>
-            for $method $(<$order>)?
-        where
-            Self: Splitting,
-        {
-            type Memory = Option<LastSplit<S::Scalar, N, K>>;
+impl<S: Separable<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Leapfrog {
+    type Memory = Option<LastSplit<S::Scalar, N, K>>;
 
-            #[inline]
-            fn begin(_: &S) -> Self::Memory {
-                None
-            }
+    #[inline]
+    fn begin(_: &S) -> Self::Memory {
+        None
+    }
 
-            #[inline]
-            fn step(
-                memory: &mut Self::Memory,
-                system: &S,
-                constants: &S::Constants,
-                from: &State<S::Scalar, N>,
-                h: S::Scalar,
-                u: &[S::Scalar; K],
-            ) -> Result<State<S::Scalar, N>, Cause> {
-                Ok(step::<Self, S, N, K>(memory, system, constants, from, h, u))
-            }
-        }
-    )*};
+    #[inline]
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        from: &State<S::Scalar, N>,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<State<S::Scalar, N>, Cause> {
+        Ok(step::<Self, S, N, K>(memory, system, constants, from, h, u))
+    }
 }
 
-fixed_step! {
-    Leapfrog;
-    Yoshida<const ORDER>;
-    BlanesMoan<const ORDER>;
+impl<S: Separable<N, K>, const ORDER: usize, const N: usize, const K: usize> FixedStep<S, N, K>
+    for Yoshida<ORDER>
+where
+    Self: Splitting,
+{
+    type Memory = Option<LastSplit<S::Scalar, N, K>>;
+
+    #[inline]
+    fn begin(_: &S) -> Self::Memory {
+        None
+    }
+
+    #[inline]
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        from: &State<S::Scalar, N>,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<State<S::Scalar, N>, Cause> {
+        Ok(step::<Self, S, N, K>(memory, system, constants, from, h, u))
+    }
+}
+
+impl<S: Separable<N, K>, const ORDER: usize, const N: usize, const K: usize> FixedStep<S, N, K>
+    for BlanesMoan<ORDER>
+where
+    Self: Splitting,
+{
+    type Memory = Option<LastSplit<S::Scalar, N, K>>;
+
+    #[inline]
+    fn begin(_: &S) -> Self::Memory {
+        None
+    }
+
+    #[inline]
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        from: &State<S::Scalar, N>,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<State<S::Scalar, N>, Cause> {
+        Ok(step::<Self, S, N, K>(memory, system, constants, from, h, u))
+    }
 }
 
 /// A step of `h`.
