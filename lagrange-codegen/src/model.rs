@@ -34,6 +34,10 @@ pub struct Model {
     pub dissipation: Vec<Term>,
     /// Forces.
     pub forces: Vec<Force>,
+    /// Constraints, arrays flattened, in the order of declaration.
+    pub constraints: Vec<Constraint>,
+    /// Rate of Baumgarte's stabilisation \[1/s\], where it is asked for instead of projection.
+    pub baumgarte: Option<NodeId>,
     /// Names that the user gave to intermediate results.
     pub hints: Hints,
     /// Where in the source a node was first written.
@@ -57,6 +61,8 @@ pub struct Locals {
     pub parameters: Vec<String>,
     /// Names of the auxiliaries of a Taylor expansion.
     pub auxiliaries: Vec<String>,
+    /// Names of the multipliers.
+    pub multipliers: Vec<String>,
 }
 
 /// A scalar coordinate or input.
@@ -205,6 +211,51 @@ pub struct Force {
     pub action: Action,
     /// The function's name in the source.
     pub origin: Origin,
+}
+
+/// A constraint given by one user function.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// The user's function.
+    pub name: String,
+    /// The index within an array.
+    pub index: Option<usize>,
+    /// f(q, t) or g(q, v, t), which is to stay zero.
+    pub value: NodeId,
+    /// What it restricts.
+    pub kind: ConstraintKind,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// What a constraint restricts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConstraintKind {
+    /// f(q, t) = 0: the coordinates.
+    Holonomic,
+    /// g(q, v, t) = 0: the velocities.
+    Nonholonomic {
+        /// Not necessarily affine in v: Chetaev's rule.
+        chetaev: bool,
+    },
+}
+
+impl Constraint {
+    /// As the user would write it: `rolling` or `rolling[0]`.
+    pub fn written(&self) -> String {
+        match self.index {
+            Some(index) => format!("{}[{index}]", self.name),
+            None => self.name.clone(),
+        }
+    }
+
+    /// A name for a local variable: `rolling` or `rolling_0`.
+    pub fn label(&self) -> String {
+        match self.index {
+            Some(index) => format!("{}_{index}", self.name),
+            None => self.name.clone(),
+        }
+    }
 }
 
 /// How a force enters the equations.

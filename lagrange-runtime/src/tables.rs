@@ -93,6 +93,12 @@ pub fn ramp<R: Real>(order: usize, coefficient: R) -> R {
     R::from_f64(order as f64) * coefficient
 }
 
+/// μ from κ = rate · μ; zero in a step of no length.
+#[inline(always)]
+pub fn multiplier<R: Real>(impulse: R, rate: R) -> R {
+    if rate == R::zero() { rate } else { impulse / rate }
+}
+
 /// The coefficient of order 1 from order 3 on; in order 2, where both ends of the interior are the same term, half of it.
 #[inline(always)]
 pub fn first<R: Real>(order: usize, first: R, coefficient: R) -> R {

@@ -95,10 +95,9 @@ impl Context<'_> {
     }
 
     fn product(&self, a: Slot, b: Slot, negative: bool, terms: &mut Vec<Term>) {
-        let term = |factor: Slot, slot: Slot| Term {
-            negative,
-            factor: Some(self.start[factor.index()].clone()),
-            value: Operand::Slot(slot),
+        let term = |factor: Slot, slot: Slot| {
+            let text = (!self.jets.vanishes(factor)).then(|| self.start[factor.index()].clone())?;
+            Some(Term { negative, factor: Some(text), value: Operand::Slot(slot) })
         };
         match (self.jets.moves(a), self.jets.moves(b)) {
             (true, true) => {
@@ -108,12 +107,12 @@ impl Context<'_> {
                     let twice = format!("({0} + {0})", self.start[a.index()]);
                     terms.push(Term { negative, factor: Some(twice), value: Operand::Slot(a) });
                 } else {
-                    terms.push(term(a, b));
-                    terms.push(term(b, a));
+                    terms.extend(term(a, b));
+                    terms.extend(term(b, a));
                 }
             }
-            (true, false) => terms.push(term(b, a)),
-            (false, true) => terms.push(term(a, b)),
+            (true, false) => terms.extend(term(b, a)),
+            (false, true) => terms.extend(term(a, b)),
             (false, false) => {}
         }
     }

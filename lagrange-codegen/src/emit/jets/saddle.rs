@@ -1,0 +1,258 @@
+//! Velocities and multipliers of a constrained system, from one saddle-point system an order.
+//!
+//! M v − Aᵀκ = r, A v = y with κ = rate · μ. Where M is diagonal the velocities are eliminated on the graph, so that
+//! zeros of A cost nothing: (A M⁻¹ Aᵀ) κ = y − A M⁻¹ r.
+
+use super::bare;
+use super::order::Writer;
+use super::terms::{Operand, chain};
+use crate::emit::Emission;
+use crate::emit::body;
+use crate::emit::names::Names;
+use crate::expr::NodeId;
+use crate::model::Model;
+use crate::number::Number;
+use crate::structure::Saddle;
+use crate::syntax::Scalar;
+
+/// The entries that the solution is made of.
+pub(super) struct SaddlePoint {
+    method: Saddle,
+    /// 1 / M of a diagonal mass matrix, or its lower triangle.
+    mass: Vec<NodeId>,
+    /// A M⁻¹ of a diagonal mass matrix, or A; rows are constraints.
+    gradients: Vec<Vec<NodeId>>,
+    /// The lower triangle of A M⁻¹ Aᵀ of a diagonal mass matrix.
+    schur: Vec<NodeId>,
+}
+
+/// Names of what solves in every order.
+pub(super) enum SaddleStart {
+    /// M is diagonal.
+    Diagonal {
+        /// 1 / M.
+        inverses: Vec<String>,
+        /// A M⁻¹.
+        gradients: Vec<Vec<String>>,
+    },
+    /// The factors of the whole.
+    Whole,
+}
+
+impl SaddlePoint {
+    /// Names of the factors in the generated code.
+    const FACTORS: &'static str = "saddle";
+
+    pub fn plan(emission: &mut Emission<'_>, method: Saddle) -> SaddlePoint {
+        let equations = emission.equations;
+        let graph = &mut emission.model.graph;
+        let gradients = equations.conditions.jacobian.clone();
+        if let Saddle::Whole { .. } = method {
+            let mass = equations.mass.iter().flatten().copied().collect();
+            return SaddlePoint { method, mass, gradients, schur: Vec::new() };
+        }
+        let one = graph.one();
+        let mass: Vec<NodeId> =
+            equations.mass.iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect();
+        let weighted: Vec<Vec<NodeId>> = gradients
+            .iter()
+            .map(|row| row.iter().zip(&mass).map(|(&a, &inverse)| graph.mul(a, inverse)).collect())
+            .collect();
+        let mut schur = Vec::new();
+        for (c, row) in weighted.iter().enumerate() {
+            for other in &gradients[..=c] {
+                let products: Vec<_> =
+                    row.iter().zip(other).map(|(&w, &a)| (graph.mul(w, a), Number::ONE)).collect();
+                schur.push(graph.sum(Number::ZERO, &products));
+            }
+        }
+        SaddlePoint { method, mass, gradients: weighted, schur }
+    }
+
+    /// All entries, in a fixed order.
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> + '_ {
+        self.mass.iter().chain(self.gradients.iter().flatten()).chain(&self.schur).copied()
+    }
+
+    /// The statements that factor at the point of expansion.
+    pub fn at_start(
+        &self,
+        model: &Model,
+        scalar: &Scalar,
+        outputs: &mut impl Iterator<Item = String>,
+        names: &mut Names,
+    ) -> (String, SaddleStart) {
+        let count = model.coordinates.len();
+        let mass: Vec<String> = outputs.by_ref().take(self.mass.len()).collect();
+        let gradients: Vec<Vec<String>> =
+            self.gradients.iter().map(|row| outputs.by_ref().take(row.len()).collect()).collect();
+        let constraints = gradients.len();
+        let factors = Self::FACTORS;
+        let refused = format!("if {factors}.is_singular() {{ return false; }}\n");
+        if let Saddle::Whole { definite } = self.method {
+            let text = format!(
+                "{}let gradients = {};\nlet {factors} = lagrange::saddle::Saddle::<{scalar}, {count}, {constraints}>::{}(&mass, &gradients);\n{refused}",
+                body::lower_triangle(scalar, count, &mass),
+                matrix(&gradients),
+                constructor(definite)
+            );
+            return (text, SaddleStart::Whole);
+        }
+        // What is more than a name or a literal is computed once a step, not once an order.
+        let mut text = String::new();
+        let mut bind = |value: String, wish: String| {
+            if value.chars().all(|c| c == '_' || c == '.' || c.is_alphanumeric()) {
+                return value;
+            }
+            let name = names.claim(Some(wish));
+            text.push_str(&super::binding(scalar, &name, &value));
+            name
+        };
+        let labels: Vec<String> = model.coordinates.iter().map(|quantity| quantity.label()).collect();
+        let inverses: Vec<String> = mass
+            .into_iter()
+            .zip(&labels)
+            .map(|(value, label)| bind(value, format!("{label}_inverse_mass")))
+            .collect();
+        let gradients: Vec<Vec<String>> = gradients
+            .into_iter()
+            .zip(&model.constraints)
+            .map(|(row, constraint)| {
+                let wish = |label: &String| format!("{}_{label}", constraint.label());
+                row.into_iter().zip(&labels).map(|(value, label)| bind(value, wish(label))).collect()
+            })
+            .collect();
+        let schur: Vec<String> = outputs.by_ref().take(self.schur.len()).collect();
+        text.push_str(&body::lower_triangle(scalar, constraints, &schur));
+        text.push_str(&format!(
+            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor(mass);\n{refused}"
+        ));
+        (text, SaddleStart::Diagonal { inverses, gradients })
+    }
+}
+
+/// The constructor of the factorisation of the whole.
+pub(in crate::emit) fn constructor(definite: bool) -> &'static str {
+    if definite { "factor" } else { "factor_indefinite" }
+}
+
+/// Rows as an array of arrays.
+pub(in crate::emit) fn matrix(rows: &[Vec<String>]) -> String {
+    let rows: Vec<String> = rows.iter().map(|row| format!("[{}]", row.join(", "))).collect();
+    format!("[{}]", rows.join(", "))
+}
+
+impl Writer<'_, '_> {
+    /// Names of the multipliers' coefficients, and variables that carry the rates of relaxed constraints.
+    pub(super) fn multipliers(&mut self) -> Vec<String> {
+        let labels: Vec<String> =
+            self.emission.model.constraints.iter().map(|constraint| constraint.label()).collect();
+        for (slot, label) in self.jets.relaxation.clone().into_iter().zip(&labels) {
+            let relaxation = self.carry(slot, &format!("{label}_relaxation"));
+            self.forces.push(relaxation);
+        }
+        let multipliers = &self.emission.model.locals.multipliers;
+        multipliers.iter().map(|name| self.names.claim(Some(format!("{name}_k")))).collect()
+    }
+
+    /// The solution of an order.
+    pub(super) fn solve_saddle(
+        &mut self,
+        start: &SaddleStart,
+        velocities: &[(String, String)],
+        multipliers: &[String],
+    ) {
+        let zero = self.zero();
+        let mut momenta = Vec::with_capacity(velocities.len());
+        for i in 0..velocities.len() {
+            let momentum = self.sorted(self.context.read(self.jets.momenta[i]));
+            let reaction = self.sorted(self.context.read(self.jets.reactions[i]));
+            let momentum = self.partial(momentum, true);
+            let mut force = self.forces[i].clone();
+            if let Some(reaction) = self.partial(reaction, false) {
+                force = format!("{force} + {}", bare(&reaction));
+            }
+            momenta.push(match momentum {
+                Some(momentum) => format!("Real::mul_add(rate, {force}, {momentum})"),
+                None => format!("rate * ({force})"),
+            });
+        }
+        let mut conditions = Vec::with_capacity(multipliers.len());
+        for c in 0..multipliers.len() {
+            let condition = self.sorted(self.context.read(self.jets.conditions[c]));
+            let known = self.partial(condition, true);
+            let relaxation = self.jets.relaxation.get(c).map(|_| self.forces[velocities.len() + c].clone());
+            conditions.push(match (known, relaxation) {
+                (Some(known), None) => bare(&known).to_owned(),
+                (Some(known), Some(relaxation)) => format!("Real::mul_add(rate, {relaxation}, {known})"),
+                (None, Some(relaxation)) => format!("rate * {relaxation}"),
+                (None, None) => zero.clone(),
+            });
+        }
+        let impulses: Vec<String> =
+            multipliers.iter().map(|name| self.names.claim(Some(format!("{name}_impulse")))).collect();
+        let factors = SaddlePoint::FACTORS;
+        match start {
+            SaddleStart::Whole => {
+                let velocities: Vec<&str> = velocities.iter().map(|(_, velocity)| velocity.as_str()).collect();
+                self.body.push_str(&format!(
+                    "let ([{}], [{}]) = {factors}.solve(&[{}], &[{}]);\n",
+                    velocities.join(", "),
+                    impulses.join(", "),
+                    momenta.join(", "),
+                    conditions.join(", ")
+                ));
+            }
+            SaddleStart::Diagonal { inverses, gradients } => {
+                let free: Vec<String> = velocities
+                    .iter()
+                    .map(|(coordinate, _)| self.names.claim(Some(format!("{coordinate}_free"))))
+                    .collect();
+                for (name, momentum) in free.iter().zip(&momenta) {
+                    self.bind(name, momentum);
+                }
+                let nonzero = |row: &[String]| -> Vec<usize> {
+                    (0..row.len()).filter(|&i| row[i] != zero).collect()
+                };
+                let right: Vec<String> = gradients
+                    .iter()
+                    .zip(conditions)
+                    .map(|(row, condition)| {
+                        nonzero(row).into_iter().fold(condition, |sum, i| {
+                            format!("Real::mul_add(-({}), {}, {sum})", row[i], free[i])
+                        })
+                    })
+                    .collect();
+                self.body.push_str(&format!(
+                    "let [{}] = {factors}.solve([{}]);\n",
+                    impulses.join(", "),
+                    right.join(", ")
+                ));
+                for (i, (_, velocity)) in velocities.iter().enumerate() {
+                    let own = match inverses[i].as_str() {
+                        "1.0" => free[i].clone(),
+                        inverse => format!("{inverse} * {}", free[i]),
+                    };
+                    let text = gradients.iter().zip(&impulses).fold(own, |sum, (row, impulse)| {
+                        if row[i] == zero {
+                            return sum;
+                        }
+                        format!("Real::mul_add({}, {impulse}, {sum})", row[i])
+                    });
+                    self.bind(velocity, &text);
+                }
+            }
+        }
+        for (multiplier, impulse) in multipliers.iter().zip(&impulses) {
+            self.bind(multiplier, &format!("lagrange::jets::multiplier({impulse}, rate)"));
+        }
+    }
+
+    /// The sum of the terms with the unknowns at zero, with the sign changed for a right-hand side.
+    fn partial(&self, mut terms: Vec<super::terms::Term>, negative: bool) -> Option<String> {
+        if negative {
+            terms.iter_mut().for_each(|term| term.negative = !term.negative);
+        }
+        chain(None, &terms, |operand: Operand| self.partial_text(operand))
+    }
+}
