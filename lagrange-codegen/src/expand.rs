@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
-use crate::diagnostics::{Diagnostics, physics};
+use crate::diagnostics::{Diagnostics, catalogue, physics};
 use crate::emit::{Emission, METHODS, emit, stubs};
 use crate::mechanics::Equations;
 use crate::model::Model;
@@ -39,6 +39,11 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
 
 fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream> {
     let mut model = lower::lower(item, diagnostics);
+    // Until the later stages know constraints.
+    let eliminated = model.eliminations.iter().map(|elimination| &elimination.constraint);
+    if let Some(constraint) = model.constraints.iter().chain(eliminated).next() {
+        diagnostics.at(constraint.origin, catalogue::planned_role("holonomic"));
+    }
     if diagnostics.has_errors() {
         return None;
     }
