@@ -39,12 +39,13 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
 
 fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream> {
     let mut model = lower::lower(item, diagnostics);
+    if diagnostics.has_errors() {
+        return None;
+    }
     // Until the later stages know constraints.
     let eliminated = model.eliminations.iter().map(|elimination| &elimination.constraint);
     if let Some(constraint) = model.constraints.iter().chain(eliminated).next() {
         diagnostics.at(constraint.origin, catalogue::planned_role("holonomic"));
-    }
-    if diagnostics.has_errors() {
         return None;
     }
     let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
