@@ -5,8 +5,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
-use crate::diagnostics::{Diagnostics, physics};
-use crate::emit::{Emission, METHODS, emit, stubs};
+use crate::diagnostics::{Diagnostics, catalogue, physics};
+use crate::emit::{CONSTRAINT_METHODS, Emission, METHODS, emit, stubs};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::schedule::{Operations, plan};
@@ -42,6 +42,11 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
+    // Until the later stages know eliminations.
+    if let Some(elimination) = model.eliminations.first() {
+        diagnostics.at(elimination.constraint.origin, catalogue::planned_role("holonomic"));
+        return None;
+    }
     let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
     names_are_free(item, &equations, diagnostics);
     let before = as_derived(&mut model, &equations, diagnostics);
@@ -72,6 +77,7 @@ fn names_are_free(item: &Item, equations: &Equations, diagnostics: &mut Diagnost
         let generated = match &*function.name {
             "applied_forces" | "power" => equations.power.is_some(),
             "jacobi_integral" => equations.jacobi_integral.is_some(),
+            name if equations.conditions.count() > 0 && CONSTRAINT_METHODS.contains(&name) => true,
             name => METHODS.contains(&name),
         };
         if generated {

@@ -36,6 +36,8 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Constraints, arrays flattened, in the order of declaration.
     pub constraints: Vec<Constraint>,
+    /// Constraints that are to be solved for a coordinate, in the order of declaration.
+    pub eliminations: Vec<Elimination>,
     /// Rate of Baumgarte's stabilisation \[1/s\], where it is asked for instead of projection.
     pub baumgarte: Option<NodeId>,
     /// Names that the user gave to intermediate results.
@@ -79,19 +81,21 @@ pub struct Quantity {
 impl Quantity {
     /// As the user writes it: `theta` or `theta[0]`.
     pub fn written(&self) -> String {
-        match self.index {
-            Some(index) => format!("{}[{index}]", self.name),
-            None => self.name.clone(),
-        }
+        written(&self.name, self.index)
     }
 
     /// A name for a local variable: `theta` or `theta_0`.
     pub fn label(&self) -> String {
-        match self.index {
-            Some(index) => format!("{}_{index}", self.name),
-            None => self.name.clone(),
-        }
+        label(&self.name, self.index)
     }
+}
+
+fn written(name: &str, index: Option<usize>) -> String {
+    index.map_or_else(|| name.to_owned(), |index| format!("{name}[{index}]"))
+}
+
+fn label(name: &str, index: Option<usize>) -> String {
+    index.map_or_else(|| name.to_owned(), |index| format!("{name}_{index}"))
 }
 
 /// A parameter: an expression that the emitted code evaluates as it stands.
@@ -213,51 +217,6 @@ pub struct Force {
     pub origin: Origin,
 }
 
-/// A constraint given by one user function.
-#[derive(Clone, Debug)]
-pub struct Constraint {
-    /// The user's function.
-    pub name: String,
-    /// The index within an array.
-    pub index: Option<usize>,
-    /// f(q, t) or g(q, v, t), which is to stay zero.
-    pub value: NodeId,
-    /// What it restricts.
-    pub kind: ConstraintKind,
-    /// The function's name in the source.
-    pub origin: Origin,
-}
-
-/// What a constraint restricts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ConstraintKind {
-    /// f(q, t) = 0: the coordinates.
-    Holonomic,
-    /// g(q, v, t) = 0: the velocities.
-    Nonholonomic {
-        /// Not necessarily affine in v: Chetaev's rule.
-        chetaev: bool,
-    },
-}
-
-impl Constraint {
-    /// As the user would write it: `rolling` or `rolling[0]`.
-    pub fn written(&self) -> String {
-        match self.index {
-            Some(index) => format!("{}[{index}]", self.name),
-            None => self.name.clone(),
-        }
-    }
-
-    /// A name for a local variable: `rolling` or `rolling_0`.
-    pub fn label(&self) -> String {
-        match self.index {
-            Some(index) => format!("{}_{index}", self.name),
-            None => self.name.clone(),
-        }
-    }
-}
-
 /// How a force enters the equations.
 #[derive(Clone, Debug)]
 pub enum Action {
@@ -284,6 +243,56 @@ pub enum Action {
         /// Components in space axes \[N m\].
         torque: [NodeId; 3],
     },
+}
+
+/// A constraint given by one user function.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// The user's function.
+    pub name: String,
+    /// The index within an array.
+    pub index: Option<usize>,
+    /// f(q, t) or g(q, v, t), which is to stay zero.
+    pub value: NodeId,
+    /// What it is a function of.
+    pub kind: ConstraintKind,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// What a constraint is a function of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConstraintKind {
+    /// f(q, t) = 0.
+    Holonomic,
+    /// g(q, v, t) = 0.
+    Nonholonomic {
+        /// Not necessarily affine in v: Chetaev's rule.
+        chetaev: bool,
+    },
+}
+
+impl Constraint {
+    /// As the user writes it: `rolling` or `rolling[0]`.
+    pub fn written(&self) -> String {
+        written(&self.name, self.index)
+    }
+
+    /// A name for a local variable: `rolling` or `rolling_0`.
+    pub fn label(&self) -> String {
+        label(&self.name, self.index)
+    }
+}
+
+/// A holonomic constraint that gives a coordinate as a function of time.
+#[derive(Clone, Debug)]
+pub struct Elimination {
+    /// The constraint.
+    pub constraint: Constraint,
+    /// The coordinate, where the user names it.
+    pub coordinate: Option<usize>,
+    /// Where it is asked for.
+    pub origin: Origin,
 }
 
 /// Names of intermediate results; the first name given to a node stays.

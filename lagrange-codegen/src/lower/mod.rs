@@ -8,6 +8,7 @@
 mod access;
 mod advice;
 mod call;
+mod constraint;
 mod construct;
 mod control;
 mod force;

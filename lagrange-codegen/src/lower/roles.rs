@@ -6,7 +6,7 @@ use super::shape::Shape;
 use super::value::{Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::NodeId;
-use crate::model::{Attitude, Body, Point, Rotation, Term};
+use crate::model::{Attitude, Body, ConstraintKind, Point, Rotation, Term};
 use crate::syntax::Record;
 use crate::syntax::body::{Expr, ExprKind};
 use crate::syntax::item::{Argument, Function, RoleKind};
@@ -36,6 +36,12 @@ impl<'a> Interpreter<'a> {
                 RoleKind::Potential => self.energy(index, |model| &mut model.potential),
                 RoleKind::Lagrangian => self.energy(index, |model| &mut model.lagrangian),
                 RoleKind::Dissipation => self.energy(index, |model| &mut model.dissipation),
+                RoleKind::Holonomic { eliminate } => {
+                    self.constraint(index, ConstraintKind::Holonomic, eliminate.as_ref());
+                }
+                RoleKind::Nonholonomic { chetaev } => {
+                    self.constraint(index, ConstraintKind::Nonholonomic { chetaev: *chetaev }, None);
+                }
                 RoleKind::Force(_) => {}
             }
         }
@@ -43,6 +49,10 @@ impl<'a> Interpreter<'a> {
             if let Some(RoleKind::Force(target)) = function.role.as_ref().map(|role| &role.kind) {
                 self.force(index, target);
             }
+        }
+        if let Some(rate) = &item.baumgarte {
+            let value = self.attribute(rate);
+            self.model.baumgarte = self.scalar(value, rate.origin);
         }
     }
 
@@ -68,7 +78,8 @@ impl<'a> Interpreter<'a> {
         function.output.as_ref().map_or(Shape::Unit, |ty| self.shape(ty))
     }
 
-    fn wrong_return(&mut self, function: &'a Function, shape: &Shape) {
+    /// Reports a result of the wrong shape.
+    pub fn wrong_return(&mut self, function: &'a Function, shape: &Shape) {
         let origin = function.output.as_ref().map_or(function.origin, |ty| ty.origin);
         if let Some(role) = &function.role {
             let described = match shape {

@@ -1,5 +1,6 @@
 //! Lowering of whole descriptions.
 
+mod constraints;
 mod form;
 mod language;
 mod meaning;

@@ -21,9 +21,11 @@ pub struct Conditions {
     /// f of the holonomic constraints, zero for the others.
     pub positions: Vec<NodeId>,
     /// Σ |summands of f|, which its rounding errors are measured against.
-    pub sizes: Vec<NodeId>,
+    pub position_sizes: Vec<NodeId>,
     /// w: df/dt of the holonomic constraints, g of the others.
     pub rates: Vec<NodeId>,
+    /// Σ |summands of w|.
+    pub rate_sizes: Vec<NodeId>,
     /// A, a row for each constraint.
     pub jacobian: Vec<Vec<NodeId>>,
     /// γ.
@@ -75,7 +77,8 @@ impl Conditions {
             .iter()
             .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })
             .collect();
-        let sizes = positions.iter().map(|&position| size(graph, position)).collect();
+        let mut sizes = |values: &[NodeId]| values.iter().map(|&value| size(graph, value)).collect();
+        let (position_sizes, rate_sizes) = (sizes(&positions), sizes(&rates));
         let relaxation = baumgarte.map(|rate| {
             let square = graph.powi(rate, 2);
             let terms = constraints.iter().zip(&positions).zip(&rates);
@@ -93,7 +96,17 @@ impl Conditions {
                 *gamma = graph.add(*gamma, change);
             }
         }
-        Conditions { positions, sizes, rates, jacobian, gamma, reactions, losses, relaxation }
+        Conditions {
+            positions,
+            position_sizes,
+            rates,
+            rate_sizes,
+            jacobian,
+            gamma,
+            reactions,
+            losses,
+            relaxation,
+        }
     }
 
     /// The number of constraints.
@@ -152,12 +165,25 @@ fn reactions(
     through_q.into_iter().zip(through_v).map(|(q, v)| graph.add(q, v)).collect()
 }
 
-/// The sum of the absolute values of the summands.
+/// The sum of the absolute values of the summands, also of sums within products.
 fn size(graph: &mut Graph, value: NodeId) -> NodeId {
-    let Node::Sum { offset, terms } = graph.node(value).clone() else {
-        return graph.unary(Unary::Abs, value);
-    };
-    let terms: Vec<_> =
-        terms.into_iter().map(|(term, c)| (graph.unary(Unary::Abs, term), c.abs())).collect();
-    graph.sum(offset.abs(), &terms)
+    match graph.node(value).clone() {
+        Node::Sum { offset, terms } => {
+            let terms: Vec<_> = terms.into_iter().map(|(term, c)| (size(graph, term), c.abs())).collect();
+            graph.sum(offset.abs(), &terms)
+        }
+        Node::Product(factors) => {
+            let factors: Vec<_> =
+                factors
+                    .into_iter()
+                    .map(|(factor, exponent)| {
+                        let is_sum = exponent.0 > 0 && matches!(graph.node(factor), Node::Sum { .. });
+                        let factor = if is_sum { size(graph, factor) } else { graph.unary(Unary::Abs, factor) };
+                        (factor, exponent)
+                    })
+                    .collect();
+            graph.product(&factors)
+        }
+        _ => graph.unary(Unary::Abs, value),
+    }
 }

@@ -30,6 +30,8 @@ pub struct Item {
     pub crate_path: syn::Path,
     /// Whether derivatives of the equations are generated.
     pub jacobians: bool,
+    /// Rate of Baumgarte's stabilisation, where the attribute asks for it.
+    pub baumgarte: Option<Expr>,
     /// Lints switched off with `allow(…)`.
     pub allowed: Vec<&'static str>,
     /// The impl block as it is emitted again.
@@ -202,6 +204,25 @@ pub enum RoleKind {
     Dissipation,
     /// `#[force]`.
     Force(Target),
+    /// `#[holonomic]`.
+    Holonomic {
+        /// `#[holonomic(eliminate = x)]`: it is solved for a coordinate instead of being kept.
+        eliminate: Option<Eliminate>,
+    },
+    /// `#[nonholonomic]`.
+    Nonholonomic {
+        /// `#[nonholonomic(chetaev)]`: it need not be affine in the velocities.
+        chetaev: bool,
+    },
+}
+
+/// The coordinates that a constraint is solved for.
+#[derive(Clone, Debug)]
+pub struct Eliminate {
+    /// `x` or `theta[1]`, where they are named.
+    pub coordinate: Option<(Word, Option<Expr>)>,
+    /// Where it is asked for.
+    pub origin: Origin,
 }
 
 /// What a force acts on.

@@ -10,7 +10,7 @@ use crate::schedule::plan;
 use crate::simplify::simplify;
 
 /// Their names, which no function of the user may have.
-pub(in crate::emit) const METHODS: [&str; 8] = [
+pub(crate) const METHODS: [&str; 8] = [
     "reactions",
     "reaction_forces",
     "reaction_power",

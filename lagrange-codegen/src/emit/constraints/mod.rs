@@ -10,7 +10,8 @@ mod methods;
 mod record;
 mod surface;
 
-pub(super) use methods::{METHODS, methods};
+pub(crate) use methods::METHODS;
+pub(super) use methods::methods;
 pub(super) use record::{record, record_ident};
 pub(super) use surface::{implementations, system};
 
@@ -49,5 +50,6 @@ pub(super) fn factored(method: Saddle, scalar: &Scalar, count: usize, constraint
         Saddle::Diagonal | Saddle::Whole { definite: true } => "factor",
         Saddle::Whole { definite: false } => "factor_indefinite",
     };
-    format!("lagrange::saddle::{name}::<{scalar}, {count}, {constraints}>::{constructor}(&mass, &gradients)")
+    let mass = if method == Saddle::Diagonal { "mass" } else { "&mass" };
+    format!("lagrange::saddle::{name}::<{scalar}, {count}, {constraints}>::{constructor}({mass}, &gradients)")
 }

@@ -1,0 +1,76 @@
+//! Constraints: their values, and the coordinates that some of them are solved for.
+
+use super::advice::counted;
+use super::interpreter::Interpreter;
+use super::shape::Shape;
+use super::value::Value;
+use crate::diagnostics::catalogue;
+use crate::expr::NodeId;
+use crate::model::{Constraint, ConstraintKind, Elimination};
+use crate::syntax::item::{Eliminate, Function};
+
+impl<'a> Interpreter<'a> {
+    /// Lowers one constraint function.
+    pub fn constraint(&mut self, index: usize, kind: ConstraintKind, eliminate: Option<&'a Eliminate>) {
+        let function: &'a Function = &self.item.functions[index];
+        let shape = self.declared(function);
+        let count = match &shape {
+            Shape::Scalar => None,
+            Shape::Vector(length @ 1..) => Some(*length),
+            Shape::Array(element, length @ 1..) if **element == Shape::Scalar => Some(*length),
+            // That there is no type at all is reported.
+            _ if function.output.is_none() => return,
+            _ => return self.wrong_return(function, &shape),
+        };
+        let coordinates = match eliminate {
+            None => Vec::new(),
+            Some(eliminate) => match self.eliminated(function, eliminate, count) {
+                Some(coordinates) => coordinates,
+                None => return,
+            },
+        };
+        let Some(value) = self.result(index) else { return };
+        let values: Vec<NodeId> = match &value {
+            Value::Array(elements) => elements.iter().flat_map(|element| element.nodes().to_vec()).collect(),
+            single => single.nodes().to_vec(),
+        };
+        if self.looks_into_self(&values) {
+            return;
+        }
+        for (number, value) in values.into_iter().enumerate() {
+            let constraint = Constraint {
+                name: function.name.to_string(),
+                index: count.map(|_| number),
+                value,
+                kind,
+                origin: function.origin,
+            };
+            match eliminate {
+                None => self.model.constraints.push(constraint),
+                Some(eliminate) => self.model.eliminations.push(Elimination {
+                    constraint,
+                    coordinate: coordinates[number],
+                    origin: eliminate.origin,
+                }),
+            }
+        }
+    }
+
+    /// The coordinate that each of `count` constraints is solved for, where it is named.
+    fn eliminated(
+        &mut self,
+        function: &'a Function,
+        eliminate: &'a Eliminate,
+        count: Option<usize>,
+    ) -> Option<Vec<Option<usize>>> {
+        let constraints = count.unwrap_or(1);
+        let Some((word, element)) = &eliminate.coordinate else { return Some(vec![None; constraints]) };
+        let coordinates = self.coordinates_of(word, element.as_ref())?;
+        if coordinates.len() == constraints {
+            return Some(coordinates.into_iter().map(Some).collect());
+        }
+        let (have, want) = (counted(constraints, "constraint"), counted(coordinates.len(), "coordinate"));
+        self.report(word.origin, catalogue::eliminated_count(&function.name, have, want));
+        None
+    }
+}
