@@ -101,6 +101,10 @@ pub mod __private {
     pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
     pub use crate::tables::Tables;
+    pub mod saddle {
+        //! Saddle-point systems of constrained mechanics.
+        pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur};
+    }
     pub mod jets {
         //! Recurrences of Taylor coefficients.
         pub use crate::columns::{Products, column, product, square, tile};

@@ -6,6 +6,7 @@
 //! *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*, 1992.
 
 mod projection;
+mod solution;
 mod start;
 
 use core::ops::Deref;
@@ -15,6 +16,7 @@ use crate::real::{Ordered, Real};
 use crate::state::State;
 use crate::system::System;
 pub use projection::project;
+pub use solution::{balance, check, finite, forces, is_singular, matrix, regular};
 pub use start::{check_start, consistent};
 
 /// A system with constraints.

@@ -44,7 +44,7 @@ fn correct<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    let (none, nothing) = ([num_traits::Zero::zero(); N], [num_traits::Zero::zero(); C]);
+    let none = [num_traits::Zero::zero(); N];
     let contraction = <S::Scalar as Real>::Lane::from_f64(CONTRACTION);
     let (mut saddle, _) = system.saddle_at(state.t, &state.q, &state.v);
     let (mut next, mut residuals) = (*state, first);

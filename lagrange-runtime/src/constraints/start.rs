@@ -1,5 +1,6 @@
 //! Where a motion may begin, and the nearest such state.
 
+use super::solution::regular;
 use super::{Residuals, Surface, moved, to_f64, worst};
 use crate::error::{Cause, MotionError};
 use crate::linear::SaddlePoint;
@@ -34,7 +35,7 @@ where
     }
     let residuals = system.residuals_at(start.t, &start.q, &start.v);
     let (saddle, _) = system.saddle_at(start.t, &start.q, &start.v);
-    saddle.check()?;
+    regular(&saddle)?;
     if residuals.are_roundings() {
         return Ok(());
     }
@@ -96,7 +97,7 @@ where
     let mut residuals = system.residuals_at(state.t, &state.q, &state.v);
     for _ in 0..STEPS {
         let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
-        saddle.check()?;
+        regular(&saddle)?;
         let values = if of_positions { residuals.positions } else { residuals.rates };
         let (change, _) = saddle.solve(&none, &values.map(|value| -value));
         if !change.iter().all(|x| x.is_finite()) {

@@ -156,7 +156,8 @@ where
             memory.step(&driven, limits, t, false, attempts)?;
             project(memory, system, constants)?;
         }
-        let failed = |cause| MotionError { cause, t: memory.end.state.t };
+        let end = memory.end.state.t;
+        let failed = |cause| MotionError { cause, t: end };
         let mut state = memory.sample(&driven, t).map_err(failed)?;
         system.project_at(constants, &mut state).map_err(failed)?;
         Ok(state)

@@ -88,10 +88,10 @@ impl SaddlePoint {
             self.gradients.iter().map(|row| outputs.by_ref().take(row.len()).collect()).collect();
         let constraints = gradients.len();
         let factors = Self::FACTORS;
-        let refused = format!("if {factors}.is_singular() {{ return false; }}\n");
         if let Saddle::Whole { definite } = self.method {
             let text = format!(
-                "{}let gradients = {};\nlet {factors} = lagrange::saddle::Saddle::<{scalar}, {count}, {constraints}>::{}(&mass, &gradients);\n{refused}",
+                "{}let gradients = {};\nlet {factors} = lagrange::saddle::Saddle::<{scalar}, {count}, {constraints}>::{}(&mass, &gradients);\n\
+                 if lagrange::constraints::is_singular(&{factors}) {{ return false; }}\n",
                 body::lower_triangle(scalar, count, &mass),
                 matrix(&gradients),
                 constructor(definite)
@@ -125,7 +125,8 @@ impl SaddlePoint {
         let schur: Vec<String> = outputs.by_ref().take(self.schur.len()).collect();
         text.push_str(&body::lower_triangle(scalar, constraints, &schur));
         text.push_str(&format!(
-            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor(mass);\n{refused}"
+            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor(mass);\n\
+             if !{factors}.is_finite() || {factors}.vanishing().is_some() {{ return false; }}\n"
         ));
         (text, SaddleStart::Diagonal { inverses, gradients })
     }
@@ -196,7 +197,7 @@ impl Writer<'_, '_> {
             SaddleStart::Whole => {
                 let velocities: Vec<&str> = velocities.iter().map(|(_, velocity)| velocity.as_str()).collect();
                 self.body.push_str(&format!(
-                    "let ([{}], [{}]) = {factors}.solve(&[{}], &[{}]);\n",
+                    "let ([{}], [{}]) = lagrange::saddle::SaddlePoint::solve(&{factors}, &[{}], &[{}]);\n",
                     velocities.join(", "),
                     impulses.join(", "),
                     momenta.join(", "),
