@@ -81,10 +81,10 @@ pub fn rate<R: Real>(h: R, order: usize) -> R {
     h / R::from_f64(order as f64)
 }
 
-/// 1 / order.
+/// The order as a number, to divide by: a multiplication by its reciprocal would have the bias of [`rate`].
 #[inline(always)]
-pub fn fraction<R: Real>(order: usize) -> R {
-    R::recip(R::from_f64(order as f64))
+pub fn index<R: Real>(order: usize) -> R {
+    R::from_f64(order as f64)
 }
 
 /// order · coefficient.

@@ -26,7 +26,7 @@ const RESERVED: [&str; 27] = [
     "u",
     "h",
     "rate",
-    "fraction",
+    "index",
     "order",
     "orders",
     "inner",

@@ -70,7 +70,11 @@ impl Conditions {
         let reactions = reactions(graph, &constraints, &multipliers, motion);
         let losses = (0..values.len())
             .map(|c| {
-                if is_holonomic(&constraints[c]) { explicit[c] } else { drift(graph, values[c], &jacobian[c], motion) }
+                if is_holonomic(&constraints[c]) {
+                    explicit[c]
+                } else {
+                    drift(graph, values[c], &jacobian[c], motion)
+                }
             })
             .collect();
         let positions: Vec<NodeId> = constraints
@@ -173,15 +177,14 @@ fn size(graph: &mut Graph, value: NodeId) -> NodeId {
             graph.sum(offset.abs(), &terms)
         }
         Node::Product(factors) => {
-            let factors: Vec<_> =
-                factors
-                    .into_iter()
-                    .map(|(factor, exponent)| {
-                        let is_sum = exponent.0 > 0 && matches!(graph.node(factor), Node::Sum { .. });
-                        let factor = if is_sum { size(graph, factor) } else { graph.unary(Unary::Abs, factor) };
-                        (factor, exponent)
-                    })
-                    .collect();
+            let factors: Vec<_> = factors
+                .into_iter()
+                .map(|(factor, exponent)| {
+                    let is_sum = exponent.0 > 0 && matches!(graph.node(factor), Node::Sum { .. });
+                    let factor = if is_sum { size(graph, factor) } else { graph.unary(Unary::Abs, factor) };
+                    (factor, exponent)
+                })
+                .collect();
             graph.product(&factors)
         }
         _ => graph.unary(Unary::Abs, value),

@@ -25,8 +25,9 @@ const ROUNDINGS: f64 = 256.0;
 pub struct Schur<R, const C: usize> {
     /// L without its unit diagonal, below the diagonal; of a singular matrix the generalised inverse.
     factor: [[R; C]; C],
-    /// 1 / D.
-    inverse: [R; C],
+    /// D. Solutions divide by it: the rounding of 1 / D would be the same in every step where a constraint keeps S what it
+    /// is, as a rod does, and energy would drift with the number of steps instead of its root.
+    pivots: [R; C],
     dropped: [bool; C],
     rank: usize,
     vanishing: Option<usize>,
@@ -38,26 +39,26 @@ impl<R: Real, const C: usize> Schur<R, C> {
     #[must_use]
     pub fn factor(lower: [[R; C]; C]) -> Self {
         let mut factor = lower;
-        let mut inverse = [R::zero(); C];
+        let mut pivots = [R::zero(); C];
         let mut column = [R::zero(); C];
         for k in 0..C {
             let pivot = factor[k][k];
             if !(pivot - tolerance::<R, C>() * lower[k][k]).is_positive() {
                 return Self::singular(lower);
             }
-            inverse[k] = pivot.recip();
+            pivots[k] = pivot;
             for i in k + 1..C {
                 column[i] = factor[i][k];
             }
             for i in k + 1..C {
-                let l = column[i] * inverse[k];
+                let l = column[i] / pivots[k];
                 factor[i][k] = l;
                 for j in k + 1..=i {
                     factor[i][j] = R::mul_add(-l, column[j], factor[i][j]);
                 }
             }
         }
-        Self { factor, inverse, dropped: [false; C], rank: C, vanishing: None }
+        Self { factor, pivots, dropped: [false; C], rank: C, vanishing: None }
     }
 
     /// κ with S κ = `y`. Where S is singular: on the rows that are not [dropped](Self::is_dropped), and the shortest of
@@ -74,8 +75,8 @@ impl<R: Real, const C: usize> Schur<R, C> {
                 x[i] = R::mul_add(-self.factor[i][k], x[k], x[i]);
             }
         }
-        for (x, &inverse) in x.iter_mut().zip(&self.inverse) {
-            *x *= inverse;
+        for (x, &pivot) in x.iter_mut().zip(&self.pivots) {
+            *x /= pivot;
         }
         for i in (0..C).rev() {
             for k in 0..i {
@@ -97,7 +98,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
     pub fn is_finite(&self) -> bool {
         let upper = if self.rank < C { C } else { 0 };
         let finite = |(i, row): (usize, &[R; C])| row.iter().take(i.max(upper)).all(|x| x.is_finite());
-        self.factor.iter().enumerate().all(finite) && self.inverse.iter().all(|x| x.is_finite())
+        self.factor.iter().enumerate().all(finite) && self.pivots.iter().all(|x| x.is_finite())
     }
 
     /// Whether this row depends on the others and was left out. False for rows that do not exist.
@@ -134,7 +135,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
         let vanishing = diagonal.iter().position(|d| d.abs().largest() == zero.largest());
         let finite = s.as_flattened().iter().all(|x| x.is_finite());
         let mut this =
-            Self { factor: [[zero; C]; C], inverse: [zero; C], dropped: [true; C], rank: 0, vanishing };
+            Self { factor: [[zero; C]; C], pivots: [zero; C], dropped: [true; C], rank: 0, vanishing };
         if !finite {
             this.factor = [[R::from_f64(f64::NAN); C]; C];
             return this;

@@ -45,7 +45,9 @@ pub(in crate::emit) fn methods(emission: &mut Emission<'_>) -> String {
             "reactions(&self, state: &{state}{parameter}) -> {}",
             result(&format!("lagrange::Reactions<{record}<{scalar}>>"))
         ),
-        &format!("{balance}::core::result::Result::Ok(lagrange::Reactions::new(balance.multipliers.into(), balance.rank == {held}))"),
+        &format!(
+            "{balance}::core::result::Result::Ok(lagrange::Reactions::new(balance.multipliers.into(), balance.rank == {held}))"
+        ),
     );
     text.push_str(&method(
         "Generalized forces λ ∂f/∂q of the constraints, by name, components in the order of the coordinates.\n\n\

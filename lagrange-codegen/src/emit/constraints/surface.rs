@@ -2,9 +2,9 @@
 
 use super::{factored, record_ident, rows, saddle_type};
 use crate::emit::Emission;
+use crate::emit::block;
 use crate::emit::body::{self, Source};
 use crate::emit::names::Names;
-use crate::emit::block;
 use crate::expr::NodeId;
 use crate::schedule::{Operations, plan};
 use crate::simplify::simplify;

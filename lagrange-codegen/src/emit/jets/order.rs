@@ -185,8 +185,8 @@ impl Writer<'_, '_> {
         self.late(&under);
         self.store();
         let mut fraction = format!("let rate: {scalar} = lagrange::jets::rate(h, order);\n");
-        if self.body.contains("fraction") {
-            fraction.push_str(&format!("let fraction: {scalar} = lagrange::jets::fraction(order);\n"));
+        if self.body.contains("/ index)") {
+            fraction.push_str(&format!("let index: {scalar} = lagrange::jets::index(order);\n"));
         }
         let inner = self.sweep();
         format!(
@@ -226,6 +226,7 @@ impl Writer<'_, '_> {
     fn text(&self, operand: Operand) -> Option<String> {
         match operand {
             Operand::Inner(lane) => Some(self.inner[lane].clone()),
+            Operand::Share(lane) => Some(format!("({} / index)", self.inner[lane])),
             Operand::Slot(slot) => Some(self.coefficients[slot.index()].clone()),
         }
     }

@@ -7,11 +7,10 @@ use super::bare;
 use super::order::Writer;
 use super::terms::{Operand, chain};
 use crate::emit::Emission;
-use crate::emit::body;
 use crate::emit::names::Names;
+use crate::emit::{body, scalar};
 use crate::expr::NodeId;
 use crate::model::Model;
-use crate::number::Number;
 use crate::structure::Saddle;
 use crate::syntax::Scalar;
 
@@ -20,10 +19,8 @@ pub(super) struct SaddlePoint {
     method: Saddle,
     /// 1 / M of a diagonal mass matrix, or its lower triangle.
     mass: Vec<NodeId>,
-    /// A M⁻¹ of a diagonal mass matrix, or A; rows are constraints.
+    /// A; rows are constraints.
     gradients: Vec<Vec<NodeId>>,
-    /// The lower triangle of A M⁻¹ Aᵀ of a diagonal mass matrix.
-    schur: Vec<NodeId>,
 }
 
 /// Names of what solves in every order.
@@ -32,8 +29,10 @@ pub(super) enum SaddleStart {
     Diagonal {
         /// 1 / M.
         inverses: Vec<String>,
-        /// A M⁻¹.
+        /// A.
         gradients: Vec<Vec<String>>,
+        /// A M⁻¹.
+        weighted: Vec<Vec<String>>,
     },
     /// The factors of the whole.
     Whole,
@@ -47,31 +46,19 @@ impl SaddlePoint {
         let equations = emission.equations;
         let graph = &mut emission.model.graph;
         let gradients = equations.conditions.jacobian.clone();
-        if let Saddle::Whole { .. } = method {
-            let mass = equations.mass.iter().flatten().copied().collect();
-            return SaddlePoint { method, mass, gradients, schur: Vec::new() };
-        }
-        let one = graph.one();
-        let mass: Vec<NodeId> =
-            equations.mass.iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect();
-        let weighted: Vec<Vec<NodeId>> = gradients
-            .iter()
-            .map(|row| row.iter().zip(&mass).map(|(&a, &inverse)| graph.mul(a, inverse)).collect())
-            .collect();
-        let mut schur = Vec::new();
-        for (c, row) in weighted.iter().enumerate() {
-            for other in &gradients[..=c] {
-                let products: Vec<_> =
-                    row.iter().zip(other).map(|(&w, &a)| (graph.mul(w, a), Number::ONE)).collect();
-                schur.push(graph.sum(Number::ZERO, &products));
+        let mass = match method {
+            Saddle::Whole { .. } => equations.mass.iter().flatten().copied().collect(),
+            Saddle::Diagonal => {
+                let one = graph.one();
+                equations.mass.iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect()
             }
-        }
-        SaddlePoint { method, mass, gradients: weighted, schur }
+        };
+        SaddlePoint { method, mass, gradients }
     }
 
     /// All entries, in a fixed order.
     pub fn nodes(&self) -> impl Iterator<Item = NodeId> + '_ {
-        self.mass.iter().chain(self.gradients.iter().flatten()).chain(&self.schur).copied()
+        self.mass.iter().chain(self.gradients.iter().flatten()).copied()
     }
 
     /// The statements that factor at the point of expansion.
@@ -122,14 +109,38 @@ impl SaddlePoint {
                 row.into_iter().zip(&labels).map(|(value, label)| bind(value, wish(label))).collect()
             })
             .collect();
-        let schur: Vec<String> = outputs.by_ref().take(self.schur.len()).collect();
+        let zero = scalar::zero(scalar);
+        let mut weighted = gradients.clone();
+        for (row, constraint) in weighted.iter_mut().zip(&model.constraints) {
+            for ((entry, inverse), label) in row.iter_mut().zip(&inverses).zip(&labels) {
+                if *entry != zero && *inverse != one(&zero) {
+                    let wish = format!("{}_{label}_weighted", constraint.label());
+                    *entry = bind(format!("{entry} * {inverse}"), wish);
+                }
+            }
+        }
+        // Of these very numbers, not of a simpler formula: rounding errors of the gradients, which for a rod are the same in
+        // every step, must not make the matrix belong to other gradients.
+        let mut schur = Vec::new();
+        for (c, row) in weighted.iter().enumerate() {
+            for other in &gradients[..=c] {
+                let products = row.iter().zip(other).filter(|(w, a)| **w != zero && **a != zero);
+                let sum = products.map(|(w, a)| format!("{w} * {a}")).collect::<Vec<_>>().join(" + ");
+                schur.push(if sum.is_empty() { zero.clone() } else { sum });
+            }
+        }
         text.push_str(&body::lower_triangle(scalar, constraints, &schur));
         text.push_str(&format!(
             "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor(mass);\n\
              if !{factors}.is_finite() || {factors}.vanishing().is_some() {{ return false; }}\n"
         ));
-        (text, SaddleStart::Diagonal { inverses, gradients })
+        (text, SaddleStart::Diagonal { inverses, gradients, weighted })
     }
+}
+
+/// The text of one, beside that of zero.
+fn one(zero: &str) -> String {
+    zero.replacen('0', "1", 1).replace("zero", "one")
 }
 
 /// The constructor of the factorisation of the whole.
@@ -195,7 +206,8 @@ impl Writer<'_, '_> {
         let factors = SaddlePoint::FACTORS;
         match start {
             SaddleStart::Whole => {
-                let velocities: Vec<&str> = velocities.iter().map(|(_, velocity)| velocity.as_str()).collect();
+                let velocities: Vec<&str> =
+                    velocities.iter().map(|(_, velocity)| velocity.as_str()).collect();
                 self.body.push_str(&format!(
                     "let ([{}], [{}]) = lagrange::saddle::SaddlePoint::solve(&{factors}, &[{}], &[{}]);\n",
                     velocities.join(", "),
@@ -204,17 +216,20 @@ impl Writer<'_, '_> {
                     conditions.join(", ")
                 ));
             }
-            SaddleStart::Diagonal { inverses, gradients } => {
+            SaddleStart::Diagonal { inverses, gradients, weighted } => {
                 let free: Vec<String> = velocities
                     .iter()
                     .map(|(coordinate, _)| self.names.claim(Some(format!("{coordinate}_free"))))
                     .collect();
-                for (name, momentum) in free.iter().zip(&momenta) {
-                    self.bind(name, momentum);
+                for ((name, momentum), inverse) in free.iter().zip(&momenta).zip(inverses) {
+                    let is_one = *inverse == one(&zero);
+                    self.bind(
+                        name,
+                        &if is_one { momentum.clone() } else { format!("{inverse} * ({momentum})") },
+                    );
                 }
-                let nonzero = |row: &[String]| -> Vec<usize> {
-                    (0..row.len()).filter(|&i| row[i] != zero).collect()
-                };
+                let nonzero =
+                    |row: &[String]| -> Vec<usize> { (0..row.len()).filter(|&i| row[i] != zero).collect() };
                 let right: Vec<String> = gradients
                     .iter()
                     .zip(conditions)
@@ -230,11 +245,7 @@ impl Writer<'_, '_> {
                     right.join(", ")
                 ));
                 for (i, (_, velocity)) in velocities.iter().enumerate() {
-                    let own = match inverses[i].as_str() {
-                        "1.0" => free[i].clone(),
-                        inverse => format!("{inverse} * {}", free[i]),
-                    };
-                    let text = gradients.iter().zip(&impulses).fold(own, |sum, (row, impulse)| {
+                    let text = weighted.iter().zip(&impulses).fold(free[i].clone(), |sum, (row, impulse)| {
                         if row[i] == zero {
                             return sum;
                         }

@@ -19,6 +19,8 @@ pub(super) struct Term {
 pub(super) enum Operand {
     /// The interior sum of a lane.
     Inner(usize),
+    /// The same divided by the order.
+    Share(usize),
     /// The coefficient of a slot.
     Slot(Slot),
 }
@@ -127,11 +129,7 @@ impl Context<'_> {
             Relation::Chain(arguments) => {
                 for (&(slope, argument), lane) in arguments.iter().zip(lanes) {
                     if self.jets.moves(slope) {
-                        terms.push(Term {
-                            negative: false,
-                            factor: Some("fraction".to_owned()),
-                            value: Operand::Inner(lane),
-                        });
+                        terms.push(Term { negative: false, factor: None, value: Operand::Share(lane) });
                     }
                     let factor = Some(self.start[slope.index()].clone());
                     terms.push(Term { negative: false, factor, value: Operand::Slot(argument) });
@@ -156,7 +154,7 @@ impl Context<'_> {
                     };
                     let first = scaled(*exponent, &reciprocal);
                     terms.push(inner(exponent.is_negative(), format!("({first})"), lanes[0]));
-                    let second = format!("({} * fraction)", scaled(above, &reciprocal));
+                    let second = format!("({} / index)", scaled(above, &reciprocal));
                     terms.push(inner(!above.is_negative(), second, lanes[1]));
                 }
                 terms.push(Term { negative: false, factor: Some(slope), value: Operand::Slot(*base) });
@@ -167,7 +165,7 @@ impl Context<'_> {
     /// When all of an operand is known.
     pub fn coefficient(&self, operand: Operand) -> Coefficient {
         match operand {
-            Operand::Inner(_) => Coefficient::Constant,
+            Operand::Inner(_) | Operand::Share(_) => Coefficient::Constant,
             Operand::Slot(slot) => self.jets.coefficient(slot),
         }
     }
