@@ -3,6 +3,7 @@
 mod block;
 mod body;
 mod docs;
+mod eliminated;
 mod gather;
 mod jets;
 mod linearization;
@@ -27,6 +28,7 @@ use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
 
+pub(crate) use eliminated::METHODS as COMPLETIONS;
 pub(crate) use methods::METHODS;
 pub(crate) use stubs::stubs;
 
