@@ -8,13 +8,19 @@ pub fn kinetic_not_quadratic(function: &str) -> String {
     )
 }
 
+/// Which coordinates are meant where some are eliminated.
+fn left(eliminated: bool) -> &'static str {
+    if eliminated { " that is not eliminated" } else { "" }
+}
+
 /// A role function without influence on the motion.
-pub fn no_effect(role: &str, function: &str) -> String {
+pub fn no_effect(role: &str, function: &str, eliminated: bool) -> String {
+    let left = left(eliminated);
     let reason = match role {
-        "potential" => "it does not depend on any coordinate",
-        "dissipation function" => "it does not depend on any velocity",
-        "force" => "it is zero, or what it acts on does not move with any coordinate",
-        _ => "it depends on no coordinate and no velocity",
+        "potential" => format!("it does not depend on any coordinate{left}"),
+        "dissipation function" => format!("it does not depend on any velocity{left}"),
+        "force" => format!("it is zero, or what it acts on does not move with any coordinate{left}"),
+        _ => format!("it depends on no coordinate and no velocity{left}"),
     };
     format!(
         "the {role} `{function}` has no effect on the motion: {reason}; \
@@ -23,9 +29,10 @@ pub fn no_effect(role: &str, function: &str) -> String {
 }
 
 /// A particle or body that no coordinate moves.
-pub fn fixed_in_space(kind: &str, function: &str) -> String {
+pub fn fixed_in_space(kind: &str, function: &str, eliminated: bool) -> String {
+    let left = left(eliminated);
     format!(
-        "the {kind} `{function}` depends on no coordinate, so it is fixed in space (or moves as prescribed) and its \
+        "the {kind} `{function}` depends on no coordinate{left}, so it is fixed in space (or moves as prescribed) and its \
          inertia has no effect; remove its role (a helper function needs none), or say `allow(no_effect)` in the attribute"
     )
 }
@@ -56,6 +63,44 @@ pub fn structurally_singular(coordinate: &str) -> String {
         "the mass matrix is singular whatever the parameters: the inertia of the coordinate `{coordinate}` is not \
          independent of that of the others; give it a mass of its own or remove a coordinate"
     )
+}
+
+/// A constraint in which the coordinate to be eliminated is not linear.
+pub fn not_solvable(constraint: &str, coordinate: &str) -> String {
+    format!(
+        "`{constraint}` cannot be solved for `{coordinate}`, whose coefficient is not the same all through a run; \
+         eliminate a coordinate that stands here alone or times a constant, or keep the constraint by `#[holonomic]`"
+    )
+}
+
+/// A coordinate to be eliminated by a constraint that does not contain it.
+pub fn absent_coordinate(coordinate: &str, constraint: &str, others: &str) -> String {
+    format!(
+        "the coordinate `{coordinate}` does not occur in `{constraint}` or cancels out; what can be eliminated here \
+         is `{others}`"
+    )
+}
+
+/// A constraint to eliminate by in which no coordinate is left.
+pub fn nothing_to_eliminate(constraint: &str) -> String {
+    format!(
+        "`{constraint}` determines no coordinate: none occurs in it but those that other constraints eliminate; \
+         mend or remove it"
+    )
+}
+
+/// A coordinate that two constraints are to be solved for.
+pub fn eliminated_twice(coordinate: &str) -> String {
+    format!(
+        "the coordinate `{coordinate}` is eliminated by another constraint already; eliminate another one here, or \
+         remove one of the two constraints"
+    )
+}
+
+/// Constraints that leave no coordinate.
+pub fn all_eliminated() -> &'static str {
+    "all coordinates are eliminated, so that nothing is left to move: the motion is known beforehand; keep at least \
+     one coordinate free"
 }
 
 /// An input that no equation contains.

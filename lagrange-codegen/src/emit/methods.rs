@@ -1,7 +1,7 @@
 //! The inherent methods: each is usable on its own, and what is not called is not linked.
 
 use super::body::{self, Source};
-use super::{Emission, docs};
+use super::{Emission, docs, eliminated};
 use crate::expr::{Dependence, NodeId};
 use crate::simplify::simplify;
 
@@ -56,6 +56,7 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> String {
             text.push_str(&scalar(emission, name, doc, symbol, node));
         }
     }
+    text.push_str(&eliminated::completions(emission));
     if whole.is_none() {
         let scalar = &emission.item.scalar;
         let signature = format!("energy(&self, state: &{}) -> {scalar}", emission.state_type());

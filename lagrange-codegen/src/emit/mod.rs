@@ -4,6 +4,7 @@ mod block;
 mod body;
 mod constraints;
 mod docs;
+mod eliminated;
 mod gather;
 mod jets;
 mod linearization;
@@ -29,6 +30,7 @@ use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
 
 pub(crate) use constraints::METHODS as CONSTRAINT_METHODS;
+pub(crate) use eliminated::METHODS as COMPLETIONS;
 pub(crate) use methods::METHODS;
 pub(crate) use stubs::stubs;
 

@@ -4,8 +4,8 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::{proofs, records};
-use crate::syntax::{Group, Item, Scalar};
+use super::{COMPLETIONS, proofs, records};
+use crate::syntax::{Group, Item, Record, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
 /// themselves are broken.
@@ -22,7 +22,8 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
         Scalar::Generic(parameter) => parameter.clone(),
     };
     let total = |groups: &[Group]| groups.iter().map(|group| group.length.unwrap_or(1)).sum::<usize>();
-    let (count, inputs) = (total(&item.coordinates), total(&item.inputs));
+    let (declared, inputs) = (total(&item.coordinates), total(&item.inputs));
+    let count = declared.saturating_sub(item.eliminated());
     let linearization = item.jacobians.then(|| {
         let place = quote!(
             &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
@@ -41,6 +42,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     });
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let methods = methods(item, &quote!(#scalar), count, inputs);
+    let completions = (declared > count).then(|| completions(item, &quote!(#scalar), count));
     Some(quote! {
         #records
         const _: () = {
@@ -56,6 +58,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 pub const STRUCTURE: lagrange::Structure =
                     lagrange::Structure { mass_matrix: "", facts: &[], skipped: &[] };
                 #methods
+                #completions
             }
 
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
@@ -113,10 +116,28 @@ fn methods(item: &Item, scalar: &TokenStream, count: usize, inputs: usize) -> To
         ("jacobi_integral", &none, scalar),
     ]
     .into_iter()
-    .filter(|(name, ..)| item.functions.iter().all(|function| *function.name != **name))
+    .filter(|(name, ..)| is_free(item, name))
     .map(|(name, inputs, output)| {
         let name = format_ident!("{name}");
         quote!(pub fn #name(&self, _: &lagrange::State<#scalar, #count> #inputs) -> #output { loop {} })
     })
     .collect()
+}
+
+/// The methods that complete a state by eliminated coordinates.
+fn completions(item: &Item, scalar: &TokenStream, count: usize) -> TokenStream {
+    COMPLETIONS
+        .into_iter()
+        .zip([Record::Coordinates, Record::Velocities])
+        .filter(|(name, _)| is_free(item, name))
+        .map(|(name, record)| {
+            let (name, record) = (format_ident!("{name}"), item.record_ident(record));
+            quote!(pub fn #name(&self, _: &lagrange::State<#scalar, #count>) -> #record<#scalar> { loop {} })
+        })
+        .collect()
+}
+
+/// Whether no function of the user has a name.
+fn is_free(item: &Item, name: &str) -> bool {
+    item.functions.iter().all(|function| *function.name != *name)
 }

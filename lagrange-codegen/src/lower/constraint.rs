@@ -50,7 +50,10 @@ impl<'a> Interpreter<'a> {
                 Some(eliminate) => self.model.eliminations.push(Elimination {
                     constraint,
                     coordinate: coordinates[number],
-                    origin: eliminate.origin,
+                    origin: eliminate
+                        .coordinate
+                        .as_ref()
+                        .map_or(eliminate.origin, |(coordinate, _)| coordinate.origin),
                 }),
             }
         }

@@ -18,6 +18,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         return;
     }
     let graph = &model.graph;
+    let eliminated = !model.eliminated.is_empty();
     let state = Dependence::COORDINATES.union(Dependence::VELOCITIES);
     let idle = |value: NodeId, matters: Dependence| !graph.dependence(value).meets(matters);
     for (role, terms, matters) in [
@@ -27,7 +28,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         ("dissipation function", &model.dissipation, Dependence::VELOCITIES),
     ] {
         for term in terms.iter().filter(|term| idle(term.value, matters)) {
-            diagnostics.at(term.origin, physics::no_effect(role, &term.name));
+            diagnostics.at(term.origin, physics::no_effect(role, &term.name, eliminated));
         }
     }
     let mut reported: Vec<Origin> = Vec::new();
@@ -40,7 +41,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
     let fixed = |position: &[NodeId]| position.iter().all(|&x| idle(x, Dependence::COORDINATES));
     for point in &model.points {
         if fixed(&point.position) {
-            complain(point.origin, physics::fixed_in_space("point", &point.name), diagnostics);
+            complain(point.origin, physics::fixed_in_space("point", &point.name, eliminated), diagnostics);
         } else if graph.is_zero(point.mass) {
             complain(point.origin, physics::zero_mass(&point.name), diagnostics);
         } else if graph.as_constant(point.mass).is_some_and(Number::is_negative) {
@@ -61,7 +62,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
             complain(body.origin, physics::negative_mass(&body.name), diagnostics);
         }
         if fixed(&body.position) && !turns {
-            complain(body.origin, physics::fixed_in_space("body", &body.name), diagnostics);
+            complain(body.origin, physics::fixed_in_space("body", &body.name, eliminated), diagnostics);
         }
     }
     for force in &model.forces {
@@ -76,7 +77,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         };
         let part_of_a_pair = model.forces.iter().filter(|other| other.origin == force.origin).count() > 1;
         if !has_effect && !part_of_a_pair {
-            complain(force.origin, physics::no_effect("force", &force.name), diagnostics);
+            complain(force.origin, physics::no_effect("force", &force.name, eliminated), diagnostics);
         }
     }
 }

@@ -62,6 +62,11 @@ impl Facts {
     /// The lines of the report: what was found.
     pub fn found(&self, model: &Model) -> Vec<String> {
         let mut found = Vec::new();
+        if !model.eliminated.is_empty() {
+            let names: Vec<String> =
+                model.eliminated.iter().map(|eliminated| eliminated.quantity.written()).collect();
+            found.push(format!("eliminated by constraints: {}", names.join(", ")));
+        }
         if self.constant_mass {
             found.push("the mass matrix is constant: factored once per run".to_owned());
         }
