@@ -5,8 +5,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
-use crate::diagnostics::{Diagnostics, catalogue, physics};
-use crate::emit::{COMPLETIONS, Emission, METHODS, emit, stubs};
+use crate::diagnostics::{Diagnostics, physics};
+use crate::emit::{COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, emit, stubs};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::schedule::{Operations, plan};
@@ -40,11 +40,6 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
 fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream> {
     let mut model = lower::lower(item, diagnostics);
     if diagnostics.has_errors() {
-        return None;
-    }
-    // Until the later stages know constraints.
-    if let Some(constraint) = model.constraints.first() {
-        diagnostics.at(constraint.origin, catalogue::planned_role("holonomic"));
         return None;
     }
     eliminate::eliminate(&mut model, diagnostics);
@@ -82,6 +77,7 @@ fn names_are_free(item: &Item, model: &Model, equations: &Equations, diagnostics
             "applied_forces" | "power" => equations.power.is_some(),
             "jacobi_integral" => equations.jacobi_integral.is_some(),
             name if COMPLETIONS.contains(&name) => !model.eliminated.is_empty(),
+            name if equations.conditions.count() > 0 && CONSTRAINT_METHODS.contains(&name) => true,
             name => METHODS.contains(&name),
         };
         if generated {

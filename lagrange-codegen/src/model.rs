@@ -75,6 +75,8 @@ pub struct Locals {
     pub parameters: Vec<String>,
     /// Names of the auxiliaries of a Taylor expansion.
     pub auxiliaries: Vec<String>,
+    /// Names of the multipliers.
+    pub multipliers: Vec<String>,
 }
 
 /// A scalar coordinate or input.

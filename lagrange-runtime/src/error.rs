@@ -5,13 +5,37 @@
 use core::fmt;
 
 /// Why a motion could not go on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
     /// The mass matrix cannot be inverted: the coordinate with this index has no inertia of its own here.
     SingularMassMatrix {
         /// Index of the coordinate at which the factorisation stopped.
         pivot: usize,
+    },
+    /// The coordinates violate a constraint: a start that is not consistent, or a step that cannot be brought back.
+    PositionViolated {
+        /// Index of the constraint, as in `CONSTRAINTS` of the system.
+        constraint: usize,
+        /// |f|, in the unit of the constraint.
+        by: f64,
+    },
+    /// The velocities violate a constraint: df/dt of a holonomic one, g of a nonholonomic one.
+    VelocityViolated {
+        /// Index of the constraint.
+        constraint: usize,
+        /// |df/dt| or |g|.
+        by: f64,
+    },
+    /// Constraints contradict each other: no state satisfies this one together with those before it.
+    Contradictory {
+        /// Index of the constraint.
+        constraint: usize,
+    },
+    /// The gradient of a constraint vanishes, so that it restricts nothing and has no reaction.
+    VanishingGradient {
+        /// Index of the constraint.
+        constraint: usize,
     },
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
@@ -36,6 +60,25 @@ impl fmt::Display for Cause {
                 out,
                 "the mass matrix is singular at coordinate {pivot}: give that coordinate a mass or an inertia, \
                  or keep away from configurations where it loses it"
+            ),
+            Self::PositionViolated { constraint, by } => write!(
+                out,
+                "the coordinates violate constraint {constraint} by {by:e}: start from `system.consistent(state)?`, which \
+                 projects a state onto the constraints; in the course of a motion take shorter steps"
+            ),
+            Self::VelocityViolated { constraint, by } => write!(
+                out,
+                "the velocities violate constraint {constraint} by {by:e}: start from `system.consistent(state)?`, which \
+                 projects a state onto the constraints; in the course of a motion take shorter steps"
+            ),
+            Self::Contradictory { constraint } => write!(
+                out,
+                "constraint {constraint} contradicts the others: no state satisfies all of them; check the parameters"
+            ),
+            Self::VanishingGradient { constraint } => write!(
+                out,
+                "the gradient of constraint {constraint} vanishes: where it is a square, give what is squared; else keep away \
+                 from this configuration"
             ),
             Self::NotFinite => out.write_str(
                 "a value is infinite or not a number: check the parameters and the start, or stop before \
@@ -103,6 +146,6 @@ mod tests {
 
     #[test]
     fn an_error_is_small() {
-        assert!(size_of::<Cause>() <= 2 * size_of::<usize>());
+        assert!(size_of::<Cause>() <= 3 * size_of::<usize>());
     }
 }

@@ -8,6 +8,7 @@
 mod convolutions;
 mod inertia;
 mod order;
+mod saddle;
 mod start;
 mod terms;
 mod wide;
