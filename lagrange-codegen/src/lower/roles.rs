@@ -51,8 +51,7 @@ impl<'a> Interpreter<'a> {
             }
         }
         if let Some(rate) = &item.baumgarte {
-            let value = self.attribute(rate);
-            self.model.baumgarte = self.scalar(value, rate.origin);
+            self.baumgarte(rate);
         }
     }
 
@@ -198,7 +197,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The value of an attribute argument, in which only `self` is in sight.
-    fn attribute(&mut self, expr: &'a Expr) -> Value {
+    pub fn attribute(&mut self, expr: &'a Expr) -> Value {
         let mark = self.scope.enter();
         self.in_attribute = true;
         let value = self.expression(expr);
