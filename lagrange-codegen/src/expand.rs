@@ -76,8 +76,8 @@ fn names_are_free(item: &Item, model: &Model, equations: &Equations, diagnostics
         let generated = match &*function.name {
             "applied_forces" | "power" => equations.power.is_some(),
             "jacobi_integral" => equations.jacobi_integral.is_some(),
-            name if COMPLETIONS.contains(&name) => !model.eliminated.is_empty(),
             name if equations.conditions.count() > 0 && CONSTRAINT_METHODS.contains(&name) => true,
+            name if COMPLETIONS.contains(&name) => !model.eliminated.is_empty(),
             name => METHODS.contains(&name),
         };
         if generated {

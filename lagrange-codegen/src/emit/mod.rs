@@ -110,8 +110,9 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             }
         }
     });
-    let reactions =
-        surface.is_some().then(|| constraints::record(emission.item, &emission.model.constraints));
+    let reactions = surface
+        .is_some()
+        .then(|| constraints::record(emission.item, &constraints::held(&emission.model.constraints)));
     let linearization = linearization.map(|items| {
         quote! {
             #[automatically_derived]

@@ -58,13 +58,24 @@ impl Item {
             let kind = function.role.as_ref().map(|role| &role.kind);
             matches!(kind, Some(RoleKind::Holonomic { eliminate: Some(_) }))
         };
-        let count = |function: &Function| match function.output.as_ref().map(|ty| &ty.kind) {
+        let functions = self.functions.iter().filter(eliminates);
+        functions.map(|function| self.components(function).unwrap_or(1)).sum()
+    }
+
+    /// Whether a function is a constraint with a multiplier.
+    pub fn is_kept_constraint(&self, function: &Function) -> bool {
+        let kind = function.role.as_ref().map(|role| &role.kind);
+        matches!(kind, Some(RoleKind::Holonomic { eliminate: None } | RoleKind::Nonholonomic { .. }))
+    }
+
+    /// The number of components of what a function returns, if that is an array or a vector.
+    pub fn components(&self, function: &Function) -> Option<usize> {
+        match function.output.as_ref().map(|ty| &ty.kind) {
             Some(TypeKind::Array(_, length) | TypeKind::Vector(length)) => {
                 constant::integer(length, &self.constants).and_then(|length| length.try_into().ok())
             }
             _ => None,
-        };
-        self.functions.iter().filter(eliminates).map(|function| count(function).unwrap_or(1_usize)).sum()
+        }
     }
 
     /// The name of a generated struct, such as `ChainCoordinates`.

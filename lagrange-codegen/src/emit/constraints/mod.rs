@@ -12,7 +12,7 @@ mod surface;
 
 pub(crate) use methods::METHODS;
 pub(super) use methods::methods;
-pub(super) use record::{record, record_ident};
+pub(super) use record::{Held, declared, held, record, record_ident};
 pub(super) use surface::{implementations, system};
 
 use super::scalar;
