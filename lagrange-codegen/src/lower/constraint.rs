@@ -6,7 +6,8 @@ use super::places::nodes;
 use super::shape::Shape;
 use crate::diagnostics::catalogue;
 use crate::model::{Constraint, ConstraintKind, Elimination};
-use crate::syntax::item::{Eliminate, Function};
+use crate::syntax::body::Expr;
+use crate::syntax::item::{Eliminate, Function, RoleKind};
 
 impl<'a> Interpreter<'a> {
     /// Lowers one constraint function.
@@ -72,5 +73,21 @@ impl<'a> Interpreter<'a> {
         let (have, want) = (counted(constraints, "constraint"), counted(coordinates.len(), "coordinate"));
         self.report(word.origin, catalogue::eliminated_count(&function.name, have, want));
         None
+    }
+
+    /// Lowers the rate of Baumgarte's stabilisation.
+    pub fn baumgarte(&mut self, rate: &'a Expr) {
+        let value = self.attribute(rate);
+        let Some(node) = self.scalar(value, rate.origin) else { return };
+        let constrains = |function: &Function| {
+            let kind = function.role.as_ref().map(|role| &role.kind);
+            matches!(kind, Some(RoleKind::Holonomic { eliminate: None } | RoleKind::Nonholonomic { .. }))
+        };
+        if !self.item.functions.iter().any(constrains) && !self.item.allows("no_effect") {
+            self.report(rate.origin, catalogue::idle_baumgarte());
+        } else if self.graph().as_constant(node).is_some_and(|rate| rate.is_negative() || rate.is_zero()) {
+            self.report(rate.origin, catalogue::bad_baumgarte());
+        }
+        self.model.baumgarte = Some(node);
     }
 }

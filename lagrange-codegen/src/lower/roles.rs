@@ -52,8 +52,7 @@ impl<'a> Interpreter<'a> {
         }
         self.places();
         if let Some(rate) = &item.baumgarte {
-            let value = self.attribute(rate);
-            self.model.baumgarte = self.scalar(value, rate.origin);
+            self.baumgarte(rate);
         }
     }
 
@@ -206,7 +205,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The value of an attribute argument, in which only `self` is in sight.
-    fn attribute(&mut self, expr: &'a Expr) -> Value {
+    pub fn attribute(&mut self, expr: &'a Expr) -> Value {
         let mark = self.scope.enter();
         self.in_attribute = true;
         let value = self.expression(expr);
