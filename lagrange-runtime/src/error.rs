@@ -18,14 +18,14 @@ pub enum Cause {
         /// Index of the constraint, as in `CONSTRAINTS` of the system.
         constraint: usize,
         /// |f|, in the unit of the constraint.
-        by: f64,
+        by: f32,
     },
     /// The velocities violate a constraint: df/dt of a holonomic one, g of a nonholonomic one.
     VelocityViolated {
         /// Index of the constraint.
         constraint: usize,
         /// |df/dt| or |g|.
-        by: f64,
+        by: f32,
     },
     /// Constraints contradict each other: no state satisfies this one together with those before it.
     Contradictory {
@@ -146,6 +146,6 @@ mod tests {
 
     #[test]
     fn an_error_is_small() {
-        assert!(size_of::<Cause>() <= 3 * size_of::<usize>());
+        assert!(size_of::<Cause>() <= 2 * size_of::<usize>());
     }
 }

@@ -1,7 +1,7 @@
 //! Where a motion may begin, and the nearest such state.
 
 use super::solution::regular;
-use super::{Residuals, Surface, moved, to_f64, worst};
+use super::{Residuals, Surface, magnitude, moved, worst};
 use crate::error::{Cause, MotionError};
 use crate::linear::SaddlePoint;
 use crate::real::Real;
@@ -128,8 +128,8 @@ where
     let (constraint, by) = worst::<S::Scalar, C>(|c| values[c].abs().largest());
     Err(match (saddle.rank() < C, of_positions) {
         (true, _) => Cause::Contradictory { constraint },
-        (false, true) => Cause::PositionViolated { constraint, by: to_f64(by) },
-        (false, false) => Cause::VelocityViolated { constraint, by: to_f64(by) },
+        (false, true) => Cause::PositionViolated { constraint, by: magnitude(by) },
+        (false, false) => Cause::VelocityViolated { constraint, by: magnitude(by) },
     })
 }
 
