@@ -11,6 +11,7 @@ mod start;
 
 use core::ops::Deref;
 
+use crate::error::Magnitude;
 use crate::linear::SaddlePoint;
 use crate::real::{Ordered, Real};
 use crate::state::State;
@@ -131,14 +132,14 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
 /// A nonnegative number in single precision, enough for a report: its binary digits one by one, since a scalar of the user's
 /// own has no conversion.
 #[cold]
-fn magnitude<R: Ordered>(value: R) -> f32 {
+fn magnitude<R: Ordered>(value: R) -> Magnitude {
     if !value.is_finite() {
-        return f32::NAN;
+        return Magnitude(f32::NAN);
     }
     let (mut rest, mut sum) = (value, 0.0);
     let (mut digit, mut power) = (R::from_f64(LARGEST_DIGIT as f64), LARGEST_DIGIT);
     if value >= digit + digit {
-        return f32::INFINITY;
+        return Magnitude(f32::INFINITY);
     }
     while power > 0.0 && rest > R::zero() {
         if rest >= digit {
@@ -148,7 +149,7 @@ fn magnitude<R: Ordered>(value: R) -> f32 {
         digit *= R::from_f64(0.5);
         power *= 0.5;
     }
-    sum
+    Magnitude(sum)
 }
 
 /// 2¹²⁷.
@@ -183,10 +184,10 @@ mod tests {
     #[test]
     fn magnitudes_are_those_of_single_precision() {
         for value in [0.0, 1.0, 0.1, 1e-30, 6.02e23, 1e-40] {
-            assert!((f64::from(magnitude(value)) - value).abs() <= 1.2e-7 * value + 1.5e-45, "{value}");
+            assert!((f64::from(magnitude(value).0) - value).abs() <= 1.2e-7 * value + 1.5e-45, "{value}");
         }
-        assert_eq!(magnitude(0.1_f32), 0.1);
-        assert_eq!(magnitude(1e39), f32::INFINITY);
-        assert!(magnitude(f64::NAN).is_nan());
+        assert_eq!(magnitude(0.1_f32).0, 0.1);
+        assert_eq!(magnitude(1e39).0, f32::INFINITY);
+        assert!(magnitude(f64::NAN).0.is_nan());
     }
 }

@@ -1,7 +1,7 @@
 //! Back onto the constraints after a step.
 
 use super::{Residuals, Surface, magnitude, moved, worst};
-use crate::error::Cause;
+use crate::error::{Cause, Magnitude};
 use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
@@ -115,7 +115,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         let of_positions = !self.positions_are_roundings();
         let (values, sizes) = self.pick(of_positions);
         let (constraint, _) = worst::<R, C>(|c| relative(values[c], sizes[c]));
-        let by = values.get(constraint).map_or(0.0, |value| magnitude(value.abs().largest()));
+        let by = values.get(constraint).map_or(Magnitude(0.0), |value| magnitude(value.abs().largest()));
         if of_positions {
             Cause::PositionViolated { constraint, by }
         } else {
