@@ -12,7 +12,8 @@ use crate::expr::{Graph, NodeId};
 pub struct Model {
     /// The graph that all nodes below belong to.
     pub graph: Graph,
-    /// Generalized coordinates, arrays flattened, in declaration order.
+    /// Generalized coordinates, arrays flattened, in declaration order. Those that are eliminated are not
+    /// among them.
     pub coordinates: Vec<Quantity>,
     /// Inputs, arrays flattened, in declaration order.
     pub inputs: Vec<Quantity>,
@@ -36,8 +37,13 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Constraints, arrays flattened, in the order of declaration.
     pub constraints: Vec<Constraint>,
+    /// Particles and bodies in the order of declaration, as places where constraint forces act; empty without holonomic
+    /// constraints.
+    pub places: Vec<Place>,
     /// Constraints that are to be solved for a coordinate, in the order of declaration.
     pub eliminations: Vec<Elimination>,
+    /// Coordinates that constraints have eliminated, in declaration order.
+    pub eliminated: Vec<Eliminated>,
     /// Rate of Baumgarte's stabilisation \[1/s\], where it is asked for instead of projection.
     pub baumgarte: Option<NodeId>,
     /// Names that the user gave to intermediate results.
@@ -46,6 +52,15 @@ pub struct Model {
     pub origins: Lookup<NodeId, Origin>,
     /// Names of the variables in emitted bodies, chosen when emission starts.
     pub locals: Locals,
+}
+
+impl Model {
+    /// Where a constraint's own function wrote the first of some nodes; its name where it wrote none. A node that
+    /// an earlier function wrote as well would point there.
+    pub fn place_in(&self, constraint: &Constraint, nodes: &[NodeId]) -> Origin {
+        let places = nodes.iter().filter_map(|node| self.origins.get(node).copied());
+        places.into_iter().find(|&place| place > constraint.origin).unwrap_or(constraint.origin)
+    }
 }
 
 /// Local variables of emitted bodies, by coordinate, velocity, input and parameter.
@@ -254,6 +269,8 @@ pub struct Constraint {
     pub index: Option<usize>,
     /// f(q, t) or g(q, v, t), which is to stay zero.
     pub value: NodeId,
+    /// f of a holonomic constraint as a function of the places that it is written through.
+    pub through: Option<NodeId>,
     /// What it is a function of.
     pub kind: ConstraintKind,
     /// The function's name in the source.
@@ -284,6 +301,21 @@ impl Constraint {
     }
 }
 
+/// A particle or a body as a place where forces act.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// The user's function.
+    pub name: String,
+    /// The index within an array.
+    pub index: Option<usize>,
+    /// Its position, or that of its centre of mass.
+    pub position: Vec<NodeId>,
+    /// The variables that stand for the components of the position in [`Constraint::through`].
+    pub variables: Vec<NodeId>,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
 /// A holonomic constraint that gives a coordinate as a function of time.
 #[derive(Clone, Debug)]
 pub struct Elimination {
@@ -293,6 +325,19 @@ pub struct Elimination {
     pub coordinate: Option<usize>,
     /// Where it is asked for.
     pub origin: Origin,
+}
+
+/// A coordinate that a constraint has eliminated.
+#[derive(Clone, Debug)]
+pub struct Eliminated {
+    /// As it was declared.
+    pub quantity: Quantity,
+    /// Its place among all declared coordinates.
+    pub declared_index: usize,
+    /// Its value, a function of the coordinates that are left and of time.
+    pub position: NodeId,
+    /// Its total time derivative.
+    pub velocity: NodeId,
 }
 
 /// Names of intermediate results; the first name given to a node stays.

@@ -1,7 +1,7 @@
 //! The inherent methods: each is usable on its own, and what is not called is not linked.
 
 use super::body::{self, Source};
-use super::{Emission, docs};
+use super::{Emission, docs, eliminated};
 use crate::expr::{Dependence, NodeId};
 use crate::simplify::simplify;
 
@@ -62,7 +62,7 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> String {
         let body = "self.kinetic_energy(state) + self.potential_energy(state)";
         text.push_str(&method("Energy T + V \\[J\\].", &signature, body));
     }
-    text
+    text + &eliminated::completions(emission)
 }
 
 /// The parameters after `&self`, with the inputs where the nodes need them.

@@ -4,6 +4,7 @@ mod block;
 mod body;
 mod constraints;
 mod docs;
+mod eliminated;
 mod gather;
 mod jets;
 mod linearization;
@@ -28,7 +29,8 @@ use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
 
-pub(crate) use constraints::METHODS as CONSTRAINT_METHODS;
+pub(crate) use constraints::{METHODS as CONSTRAINT_METHODS, is_force_on_place};
+pub(crate) use eliminated::METHODS as COMPLETIONS;
 pub(crate) use methods::METHODS;
 pub(crate) use stubs::stubs;
 
@@ -108,8 +110,9 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             }
         }
     });
-    let reactions =
-        surface.is_some().then(|| constraints::record(emission.item, &emission.model.constraints));
+    let reactions = surface
+        .is_some()
+        .then(|| constraints::record(emission.item, &constraints::held(&emission.model.constraints)));
     let linearization = linearization.map(|items| {
         quote! {
             #[automatically_derived]

@@ -11,26 +11,46 @@ pub(in crate::emit) fn record_ident(item: &Item) -> Ident {
     format_ident!("{}Reactions", item.name)
 }
 
+/// A constraint function's name, and the number of its constraints where it returns an array.
+pub(in crate::emit) type Held = (String, Option<usize>);
+
+/// The constraint functions of a model.
+pub(in crate::emit) fn held(constraints: &[Constraint]) -> Vec<Held> {
+    let mut held: Vec<Held> = Vec::new();
+    for constraint in constraints {
+        match held.last_mut() {
+            Some((name, Some(length))) if *name == constraint.name => *length += 1,
+            _ => held.push((constraint.name.clone(), constraint.index.map(|_| 1))),
+        }
+    }
+    held
+}
+
+/// The constraint functions as far as they are declared.
+pub(in crate::emit) fn declared(item: &Item) -> Vec<Held> {
+    let constraints = item.functions.iter().filter(|function| item.is_kept_constraint(function));
+    constraints.map(|function| (function.name.to_string(), item.components(function))).collect()
+}
+
 /// One value of a type `T` for each constraint, with the conversions from and to an array of all.
-pub(in crate::emit) fn record(item: &Item, constraints: &[Constraint]) -> TokenStream {
+pub(in crate::emit) fn record(item: &Item, held: &[Held]) -> TokenStream {
     let name = record_ident(item);
     let shown = name.to_string();
     let doc = format!("One value for each constraint of [`{}`].", item.name);
     let (mut fields, mut patterns, mut flat, mut debug) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let mut left = constraints;
-    while let Some(first) = left.first() {
-        let length = left.iter().take_while(|constraint| constraint.name == first.name).count();
-        let (group, rest) = left.split_at(length);
-        left = rest;
-        let parts: Vec<_> = (0..length).map(|i| format_ident!("x{}", flat.len() + i)).collect();
-        let (ident, label) = (format_ident!("{}", first.name), &first.name);
+    for (label, length) in held {
+        let parts: Vec<_> = (0..length.unwrap_or(1)).map(|i| format_ident!("x{}", flat.len() + i)).collect();
+        let ident = field(label);
         let field_doc = format!("`{label}`");
-        if group.iter().all(|constraint| constraint.index.is_some()) {
-            fields.push(quote!(#[doc = #field_doc] pub #ident: [T; #length]));
-            patterns.push(quote!(#ident: [#(#parts),*]));
-        } else {
-            fields.push(quote!(#[doc = #field_doc] pub #ident: T));
-            patterns.push(quote!(#ident: #(#parts)*));
+        match length {
+            Some(length) => {
+                fields.push(quote!(#[doc = #field_doc] pub #ident: [T; #length]));
+                patterns.push(quote!(#ident: [#(#parts),*]));
+            }
+            None => {
+                fields.push(quote!(#[doc = #field_doc] pub #ident: T));
+                patterns.push(quote!(#ident: #(#parts)*));
+            }
         }
         debug.push(quote!(.field(#label, &self.#ident)));
         flat.extend(parts);
@@ -66,5 +86,13 @@ pub(in crate::emit) fn record(item: &Item, constraints: &[Constraint]) -> TokenS
                 [#(#flat),*]
             }
         }
+    }
+}
+
+/// The name of a field; functions may have raw names.
+fn field(label: &str) -> Ident {
+    match syn::parse_str::<Ident>(label) {
+        Ok(ident) => ident,
+        Err(_) => Ident::new_raw(label, proc_macro2::Span::call_site()),
     }
 }
