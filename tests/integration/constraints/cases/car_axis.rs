@@ -3,7 +3,7 @@
 use lagrangian::prelude::*;
 
 use crate::cases::MEDIUM;
-use crate::support::close::{all_close, close};
+use crate::support::close::{close, close_on};
 use crate::support::constrained::bound;
 use crate::support::motion::{TIGHT, both_follow, state_at};
 use crate::support::reference::published;
@@ -75,8 +75,11 @@ fn the_reactions_agree() {
     motion.advance_to(3.0).unwrap();
     close(motion.reactions().upright, upright, MEDIUM);
     close(motion.reactions().axis, axis, MEDIUM);
-    all_close(AXIS.constraint_residuals(motion.state()), [0.0; 2], 1e-13);
-    all_close(AXIS.constraint_rates(motion.state()), [0.0; 2], 1e-13);
+    let (residuals, rates) =
+        (AXIS.constraint_residuals(motion.state()), AXIS.constraint_rates(motion.state()));
+    for residual in residuals.into_iter().chain(rates) {
+        close_on(1.0, residual, 0.0, 1e-14);
+    }
 }
 
 #[test]

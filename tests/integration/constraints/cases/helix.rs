@@ -9,6 +9,7 @@ use crate::support::motion::{TIGHT, both_follow, state_at};
 use crate::support::reference::seed;
 
 /// The height is η + α r θ.
+#[derive(Clone, Copy)]
 struct Helix {
     m: f64,
     radius: f64,
@@ -38,6 +39,32 @@ impl Helix {
     }
 }
 
+/// The same with both constraints solved.
+struct Solved(Helix);
+
+#[lagrangian(coordinates = [theta, r, eta])]
+impl Solved {
+    #[point(mass = self.0.m)]
+    fn bead(&self, q: &Coordinates) -> Vector3<f64> {
+        Vector3::new(q.r * q.theta.cos(), q.r * q.theta.sin(), q.eta + self.0.alpha * q.r * q.theta)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        self.0.m * G * self.bead(q).z
+    }
+
+    #[holonomic(eliminate)]
+    fn cylinder(&self, q: &Coordinates) -> f64 {
+        q.r - self.0.radius
+    }
+
+    #[holonomic(eliminate)]
+    fn thread(&self, q: &Coordinates) -> f64 {
+        q.eta
+    }
+}
+
 const HELIX: Helix = Helix { m: 2.0, radius: 0.8, alpha: 0.3 };
 
 fn start() -> State<f64, 3> {
@@ -49,6 +76,7 @@ fn the_bead_decelerates_uniformly() {
     let reference = seed("S09");
     let row = [reference.number("theta(2)"), 0.8, 0.0, reference.number("theta_d(2)"), 0.0, 0.0];
     both_follow(&HELIX, start(), [(2.0, row)], EASY);
+    both_follow(&Solved(HELIX), State::new([0.1], [3.0]), [(2.0, [row[0], row[3]])], EASY);
     let deceleration = G * 0.3 / (0.8 * 1.09);
     for t in [0.5, 1.0, 3.0, 7.0] {
         let state = state_at(&HELIX, start(), t);

@@ -76,6 +76,9 @@ fn the_tension_is_constant_and_the_pair_of_forces_does_no_work() {
         for i in 0..3 {
             close_on(tension, forces[i], -forces[i + 3], CLOSED_FORM);
         }
+        let [first, second] = ROD.reactions_on_ends(state).unwrap().rod;
+        all_close(first, &forces[..3], CLOSED_FORM);
+        all_close(second, &forces[3..], CLOSED_FORM);
         let work: f64 = forces.iter().zip(state.v).map(|(force, v)| force * v).sum();
         close_on(tension * 10.0, work, 0.0, CLOSED_FORM);
     }

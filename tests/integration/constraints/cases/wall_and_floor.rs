@@ -105,10 +105,8 @@ fn compression(state: &State<f64, 2>, push: f64) -> f64 {
 fn a_push_holds_the_bar() {
     let reference = seed("S05");
     let (state, push) = (State::at_rest([0.0, 0.0]), reference.number("F2"));
-    all_close(BAR.accelerations(&state, &[push]).unwrap(), [0.0, 0.0], CLOSED_FORM);
     close(compression(&state, push), reference.number("bar_compression"), CLOSED_FORM);
-    for angle in [0.2, 0.7, 1.2] {
-        let state = leaning(angle, 0.0);
+    for state in [state, leaning(0.2, 0.0), leaning(1.2, 0.0)] {
         let [x1, x2] = state.q;
         let push = -BAR.m[0] * G * (BAR.a + x2) / (BAR.a - x1);
         for a in BAR.accelerations(&state, &[push]).unwrap() {
@@ -125,6 +123,12 @@ fn wall_and_floor_react() {
     close(reactions.bar, reference.number("bar_compression"), CLOSED_FORM);
     close(reactions.floor, reference.number("N_floor"), CLOSED_FORM);
     close(reactions.wall, reference.number("N_wall"), CLOSED_FORM);
+    let on_first = RELEASED.reactions_on_first(&state, &[push]).unwrap();
+    let on_second = RELEASED.reactions_on_second(&state, &[push]).unwrap();
+    all_close(on_first.wall, [reactions.wall, 0.0], CLOSED_FORM);
+    all_close(on_first.bar, [-reactions.wall, RELEASED.m[0] * G], CLOSED_FORM);
+    all_close(on_second.bar, [reactions.wall, -RELEASED.m[0] * G], CLOSED_FORM);
+    all_close(on_second.floor, [0.0, reactions.floor], CLOSED_FORM);
     for a in RELEASED.accelerations(&state, &[push]).unwrap() {
         close_on(G, a, 0.0, CLOSED_FORM);
     }

@@ -76,6 +76,48 @@ impl Driven {
     }
 }
 
+/// With the point of the rim that was at the ground at first: a place without mass, which the constraints carry along.
+struct Full(Rim);
+
+#[lagrangian(coordinates = [x1, y1, z1, x2, y2, z2, heading, spin])]
+impl Full {
+    #[point(mass = self.0.m)]
+    fn centre(&self, q: &Coordinates) -> Vector3<f64> {
+        Vector3::new(q.x1, q.y1, q.z1)
+    }
+
+    #[kinetic]
+    fn rotation(&self, v: &Velocities) -> f64 {
+        (self.0.axle * v.spin.powi(2) + self.0.vertical * v.heading.powi(2)) / 2.0
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        self.0.m * G * q.z1
+    }
+
+    #[nonholonomic]
+    fn rolling(&self, q: &Coordinates, v: &Velocities) -> [f64; 2] {
+        let (sin, cos) = q.heading.sin_cos();
+        [v.x1 + self.0.radius * v.spin * cos, v.y1 + self.0.radius * v.spin * sin]
+    }
+
+    #[holonomic]
+    fn rim(&self, q: &Coordinates) -> [f64; 3] {
+        let (across, r) = (self.0.radius * q.spin.sin(), self.0.radius);
+        [
+            q.x2 - q.x1 - across * q.heading.cos(),
+            q.y2 - q.y1 - across * q.heading.sin(),
+            q.z2 - q.z1 + r * q.spin.cos(),
+        ]
+    }
+
+    #[holonomic]
+    fn ground(&self, q: &Coordinates) -> f64 {
+        q.z1 - self.0.radius
+    }
+}
+
 /// With a fixed heading rolling is integrable.
 struct Straight(Rim);
 
@@ -105,6 +147,7 @@ impl Straight {
 const RIM: Rim = Rim { m: 1.2, axle: 0.03, vertical: 0.016, radius: 0.25 };
 const WHEEL: Wheel = Wheel(RIM);
 const DRIVEN: Driven = Driven(RIM);
+const FULL: Full = Full(RIM);
 
 fn start() -> State<f64, 4> {
     State::new([0.0; 4], [-1.0, 0.0, 0.6, 4.0])
@@ -113,6 +156,13 @@ fn start() -> State<f64, 4> {
 fn driven(state: &State<f64, 4>) -> State<f64, 5> {
     let ([x, y, heading, spin], [vx, vy, turn, roll]) = (state.q, state.v);
     State::new([x, y, RIM.radius, heading, spin], [vx, vy, 0.0, turn, roll]).at_time(state.t)
+}
+
+fn full(state: &State<f64, 4>) -> State<f64, 8> {
+    let ([x, y, heading, spin], [vx, vy, turn, roll]) = (state.q, state.v);
+    let ([x2, y2, z2], [vx2, vy2, vz2]) = rim_point(state);
+    State::new([x, y, RIM.radius, x2, y2, z2, heading, spin], [vx, vy, 0.0, vx2, vy2, vz2, turn, roll])
+        .at_time(state.t)
 }
 
 /// Place and velocity of the point of the rim that was at the ground at first.
@@ -146,6 +196,26 @@ fn the_wheel_rolls_on_a_circle() {
     }
     let (place, _) = rim_point(&state_at(&WHEEL, start(), 3.0));
     all_close(place, reference.numbers::<3>("P2(3)=(x2,y2,z2)"), MEDIUM);
+}
+
+#[test]
+fn a_place_without_mass_is_carried_along() {
+    let reference = seed("S07");
+    let (heading, spin) = (reference.number("theta(3)"), reference.number("phi(3)"));
+    let (x, y) = (reference.number("x1(3)"), reference.number("y1(3)"));
+    let expected = full(&State::new([x, y, heading, spin], [-heading.cos(), -heading.sin(), 0.6, 4.0]));
+    let row: [f64; 16] = std::array::from_fn(|i| if i < 8 { expected.q[i] } else { expected.v[i - 8] });
+    both_follow(&FULL, full(&start()), [(3.0, row)], MEDIUM);
+    let state = state_at(&FULL, full(&start()), 3.0);
+    all_close(&state.q[3..6], reference.numbers::<3>("P2(3)=(x2,y2,z2)"), MEDIUM);
+    let reactions = FULL.reactions(&state).unwrap();
+    all_close(reactions.rolling, reference.numbers::<2>("multipliers(3)"), MEDIUM);
+    close(reactions.ground, RIM.m * G, CLOSED_FORM);
+    // Nothing pulls at the rim.
+    for reaction in reactions.rim {
+        close_on(RIM.m * G, reaction, 0.0, CLOSED_FORM);
+    }
+    assert!(reactions.are_unique());
 }
 
 #[test]
@@ -192,5 +262,6 @@ fn the_identities_hold() {
     let states = [0.0, 1.3].map(|t| state_at(&WHEEL, start(), t));
     bound!(WHEEL, [false; 2]).holds(states);
     bound!(DRIVEN, [true, false, false], inputs = [0.3]).holds(states.map(|state| driven(&state)));
+    bound!(FULL, [false, false, true, true, true, true]).holds(states.map(|state| full(&state)));
     assert_eq!(Driven::CONSTRAINTS, ["ground", "rolling[0]", "rolling[1]"]);
 }
