@@ -2,10 +2,9 @@
 
 use super::advice::counted;
 use super::interpreter::Interpreter;
+use super::places::nodes;
 use super::shape::Shape;
-use super::value::Value;
 use crate::diagnostics::catalogue;
-use crate::expr::NodeId;
 use crate::model::{Constraint, ConstraintKind, Elimination};
 use crate::syntax::body::Expr;
 use crate::syntax::item::{Eliminate, Function, RoleKind};
@@ -31,10 +30,7 @@ impl<'a> Interpreter<'a> {
             },
         };
         let Some(value) = self.result(index) else { return };
-        let values: Vec<NodeId> = match &value {
-            Value::Array(elements) => elements.iter().flat_map(|element| element.nodes().to_vec()).collect(),
-            single => single.nodes().to_vec(),
-        };
+        let values = nodes(&value);
         if self.looks_into_self(&values) {
             return;
         }
@@ -43,6 +39,7 @@ impl<'a> Interpreter<'a> {
                 name: function.name.to_string(),
                 index: count.map(|_| number),
                 value,
+                through: None,
                 kind,
                 origin: function.origin,
             };

@@ -50,6 +50,7 @@ impl<'a> Interpreter<'a> {
                 self.force(index, target);
             }
         }
+        self.places();
         if let Some(rate) = &item.baumgarte {
             self.baumgarte(rate);
         }
@@ -57,6 +58,15 @@ impl<'a> Interpreter<'a> {
 
     /// The result of a role function; `None` if its signature is wrong, which is reported.
     pub fn result(&mut self, index: usize) -> Option<Value> {
+        let function: &'a Function = &self.item.functions[index];
+        let arguments = self.role_arguments(index)?;
+        let value = self.call(index, arguments, function.origin);
+        self.hint(&value, &function.name);
+        (!value.is_unknown()).then_some(value)
+    }
+
+    /// What a role function is called with.
+    pub fn role_arguments(&mut self, index: usize) -> Option<Vec<Value>> {
         let function: &'a Function = &self.item.functions[index];
         let mut arguments = Vec::with_capacity(function.parameters.len());
         for parameter in &function.parameters {
@@ -67,9 +77,7 @@ impl<'a> Interpreter<'a> {
                 Argument::Time => Value::Scalar(self.graph().variable(crate::expr::Variable::Time)),
             });
         }
-        let value = self.call(index, arguments, function.origin);
-        self.hint(&value, &function.name);
-        (!value.is_unknown()).then_some(value)
+        Some(arguments)
     }
 
     /// The declared return shape.

@@ -10,6 +10,7 @@
 //! Nonholonomic Systems*, chapter III).
 
 use super::motion::{Motion, time_direction};
+use super::places;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
 use crate::expr::{Graph, Node, NodeId, Unary, Variable};
 use crate::model::{Constraint, ConstraintKind, Model};
@@ -34,6 +35,8 @@ pub struct Conditions {
     pub reactions: Vec<NodeId>,
     /// −A v on the constraints: what a unit multiplier takes from the energy in a unit of time. ∂f/∂t of the holonomic ones.
     pub losses: Vec<NodeId>,
+    /// The Cartesian force of a unit multiplier on each of the model's places, by constraint, place and component.
+    pub on_places: Vec<Vec<Vec<NodeId>>>,
     /// dw/dt, where stabilised by Baumgarte's method; elsewhere it is zero.
     pub relaxation: Option<Vec<NodeId>>,
 }
@@ -77,6 +80,7 @@ impl Conditions {
                 }
             })
             .collect();
+        let on_places = places::forces(graph, &constraints, &model.places, &jacobian, motion);
         let positions: Vec<NodeId> = constraints
             .iter()
             .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })
@@ -109,6 +113,7 @@ impl Conditions {
             gamma,
             reactions,
             losses,
+            on_places,
             relaxation,
         }
     }

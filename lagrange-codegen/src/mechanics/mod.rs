@@ -12,6 +12,7 @@ mod equations;
 mod forces;
 mod linearization;
 mod motion;
+mod places;
 mod validate;
 
 pub use constraints::Conditions;
