@@ -26,14 +26,14 @@ impl Axle {
         Self { unit: [cos, sin], rate, acceleration: (rate * rate - 100.0) * sin / cos }
     }
 
-    /// Components along the axle and across it.
-    fn into_frame(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    /// Components of a vector along the axle and across it.
+    fn components(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [cos, sin] = self.unit;
         [cos * x + sin * y, cos * y - sin * x]
     }
 
-    /// The inverse.
-    fn out_of_frame(&self, [along, across]: [f64; 2]) -> [f64; 2] {
+    /// The vector that has these components.
+    fn vector(&self, [along, across]: [f64; 2]) -> [f64; 2] {
         let [cos, sin] = self.unit;
         [cos * along - sin * across, cos * across + sin * along]
     }
@@ -77,10 +77,10 @@ impl FirstOrder<4> for CarAxisReduced {
     fn begin(motion: &[f64]) -> [f64; 4] {
         let axle = Axle::new(0.0);
         let &[x0, y0, x1, y1, u0, v0, u1, v1] = motion else { return [f64::NAN; 4] };
-        let [_, height] = axle.into_frame([x0, y0]);
-        let [cos, sin] = axle.into_frame([x1 - x0, y1 - y0]);
-        let [_, climb] = axle.into_frame([u0, v0]);
-        let [back, up] = axle.into_frame([u1 - u0, v1 - v0]);
+        let [_, height] = axle.components([x0, y0]);
+        let [cos, sin] = axle.components([x1 - x0, y1 - y0]);
+        let [_, climb] = axle.components([u0, v0]);
+        let [back, up] = axle.components([u1 - u0, v1 - v0]);
         [height, sin.atan2(cos), climb, cos * up - sin * back - axle.rate]
     }
 
@@ -88,10 +88,10 @@ impl FirstOrder<4> for CarAxisReduced {
         let axle = Axle::new(t);
         let &[height, lean, climb, turn] = y else { return Vec::new() };
         let ((sin, cos), rate) = (lean.sin_cos(), turn + axle.rate);
-        let left = axle.out_of_frame([0.0, height]);
-        let right = axle.out_of_frame([cos, height + sin]);
-        let left_rate = axle.out_of_frame([-height * axle.rate, climb]);
-        let right_rate = axle.out_of_frame([-height * axle.rate - sin * rate, climb + cos * rate]);
+        let left = axle.vector([0.0, height]);
+        let right = axle.vector([cos, height + sin]);
+        let left_rate = axle.vector([-height * axle.rate, climb]);
+        let right_rate = axle.vector([-height * axle.rate - sin * rate, climb + cos * rate]);
         [left, right, left_rate, right_rate].concat()
     }
 }
