@@ -1,5 +1,7 @@
 //! Where a motion may begin, and the nearest such state.
 
+use super::extent::Extent;
+use super::projection::is_within;
 use super::solution::regular;
 use super::{Residuals, Surface, magnitude, moved, worst};
 use crate::error::{Cause, MotionError};
@@ -34,31 +36,31 @@ where
         return Err(Cause::NotFinite);
     }
     let residuals = system.residuals_at(start.t, &start.q, &start.v);
-    let (saddle, _) = system.saddle_at(start.t, &start.q, &start.v);
+    let (saddle, gradients) = system.saddle_at(start.t, &start.q, &start.v);
     regular(&saddle)?;
-    if residuals.are_roundings() {
-        return Ok(());
-    }
     let tolerance = number(SHARE) * S::Scalar::epsilon().sqrt();
     let none = [num_traits::Zero::zero(); N];
-    let small = |values: &[S::Scalar; C], sizes: &[S::Scalar; C], of: &[S::Scalar; N]| {
-        let excess = |c: usize| (values[c].abs() - tolerance * sizes[c]).largest();
-        if (0..C).all(|c| excess(c) <= num_traits::Zero::zero()) {
-            return true;
+    for (of_positions, numbers) in [(true, &start.q), (false, &start.v)] {
+        if residuals.level_is_roundings(of_positions) {
+            continue;
         }
-        // A constraint such as z = 0 has no size of its own: the state has.
-        let (change, _) = saddle.solve(&none, values);
-        let largest = |values: &[S::Scalar; N]| {
-            values.iter().fold(num_traits::Zero::zero(), |largest: S::Scalar, x| largest.max(x.abs()))
+        let (values, sizes) = residuals.level(of_positions);
+        let by_state = Extent::of(&saddle, numbers).sizes(&saddle, &gradients);
+        let good = |own: &[S::Scalar; C]| (0..C).all(|c| is_within(values[c], tolerance * own[c]));
+        // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic metric.
+        let is_small = || {
+            let (change, _) = saddle.solve(&none, values);
+            let largest = |values: &[S::Scalar; N]| {
+                values.iter().fold(num_traits::Zero::zero(), |largest: S::Scalar, x| largest.max(x.abs()))
+            };
+            is_within(largest(&change), tolerance * largest(numbers))
         };
-        let excess = largest(&change) - tolerance * largest(of);
-        excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
-    };
-    let Residuals { positions, position_sizes, rates, rate_sizes } = &residuals;
-    if small(positions, position_sizes, &start.q) && small(rates, rate_sizes, &start.v) {
-        return Ok(());
+        let both = core::array::from_fn(|c| sizes[c] + by_state[c]);
+        if !(good(sizes) || good(&both) && is_small()) {
+            return Err(residuals.cause(of_positions, &by_state));
+        }
     }
-    Err(residuals.cause())
+    Ok(())
 }
 
 /// The nearest state on the constraints in the metric of the mass matrix, by Newton's method: coordinates, then
@@ -96,6 +98,9 @@ where
     let mut state = start;
     let mut residuals = system.residuals_at(state.t, &state.q, &state.v);
     for _ in 0..STEPS {
+        if residuals.level_is_roundings(of_positions) {
+            break;
+        }
         let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
         regular(&saddle)?;
         let values = if of_positions { residuals.positions } else { residuals.rates };
@@ -121,7 +126,11 @@ where
         }
     }
     let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
-    if on_surface(&residuals, &gradients, &state, of_positions) {
+    regular(&saddle)?;
+    let extent =
+        |state: &State<S::Scalar, N>| Extent::of(&saddle, if of_positions { &state.q } else { &state.v });
+    let by_state = extent(&start).max(extent(&state)).sizes(&saddle, &gradients);
+    if on_surface(&residuals, &gradients, &state, &by_state, of_positions) {
         return Ok(state);
     }
     let values = if of_positions { residuals.positions } else { residuals.rates };
@@ -158,20 +167,18 @@ fn on_surface<R: Real, const N: usize, const C: usize>(
     residuals: &Residuals<R, C>,
     gradients: &[[R; N]; C],
     state: &State<R, N>,
+    by_state: &[R; C],
     of_positions: bool,
 ) -> bool {
     const ROUNDINGS: f64 = 64.0;
-    let (values, sizes, of) = if of_positions {
-        (&residuals.positions, &residuals.position_sizes, &state.q)
-    } else {
-        (&residuals.rates, &residuals.rate_sizes, &state.v)
-    };
+    let (values, sizes) = residuals.level(of_positions);
+    let of = if of_positions { &state.q } else { &state.v };
     let tolerance = R::from_f64(ROUNDINGS) * R::epsilon();
     (0..C).all(|c| {
-        let mut size = sizes[c];
+        let mut size = sizes[c] + by_state[c];
         for i in 0..N {
             size += (gradients[c][i] * of[i]).abs();
         }
-        (values[c].abs() - tolerance * size).largest() <= num_traits::Zero::zero()
+        is_within(values[c], tolerance * size)
     })
 }
