@@ -24,6 +24,11 @@ impl<R: Real> Extent<R> {
         Self(largest)
     }
 
+    /// One unit.
+    pub(super) fn unit() -> Self {
+        Self(R::one())
+    }
+
     /// The larger of two.
     pub(super) fn max(self, other: Self) -> Self {
         Self(self.0.max(other.0))

@@ -3,7 +3,7 @@
 use super::extent::Extent;
 use super::projection::is_within;
 use super::solution::regular;
-use super::{Residuals, Surface, magnitude, moved, worst};
+use super::{Residuals, Surface, moved};
 use crate::error::{Cause, MotionError};
 use crate::linear::SaddlePoint;
 use crate::real::Real;
@@ -108,13 +108,14 @@ where
         if !change.iter().all(|x| x.is_finite()) {
             return Err(Cause::NotFinite);
         }
-        let (mut share, before) = (one, distance(&residuals, &gradients, of_positions));
+        let scales = Extent::unit().sizes(&saddle, &gradients);
+        let (mut share, before) = (one, distance(&residuals, &scales, of_positions));
         let mut better = None;
         for _ in 0..HALVINGS {
             let (q, v) = if of_positions { (&change, &none) } else { (&none, &change) };
             let next = moved(&state, q, v, share);
             let there = system.residuals_at(next.t, &next.q, &next.v);
-            if distance(&there, &gradients, of_positions) < before {
+            if distance(&there, &scales, of_positions) < before {
                 better = Some((next, there));
                 break;
             }
@@ -133,30 +134,28 @@ where
     if on_surface(&residuals, &gradients, &state, &by_state, of_positions) {
         return Ok(state);
     }
-    let values = if of_positions { residuals.positions } else { residuals.rates };
-    let (constraint, by) = worst::<S::Scalar, C>(|c| values[c].abs().largest());
-    Err(match (saddle.rank() < C, of_positions) {
-        (true, _) => Cause::Contradictory { constraint },
-        (false, true) => Cause::PositionViolated { constraint, by: magnitude(by) },
-        (false, false) => Cause::VelocityViolated { constraint, by: magnitude(by) },
+    Err(match residuals.cause(of_positions, &by_state) {
+        Cause::PositionViolated { constraint, .. } | Cause::VelocityViolated { constraint, .. }
+            if saddle.rank() < C =>
+        {
+            Cause::Contradictory { constraint }
+        }
+        violated => violated,
     })
 }
 
-/// Σ (f / |∂f/∂q|)²: how far the constraints are, whatever their units.
-fn distance<R: Real, const N: usize, const C: usize>(
+/// Σ (f / |∂f/∂q|)² with gradients in units of the kinetic metric: how far the constraints are, whatever their units.
+fn distance<R: Real, const C: usize>(
     residuals: &Residuals<R, C>,
-    gradients: &[[R; N]; C],
+    scales: &[R; C],
     of_positions: bool,
 ) -> R::Lane {
-    let values = if of_positions { &residuals.positions } else { &residuals.rates };
+    let (values, _) = residuals.level(of_positions);
     let mut sum = R::zero();
-    for (value, row) in values.iter().zip(gradients) {
-        let mut square = R::zero();
-        for &a in row {
-            square = R::mul_add(a, a, square);
-        }
-        if *value != R::zero() {
-            sum += *value * *value / square;
+    for (&value, &scale) in values.iter().zip(scales) {
+        if value != R::zero() {
+            let distance = value / scale;
+            sum = R::mul_add(distance, distance, sum);
         }
     }
     sum.largest()
