@@ -1,5 +1,6 @@
 //! S19: a line given in ways that cannot be, or twice: reported, never a NaN, and never another motion.
 
+use lagrangian::Magnitude;
 use lagrangian::prelude::*;
 
 use crate::cases::CLOSED_FORM;
@@ -168,7 +169,7 @@ fn a_line_given_twice_holds_like_one() {
 #[test]
 fn a_contradiction_is_reported() {
     let parallel = Parallel { offset: 1.0 };
-    let violated = |cause: &Cause| matches!(cause, Cause::PositionViolated { by, .. } if *by > 0.4);
+    let violated = |cause: &Cause| matches!(cause, Cause::PositionViolated { by, .. } if by.0 > 0.4);
     refused(&parallel, start(), violated);
     refused(&parallel, State::at_rest([1.5, 0.5]), violated);
     for place in [[1.0, 0.5], [1.5, 0.5], [0.0, 0.0], [-7.0, 3.0]] {
@@ -182,9 +183,9 @@ fn a_contradiction_is_reported() {
 #[test]
 fn a_start_off_the_line_is_reported_and_projected_when_asked_for() {
     let beside = State::new([1.0, 0.25], [-2.0, -1.0]);
-    refused(&Line, beside, |cause| *cause == Cause::PositionViolated { constraint: 0, by: 0.5 });
+    refused(&Line, beside, |cause| *cause == Cause::PositionViolated { constraint: 0, by: Magnitude(0.5) });
     let across = State::new([1.0, 0.5], [-2.0, 0.0]);
-    refused(&Line, across, |cause| *cause == Cause::VelocityViolated { constraint: 0, by: 2.0 });
+    refused(&Line, across, |cause| *cause == Cause::VelocityViolated { constraint: 0, by: Magnitude(2.0) });
     // Equal masses: along the normal (1, −2).
     let projected = Line.consistent(beside).unwrap();
     all_close(projected.q, [0.9, 0.45], CLOSED_FORM);
