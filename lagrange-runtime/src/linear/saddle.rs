@@ -116,7 +116,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         let mut split = Split { null: [[R::zero(); N]; N], inverse: [[R::zero(); C]; N] };
         // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts from the
         // arguments again, so that nothing else need be in memory.
-        if partition(&Scaled::new(&full, a), &mut split) {
+        if partition(&Scaled::new(mass, a), &mut split) {
             let mut reduced = Reduced::new(&full, &split.null, C);
             if reduced.factor::<DEFINITE>(C).is_ok() {
                 return Self::assemble(&split, &reduced, C);
@@ -130,7 +130,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     #[inline(never)]
     fn carefully<const DEFINITE: bool>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
         let full = symmetric(mass);
-        let scaled = Scaled::new(&full, a);
+        let scaled = Scaled::new(mass, a);
         let range = Range::factor(&scaled);
         let finite = full.iter().flatten().chain(a.iter().flatten()).all(|x| x.is_finite());
         if range.rank < C && !finite {
@@ -166,10 +166,18 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         let mut compliance = [[R::zero(); N]; N];
         let mut reaction = split.inverse;
         for i in 0..N {
+            let mut row = [R::zero(); N];
             for k in rank..N {
-                add_scaled(&mut compliance[i], &split.null[k], reduced.solution[k][i]);
-                add_scaled(&mut reaction[i], &drift[k], -reduced.solution[k][i]);
+                add_scaled(&mut row, &split.null[k], reduced.solution[k][i]);
             }
+            compliance[i] = row;
+        }
+        for i in 0..N {
+            let mut row = reaction[i];
+            for k in rank..N {
+                add_scaled(&mut row, &drift[k], -reduced.solution[k][i]);
+            }
+            reaction[i] = row;
         }
         let mut stiffness = [[R::zero(); C]; C];
         let mut transfer = [[R::zero(); N]; C];
@@ -180,6 +188,10 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             }
             for c in 0..C {
                 add_scaled(&mut stiffness[c], &momentum, reaction[i][c]);
+            }
+        }
+        for c in 0..C {
+            for i in 0..N {
                 transfer[c][i] = reaction[i][c];
             }
         }
@@ -224,7 +236,13 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
 /// A symmetric matrix from its lower triangle.
 #[inline(always)]
 fn symmetric<R: Copy, const N: usize>(lower: &[[R; N]; N]) -> [[R; N]; N] {
-    core::array::from_fn(|i| core::array::from_fn(|j| lower[i.max(j)][i.min(j)]))
+    let mut full = *lower;
+    for i in 0..N {
+        for j in 0..i {
+            full[j][i] = lower[i][j];
+        }
+    }
+    full
 }
 
 /// The velocities that the constraints leave open, and some that meet them.

@@ -1,9 +1,9 @@
 //! The saddle-point system of a diagonal mass matrix, by its Schur complement.
 
-use crate::linear::Schur;
+use crate::linear::schur::{SMALL, Schur};
 use crate::real::Real;
 
-use super::vectors::{add_scaled, dot};
+use super::vectors::{add_product, dot, subtract_product};
 use super::{Defect, SaddlePoint};
 
 /// A saddle-point system with a diagonal M: particles in Cartesian coordinates.
@@ -13,7 +13,10 @@ use super::{Defect, SaddlePoint};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Diagonal<R, const N: usize, const C: usize> {
     inverse_masses: [R; N],
-    a: [[R; N]; C],
+    /// M⁻¹ Aᵀ.
+    drift: [[R; C]; N],
+    /// A M⁻¹; of small systems S⁻¹ A M⁻¹, what a component of the lack adds to v.
+    rows: [[R; N]; C],
     schur: Schur<R, C>,
 }
 
@@ -23,16 +26,27 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
     #[must_use]
     pub fn factor(inverse_masses: [R; N], a: &[[R; N]; C]) -> Self {
         let mut lower = [[R::zero(); C]; C];
-        for i in 0..C {
-            let mut row = a[i];
-            for j in 0..N {
-                row[j] *= inverse_masses[j];
+        let mut drift = [[R::zero(); C]; N];
+        let mut rows = *a;
+        for c in 0..C {
+            for i in 0..N {
+                rows[c][i] *= inverse_masses[i];
             }
-            for j in 0..=i {
-                lower[i][j] = dot(&row, &a[j]);
+            for d in 0..=c {
+                lower[c][d] = dot(&rows[c], &a[d]);
             }
         }
-        Self { inverse_masses, a: *a, schur: Schur::factor(lower) }
+        if C <= SMALL {
+            for c in 0..C {
+                for i in 0..N {
+                    drift[i][c] = rows[c][i];
+                }
+            }
+        } else {
+            rows = *a;
+        }
+        let schur = Schur::factor_with(&lower, &mut rows);
+        Self { inverse_masses, drift, rows, schur }
     }
 }
 
@@ -43,19 +57,20 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
         for i in 0..N {
             free[i] *= self.inverse_masses[i];
         }
+        if C <= SMALL {
+            let lack = subtract_product(y, &self.drift, r);
+            return (add_product(&free, &self.rows, &lack), self.schur.solve(lack));
+        }
         let mut lack = *y;
         for c in 0..C {
-            lack[c] -= dot(&self.a[c], &free);
+            lack[c] -= dot(&self.rows[c], &free);
         }
         let kappa = self.schur.solve(lack);
-        let mut force = *r;
-        for c in 0..C {
-            add_scaled(&mut force, &self.a[c], kappa[c]);
-        }
+        let mut v = add_product(r, &self.rows, &kappa);
         for i in 0..N {
-            force[i] *= self.inverse_masses[i];
+            v[i] *= self.inverse_masses[i];
         }
-        (force, kappa)
+        (v, kappa)
     }
 
     #[inline]

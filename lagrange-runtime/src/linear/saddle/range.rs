@@ -10,7 +10,7 @@ use crate::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;
-use super::vectors::{add_scaled, dot, where_positive};
+use super::vectors::{add_scaled, best, dot, where_positive};
 
 /// A row whose distance from the span of the rows before is less than 2¹² ε of its size depends on them.
 ///
@@ -65,17 +65,16 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
         let least = R::from_f64(ROUNDINGS) * R::epsilon();
         let least = least * least;
         for k in 0..C.min(N) {
-            let mut best = k;
+            let longest = best(&squares, least);
             for c in k + 1..C {
-                if squares[c].largest() > squares[best].largest() {
-                    best = c;
+                if c == longest {
+                    rows.swap(k, c);
+                    squares.swap(k, c);
+                    this.lower.swap(k, c);
+                    this.sizes.swap(k, c);
+                    this.order.swap(k, c);
                 }
             }
-            rows.swap(k, best);
-            squares.swap(k, best);
-            this.lower.swap(k, best);
-            this.sizes.swap(k, best);
-            this.order.swap(k, best);
             let excess = squares[k] - least;
             let square =
                 if excess.is_positive() { Some(squares[k]) } else { where_positive(squares[k], excess) };
@@ -118,6 +117,7 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             }
             squares[c] = dot(&rows[c], &rows[c]);
         }
+        squares[k] = R::zero();
         self.reflectors[k] = u;
         self.beta[k] = beta;
         self.inverse[k] = diagonal.recip();

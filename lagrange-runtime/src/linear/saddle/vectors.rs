@@ -35,6 +35,62 @@ pub(in crate::linear) fn add_scaled<R: Real, const N: usize>(sum: &mut [R; N], a
     }
 }
 
+/// start + Σ rows\[k] · factors\[k], in two sums, so that the additions of one need not wait for those of the other.
+#[inline(always)]
+pub(in crate::linear) fn add_product<R: Real, const K: usize, const N: usize>(
+    start: &[R; N],
+    rows: &[[R; N]; K],
+    factors: &[R; K],
+) -> [R; N] {
+    let (mut even, mut odd) = (*start, [R::zero(); N]);
+    for k in 0..K / 2 {
+        add_scaled(&mut even, &rows[2 * k], factors[2 * k]);
+        add_scaled(&mut odd, &rows[2 * k + 1], factors[2 * k + 1]);
+    }
+    if K % 2 == 1 {
+        add_scaled(&mut even, &rows[K - 1], factors[K - 1]);
+    }
+    if K > 1 {
+        for i in 0..N {
+            even[i] += odd[i];
+        }
+    }
+    even
+}
+
+/// start − Σ rows\[k] · factors\[k], likewise.
+#[inline(always)]
+pub(in crate::linear) fn subtract_product<R: Real, const K: usize, const N: usize>(
+    start: &[R; N],
+    rows: &[[R; N]; K],
+    factors: &[R; K],
+) -> [R; N] {
+    add_product(start, rows, &factors.map(|x| -x))
+}
+
+/// The smallest lane.
+#[inline(always)]
+pub(in crate::linear) fn smallest<R: Real>(x: R) -> R::Lane {
+    -(-x).largest()
+}
+
+/// Where the largest of some sizes is: in its smallest lane if that is above `least`, so that all lanes can use it,
+/// else in its largest lane.
+#[inline(always)]
+pub(in crate::linear) fn best<R: Real, const C: usize>(sizes: &[R; C], least: R) -> usize {
+    let (mut common, mut any) = (0, 0);
+    for c in 0..C {
+        if smallest(sizes[c]) > smallest(sizes[common]) {
+            common = c;
+        }
+        if sizes[c].largest() > sizes[any].largest() {
+            any = c;
+        }
+    }
+    let usable = sizes.get(common).is_some_and(|&size| (size - least).is_positive());
+    if usable { common } else { any }
+}
+
 /// `value` in the lanes where `excess` is positive, NaN in the others; `None` if it is positive nowhere.
 #[cold]
 #[inline(never)]
