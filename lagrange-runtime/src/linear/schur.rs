@@ -7,8 +7,8 @@
 
 use crate::real::Real;
 
-use super::saddle::redundant;
-use super::saddle::vectors::{add_product, add_scaled, best, where_positive};
+use super::saddle::vectors::{add_product, add_scaled, best, pick, poison, put, scale, unit, where_positive};
+use super::saddle::{redundant, symmetric};
 
 /// A pivot below 2⁶ C ε of its diagonal in S is zero.
 ///
@@ -47,7 +47,8 @@ impl<R: Real, const C: usize> Schur<R, C> {
     #[inline]
     #[must_use]
     pub fn factor(lower: [[R; C]; C]) -> Self {
-        Self::factor_with(&lower, &mut [[R::zero(); 0]; C])
+        let mut none: [[R; 0]; C] = [[]; C];
+        Self::factor_with(&lower, &mut none)
     }
 
     /// Factors S and, if it is [`SMALL`], multiplies `rows` by its inverse from the left.
@@ -59,7 +60,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
         if C <= SMALL {
             // With the factors and not with the inverse, whose rounding errors are larger.
             this.substitute(rows);
-            let mut inverse = identity();
+            let mut inverse = core::array::from_fn(unit);
             this.substitute(&mut inverse);
             (this.factor, this.inverted) = (inverse, true);
         }
@@ -96,19 +97,18 @@ impl<R: Real, const C: usize> Schur<R, C> {
     /// X with L D Lᵀ X = `rows`.
     #[inline(always)]
     fn substitute<const K: usize>(&self, rows: &mut [[R; K]; C]) {
+        let Self { factor, inverse, .. } = self;
         for k in 0..C {
             let known = rows[k];
             for i in k + 1..C {
-                add_scaled(&mut rows[i], &known, -self.factor[i][k]);
+                add_scaled(&mut rows[i], &known, -factor[i][k]);
             }
-            for x in &mut rows[k] {
-                *x *= self.inverse[k];
-            }
+            scale(&mut rows[k], inverse[k]);
         }
         for i in (0..C).rev() {
             let known = rows[i];
             for k in 0..i {
-                add_scaled(&mut rows[k], &known, -self.factor[i][k]);
+                add_scaled(&mut rows[k], &known, -factor[i][k]);
             }
         }
     }
@@ -182,10 +182,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
     fn carefully<const K: usize>(lower: &[[R; C]; C], rows: &mut [[R; K]; C]) -> Self {
         let this = Self::pivoted(lower);
         if C <= SMALL {
-            let right = *rows;
-            for c in 0..C {
-                rows[c] = add_product(&[R::zero(); K], &right, &this.factor[c]);
-            }
+            *rows = this.factor.map(|row| add_product(&[R::zero(); K], rows, &row));
         }
         this
     }
@@ -195,19 +192,14 @@ impl<R: Real, const C: usize> Schur<R, C> {
         let zero = R::zero();
         let tolerance = R::from_f64(ROUNDINGS * C as f64) * R::epsilon();
         let mut this = Self {
-            factor: identity(),
+            factor: core::array::from_fn(unit),
             inverse: [R::one(); C],
             inverted: true,
             dropped: [true; C],
             rank: 0,
             vanishing: (0..C).find(|&i| lower[i][i].abs().largest() == zero.largest()),
         };
-        let mut s = *lower;
-        for i in 0..C {
-            for j in 0..i {
-                s[j][i] = lower[i][j];
-            }
-        }
+        let mut s = symmetric(lower);
         // What is left of each row, relative to all of it; nothing of a row that is kept or zero.
         let mut kept = [C; C];
         for place in &mut kept {
@@ -216,20 +208,16 @@ impl<R: Real, const C: usize> Schur<R, C> {
                 if open { s[i][i] / lower[i][i] } else { zero }
             });
             let k = best(&left, tolerance);
-            let (Some(&part), Some(row)) = (left.get(k), s.get(k)) else { break };
-            let excess = part - tolerance;
-            let pivot = row.get(k).copied().unwrap_or(zero);
+            let (excess, pivot) = (pick(&left, k) - tolerance, s.get(k).map_or(zero, |row| pick(row, k)));
             let pivot = if excess.is_positive() { Some(pivot) } else { where_positive(pivot, excess) };
             let Some(pivot) = pivot else { break };
             this.step(&mut s, k, pivot);
             *place = k;
         }
         if this.rank < C {
-            if s.as_flattened().iter().all(|x| x.is_finite()) {
-                this.shorten(&s, &kept);
-            } else {
-                this.factor = [[R::from_f64(f64::NAN); C]; C];
-            }
+            this.shorten(&s, &kept);
+            // A row that is not a number is not a pivot, but it does not depend on others either.
+            poison(this.factor.as_flattened_mut(), s.as_flattened());
         }
         this
     }
@@ -239,14 +227,15 @@ impl<R: Real, const C: usize> Schur<R, C> {
         let (Some(&above), Some(&known)) = (s.get(k), self.factor.get(k)) else { return };
         let inverse = pivot.recip();
         let (above, known) = (above.map(|x| x * inverse), known.map(|x| x * inverse));
-        for i in 0..C {
+        for (i, (row, solution)) in s.iter_mut().zip(&mut self.factor).enumerate() {
+            let l = pick(row, k);
+            add_scaled(row, &above, -l);
+            add_scaled(solution, &known, -l);
             if i == k {
-                (s[i], self.factor[i], self.dropped[i]) = (above, known, false);
-            } else if let Some(&l) = s[i].get(k) {
-                add_scaled(&mut s[i], &above, -l);
-                add_scaled(&mut self.factor[i], &known, -l);
+                (*row, *solution) = (above, known);
             }
         }
+        put(&mut self.dropped, k, false);
         self.rank += 1;
     }
 
@@ -255,30 +244,131 @@ impl<R: Real, const C: usize> Schur<R, C> {
         // Row d of S is Σ x[k] · row k over the kept rows, and the x are what became of its column.
         let mut combinations = [[R::zero(); C]; C];
         for (to, &k) in combinations.iter_mut().zip(kept) {
-            for c in 0..C {
-                let depends = if c == k { R::one() } else { R::zero() };
-                to[c] = if self.dropped[c] { s.get(k).map_or(depends, |row| row[c]) } else { depends };
+            let Some(row) = s.get(k) else { continue };
+            *to = unit(k);
+            for (to, (&x, &dropped)) in to.iter_mut().zip(row.iter().zip(&self.dropped)) {
+                if dropped {
+                    *to = x;
+                }
             }
         }
         let basis = redundant::basis(&combinations, self.rank);
-        let inverse = self.factor;
-        for c in 0..C {
-            // By symmetry of the inverse its row is its column.
-            let row = core::array::from_fn(|i| if self.dropped[i] { R::zero() } else { inverse[i][c] });
-            self.factor[c] = [R::zero(); C];
-            if !self.dropped[c] {
-                self.factor[c] = redundant::project(&basis, &row, self.rank);
-            }
+        for (row, &dropped) in self.factor.iter_mut().zip(&self.dropped) {
+            // A row is also a column of the symmetric inverse, and zero in the dropped rows.
+            *row = if dropped { [R::zero(); C] } else { redundant::project(&basis, row, self.rank) };
         }
     }
 }
 
-/// The unit matrix.
-#[inline(always)]
-fn identity<R: Real, const C: usize>() -> [[R; C]; C] {
-    let mut identity = [[R::zero(); C]; C];
-    for c in 0..C {
-        identity[c][c] = R::one();
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::samples::{Noise, residual};
+
+    /// A Aᵀ of random rows of length C + 2.
+    fn regular<const C: usize>(noise: &mut Noise) -> [[f64; C]; C] {
+        let (b, extra): ([[f64; C]; C], [[f64; C]; 2]) = (noise.matrix(), [noise.vector(), noise.vector()]);
+        core::array::from_fn(|i| {
+            core::array::from_fn(|j| {
+                let product: f64 = b[i].iter().zip(&b[j]).map(|(x, y)| x * y).sum::<f64>();
+                let more: f64 = extra.iter().map(|x| x[i] * x[j]).sum();
+                product + more + if i == j { 0.1 } else { 0.0 }
+            })
+        })
     }
-    identity
+
+    fn check<const C: usize>() {
+        let mut noise = Noise(C as u64 + 17);
+        for _ in 0..100 {
+            let s = regular::<C>(&mut noise);
+            let y = noise.vector();
+            let mut rows = [[0.0; C]; C];
+            rows[0] = y;
+            for (way, schur) in [Schur::factor(s), Schur::carefully(&s, &mut rows)].iter().enumerate() {
+                assert_eq!((schur.rank(), schur.is_finite(), schur.vanishing()), (C, true, None));
+                assert!((0..C).all(|c| !schur.is_dropped(c)));
+                let error = residual(&s, &schur.solve(y), &y);
+                // An inverse has the condition in its residual where the factors have not.
+                let bound = if C > SMALL && way == 0 { 4.0 } else { 400.0 };
+                assert!(error < bound * C as f64 * f64::EPSILON, "size {C}, way {way}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn regular_matrices_are_solved() {
+        check::<1>();
+        check::<2>();
+        check::<3>();
+        check::<6>();
+        check::<7>();
+        check::<12>();
+        assert_eq!(Schur::factor([[4.0]]).solve([8.0]), [2.0]);
+        let none: Schur<f64, 0> = Schur::factor([]);
+        assert_eq!((none.rank(), none.is_finite(), none.solve([])), (0, true, []));
+    }
+
+    #[test]
+    fn the_upper_triangle_is_not_read() {
+        for bad in [1e9, f64::NAN] {
+            assert_eq!(Schur::factor([[4.0, bad], [2.0, 3.0]]).solve([8.0, 8.0]), [1.0, 2.0]);
+            assert_eq!(Schur::factor([[4.0, bad], [2.0, 1.0]]).rank(), 1);
+        }
+    }
+
+    #[test]
+    fn a_singular_matrix_has_its_shortest_solution() {
+        // Rows a, b, a + b, 0 with a ⊥ b of squares 1 and 4.
+        let s = [[1.0, 0.0, 1.0, 0.0], [0.0, 4.0, 4.0, 0.0], [1.0, 4.0, 5.0, 0.0], [0.0; 4]];
+        let schur = Schur::factor(s);
+        assert_eq!((schur.rank(), schur.vanishing(), schur.is_finite()), (2, Some(3), true));
+        assert_eq!((0..9).filter(|&c| schur.is_dropped(c)).count(), 2);
+        // The forces 2 a + 6 b: (2, 6, 0) less (2, 6, 0)·(1, 1, −1)/3 · (1, 1, −1).
+        let kappa = schur.solve([2.0, 24.0, 26.0, 7.0]);
+        for (kappa, exact) in kappa.iter().zip(&[2.0 - 8.0 / 3.0, 6.0 - 8.0 / 3.0, 8.0 / 3.0, 0.0]) {
+            assert!((kappa - exact).abs() < 1e-14, "{kappa} {exact}");
+        }
+        let nothing = Schur::factor([[0.0; 2]; 2]);
+        assert_eq!((nothing.rank(), nothing.vanishing()), (0, Some(0)));
+        assert_eq!(nothing.solve([1.0, 2.0]), [0.0, 0.0]);
+    }
+
+    #[test]
+    fn ranks_are_found_in_any_units() {
+        fn check<const C: usize>(rank: usize) {
+            let mut noise = Noise(3 * C as u64);
+            for _ in 0..200 {
+                let mut a: [[f64; C]; C] = noise.matrix();
+                for c in rank..C {
+                    a[c] = core::array::from_fn(|i| a[c - rank][i] - a[c - 1][i]);
+                }
+                for row in &mut a {
+                    let unit = 1e6_f64.powf(noise.number());
+                    *row = row.map(|x| x * unit);
+                }
+                let product = |i: usize, j: usize| a[i].iter().zip(&a[j]).map(|(x, y)| x * y).sum::<f64>();
+                let s: [[f64; C]; C] = core::array::from_fn(|i| core::array::from_fn(|j| product(i, j)));
+                assert_eq!(Schur::factor(s).rank(), rank, "{s:?}");
+            }
+        }
+        check::<2>(1);
+        check::<5>(3);
+        check::<8>(3);
+        check::<12>(6);
+    }
+
+    #[test]
+    fn what_is_not_a_number_stays_so() {
+        for s in
+            [[[f64::NAN, 0.0], [0.0, 1.0]], [[1.0, 0.0], [0.0, f64::NAN]], [[1.0, 0.0], [f64::INFINITY, 1.0]]]
+        {
+            let schur = Schur::factor(s);
+            assert!(!schur.is_finite() && schur.solve([1.0, 1.0]).iter().any(|x| !x.is_finite()), "{s:?}");
+        }
+        let mut large = [[0.0; 8]; 8];
+        for (i, row) in large.iter_mut().enumerate() {
+            row[i] = if i == 5 { f64::NAN } else { 1.0 };
+        }
+        assert!(!Schur::factor(large).is_finite());
+    }
 }

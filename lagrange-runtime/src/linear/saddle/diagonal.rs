@@ -3,7 +3,7 @@
 use crate::linear::schur::{SMALL, Schur};
 use crate::real::Real;
 
-use super::vectors::{add_product, dot, subtract_product};
+use super::vectors::{add_product, dot, multiply, subtract_product, transposed};
 use super::{Defect, SaddlePoint};
 
 /// A saddle-point system with a diagonal M: particles in Cartesian coordinates.
@@ -26,22 +26,16 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
     #[must_use]
     pub fn factor(inverse_masses: [R; N], a: &[[R; N]; C]) -> Self {
         let mut lower = [[R::zero(); C]; C];
-        let mut drift = [[R::zero(); C]; N];
         let mut rows = *a;
         for c in 0..C {
-            for i in 0..N {
-                rows[c][i] *= inverse_masses[i];
-            }
+            multiply(&mut rows[c], &inverse_masses);
             for d in 0..=c {
                 lower[c][d] = dot(&rows[c], &a[d]);
             }
         }
+        let mut drift = [[R::zero(); C]; N];
         if C <= SMALL {
-            for c in 0..C {
-                for i in 0..N {
-                    drift[i][c] = rows[c][i];
-                }
-            }
+            drift = transposed(&rows);
         } else {
             rows = *a;
         }
@@ -54,22 +48,18 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
     #[inline]
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
         let mut free = *r;
-        for i in 0..N {
-            free[i] *= self.inverse_masses[i];
-        }
+        multiply(&mut free, &self.inverse_masses);
         if C <= SMALL {
             let lack = subtract_product(y, &self.drift, r);
             return (add_product(&free, &self.rows, &lack), self.schur.solve(lack));
         }
         let mut lack = *y;
-        for c in 0..C {
-            lack[c] -= dot(&self.rows[c], &free);
+        for (lack, row) in lack.iter_mut().zip(&self.rows) {
+            *lack -= dot(row, &free);
         }
         let kappa = self.schur.solve(lack);
         let mut v = add_product(r, &self.rows, &kappa);
-        for i in 0..N {
-            v[i] *= self.inverse_masses[i];
-        }
+        multiply(&mut v, &self.inverse_masses);
         (v, kappa)
     }
 

@@ -9,7 +9,7 @@ use crate::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;
-use super::vectors::{add_scaled, pick, put, smallest};
+use super::vectors::{add_scaled, pick, put, scale, smallest};
 
 /// A pivot below this part of its row is left to the careful way.
 ///
@@ -40,9 +40,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
             return false;
         }
         let inverse = pivot.recip();
-        for x in &mut rows[k] {
-            *x *= inverse;
-        }
+        scale(&mut rows[k], inverse);
         for x in parts[k].iter_mut() {
             *x *= inverse;
         }

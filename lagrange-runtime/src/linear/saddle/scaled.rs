@@ -7,7 +7,7 @@
 use crate::real::Real;
 
 use super::Defect;
-use super::vectors::{magnitude, put};
+use super::vectors::{magnitude, multiply, put, scale};
 
 /// A in these units.
 #[derive(Clone, Copy)]
@@ -29,14 +29,10 @@ impl<R: Real, const N: usize, const C: usize> Scaled<R, N, C> {
         let mut sizes = [R::zero(); C];
         let mut factors = [R::zero(); C];
         for c in 0..C {
-            for i in 0..N {
-                rows[c][i] *= units[i];
-            }
+            multiply(&mut rows[c], &units);
             sizes[c] = magnitude(&rows[c]);
             factors[c] = sizes[c].recip();
-            for x in &mut rows[c] {
-                *x *= factors[c];
-            }
+            scale(&mut rows[c], factors[c]);
         }
         Self { units, sizes, factors, rows }
     }
@@ -44,8 +40,8 @@ impl<R: Real, const N: usize, const C: usize> Scaled<R, N, C> {
     /// The defect of a motion without inertia: its largest component, in these units.
     pub(super) fn defect(&self, motion: &[R; N]) -> Defect {
         let (mut coordinate, mut size) = (0, R::zero().largest());
-        for i in 0..N {
-            let candidate = (motion[i] / self.units[i]).abs();
+        for (i, (&x, &unit)) in motion.iter().zip(&self.units).enumerate() {
+            let candidate = (x / unit).abs();
             if !candidate.is_finite() {
                 return Defect::NotFinite;
             }

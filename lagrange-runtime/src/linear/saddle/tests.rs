@@ -25,6 +25,10 @@ pub(super) fn positive_definite<const N: usize>(noise: &mut Noise) -> [[f64; N];
     })
 }
 
+pub(super) fn diagonal_matrix<const N: usize>(entries: &[f64; N]) -> [[f64; N]; N] {
+    core::array::from_fn(|i| core::array::from_fn(|j| if i == j { entries[i] } else { 0.0 }))
+}
+
 pub(super) fn product<const I: usize, const J: usize>(m: &[[f64; J]; I], x: &[f64; J]) -> [f64; I] {
     m.map(|row| row.iter().zip(x).map(|(a, x)| a * x).sum())
 }
@@ -103,8 +107,8 @@ fn as_many_constraints_as_coordinates_leave_nothing_to_the_masses() {
     for _ in 0..100 {
         // A diagonal that keeps the rows apart: the residual of κ is relative to the condition of A.
         let mut a = matrix::<6, 6>(&mut noise);
-        for i in 0..6 {
-            a[i][i] += 3.0;
+        for (i, row) in a.iter_mut().enumerate() {
+            row[i] += 3.0;
         }
         let (mass, r, y) = (positive_definite::<6>(&mut noise), noise.vector(), noise.vector());
         for saddle in [Saddle::factor(&mass, &a), Saddle::carefully::<true>(&mass, &a)] {
@@ -184,10 +188,7 @@ fn light_and_heavy_coordinates_are_solved_in_one_system() {
     for _ in 0..200 {
         let a = matrix::<3, 6>(&mut noise);
         let inertia: [f64; 6] = core::array::from_fn(|_| 1e6_f64.powf(noise.number()));
-        let mut mass = [[0.0; 6]; 6];
-        for i in 0..6 {
-            mass[i][i] = inertia[i];
-        }
+        let mass = diagonal_matrix(&inertia);
         let (r, y) = (core::array::from_fn(|i| noise.number() * inertia[i]), noise.vector());
         for saddle in [Saddle::factor(&mass, &a), Saddle::carefully::<true>(&mass, &a)] {
             let solution = saddle.solve(&r, &y);
@@ -225,10 +226,7 @@ fn a_diagonal_mass_matrix_has_the_same_solution_both_ways() {
         for _ in 0..100 {
             let a = matrix::<C, N>(&mut noise);
             let inverse = core::array::from_fn(|_| 1.1 + noise.number());
-            let mut mass = [[0.0; N]; N];
-            for i in 0..N {
-                mass[i][i] = 1.0 / inverse[i];
-            }
+            let mass = diagonal_matrix(&inverse.map(f64::recip));
             let (r, y) = (noise.vector(), noise.vector());
             let diagonal = Diagonal::factor(inverse, &a);
             assert_eq!((diagonal.rank(), diagonal.defect(), diagonal.vanishing()), (C, None, None));

@@ -59,6 +59,9 @@ fn a_lane_with_a_smaller_rank_than_others_is_nan_and_others_are_right() {
     let dependent = [[1.0, 2.0, 0.5], [2.0, 4.0, 1.0]];
     let vanishing = [[0.0; 3], [0.0, 1.0, 3.0]];
     check(&[unit; 4], &[regular, dependent, regular, vanishing], &[0, 2]);
+    let nan = [[1.0, 2.0, 0.5], [f64::NAN, 1.0, 3.0]];
+    check(&[unit; 4], &[regular, nan, regular, nan], &[0, 2]);
+    check(&[unit; 4], &[dependent, nan, dependent, dependent], &[0, 2, 3]);
     // Where all have the same dependent rows, all are right.
     check(&[unit; 4], &[dependent; 4], &[0, 1, 2, 3]);
 }

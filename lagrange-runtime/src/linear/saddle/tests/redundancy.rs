@@ -15,13 +15,14 @@ fn redundant<const N: usize, const C: usize>(noise: &mut Noise, rank: usize, sca
     let v: [f64; N] = noise.vector();
     let mut a = matrix::<C, N>(noise);
     // The condition of the independent rows is not what is tested here.
-    for c in 0..rank {
-        a[c][c] += 2.0;
+    for (c, row) in a.iter_mut().enumerate().take(rank) {
+        row[c] += 2.0;
     }
     let mut null = [[0.0; C]; C];
     for c in rank..C {
-        for k in 0..rank {
-            null[c][k] = match c % 3 {
+        let weights = &mut null[c];
+        for (k, weight) in weights.iter_mut().enumerate().take(rank) {
+            *weight = match c % 3 {
                 0 if k == c % rank => 3.0 * scale,
                 1 if k == c % rank => 1.0,
                 1 if k == (c + 1) % rank => -1.0,
@@ -29,10 +30,8 @@ fn redundant<const N: usize, const C: usize>(noise: &mut Noise, rank: usize, sca
                 _ => 0.0,
             };
         }
-        null[c][c] = -1.0;
-        for i in 0..N {
-            a[c][i] = (0..rank).map(|k| null[c][k] * a[k][i]).sum();
-        }
+        a[c] = core::array::from_fn(|i| (0..rank).map(|k| weights[k] * a[k][i]).sum());
+        weights[c] = -1.0;
     }
     for c in (1..C).rev() {
         let other = (noise.number().abs() * (c + 1) as f64) as usize;
@@ -129,12 +128,9 @@ fn redundant_rows_of_a_diagonal_system_have_the_same_solution() {
         let mut noise = Noise(C as u64);
         for _ in 0..100 {
             let Redundant { a, null, y } = redundant::<N, C>(&mut noise, rank, 1.0);
-            let mut mass = [[0.0; N]; N];
-            for i in 0..N {
-                mass[i][i] = 1.0 + noise.number().abs();
-            }
-            let r = noise.vector();
-            let diagonal = Diagonal::factor(core::array::from_fn(|i| 1.0 / mass[i][i]), &a);
+            let masses = core::array::from_fn(|_| 1.0 + noise.number().abs());
+            let (mass, r) = (diagonal_matrix(&masses), noise.vector());
+            let diagonal = Diagonal::factor(masses.map(f64::recip), &a);
             assert_eq!((diagonal.rank(), diagonal.defect()), (rank, None));
             assert_eq!((0..C).filter(|&c| diagonal.is_dropped(c)).count(), C - rank);
             let ((v, kappa), (w, lambda)) = (diagonal.solve(&r, &y), Saddle::factor(&mass, &a).solve(&r, &y));
@@ -156,9 +152,7 @@ fn rows_that_are_close_are_told_apart() {
     for distance in [1e-3, 1e-6, 1e-9, 1e-10] {
         for _ in 0..50 {
             let (mass, mut a) = (positive_definite::<6>(&mut noise), matrix::<3, 6>(&mut noise));
-            for i in 0..6 {
-                a[2][i] = a[0][i] - 2.0 * a[1][i] + distance * a[2][i];
-            }
+            a[2] = core::array::from_fn(|i| a[0][i] - 2.0 * a[1][i] + distance * a[2][i]);
             let saddle = Saddle::factor(&mass, &a);
             assert_eq!((saddle.rank(), saddle.defect()), (3, None), "{distance}");
             // An inverse has the errors of the condition, not of its square.
