@@ -55,7 +55,7 @@ pub enum Cause {
 
 /// How large a violation is, for a report: of two digits, because printing all of a float takes several kilobytes of a
 /// firmware.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
 pub struct Magnitude(pub f32);
 
 impl fmt::Display for Magnitude {
