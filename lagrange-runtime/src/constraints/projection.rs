@@ -80,19 +80,29 @@ where
             (saddle, gradients) = system.saddle_at(next.t, &next.q, &next.v);
         }
     }
-    Err(residuals.cause())
+    Err(residuals.cause(&gradients))
 }
 
 impl<R: Real, const C: usize> Residuals<R, C> {
     /// Whether nothing is left but roundings.
     #[inline(always)]
     pub(super) fn are_roundings(&self) -> bool {
-        self.positions_are_roundings() && within(&self.rates, &self.rate_sizes, ROUNDINGS)
+        self.level_is_roundings(true) && self.level_is_roundings(false)
     }
 
     #[inline(always)]
     fn positions_are_roundings(&self) -> bool {
         within(&self.positions, &self.position_sizes, ROUNDINGS)
+    }
+
+    /// Whether nothing is left of one level but roundings.
+    #[inline(always)]
+    pub(super) fn level_is_roundings(&self, of_positions: bool) -> bool {
+        if of_positions {
+            self.positions_are_roundings()
+        } else {
+            within(&self.rates, &self.rate_sizes, ROUNDINGS)
+        }
     }
 
     /// Whether the residuals are below a part of their summands, or of what the largest of the coordinates or velocities
@@ -124,12 +134,15 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         if of_positions { (&self.positions, &self.position_sizes) } else { (&self.rates, &self.rate_sizes) }
     }
 
-    /// The constraint that is violated most.
+    /// The constraint that the state is furthest from, of positions before those of velocities.
     #[cold]
-    pub(super) fn cause(&self) -> Cause {
+    pub(super) fn cause<const N: usize>(&self, gradients: &[[R; N]; C]) -> Cause {
         let of_positions = !self.positions_are_roundings();
-        let (values, sizes) = self.pick(of_positions);
-        let (constraint, _) = worst::<R, C>(|c| relative(values[c], sizes[c]));
+        let (values, _) = self.pick(of_positions);
+        let (constraint, _) = worst::<R, C>(|c| {
+            let square = gradients[c].iter().fold(R::zero(), |sum, &a| R::mul_add(a, a, sum));
+            relative(values[c], square.sqrt())
+        });
         let by = values.get(constraint).map_or(Magnitude(0.0), |value| magnitude(value.abs().largest()));
         if of_positions {
             Cause::PositionViolated { constraint, by }

@@ -47,7 +47,7 @@ where
     if near(true) && near(false) {
         return Ok(());
     }
-    Err(residuals.cause())
+    Err(residuals.cause(&gradients))
 }
 
 /// The nearest state on the constraints in the metric of the mass matrix, by Newton's method: coordinates, then
@@ -85,6 +85,9 @@ where
     let mut state = start;
     let mut residuals = system.residuals_at(state.t, &state.q, &state.v);
     for _ in 0..STEPS {
+        if residuals.level_is_roundings(of_positions) {
+            break;
+        }
         let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
         regular(&saddle)?;
         let values = if of_positions { residuals.positions } else { residuals.rates };
@@ -110,6 +113,7 @@ where
         }
     }
     let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
+    regular(&saddle)?;
     let part = S::Scalar::from_f64(ROUNDINGS) * S::Scalar::epsilon();
     if residuals.are_near(of_positions, &gradients, &state, part) {
         return Ok(state);

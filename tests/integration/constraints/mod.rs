@@ -5,3 +5,6 @@
 //! | [`cases`] | reference digits from outside |
 
 mod cases;
+mod linkages;
+mod redundancy;
+mod starts;
