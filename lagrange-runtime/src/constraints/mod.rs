@@ -5,6 +5,7 @@
 //! in the metric of the mass matrix, coordinates first (f = 0), then velocities (df/dt = 0 and g = 0): Hairer and Wanner,
 //! *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*, 1992.
 
+mod extent;
 mod projection;
 mod solution;
 mod start;

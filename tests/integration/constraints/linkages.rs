@@ -189,7 +189,8 @@ fn a_parallelogram_passes_its_flat_configurations() {
     for k in 1..=100 {
         let state = *motion.advance_to(0.1 * f64::from(k)).unwrap();
         let expected = 0.3 + 0.2 * f64::from(k);
-        close(motion.energy(), energy, 1e-12);
+        // Beside a flat configuration the reactions lose digits.
+        close(motion.energy(), energy, 1e-11);
         for residual in angles.constraint_residuals(&state) {
             close_on(1.0, residual, 0.0, 1e-14);
         }
