@@ -8,6 +8,7 @@ mod failures;
 mod functions;
 mod gaps;
 mod long;
+mod long_constrained;
 mod mechanics;
 mod oracle;
 mod steps;
