@@ -9,6 +9,9 @@ use crate::state::State;
 /// A residual of so many roundings of its summands is none.
 const ROUNDINGS: f64 = 4.0;
 
+/// A residual of so many may be roundings of inner operations.
+const INNER: f64 = 4096.0;
+
 /// Corrections before a projection is given up.
 const CORRECTIONS: usize = 16;
 
@@ -88,19 +91,24 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         self.positions_are_roundings() && within(&self.rates, &self.rate_sizes, ROUNDINGS)
     }
 
+    /// Whether nothing is left of f = 0 but roundings.
     #[inline(always)]
-    fn positions_are_roundings(&self) -> bool {
+    pub(crate) fn positions_are_roundings(&self) -> bool {
         within(&self.positions, &self.position_sizes, ROUNDINGS)
     }
 
     /// Whether what is left may be roundings of inner operations.
-    fn are_near(&self) -> bool {
-        const INNER: f64 = 4096.0;
-        within(&self.positions, &self.position_sizes, INNER) && within(&self.rates, &self.rate_sizes, INNER)
+    pub(crate) fn are_near(&self) -> bool {
+        self.positions_are_near() && within(&self.rates, &self.rate_sizes, INNER)
+    }
+
+    /// The same of f = 0.
+    pub(crate) fn positions_are_near(&self) -> bool {
+        within(&self.positions, &self.position_sizes, INNER)
     }
 
     /// The largest residual relative to its summands.
-    pub(super) fn size(&self, of_positions: bool) -> R::Lane {
+    pub(crate) fn size(&self, of_positions: bool) -> R::Lane {
         let (values, sizes) = self.pick(of_positions);
         worst::<R, C>(|c| relative(values[c], sizes[c])).1
     }
@@ -111,7 +119,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
 
     /// The constraint that is violated most.
     #[cold]
-    pub(super) fn cause(&self) -> Cause {
+    pub(crate) fn cause(&self) -> Cause {
         let of_positions = !self.positions_are_roundings();
         let (values, sizes) = self.pick(of_positions);
         let (constraint, _) = worst::<R, C>(|c| relative(values[c], sizes[c]));

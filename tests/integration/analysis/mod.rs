@@ -1,0 +1,5 @@
+//! What a model can tell about itself: equilibria, linear models, modes, sensitivities.
+
+mod classical;
+mod constrained;
+mod seeds;
