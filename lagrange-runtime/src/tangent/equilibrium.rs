@@ -144,6 +144,7 @@ where
     let (start, mut met) = (rest.q, rest.square);
     let mut damping = number(DAMPING.0);
     let mut values = statics.stiffness(&rest);
+    let mut stiffest = values.largest_square();
     'search: for _ in 0..STEPS {
         let largest = values.largest_square();
         if rest.square == zero || largest == zero {
@@ -158,6 +159,7 @@ where
                 damping = smaller(damping * number(0.1), next.square / met);
                 met = larger(met, next.square);
                 values = statics.stiffness(&next);
+                stiffest = larger(stiffest, values.largest_square());
                 rest = next;
                 break;
             }
@@ -169,13 +171,12 @@ where
     }
     let (step, largest) = (statics.displacement(&rest, &values, zero), values.largest_square());
     let remainder = values.remainder(&rest.forces);
-    let is_isolated = values.rank(S::Scalar::epsilon().sqrt()) == rest.space.count.max(statics.free(&rest));
     let size = |x: &[S::Scalar; N]| (0..N).fold(zero, |sum, i| sum + metric[i] * x[i] * x[i]);
     let travelled = core::array::from_fn(|i| rest.q[i] - start[i]);
     let (epsilon, reach) = (S::Scalar::epsilon(), size(&rest.q) + size(&travelled));
     // What a step leaves of the forces, because nothing stiff is in their way, must be rounding of those in balance.
     let is_rounding = remainder <= epsilon * epsilon.sqrt() * largest * reach;
-    let balanced = rest.square <= epsilon * met || is_rounding && size(&step) <= epsilon * reach;
+    let balanced = is_rounding && (rest.square <= epsilon * met || size(&step) <= epsilon * reach);
     if !balanced {
         let (mut coordinate, mut force) = (0, zero);
         for (i, left) in rest.left.iter().enumerate() {
@@ -186,6 +187,9 @@ where
         return Err(EquilibriumError::Unbalanced { coordinate, force: to_f64(force) });
     }
     statics.resting(&rest.q)?;
+    // Where the stiffness vanishes, Newton's step does not.
+    let regular = values.rank(epsilon * stiffest) == rest.space.count.max(statics.free(&rest));
+    let is_isolated = regular && size(&step) <= epsilon * reach;
     let state = State::at_rest(rest.q).at_time(guess.t);
     Ok(Equilibrium { state, multipliers: rest.multipliers, are_unique: rest.rank == C, is_isolated })
 }

@@ -2,4 +2,5 @@
 
 mod classical;
 mod constrained;
+mod derivatives;
 mod seeds;
