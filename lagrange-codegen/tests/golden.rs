@@ -55,3 +55,8 @@ fn heavy_top() {
 fn elastic_pendulum_with_jacobians() {
     check("elastic_pendulum");
 }
+
+#[test]
+fn cartesian_pendulum_with_a_constraint() {
+    check("cartesian_pendulum");
+}

@@ -6,6 +6,7 @@
 mod analysis;
 mod cases;
 mod conservation;
+mod constraints;
 mod derivation;
 mod failure;
 mod hygiene;

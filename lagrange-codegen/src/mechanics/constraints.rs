@@ -85,8 +85,10 @@ impl Conditions {
             .iter()
             .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })
             .collect();
-        let mut sizes = |values: &[NodeId]| values.iter().map(|&value| size(graph, value)).collect();
-        let (position_sizes, rate_sizes) = (sizes(&positions), sizes(&rates));
+        let mut sizes = |values: &[NodeId], of: &[NodeId]| -> Vec<NodeId> {
+            values.iter().zip(&jacobian).map(|(&value, row)| size_of(graph, value, row, of)).collect()
+        };
+        let (position_sizes, rate_sizes) = (sizes(&positions, &motion.q), sizes(&rates, &motion.v));
         let relaxation = baumgarte.map(|rate| {
             let square = graph.powi(rate, 2);
             let terms = constraints.iter().zip(&positions).zip(&rates);
@@ -172,6 +174,26 @@ fn reactions(
     let through_q = pullback(graph, &seeds(true), &motion.q);
     let through_v = pullback(graph, &seeds(false), &motion.v);
     through_q.into_iter().zip(through_v).map(|(q, v)| graph.add(q, v)).collect()
+}
+
+/// What rounding errors of a constraint are relative to. One without summands, such as z = 0, has no size of its own and takes
+/// that of the state.
+fn size_of(graph: &mut Graph, value: NodeId, gradient: &[NodeId], state: &[NodeId]) -> NodeId {
+    let own = size(graph, value);
+    let is_sum =
+        |factor: NodeId| graph.scaled(factor).1 == factor && matches!(graph.node(factor), Node::Sum { .. });
+    let factors = graph.factors(graph.scaled(value).1);
+    let has_summands = factors.into_iter().any(|(factor, exponent)| exponent.0 > 0 && is_sum(factor));
+    if has_summands || graph.is_zero(value) {
+        return own;
+    }
+    let mut sum = |nodes: &[NodeId]| {
+        let terms: Vec<_> = nodes.iter().map(|&node| (graph.unary(Unary::Abs, node), Number::ONE)).collect();
+        graph.sum(Number::ZERO, &terms)
+    };
+    let (slope, extent) = (sum(gradient), sum(state));
+    let carried = graph.mul(slope, extent);
+    graph.add(own, carried)
 }
 
 /// The sum of the absolute values of the summands, also of sums within products.

@@ -38,7 +38,7 @@ use partition::partition;
 use range::Range;
 use reduced::Reduced;
 use scaled::Scaled;
-use vectors::{add_scaled, put};
+use vectors::{add_product, add_scaled, poison, put, transposed};
 
 /// Why a saddle-point system has no solution, or not one only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,7 +118,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         let mut split = Split { null: [[R::zero(); N]; N], inverse: [[R::zero(); C]; N] };
         // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts from the
         // arguments again, so that nothing else need be in memory.
-        if partition(&Scaled::new(&full, a), &mut split) {
+        if partition(&Scaled::new(mass, a), &mut split) {
             let mut reduced = Reduced::new(&full, &split.null, C);
             if reduced.factor::<DEFINITE>(C).is_ok() {
                 return Self::assemble(&split, &reduced, C);
@@ -132,12 +132,9 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     #[inline(never)]
     fn carefully<const DEFINITE: bool>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
         let full = symmetric(mass);
-        let scaled = Scaled::new(&full, a);
+        let scaled = Scaled::new(mass, a);
         let range = Range::factor(&scaled);
         let finite = full.iter().flatten().chain(a.iter().flatten()).all(|x| x.is_finite());
-        if range.rank < C && !finite {
-            return Self::failed(Defect::NotFinite);
-        }
         let split = range.split();
         let mut reduced = Reduced::new(&full, &split.null, range.rank);
         if let Err(direction) = reduced.factor::<DEFINITE>(range.rank) {
@@ -151,6 +148,10 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
                 put(&mut this.dropped, row, true);
             }
             this.shorten(&range);
+            // A row that is not a number is not taken, but it does not depend on others either.
+            poison(this.compliance.as_flattened_mut(), a.as_flattened());
+            poison(this.transfer.as_flattened_mut(), a.as_flattened());
+            poison(this.stiffness.as_flattened_mut(), a.as_flattened());
         }
         this
     }
@@ -160,31 +161,34 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, rank: usize) -> Self {
         // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
         let mut drift = [[R::zero(); C]; N];
-        for k in rank..N {
-            for i in 0..N {
-                add_scaled(&mut drift[k], &split.inverse[i], reduced.inertia[k][i]);
-            }
+        for (drift, inertia) in drift.iter_mut().zip(&reduced.inertia).skip(rank) {
+            *drift = add_product(drift, &split.inverse, inertia);
         }
+        let Reduced { solution, mass, .. } = reduced;
         let mut compliance = [[R::zero(); N]; N];
-        let mut reaction = split.inverse;
-        for i in 0..N {
-            for k in rank..N {
-                add_scaled(&mut compliance[i], &split.null[k], reduced.solution[k][i]);
-                add_scaled(&mut reaction[i], &drift[k], -reduced.solution[k][i]);
+        for (i, to) in compliance.iter_mut().enumerate() {
+            let mut row = [R::zero(); N];
+            for (vector, solution) in split.null.iter().zip(solution).skip(rank) {
+                add_scaled(&mut row, vector, solution[i]);
             }
+            *to = row;
+        }
+        let mut reaction = split.inverse;
+        for (i, to) in reaction.iter_mut().enumerate() {
+            let mut row = *to;
+            for (drift, solution) in drift.iter().zip(solution).skip(rank) {
+                add_scaled(&mut row, drift, -solution[i]);
+            }
+            *to = row;
         }
         let mut stiffness = [[R::zero(); C]; C];
-        let mut transfer = [[R::zero(); N]; C];
-        for i in 0..N {
-            let mut momentum = [R::zero(); C];
-            for j in 0..N {
-                add_scaled(&mut momentum, &reaction[j], reduced.mass[i][j]);
-            }
-            for c in 0..C {
-                add_scaled(&mut stiffness[c], &momentum, reaction[i][c]);
-                transfer[c][i] = reaction[i][c];
+        for (row, mass) in reaction.iter().zip(*mass) {
+            let momentum = add_product(&[R::zero(); C], &reaction, mass);
+            for (to, &x) in stiffness.iter_mut().zip(row) {
+                add_scaled(to, &momentum, x);
             }
         }
+        let transfer = transposed(&reaction);
         Self {
             compliance,
             transfer,
@@ -225,8 +229,14 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
 
 /// A symmetric matrix from its lower triangle.
 #[inline(always)]
-fn symmetric<R: Copy, const N: usize>(lower: &[[R; N]; N]) -> [[R; N]; N] {
-    core::array::from_fn(|i| core::array::from_fn(|j| lower[i.max(j)][i.min(j)]))
+pub(super) fn symmetric<R: Copy, const N: usize>(lower: &[[R; N]; N]) -> [[R; N]; N] {
+    let mut full = *lower;
+    for i in 0..N {
+        for j in 0..i {
+            full[j][i] = lower[i][j];
+        }
+    }
+    full
 }
 
 /// The velocities that the constraints leave open, and some that meet them.
@@ -240,23 +250,12 @@ struct Split<R, const N: usize, const C: usize> {
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R, N, C> {
     #[inline]
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
-        // Two sums each, so that the additions of one need not wait for those of the other.
-        let (mut v, mut driven) = ([R::zero(); N], [R::zero(); N]);
-        let (mut kappa, mut reaction) = ([R::zero(); C], [R::zero(); C]);
-        for j in 0..N {
-            add_scaled(&mut v, &self.compliance[j], r[j]);
-            add_scaled(&mut reaction, &self.reaction[j], r[j]);
-        }
-        for c in 0..C {
-            add_scaled(&mut driven, &self.transfer[c], y[c]);
-            add_scaled(&mut kappa, &self.stiffness[c], y[c]);
-        }
-        for i in 0..N {
-            v[i] += driven[i];
-        }
-        for c in 0..C {
-            kappa[c] -= reaction[c];
-        }
+        let mut v = add_product(&[R::zero(); N], &self.compliance, r);
+        let driven = add_product(&[R::zero(); N], &self.transfer, y);
+        add_scaled(&mut v, &driven, R::one());
+        let mut kappa = add_product(&[R::zero(); C], &self.stiffness, y);
+        let reaction = add_product(&[R::zero(); C], &self.reaction, r);
+        add_scaled(&mut kappa, &reaction, -R::one());
         (v, kappa)
     }
 

@@ -107,11 +107,9 @@ fn orthogonalise<R: Ordered, const N: usize>(
     let cosine = (R::one() + tangent * tangent).sqrt().recip();
     let sine = cosine * tangent;
     for rows in [left, right] {
-        for k in 0..N {
-            let (a, b) = (rows[i][k], rows[j][k]);
-            rows[i][k] = cosine * a - sine * b;
-            rows[j][k] = sine * a + cosine * b;
-        }
+        let (a, b) = (rows[i], rows[j]);
+        rows[i] = core::array::from_fn(|k| cosine * a[k] - sine * b[k]);
+        rows[j] = core::array::from_fn(|k| sine * a[k] + cosine * b[k]);
     }
     true
 }

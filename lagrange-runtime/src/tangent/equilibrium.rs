@@ -10,8 +10,8 @@
 use core::fmt;
 
 use super::{Place, Tangent, Variation};
-use crate::constraints::to_f64;
-use crate::error::Cause;
+use crate::constraints::{INNER, magnitude};
+use crate::error::{Cause, Magnitude};
 use crate::linear::{Saddle, SaddlePoint, SingularValues, TangentSpace};
 use crate::real::{Ordered, Real, larger, smaller};
 use crate::state::State;
@@ -55,7 +55,7 @@ pub enum EquilibriumError {
         /// Index of the coordinate along which the largest force is left.
         coordinate: usize,
         /// The generalized force there, in its own unit.
-        force: f64,
+        force: Magnitude,
     },
 }
 
@@ -70,7 +70,7 @@ impl fmt::Display for EquilibriumError {
             ),
             Self::Unbalanced { coordinate, force } => write!(
                 out,
-                "no equilibrium near the guess: a force of {force:e} along coordinate {coordinate} is left; start nearer \
+                "no equilibrium near the guess: a force of {force} along coordinate {coordinate} is left; start nearer \
                  to one"
             ),
         }
@@ -129,13 +129,9 @@ where
         return Err(not_finite);
     }
     let first = statics.variation(&guess.q, &[zero; C]);
-    for i in 0..N {
-        statics.metric[i][i] = first.mass[i][i].abs();
-    }
+    statics.metric = diagonal(core::array::from_fn(|i| first.mass[i][i].abs()));
     let metric = TangentSpace::new(&statics.metric, &first.gradients).metric;
-    for i in 0..N {
-        statics.metric[i][i] = metric[i];
-    }
+    statics.metric = diagonal(metric);
 
     let mut rest = statics.rest(statics.feasible(guess.q)?);
     if !rest.square.is_finite() {
@@ -184,14 +180,19 @@ where
                 (coordinate, force) = (i, left.abs());
             }
         }
-        return Err(EquilibriumError::Unbalanced { coordinate, force: to_f64(force) });
+        return Err(EquilibriumError::Unbalanced { coordinate, force: magnitude(force) });
     }
-    statics.resting(&rest.q)?;
+    statics.resting(&rest)?;
     // Where the stiffness vanishes, Newton's step does not.
     let regular = values.rank(epsilon * stiffest) == rest.space.count.max(statics.free(&rest));
     let is_isolated = regular && size(&step) <= epsilon * reach;
     let state = State::at_rest(rest.q).at_time(guess.t);
     Ok(Equilibrium { state, multipliers: rest.multipliers, are_unique: rest.rank == C, is_isolated })
+}
+
+/// A diagonal matrix.
+fn diagonal<R: Real, const N: usize>(entries: [R; N]) -> [[R; N]; N] {
+    core::array::from_fn(|i| core::array::from_fn(|j| if i == j { entries[i] } else { R::zero() }))
 }
 
 impl<S, const N: usize, const K: usize, const C: usize> Statics<'_, S, N, K, C>
@@ -226,12 +227,13 @@ where
 
     /// The nearest coordinates on the constraints.
     fn feasible(&self, q: [S::Scalar; N]) -> Result<[S::Scalar; N], EquilibriumError> {
-        let zeros = [S::Scalar::from_f64(0.0); N];
+        let none = [S::Scalar::from_f64(0.0); N];
         if !S::HOLONOMIC.contains(&true) {
             return Ok(q);
         }
+        let inner = S::Scalar::from_f64(INNER) * S::Scalar::epsilon();
         let mut q = q;
-        let mut residuals = self.system.deviations_at(self.t, &q, &zeros);
+        let mut residuals = self.system.deviations_at(self.t, &q, &none);
         for _ in 0..CORRECTIONS {
             if residuals.positions_are_roundings() {
                 return Ok(q);
@@ -239,22 +241,20 @@ where
             let before = residuals.size(true);
             let gradients = Self::holonomic(&self.variation(&q, &[S::Scalar::from_f64(0.0); C]).gradients);
             let saddle = Saddle::factor(&self.metric, &gradients);
-            let (change, _) = saddle.solve(&zeros, &residuals.positions.map(|f| -f));
+            let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
             let moved: [S::Scalar; N] = core::array::from_fn(|i| q[i] + change[i]);
             if !moved.iter().all(|q| q.is_finite()) {
                 break;
             }
-            let there = self.system.deviations_at(self.t, &moved, &zeros);
-            if there.size(true) >= before && residuals.positions_are_near() {
+            let there = self.system.deviations_at(self.t, &moved, &none);
+            let state = State::at_rest(q).at_time(self.t);
+            if there.size(true) >= before && residuals.are_near(true, &gradients, &state, inner) {
+                // No better place in this arithmetic.
                 return Ok(q);
             }
             (q, residuals) = (moved, there);
         }
-        if residuals.positions_are_near() {
-            Ok(q)
-        } else {
-            Err(EquilibriumError::Constraints(residuals.cause()))
-        }
+        Err(EquilibriumError::Constraints(residuals.cause()))
     }
 
     /// Forces and stiffness at coordinates on the constraints.
@@ -337,9 +337,11 @@ where
     }
 
     /// Refuses constraints that do not let the system rest.
-    fn resting(&self, q: &[S::Scalar; N]) -> Result<(), EquilibriumError> {
-        let residuals = self.system.deviations_at(self.t, q, &[S::Scalar::from_f64(0.0); N]);
-        if residuals.are_near() {
+    fn resting(&self, rest: &Rest<S::Scalar, N, K, C>) -> Result<(), EquilibriumError> {
+        let state = State::at_rest(rest.q).at_time(self.t);
+        let residuals = self.system.deviations_at(state.t, &state.q, &state.v);
+        let inner = S::Scalar::from_f64(INNER) * S::Scalar::epsilon();
+        if residuals.are_near(false, &rest.variation.gradients, &state, inner) {
             return Ok(());
         }
         match residuals.cause() {

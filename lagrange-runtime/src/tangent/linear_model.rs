@@ -111,12 +111,11 @@ impl<R: Real, const N: usize> Basis<R, N> {
         for k in 0..count {
             // Twice is enough, as in the Gram–Schmidt of the multipliers.
             for _ in 0..2 {
-                for l in 0..k {
-                    let along = product(&columns[k], mass, &columns[l]);
-                    columns[k] = columns[k] - columns[l] * along;
+                let mut vector = columns[k];
+                for before in columns.iter().take(k) {
+                    vector -= before * product(&vector, mass, before);
                 }
-                let norm = product(&columns[k], mass, &columns[k]).sqrt().recip();
-                columns[k] *= norm;
+                columns[k] = vector * product(&vector, mass, &vector).sqrt().recip();
             }
         }
         let vectors = SMatrix::from_fn(|i, k| columns[k][i]);

@@ -1,9 +1,9 @@
 //! The saddle-point system of a diagonal mass matrix, by its Schur complement.
 
-use crate::linear::Schur;
+use crate::linear::schur::{SMALL, Schur};
 use crate::real::Real;
 
-use super::vectors::{add_scaled, dot};
+use super::vectors::{add_product, dot, multiply, subtract_product, transposed};
 use super::{Defect, SaddlePoint};
 
 /// A saddle-point system with a diagonal M: particles in Cartesian coordinates.
@@ -13,7 +13,10 @@ use super::{Defect, SaddlePoint};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Diagonal<R, const N: usize, const C: usize> {
     inverse_masses: [R; N],
-    a: [[R; N]; C],
+    /// M⁻¹ Aᵀ.
+    drift: [[R; C]; N],
+    /// A M⁻¹; of small systems S⁻¹ A M⁻¹, what a component of the lack adds to v.
+    rows: [[R; N]; C],
     schur: Schur<R, C>,
 }
 
@@ -23,16 +26,21 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
     #[must_use]
     pub fn factor(inverse_masses: [R; N], a: &[[R; N]; C]) -> Self {
         let mut lower = [[R::zero(); C]; C];
-        for i in 0..C {
-            let mut row = a[i];
-            for j in 0..N {
-                row[j] *= inverse_masses[j];
-            }
-            for j in 0..=i {
-                lower[i][j] = dot(&row, &a[j]);
+        let mut rows = *a;
+        for c in 0..C {
+            multiply(&mut rows[c], &inverse_masses);
+            for d in 0..=c {
+                lower[c][d] = dot(&rows[c], &a[d]);
             }
         }
-        Self { inverse_masses, a: *a, schur: Schur::factor(lower) }
+        let mut drift = [[R::zero(); C]; N];
+        if C <= SMALL {
+            drift = transposed(&rows);
+        } else {
+            rows = *a;
+        }
+        let schur = Schur::factor_with(&lower, &mut rows);
+        Self { inverse_masses, drift, rows, schur }
     }
 }
 
@@ -40,22 +48,19 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
     #[inline]
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
         let mut free = *r;
-        for i in 0..N {
-            free[i] *= self.inverse_masses[i];
+        multiply(&mut free, &self.inverse_masses);
+        if C <= SMALL {
+            let lack = subtract_product(y, &self.drift, r);
+            return (add_product(&free, &self.rows, &lack), self.schur.solve(lack));
         }
         let mut lack = *y;
-        for c in 0..C {
-            lack[c] -= dot(&self.a[c], &free);
+        for (lack, row) in lack.iter_mut().zip(&self.rows) {
+            *lack -= dot(row, &free);
         }
         let kappa = self.schur.solve(lack);
-        let mut force = *r;
-        for c in 0..C {
-            add_scaled(&mut force, &self.a[c], kappa[c]);
-        }
-        for i in 0..N {
-            force[i] *= self.inverse_masses[i];
-        }
-        (force, kappa)
+        let mut v = add_product(r, &self.rows, &kappa);
+        multiply(&mut v, &self.inverse_masses);
+        (v, kappa)
     }
 
     #[inline]

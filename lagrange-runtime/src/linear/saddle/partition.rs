@@ -9,7 +9,7 @@ use crate::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;
-use super::vectors::{add_scaled, pick, put};
+use super::vectors::{add_scaled, pick, put, scale, smallest};
 
 /// A pivot below this part of its row is left to the careful way.
 ///
@@ -34,15 +34,14 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     let mut places: [usize; N] = core::array::from_fn(|i| i);
     for k in 0..C {
         parts[k][k] = scaled.factors[k];
-        let (lead, pivot) = largest(&rows[k]);
+        let lead = largest(&rows[k]);
+        let pivot = pick(&rows[k], lead);
         if !(pivot.abs() - R::from_f64(LEAST)).is_positive() {
             return false;
         }
         let inverse = pivot.recip();
-        for x in &mut rows[k] {
-            *x *= inverse;
-        }
-        for x in parts[k].iter_mut().take(k + 1) {
+        scale(&mut rows[k], inverse);
+        for x in parts[k].iter_mut() {
             *x *= inverse;
         }
         // The column of a lead becomes 0 up to rounding, and is not read again.
@@ -51,7 +50,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
             if c != k {
                 let l = -pick(&rows[c], lead);
                 add_scaled(&mut rows[c], &row, l);
-                for j in 0..=k {
+                for j in 0..C {
                     parts[c][j] = R::mul_add(part[j], l, parts[c][j]);
                 }
             }
@@ -79,19 +78,18 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
 
 /// The entry whose smallest lane is largest, and where it is: by halves, so that few comparisons wait for others.
 #[inline(always)]
-fn largest<R: Real, const N: usize>(row: &[R; N]) -> (usize, R) {
+fn largest<R: Real, const N: usize>(row: &[R; N]) -> usize {
     let mut places: [usize; N] = core::array::from_fn(|i| i);
-    let mut entries = *row;
-    let mut sizes = row.map(|x| -(-x.abs()).largest());
+    let mut sizes = row.map(|x| smallest(x.abs()));
     let mut length = N;
     while length > 1 {
         let half = length.div_ceil(2);
         for i in 0..length - half {
             if sizes[i + half] > sizes[i] {
-                (places[i], entries[i], sizes[i]) = (places[i + half], entries[i + half], sizes[i + half]);
+                (places[i], sizes[i]) = (places[i + half], sizes[i + half]);
             }
         }
         length = half;
     }
-    (places.first().copied().unwrap_or(0), entries.first().copied().unwrap_or(R::zero()))
+    places.first().copied().unwrap_or(0)
 }
