@@ -13,6 +13,7 @@
 //! | [`constraints`] | multipliers, starts on the constraints, projection back onto them |
 //! | [`proved`] | what the macro proved of a system and a method may demand |
 //! | [`linearized`] | derivatives of the equations, for implicit methods and for control |
+//! | [`tangent`] | the same with constraints, and what follows: equilibria, linear models, modes |
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
 //! | [`structure`] | operation counts and proven facts of a model |
@@ -56,6 +57,7 @@ pub mod stepper;
 pub mod structure;
 pub mod system;
 mod tables;
+pub mod tangent;
 
 pub use algebra::PrincipalMoments;
 pub use batch::Batch;
@@ -77,6 +79,12 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
 pub use system::System;
+#[cfg(feature = "std")]
+pub use tangent::Mode;
+pub use tangent::{
+    Basis, Equilibrium, EquilibriumError, Imbalance, InverseDynamics, LinearModel, Response, Tangent,
+    Variation,
+};
 #[cfg(feature = "wide")]
 pub use wide;
 
@@ -101,6 +109,7 @@ pub mod __private {
     pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
     pub use crate::tables::Tables;
+    pub use crate::tangent::{self, Imbalance, Place, Tangent, Variation};
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
         pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur};

@@ -3,6 +3,7 @@
 // Descriptions index as their formulas do.
 #![allow(clippy::needless_range_loop)]
 
+mod analysis;
 mod cases;
 mod conservation;
 mod constraints;

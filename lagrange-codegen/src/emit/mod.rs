@@ -85,7 +85,8 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let linearization = linearization::linearization(&mut emission);
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
-    let linearization = linearization.map(|text| parameters.parse(&text));
+    let linearization =
+        linearization.map(|items| (parameters.parse(&items.linearized), parameters.parse(&items.tangent)));
 
     let Item { self_ty, generics, crate_path, cleaned, .. } = emission.item;
     let smooth = smooth.map(|text| parameters.parse(&text));
@@ -113,12 +114,19 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let reactions = surface
         .is_some()
         .then(|| constraints::record(emission.item, &constraints::held(&emission.model.constraints)));
-    let linearization = linearization.map(|items| {
+    let linearization = linearization.map(|(linearized, tangent)| {
+        let held = emission.equations.conditions.count();
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, unused_variables)]
             impl #impl_generics lagrange::Linearized<#count, #inputs> for #self_ty #where_clause {
-                #items
+                #linearized
+            }
+
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Tangent<#count, #inputs, #held> for #self_ty #where_clause {
+                #tangent
             }
         }
     });

@@ -10,12 +10,15 @@ use crate::schedule::{Instruction, Program, Slot};
 const LONGEST: usize = 26;
 
 /// Names that generated bodies use for something else.
-const RESERVED: [&str; 27] = [
+const RESERVED: [&str; 30] = [
     "state",
     "inputs",
     "constants",
     "accelerations",
     "matrices",
+    "place",
+    "multipliers",
+    "linearization",
     "mass",
     "row",
     "factor",

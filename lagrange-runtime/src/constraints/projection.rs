@@ -13,7 +13,7 @@ const ROUNDINGS: f64 = 4.0;
 const CORRECTIONS: usize = 16;
 
 /// Roundings of inner operations are below so many of the whole.
-const INNER: f64 = 4096.0;
+pub(crate) const INNER: f64 = 4096.0;
 
 /// With a contraction worse than this the factors are made anew.
 const CONTRACTION: f64 = 0.1;
@@ -90,8 +90,9 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         self.level_is_roundings(true) && self.level_is_roundings(false)
     }
 
+    /// Whether nothing is left of f = 0 but roundings.
     #[inline(always)]
-    fn positions_are_roundings(&self) -> bool {
+    pub(crate) fn positions_are_roundings(&self) -> bool {
         within(&self.positions, &self.position_sizes, ROUNDINGS)
     }
 
@@ -107,7 +108,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
 
     /// Whether the residuals are below a part of their summands, or of what the largest of the coordinates or velocities
     /// contributes: a constraint such as z = 0 has no size of its own.
-    pub(super) fn are_near<const N: usize>(
+    pub(crate) fn are_near<const N: usize>(
         &self,
         of_positions: bool,
         gradients: &[[R; N]; C],
@@ -125,7 +126,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
     }
 
     /// The largest residual relative to its summands.
-    pub(super) fn size(&self, of_positions: bool) -> R::Lane {
+    pub(crate) fn size(&self, of_positions: bool) -> R::Lane {
         let (values, sizes) = self.pick(of_positions);
         worst::<R, C>(|c| relative(values[c], sizes[c])).1
     }
@@ -136,7 +137,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
 
     /// The constraint that the state is furthest from, of positions before those of velocities.
     #[cold]
-    pub(super) fn cause<const N: usize>(&self, gradients: &[[R; N]; C]) -> Cause {
+    pub(crate) fn cause<const N: usize>(&self, gradients: &[[R; N]; C]) -> Cause {
         let of_positions = !self.positions_are_roundings();
         let (values, _) = self.pick(of_positions);
         let (constraint, _) = worst::<R, C>(|c| {

@@ -28,9 +28,11 @@ mod range;
 mod reduced;
 pub(super) mod redundant;
 mod scaled;
+mod tangent_space;
 pub(super) mod vectors;
 
 pub use diagonal::Diagonal;
+pub(crate) use tangent_space::TangentSpace;
 
 use partition::partition;
 use range::Range;
