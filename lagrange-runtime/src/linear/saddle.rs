@@ -159,25 +159,26 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     /// The blocks of the inverse from the null space and a right inverse of A.
     #[inline(always)]
     fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, rank: usize) -> Self {
-        // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
+        let Split { null, inverse } = split;
+        let Reduced { mass, inertia, solution, .. } = reduced;
         let mut drift = [[R::zero(); C]; N];
-        for (drift, inertia) in drift.iter_mut().zip(&reduced.inertia).skip(rank) {
-            *drift = add_product(drift, &split.inverse, inertia);
+        for k in rank..N {
+            drift[k] = add_product(&drift[k], inverse, &inertia[k]);
         }
-        let Reduced { solution, mass, .. } = reduced;
         let mut compliance = [[R::zero(); N]; N];
         for (i, to) in compliance.iter_mut().enumerate() {
             let mut row = [R::zero(); N];
-            for (vector, solution) in split.null.iter().zip(solution).skip(rank) {
-                add_scaled(&mut row, vector, solution[i]);
+            for k in rank..N {
+                add_scaled(&mut row, &null[k], solution[k][i]);
             }
             *to = row;
         }
-        let mut reaction = split.inverse;
+        // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
+        let mut reaction = *inverse;
         for (i, to) in reaction.iter_mut().enumerate() {
             let mut row = *to;
-            for (drift, solution) in drift.iter().zip(solution).skip(rank) {
-                add_scaled(&mut row, drift, -solution[i]);
+            for k in rank..N {
+                add_scaled(&mut row, &drift[k], -solution[k][i]);
             }
             *to = row;
         }
