@@ -247,8 +247,10 @@ impl<R: Real, const C: usize> Schur<R, C> {
         }
         if this.rank < C {
             this.shorten(&s, &kept);
-            // A row that is not a number is not a pivot, but it does not depend on others either.
+            // A row that is not a number is not a pivot, but it does not depend on others either. Nor does one whose
+            // square is negative, which no positive masses can make.
             poison(this.factor.as_flattened_mut(), s.as_flattened());
+            poison(this.factor.as_flattened_mut(), &core::array::from_fn::<_, C, _>(|i| lower[i][i].sqrt()));
         }
         this
     }
@@ -390,6 +392,7 @@ mod tests {
 
     #[test]
     fn what_is_not_a_number_stays_so() {
+        assert!(!Schur::factor([[1.0, 0.0], [0.0, -1.0]]).is_finite());
         for s in
             [[[f64::NAN, 0.0], [0.0, 1.0]], [[1.0, 0.0], [0.0, f64::NAN]], [[1.0, 0.0], [f64::INFINITY, 1.0]]]
         {

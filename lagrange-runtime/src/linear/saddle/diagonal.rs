@@ -21,7 +21,10 @@ pub struct Diagonal<R, const N: usize, const C: usize> {
 }
 
 impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
-    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves.
+    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves; a negative one gives NaN where it
+    /// makes a row of A negative.
+    ///
+    /// A row that reaches only coordinates that nothing moves counts as [vanishing](SaddlePoint::vanishing).
     #[inline]
     #[must_use]
     pub fn factor(inverse_masses: [R; N], a: &[[R; N]; C]) -> Self {
