@@ -75,6 +75,10 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
 
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
+
+    /// Units of the coordinates in which none is larger than another: 1/√M\[i]\[i], or what A makes of them where that
+    /// does not exist; zero for a coordinate that nothing moves.
+    fn units(&self) -> [R; N];
 }
 
 /// The inverse of a saddle-point system with any symmetric M.
@@ -93,6 +97,7 @@ pub struct Saddle<R, const N: usize, const C: usize> {
     /// What a component of y adds to κ: T, likewise.
     stiffness: [[R; C]; C],
     dropped: [bool; C],
+    units: [R; N],
     rank: usize,
     vanishing: Option<usize>,
     defect: Option<Defect>,
@@ -123,10 +128,11 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         let mut split = Split { null: [[R::zero(); N]; N], inverse: [[R::zero(); C]; N] };
         // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts from the
         // arguments again, so that nothing else need be in memory.
-        if partition(&Scaled::new(mass, a), &mut split) {
+        let scaled = Scaled::new(mass, a);
+        if partition(&scaled, &mut split) {
             let mut reduced = Reduced::new(&full, &split.null, C);
             if reduced.factor::<DEFINITE>(C).is_ok() {
-                return Self::assemble(&split, &reduced, C);
+                return Self::assemble(&split, &reduced, scaled.units, C);
             }
         }
         Self::carefully::<DEFINITE>(mass, a)
@@ -146,7 +152,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             let singular = scaled.defect(&reduced.motion::<DEFINITE>(range.rank, direction));
             return Self::failed(if finite { singular } else { Defect::NotFinite });
         }
-        let mut this = Self::assemble(&split, &reduced, range.rank);
+        let mut this = Self::assemble(&split, &reduced, scaled.units, range.rank);
         this.vanishing = range.vanishing;
         if range.rank < C {
             for &row in range.order.iter().skip(range.rank) {
@@ -163,7 +169,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
 
     /// The blocks of the inverse from the null space and a right inverse of A.
     #[inline(always)]
-    fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, rank: usize) -> Self {
+    fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, units: [R; N], rank: usize) -> Self {
         let Split { null, inverse } = split;
         let Reduced { mass, inertia, solution, .. } = reduced;
         let mut drift = [[R::zero(); C]; N];
@@ -201,6 +207,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             reaction,
             stiffness,
             dropped: [false; C],
+            units,
             rank,
             vanishing: None,
             defect: None,
@@ -226,6 +233,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             reaction: [[nan; C]; N],
             stiffness: [[nan; C]; C],
             dropped: [false; C],
+            units: [nan; N],
             rank: 0,
             vanishing: None,
             defect: Some(defect),
@@ -287,6 +295,11 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R,
     #[inline]
     fn vanishing(&self) -> Option<usize> {
         self.vanishing
+    }
+
+    #[inline]
+    fn units(&self) -> [R; N] {
+        self.units
     }
 }
 

@@ -71,4 +71,9 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
     fn vanishing(&self) -> Option<usize> {
         self.schur.vanishing()
     }
+
+    #[inline]
+    fn units(&self) -> [R; N] {
+        self.inverse_masses.map(R::sqrt)
+    }
 }
