@@ -12,6 +12,8 @@ from collections.abc import Callable
 import heyoka as hy
 from heyoka import expression as Expression
 
+import reduced
+
 G = 9.81
 
 
@@ -141,10 +143,13 @@ SYSTEMS: dict[str, tuple[int, Callable[[list[Expression], list[Expression]], lis
     "nlink10": (10, chain),
     "nlink20": (20, chain),
 }
+NAMES = SYSTEMS.keys() | reduced.SYSTEMS.keys()
 
 
 def derive(name: str) -> list[tuple[Expression, Expression]]:
     """The first-order system."""
+    if name in reduced.SYSTEMS:
+        return reduced.derive(name)
     count, accelerations = SYSTEMS[name]
     q = [hy.make_vars(f"q{i}") for i in range(count)]
     v = [hy.make_vars(f"v{i}") for i in range(count)]

@@ -6,9 +6,9 @@ use std::error::Error;
 use serde::Deserialize;
 
 /// The systems in the order of all reports.
-pub const NAMES: [&str; 12] = [
+pub const NAMES: [&str; 16] = [
     "dpend", "spring", "hh", "kepler", "pleiades", "top", "sph", "cart", "nlink3", "nlink5", "nlink10",
-    "nlink20",
+    "nlink20", "pendc", "slider", "andrews", "caraxis",
 ];
 
 /// Where a motion starts and where it has to arrive; states are (q, v).

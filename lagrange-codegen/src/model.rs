@@ -37,6 +37,9 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Constraints, arrays flattened, in the order of declaration.
     pub constraints: Vec<Constraint>,
+    /// Particles and bodies in the order of declaration, as places where constraint forces act; empty without holonomic
+    /// constraints.
+    pub places: Vec<Place>,
     /// Constraints that are to be solved for a coordinate, in the order of declaration.
     pub eliminations: Vec<Elimination>,
     /// Coordinates that constraints have eliminated, in declaration order.
@@ -266,6 +269,8 @@ pub struct Constraint {
     pub index: Option<usize>,
     /// f(q, t) or g(q, v, t), which is to stay zero.
     pub value: NodeId,
+    /// f of a holonomic constraint as a function of the places that it is written through.
+    pub through: Option<NodeId>,
     /// What it is a function of.
     pub kind: ConstraintKind,
     /// The function's name in the source.
@@ -294,6 +299,21 @@ impl Constraint {
     pub fn label(&self) -> String {
         label(&self.name, self.index)
     }
+}
+
+/// A particle or a body as a place where forces act.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// The user's function.
+    pub name: String,
+    /// The index within an array.
+    pub index: Option<usize>,
+    /// Its position, or that of its centre of mass.
+    pub position: Vec<NodeId>,
+    /// The variables that stand for the components of the position in [`Constraint::through`].
+    pub variables: Vec<NodeId>,
+    /// The function's name in the source.
+    pub origin: Origin,
 }
 
 /// A holonomic constraint that gives a coordinate as a function of time.

@@ -60,7 +60,7 @@ mod tables;
 pub use algebra::PrincipalMoments;
 pub use batch::Batch;
 pub use constraints::{Constrained, Reactions};
-pub use error::{Cause, MotionError};
+pub use error::{Cause, Magnitude, MotionError};
 pub use integrator::{
     Adaptive, BlanesMoan, BlanesMoan4, BlanesMoan6, Dop853, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Jet,
     Jets, Leapfrog, Rk4, Yoshida, Yoshida4, Yoshida6, Yoshida8,

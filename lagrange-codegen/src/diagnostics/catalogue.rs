@@ -257,5 +257,8 @@ messages! {
         position or a pose";
     eliminated_count(name, constraints, coordinates) = "`{name}` is {constraints} and cannot eliminate \
         {coordinates}; name one coordinate for each, or write functions of their own";
+    idle_baumgarte() = "there is no constraint to stabilise; remove `baumgarte`, or say `allow(no_effect)`";
+    bad_baumgarte() = "the rate of Baumgarte's stabilisation must be positive; write how fast an error shall decay \
+        [1/s]";
     index_into_single(name) = "`{name}` is no array; remove the index";
 }

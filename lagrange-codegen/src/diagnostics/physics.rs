@@ -53,7 +53,8 @@ pub fn no_inertia(coordinate: &str, linear: bool) -> String {
     };
     format!(
         "the coordinate `{coordinate}` has no inertia: {reason}, so its acceleration is not determined; \
-         give it a mass (`#[point(mass = …)]`, `#[body(…)]`, `#[kinetic]`) or remove the coordinate"
+         give it a mass (`#[point(mass = …)]`, `#[body(…)]`, `#[kinetic]`) or a constraint that ties it to the others, or \
+         remove the coordinate"
     )
 }
 
@@ -101,6 +102,69 @@ pub fn eliminated_twice(coordinate: &str) -> String {
 pub fn all_eliminated() -> &'static str {
     "all coordinates are eliminated, so that nothing is left to move: the motion is known beforehand; keep at least \
      one coordinate free"
+}
+
+/// A constraint without a gradient.
+pub fn restrains_nothing(constraint: &str, eliminated: bool) -> String {
+    let left = left(eliminated);
+    format!(
+        "`{constraint}` restrains nothing: its value changes with no coordinate and no velocity{left}; mend or \
+         remove it"
+    )
+}
+
+/// A nonholonomic constraint that depends on coordinates alone.
+pub fn without_velocity(constraint: &str) -> String {
+    format!("`{constraint}` depends on no velocity, so it is holonomic; write `#[holonomic]`")
+}
+
+/// A nonholonomic constraint that is not affine in the velocities.
+pub fn not_affine_in_velocities(constraint: &str) -> String {
+    format!(
+        "the constraint `{constraint}` is not affine in the velocities here; if that is meant, write \
+         `#[nonholonomic(chetaev)]`, which takes its forces along ∂g/∂v"
+    )
+}
+
+/// A constraint whose gradient vanishes, or has no value, on the constraint itself.
+pub fn vanishing_gradient(constraint: &str, advice: &str) -> String {
+    format!(
+        "wherever `{constraint}` is zero its gradient is zero too, or has no value, so no force can hold the system \
+         there; {advice}"
+    )
+}
+
+/// An affine constraint on velocities that follows from one on coordinates.
+pub fn integrable(constraint: &str) -> String {
+    format!(
+        "`{constraint}` is the time derivative of a function of coordinates and time; write that function as a \
+         `#[holonomic]` constraint, which keeps the coordinates from drifting as well, or say `allow(integrable)` in the \
+         attribute"
+    )
+}
+
+/// A constraint whose gradient is parallel to that of an earlier one.
+pub fn repetition(constraint: &str, other: &str) -> String {
+    format!(
+        "`{constraint}` restrains the same motion as `{other}`, so that their reactions are not determined; remove one \
+         of the two, or say `allow(redundant)` in the attribute"
+    )
+}
+
+/// Constraints that cannot hold at once.
+pub fn contradiction(constraint: &str, other: &str) -> String {
+    format!(
+        "`{constraint}` contradicts `{other}`: it is a multiple of it plus a constant, so that the two are never zero at \
+         once; mend or remove one of the two"
+    )
+}
+
+/// More constraints than coordinates that they contain.
+pub fn overdetermined(constraint: &str) -> String {
+    format!(
+        "`{constraint}` is one constraint too many: those before it determine all coordinates that it contains; remove \
+         one of them, or say `allow(redundant)` in the attribute"
+    )
 }
 
 /// An input that no equation contains.

@@ -47,6 +47,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         dissipation,
         forces,
         constraints,
+        places,
         eliminations: _,
         eliminated: _,
         baumgarte: _,
@@ -85,6 +86,10 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
     }
     for constraint in constraints {
         each(&mut constraint.value);
+        constraint.through.iter_mut().for_each(&mut *each);
+    }
+    for place in places {
+        place.position.iter_mut().for_each(&mut *each);
     }
 }
 

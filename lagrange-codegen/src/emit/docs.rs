@@ -67,6 +67,7 @@ fn name(model: &Model, variable: Variable) -> String {
             indexed(&quantity.name, quantity.index, "")
         }
         Variable::Auxiliary(i) => model.locals.auxiliaries[i as usize].clone(),
+        Variable::Position(i) => format!("r[{i}]"),
         Variable::Multiplier(i) => model.locals.multipliers[i as usize].clone(),
         Variable::Parameter(i) => {
             let path = &model.parameters[i as usize].path;

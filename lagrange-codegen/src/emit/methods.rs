@@ -56,14 +56,13 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> String {
             text.push_str(&scalar(emission, name, doc, symbol, node));
         }
     }
-    text.push_str(&eliminated::completions(emission));
     if whole.is_none() {
         let scalar = &emission.item.scalar;
         let signature = format!("energy(&self, state: &{}) -> {scalar}", emission.state_type());
         let body = "self.kinetic_energy(state) + self.potential_energy(state)";
         text.push_str(&method("Energy T + V \\[J\\].", &signature, body));
     }
-    text
+    text + &eliminated::completions(emission)
 }
 
 /// The parameters after `&self`, with the inputs where the nodes need them.

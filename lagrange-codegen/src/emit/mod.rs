@@ -29,7 +29,7 @@ use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
 
-pub(crate) use constraints::METHODS as CONSTRAINT_METHODS;
+pub(crate) use constraints::{METHODS as CONSTRAINT_METHODS, is_force_on_place};
 pub(crate) use eliminated::METHODS as COMPLETIONS;
 pub(crate) use methods::METHODS;
 pub(crate) use stubs::stubs;

@@ -134,6 +134,7 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
         Variable::Input(i) => model.locals.inputs[i as usize].clone(),
         Variable::Parameter(i) => model.locals.parameters[i as usize].clone(),
         Variable::Auxiliary(i) => model.locals.auxiliaries[i as usize].clone(),
+        Variable::Position(i) => format!("r{i}"),
         Variable::Multiplier(i) => model.locals.multipliers[i as usize].clone(),
     }
 }

@@ -52,6 +52,8 @@ pub enum Variable {
     Auxiliary(u32),
     /// A Lagrange multiplier of a constraint.
     Multiplier(u32),
+    /// A component of the position of a particle or body, where a constraint is a function of that.
+    Position(u32),
 }
 
 /// One operation.
@@ -242,7 +244,9 @@ impl Graph {
         }
         let dependence = match &node {
             Node::Constant(_) => Dependence::NONE,
-            Node::Variable(Variable::Coordinate(_) | Variable::Auxiliary(_)) => Dependence::COORDINATES,
+            Node::Variable(Variable::Coordinate(_) | Variable::Auxiliary(_) | Variable::Position(_)) => {
+                Dependence::COORDINATES
+            }
             Node::Variable(Variable::Velocity(_)) => Dependence::VELOCITIES,
             Node::Variable(Variable::Acceleration(_)) => Dependence::ACCELERATIONS,
             Node::Variable(Variable::Multiplier(_)) => Dependence::MULTIPLIERS,

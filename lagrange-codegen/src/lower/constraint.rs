@@ -2,12 +2,12 @@
 
 use super::advice::counted;
 use super::interpreter::Interpreter;
+use super::places::nodes;
 use super::shape::Shape;
-use super::value::Value;
 use crate::diagnostics::catalogue;
-use crate::expr::NodeId;
 use crate::model::{Constraint, ConstraintKind, Elimination};
-use crate::syntax::item::{Eliminate, Function};
+use crate::syntax::body::Expr;
+use crate::syntax::item::{Eliminate, Function, RoleKind};
 
 impl<'a> Interpreter<'a> {
     /// Lowers one constraint function.
@@ -30,10 +30,7 @@ impl<'a> Interpreter<'a> {
             },
         };
         let Some(value) = self.result(index) else { return };
-        let values: Vec<NodeId> = match &value {
-            Value::Array(elements) => elements.iter().flat_map(|element| element.nodes().to_vec()).collect(),
-            single => single.nodes().to_vec(),
-        };
+        let values = nodes(&value);
         if self.looks_into_self(&values) {
             return;
         }
@@ -42,6 +39,7 @@ impl<'a> Interpreter<'a> {
                 name: function.name.to_string(),
                 index: count.map(|_| number),
                 value,
+                through: None,
                 kind,
                 origin: function.origin,
             };
@@ -75,5 +73,21 @@ impl<'a> Interpreter<'a> {
         let (have, want) = (counted(constraints, "constraint"), counted(coordinates.len(), "coordinate"));
         self.report(word.origin, catalogue::eliminated_count(&function.name, have, want));
         None
+    }
+
+    /// Lowers the rate of Baumgarte's stabilisation.
+    pub fn baumgarte(&mut self, rate: &'a Expr) {
+        let value = self.attribute(rate);
+        let Some(node) = self.scalar(value, rate.origin) else { return };
+        let constrains = |function: &Function| {
+            let kind = function.role.as_ref().map(|role| &role.kind);
+            matches!(kind, Some(RoleKind::Holonomic { eliminate: None } | RoleKind::Nonholonomic { .. }))
+        };
+        if !self.item.functions.iter().any(constrains) && !self.item.allows("no_effect") {
+            self.report(rate.origin, catalogue::idle_baumgarte());
+        } else if self.graph().as_constant(node).is_some_and(|rate| rate.is_negative() || rate.is_zero()) {
+            self.report(rate.origin, catalogue::bad_baumgarte());
+        }
+        self.model.baumgarte = Some(node);
     }
 }

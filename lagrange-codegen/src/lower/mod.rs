@@ -20,6 +20,7 @@ mod operator;
 mod parameter;
 mod path;
 mod pattern;
+mod places;
 mod roles;
 mod rotation;
 mod scalar;

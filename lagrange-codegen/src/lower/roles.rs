@@ -50,14 +50,23 @@ impl<'a> Interpreter<'a> {
                 self.force(index, target);
             }
         }
+        self.places();
         if let Some(rate) = &item.baumgarte {
-            let value = self.attribute(rate);
-            self.model.baumgarte = self.scalar(value, rate.origin);
+            self.baumgarte(rate);
         }
     }
 
     /// The result of a role function; `None` if its signature is wrong, which is reported.
     pub fn result(&mut self, index: usize) -> Option<Value> {
+        let function: &'a Function = &self.item.functions[index];
+        let arguments = self.role_arguments(index)?;
+        let value = self.call(index, arguments, function.origin);
+        self.hint(&value, &function.name);
+        (!value.is_unknown()).then_some(value)
+    }
+
+    /// What a role function is called with.
+    pub fn role_arguments(&mut self, index: usize) -> Option<Vec<Value>> {
         let function: &'a Function = &self.item.functions[index];
         let mut arguments = Vec::with_capacity(function.parameters.len());
         for parameter in &function.parameters {
@@ -68,9 +77,7 @@ impl<'a> Interpreter<'a> {
                 Argument::Time => Value::Scalar(self.graph().variable(crate::expr::Variable::Time)),
             });
         }
-        let value = self.call(index, arguments, function.origin);
-        self.hint(&value, &function.name);
-        (!value.is_unknown()).then_some(value)
+        Some(arguments)
     }
 
     /// The declared return shape.
@@ -198,7 +205,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The value of an attribute argument, in which only `self` is in sight.
-    fn attribute(&mut self, expr: &'a Expr) -> Value {
+    pub fn attribute(&mut self, expr: &'a Expr) -> Value {
         let mark = self.scope.enter();
         self.in_attribute = true;
         let value = self.expression(expr);

@@ -10,6 +10,7 @@
 //! Nonholonomic Systems*, chapter III).
 
 use super::motion::{Motion, time_direction};
+use super::places;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
 use crate::expr::{Graph, Node, NodeId, Unary, Variable};
 use crate::model::{Constraint, ConstraintKind, Model};
@@ -34,6 +35,8 @@ pub struct Conditions {
     pub reactions: Vec<NodeId>,
     /// −A v on the constraints: what a unit multiplier takes from the energy in a unit of time. ∂f/∂t of the holonomic ones.
     pub losses: Vec<NodeId>,
+    /// The Cartesian force of a unit multiplier on each of the model's places, by constraint, place and component.
+    pub on_places: Vec<Vec<Vec<NodeId>>>,
     /// dw/dt, where stabilised by Baumgarte's method; elsewhere it is zero.
     pub relaxation: Option<Vec<NodeId>>,
 }
@@ -77,12 +80,15 @@ impl Conditions {
                 }
             })
             .collect();
+        let on_places = places::forces(graph, &constraints, &model.places, &jacobian, motion);
         let positions: Vec<NodeId> = constraints
             .iter()
             .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })
             .collect();
-        let mut sizes = |values: &[NodeId]| values.iter().map(|&value| size(graph, value)).collect();
-        let (position_sizes, rate_sizes) = (sizes(&positions), sizes(&rates));
+        let mut sizes = |values: &[NodeId], of: &[NodeId]| -> Vec<NodeId> {
+            values.iter().zip(&jacobian).map(|(&value, row)| size_of(graph, value, row, of)).collect()
+        };
+        let (position_sizes, rate_sizes) = (sizes(&positions, &motion.q), sizes(&rates, &motion.v));
         let relaxation = baumgarte.map(|rate| {
             let square = graph.powi(rate, 2);
             let terms = constraints.iter().zip(&positions).zip(&rates);
@@ -109,6 +115,7 @@ impl Conditions {
             gamma,
             reactions,
             losses,
+            on_places,
             relaxation,
         }
     }
@@ -167,6 +174,26 @@ fn reactions(
     let through_q = pullback(graph, &seeds(true), &motion.q);
     let through_v = pullback(graph, &seeds(false), &motion.v);
     through_q.into_iter().zip(through_v).map(|(q, v)| graph.add(q, v)).collect()
+}
+
+/// What rounding errors of a constraint are relative to. One without summands, such as z = 0, has no size of its own and takes
+/// that of the state.
+fn size_of(graph: &mut Graph, value: NodeId, gradient: &[NodeId], state: &[NodeId]) -> NodeId {
+    let own = size(graph, value);
+    let is_sum =
+        |factor: NodeId| graph.scaled(factor).1 == factor && matches!(graph.node(factor), Node::Sum { .. });
+    let factors = graph.factors(graph.scaled(value).1);
+    let has_summands = factors.into_iter().any(|(factor, exponent)| exponent.0 > 0 && is_sum(factor));
+    if has_summands || graph.is_zero(value) {
+        return own;
+    }
+    let mut sum = |nodes: &[NodeId]| {
+        let terms: Vec<_> = nodes.iter().map(|&node| (graph.unary(Unary::Abs, node), Number::ONE)).collect();
+        graph.sum(Number::ZERO, &terms)
+    };
+    let (slope, extent) = (sum(gradient), sum(state));
+    let carried = graph.mul(slope, extent);
+    graph.add(own, carried)
 }
 
 /// The sum of the absolute values of the summands, also of sums within products.

@@ -12,6 +12,7 @@ mod equations;
 mod forces;
 mod linearization;
 mod motion;
+mod places;
 mod validate;
 
 pub use constraints::Conditions;
@@ -96,9 +97,10 @@ pub fn derive(
     let motion = Motion::of(model);
     validate::contributions(model, allows, diagnostics);
     validate::constants(model, diagnostics);
+    let independent = validate::constraints(model, allows, diagnostics);
     let momenta = equations::momenta(model, &motion);
     let mass = equations::mass_matrix(model, &motion, &momenta);
-    validate::inertia(model, &mass, diagnostics);
+    validate::inertia(model, &mass, &independent, diagnostics);
     let inertial = equations::inertial(model, &motion, &momenta);
     let conservative = equations::conservative(model);
     let applied_loads = forces::loads(model, &motion);

@@ -13,7 +13,8 @@ fn sample(variable: Variable) -> f64 {
         | Variable::Input(_)
         | Variable::Acceleration(_)
         | Variable::Auxiliary(_)
-        | Variable::Multiplier(_) => 0.6,
+        | Variable::Multiplier(_)
+        | Variable::Position(_) => 0.6,
     }
 }
 

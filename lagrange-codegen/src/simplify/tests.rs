@@ -19,7 +19,8 @@ fn check(graph: &mut Graph, roots: &[NodeId]) -> (u32, u32) {
             | Variable::Input(_)
             | Variable::Acceleration(_)
             | Variable::Auxiliary(_)
-            | Variable::Multiplier(_) => 0.6,
+            | Variable::Multiplier(_)
+            | Variable::Position(_) => 0.6,
         };
         let (before, now) = (graph.evaluate(roots, value), graph.evaluate(&after, value));
         for (a, b) in before.into_iter().zip(now) {

@@ -67,8 +67,15 @@ impl Facts {
                 model.eliminated.iter().map(|eliminated| eliminated.quantity.written()).collect();
             found.push(format!("eliminated by constraints: {}", names.join(", ")));
         }
+        let constrained = !model.constraints.is_empty();
         if self.constant_mass {
-            found.push("the mass matrix is constant: factored once per run".to_owned());
+            let once = if constrained { "" } else { ": factored once per run" };
+            found.push(format!("the mass matrix is constant{once}"));
+        }
+        if constrained {
+            let names: Vec<String> =
+                model.constraints.iter().map(|constraint| constraint.written()).collect();
+            found.push(format!("constraints, each with a multiplier: {}", names.join(", ")));
         }
         if self.separable {
             found.push("separable: no force depends on velocities".to_owned());
@@ -106,8 +113,12 @@ impl Facts {
         skip(model.inputs.is_empty(), "inputs");
         skip(model.dissipation.is_empty(), "dissipation");
         skip(model.forces.is_empty(), "applied forces");
-        skip(self.diagonal_mass, "the solution of a linear system: the mass matrix is diagonal");
-        skip(model.constraints.is_empty(), "constraints and multipliers");
+        let unconstrained = model.constraints.is_empty();
+        skip(
+            self.diagonal_mass && unconstrained,
+            "the solution of a linear system: the mass matrix is diagonal",
+        );
+        skip(unconstrained, "constraints and multipliers");
         skipped
     }
 }

@@ -1,7 +1,7 @@
 //! Back onto the constraints after a step.
 
-use super::{Residuals, Surface, moved, to_f64, worst};
-use crate::error::Cause;
+use super::{Residuals, Surface, magnitude, moved, worst};
+use crate::error::{Cause, Magnitude};
 use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
@@ -11,6 +11,9 @@ const ROUNDINGS: f64 = 4.0;
 
 /// Corrections before a projection is given up.
 const CORRECTIONS: usize = 16;
+
+/// Roundings of inner operations are below so many of the whole.
+const INNER: f64 = 4096.0;
 
 /// With a contraction worse than this the factors are made anew.
 const CONTRACTION: f64 = 0.1;
@@ -45,19 +48,17 @@ where
     S: Surface<N, K, C>,
 {
     let none = [num_traits::Zero::zero(); N];
+    let inner = S::Scalar::from_f64(INNER) * S::Scalar::epsilon();
     let contraction = <S::Scalar as Real>::Lane::from_f64(CONTRACTION);
-    let (mut saddle, _) = system.saddle_at(state.t, &state.q, &state.v);
+    let (mut saddle, mut gradients) = system.saddle_at(state.t, &state.q, &state.v);
     let (mut next, mut residuals) = (*state, first);
     for _ in 0..CORRECTIONS {
         let of_positions = !residuals.positions_are_roundings();
         let before = residuals.size(of_positions);
-        if of_positions {
-            let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
-            next = moved(&next, &change, &none, num_traits::One::one());
-        } else {
-            let (change, _) = saddle.solve(&none, &residuals.rates.map(|w| -w));
-            next = moved(&next, &none, &change, num_traits::One::one());
-        }
+        let values = if of_positions { &residuals.positions } else { &residuals.rates };
+        let (change, _) = saddle.solve(&none, &values.map(|value| -value));
+        let (q, v) = if of_positions { (&change, &none) } else { (&none, &change) };
+        next = moved(&next, q, v, num_traits::One::one());
         if !next.is_finite() {
             break;
         }
@@ -66,16 +67,17 @@ where
             *state = next;
             return Ok(());
         }
-        if of_positions && !residuals.positions_are_roundings() || !of_positions {
-            let after = residuals.size(of_positions);
-            if after >= before && residuals.are_near() {
-                // No better state in this arithmetic.
-                *state = next;
-                return Ok(());
-            }
-            if after >= contraction * before {
-                saddle = system.saddle_at(next.t, &next.q, &next.v).0;
-            }
+        if of_positions && residuals.positions_are_roundings() {
+            continue;
+        }
+        let after = residuals.size(of_positions);
+        if after >= before && residuals.are_near(of_positions, &gradients, &next, inner) {
+            // No better state in this arithmetic.
+            *state = next;
+            return Ok(());
+        }
+        if after >= contraction * before {
+            (saddle, gradients) = system.saddle_at(next.t, &next.q, &next.v);
         }
     }
     Err(residuals.cause())
@@ -93,10 +95,23 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         within(&self.positions, &self.position_sizes, ROUNDINGS)
     }
 
-    /// Whether what is left may be roundings of inner operations.
-    fn are_near(&self) -> bool {
-        const INNER: f64 = 4096.0;
-        within(&self.positions, &self.position_sizes, INNER) && within(&self.rates, &self.rate_sizes, INNER)
+    /// Whether the residuals are below a part of their summands, or of what the largest of the coordinates or velocities
+    /// contributes: a constraint such as z = 0 has no size of its own.
+    pub(super) fn are_near<const N: usize>(
+        &self,
+        of_positions: bool,
+        gradients: &[[R; N]; C],
+        state: &State<R, N>,
+        part: R,
+    ) -> bool {
+        let (values, sizes) = self.pick(of_positions);
+        let of = if of_positions { &state.q } else { &state.v };
+        let largest = of.iter().fold(R::zero(), |largest, x| largest.max(x.abs()));
+        (0..C).all(|c| {
+            let slope = gradients[c].iter().fold(R::zero(), |sum, a| sum + a.abs());
+            let excess = values[c].abs() - part * (sizes[c] + slope * largest);
+            excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
+        })
     }
 
     /// The largest residual relative to its summands.
@@ -115,7 +130,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         let of_positions = !self.positions_are_roundings();
         let (values, sizes) = self.pick(of_positions);
         let (constraint, _) = worst::<R, C>(|c| relative(values[c], sizes[c]));
-        let by = values.get(constraint).map_or(0.0, |value| to_f64(value.abs().largest()));
+        let by = values.get(constraint).map_or(Magnitude(0.0), |value| magnitude(value.abs().largest()));
         if of_positions {
             Cause::PositionViolated { constraint, by }
         } else {

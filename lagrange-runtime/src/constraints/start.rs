@@ -1,7 +1,7 @@
 //! Where a motion may begin, and the nearest such state.
 
 use super::solution::regular;
-use super::{Residuals, Surface, moved, to_f64, worst};
+use super::{Residuals, Surface, magnitude, moved, worst};
 use crate::error::{Cause, MotionError};
 use crate::linear::SaddlePoint;
 use crate::real::Real;
@@ -13,6 +13,9 @@ const SHARE: f64 = 1.0 / 16.0;
 
 /// Newton steps before a projection is given up.
 const STEPS: usize = 60;
+
+/// A solution is off by at most so many roundings.
+const ROUNDINGS: f64 = 64.0;
 
 /// A step is halved at most so often.
 const HALVINGS: usize = 12;
@@ -34,28 +37,14 @@ where
         return Err(Cause::NotFinite);
     }
     let residuals = system.residuals_at(start.t, &start.q, &start.v);
-    let (saddle, _) = system.saddle_at(start.t, &start.q, &start.v);
+    let (saddle, gradients) = system.saddle_at(start.t, &start.q, &start.v);
     regular(&saddle)?;
     if residuals.are_roundings() {
         return Ok(());
     }
     let tolerance = number(SHARE) * S::Scalar::epsilon().sqrt();
-    let none = [num_traits::Zero::zero(); N];
-    let small = |values: &[S::Scalar; C], sizes: &[S::Scalar; C], of: &[S::Scalar; N]| {
-        let excess = |c: usize| (values[c].abs() - tolerance * sizes[c]).largest();
-        if (0..C).all(|c| excess(c) <= num_traits::Zero::zero()) {
-            return true;
-        }
-        // A constraint such as z = 0 has no size of its own: the state has.
-        let (change, _) = saddle.solve(&none, values);
-        let largest = |values: &[S::Scalar; N]| {
-            values.iter().fold(num_traits::Zero::zero(), |largest: S::Scalar, x| largest.max(x.abs()))
-        };
-        let excess = largest(&change) - tolerance * largest(of);
-        excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
-    };
-    let Residuals { positions, position_sizes, rates, rate_sizes } = &residuals;
-    if small(positions, position_sizes, &start.q) && small(rates, rate_sizes, &start.v) {
+    let near = |of_positions| residuals.are_near(of_positions, &gradients, start, tolerance);
+    if near(true) && near(false) {
         return Ok(());
     }
     Err(residuals.cause())
@@ -121,15 +110,16 @@ where
         }
     }
     let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
-    if on_surface(&residuals, &gradients, &state, of_positions) {
+    let part = S::Scalar::from_f64(ROUNDINGS) * S::Scalar::epsilon();
+    if residuals.are_near(of_positions, &gradients, &state, part) {
         return Ok(state);
     }
     let values = if of_positions { residuals.positions } else { residuals.rates };
     let (constraint, by) = worst::<S::Scalar, C>(|c| values[c].abs().largest());
     Err(match (saddle.rank() < C, of_positions) {
         (true, _) => Cause::Contradictory { constraint },
-        (false, true) => Cause::PositionViolated { constraint, by: to_f64(by) },
-        (false, false) => Cause::VelocityViolated { constraint, by: to_f64(by) },
+        (false, true) => Cause::PositionViolated { constraint, by: magnitude(by) },
+        (false, false) => Cause::VelocityViolated { constraint, by: magnitude(by) },
     })
 }
 
@@ -151,27 +141,4 @@ fn distance<R: Real, const N: usize, const C: usize>(
         }
     }
     sum.largest()
-}
-
-/// Whether what is left of the constraints are roundings, of their summands or of the state.
-fn on_surface<R: Real, const N: usize, const C: usize>(
-    residuals: &Residuals<R, C>,
-    gradients: &[[R; N]; C],
-    state: &State<R, N>,
-    of_positions: bool,
-) -> bool {
-    const ROUNDINGS: f64 = 64.0;
-    let (values, sizes, of) = if of_positions {
-        (&residuals.positions, &residuals.position_sizes, &state.q)
-    } else {
-        (&residuals.rates, &residuals.rate_sizes, &state.v)
-    };
-    let tolerance = R::from_f64(ROUNDINGS) * R::epsilon();
-    (0..C).all(|c| {
-        let mut size = sizes[c];
-        for i in 0..N {
-            size += (gradients[c][i] * of[i]).abs();
-        }
-        (values[c].abs() - tolerance * size).largest() <= num_traits::Zero::zero()
-    })
 }

@@ -23,16 +23,20 @@
 use crate::real::Real;
 
 mod diagonal;
+mod partition;
 mod range;
 mod reduced;
 pub(super) mod redundant;
+mod scaled;
 pub(super) mod vectors;
 
 pub use diagonal::Diagonal;
 
+use partition::partition;
 use range::Range;
 use reduced::Reduced;
-use vectors::{add_scaled, dot};
+use scaled::Scaled;
+use vectors::{add_scaled, put};
 
 /// Why a saddle-point system has no solution, or not one only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,7 +98,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     #[inline]
     #[must_use]
     pub fn factor(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
-        Self::with(mass, a, Reduced::definite)
+        Self::with::<true>(mass, a)
     }
 
     /// Factors the system of a symmetric matrix of any signature, by partial pivoting in the null space of `a`.
@@ -103,108 +107,100 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     #[inline]
     #[must_use]
     pub fn factor_indefinite(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
-        Self::with(mass, a, Reduced::indefinite)
+        Self::with::<false>(mass, a)
     }
 
     #[inline(always)]
-    fn with(
-        mass: &[[R; N]; N],
-        a: &[[R; N]; C],
-        reduce: impl Fn(&mut Reduced<R, N>, usize) -> Result<(), Defect>,
-    ) -> Self {
-        let mass = core::array::from_fn(|i| core::array::from_fn(|j| mass[i.max(j)][i.min(j)]));
-        let range = Range::factor(&mass, a);
-        if C <= N && range.rank == C {
-            // The rank as a constant: the loops that depend on it are unrolled.
-            return Self::assemble(&mass, &range, C, reduce);
+    fn with<const DEFINITE: bool>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
+        let full = symmetric(mass);
+        let mut split = Split { null: [[R::zero(); N]; N], inverse: [[R::zero(); C]; N] };
+        // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts from the
+        // arguments again, so that nothing else need be in memory.
+        if partition(&Scaled::new(&full, a), &mut split) {
+            let mut reduced = Reduced::new(&full, &split.null, C);
+            if reduced.factor::<DEFINITE>(C).is_ok() {
+                return Self::assemble(&split, &reduced, C);
+            }
         }
-        let deficient = Self::assemble(&mass, &range, range.rank, reduce);
-        if a.iter().flatten().all(|x| x.is_finite()) {
-            deficient.shortest(&range)
-        } else {
-            Self::failed(Defect::NotFinite)
-        }
+        Self::carefully::<DEFINITE>(mass, a)
     }
 
-    /// The blocks of the inverse from the independent rows; those of the dropped rows are zero.
-    #[inline(always)]
-    fn assemble(
-        mass: &[[R; N]; N],
-        range: &Range<R, N, C>,
-        rank: usize,
-        reduce: impl Fn(&mut Reduced<R, N>, usize) -> Result<(), Defect>,
-    ) -> Self {
-        let rank = rank.min(C).min(N);
-        let basis = range.basis(rank);
-        let inverse = range.right_inverse(&basis, rank);
-        let mut reduced = Reduced::new(mass, &basis, &range.scale, rank);
-        if let Err(defect) = reduce(&mut reduced, rank) {
-            return Self::failed(defect);
+    /// By the rows that are independent, in a pivoted order.
+    #[cold]
+    #[inline(never)]
+    fn carefully<const DEFINITE: bool>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
+        let full = symmetric(mass);
+        let scaled = Scaled::new(&full, a);
+        let range = Range::factor(&scaled);
+        let finite = full.iter().flatten().chain(a.iter().flatten()).all(|x| x.is_finite());
+        if range.rank < C && !finite {
+            return Self::failed(Defect::NotFinite);
         }
-        let mut this = Self {
-            compliance: [[R::zero(); N]; N],
-            transfer: [[R::zero(); N]; C],
-            reaction: [[R::zero(); C]; N],
-            stiffness: [[R::zero(); C]; C],
-            dropped: [true; C],
-            rank,
-            vanishing: range.vanishing,
-            defect: None,
-        };
-        for k in rank..N {
-            for i in 0..N {
-                add_scaled(&mut this.compliance[i], &basis[k], reduced.solution[k][i]);
-            }
+        let split = range.split();
+        let mut reduced = Reduced::new(&full, &split.null, range.rank);
+        if let Err(direction) = reduced.factor::<DEFINITE>(range.rank) {
+            let singular = scaled.defect(&reduced.motion::<DEFINITE>(range.rank, direction));
+            return Self::failed(if finite { singular } else { Defect::NotFinite });
         }
-        // Y = Y₀ − P M Y₀, row by row of Yᵀ.
-        let mut transfer = inverse;
-        for row in transfer.iter_mut().take(rank) {
-            let start = *row;
-            for k in rank..N {
-                add_scaled(row, &reduced.solution[k], -dot(&reduced.inertia[k], &start));
+        let mut this = Self::assemble(&split, &reduced, range.rank);
+        this.vanishing = range.vanishing;
+        if range.rank < C {
+            for &row in range.order.iter().skip(range.rank) {
+                put(&mut this.dropped, row, true);
             }
-        }
-        let mut stiffness = [[R::zero(); C]; C];
-        for k in 0..rank {
-            let mut momentum = [R::zero(); N];
-            for j in 0..N {
-                add_scaled(&mut momentum, &mass[j], transfer[k][j]);
-            }
-            for l in 0..=k {
-                let entry = dot(&momentum, &transfer[l]);
-                (stiffness[k][l], stiffness[l][k]) = (entry, entry);
-            }
-        }
-        // Back to the user's order of rows.
-        for k in 0..rank {
-            let row = range.order[k];
-            if let (Some(to), Some(dropped)) = (this.transfer.get_mut(row), this.dropped.get_mut(row)) {
-                (*to, *dropped) = (transfer[k], false);
-            }
-            for i in 0..N {
-                if let Some(to) = this.reaction[i].get_mut(row) {
-                    *to = transfer[k][i];
-                }
-            }
-            for l in 0..rank {
-                if let Some(to) = this.stiffness.get_mut(row).and_then(|to| to.get_mut(range.order[l])) {
-                    *to = stiffness[k][l];
-                }
-            }
+            this.shorten(&range);
         }
         this
     }
 
+    /// The blocks of the inverse from the null space and a right inverse of A.
+    #[inline(always)]
+    fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, rank: usize) -> Self {
+        // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
+        let mut drift = [[R::zero(); C]; N];
+        for k in rank..N {
+            for i in 0..N {
+                add_scaled(&mut drift[k], &split.inverse[i], reduced.inertia[k][i]);
+            }
+        }
+        let mut compliance = [[R::zero(); N]; N];
+        let mut reaction = split.inverse;
+        for i in 0..N {
+            for k in rank..N {
+                add_scaled(&mut compliance[i], &split.null[k], reduced.solution[k][i]);
+                add_scaled(&mut reaction[i], &drift[k], -reduced.solution[k][i]);
+            }
+        }
+        let mut stiffness = [[R::zero(); C]; C];
+        let mut transfer = [[R::zero(); N]; C];
+        for i in 0..N {
+            let mut momentum = [R::zero(); C];
+            for j in 0..N {
+                add_scaled(&mut momentum, &reaction[j], reduced.mass[i][j]);
+            }
+            for c in 0..C {
+                add_scaled(&mut stiffness[c], &momentum, reaction[i][c]);
+                transfer[c][i] = reaction[i][c];
+            }
+        }
+        Self {
+            compliance,
+            transfer,
+            reaction,
+            stiffness,
+            dropped: [false; C],
+            rank,
+            vanishing: None,
+            defect: None,
+        }
+    }
+
     /// The shortest multipliers instead of those that leave the dropped rows at zero.
-    #[cold]
-    #[inline(never)]
-    fn shortest(mut self, range: &Range<R, N, C>) -> Self {
-        let combinations = range.combinations(self.rank);
-        let basis = redundant::basis(&combinations, self.rank);
+    fn shorten(&mut self, range: &Range<R, N, C>) {
+        let basis = redundant::basis(&range.combinations(), self.rank);
         for row in self.reaction.iter_mut().chain(&mut self.stiffness) {
             *row = redundant::project(&basis, row, self.rank);
         }
-        self
     }
 
     /// A system whose solutions are NaN.
@@ -223,6 +219,20 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             defect: Some(defect),
         }
     }
+}
+
+/// A symmetric matrix from its lower triangle.
+#[inline(always)]
+fn symmetric<R: Copy, const N: usize>(lower: &[[R; N]; N]) -> [[R; N]; N] {
+    core::array::from_fn(|i| core::array::from_fn(|j| lower[i.max(j)][i.min(j)]))
+}
+
+/// The velocities that the constraints leave open, and some that meet them.
+struct Split<R, const N: usize, const C: usize> {
+    /// Zᵀ: vectors of the null space of A, in the rows `rank..N`.
+    null: [[R; N]; N],
+    /// Y₀ with A Y₀ = 1 on the independent rows; zero in the columns of the others.
+    inverse: [[R; C]; N],
 }
 
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R, N, C> {

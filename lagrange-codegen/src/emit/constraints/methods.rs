@@ -77,11 +77,12 @@ pub(in crate::emit) fn methods(emission: &mut Emission<'_>) -> String {
             rate,
         ),
     ] {
-        let body = of_balance(emission, &balance, node);
+        let body = of_balance(emission, &balance, &[node], |values| values.join(", "));
         let signature = format!("{name}(&self, state: &{state}{parameter}) -> {}", result(&scalar));
         text.push_str("#[allow(unused_variables)]\n");
         text.push_str(&method(doc, &signature, &body));
     }
+    text.push_str(&super::places::methods(emission, &balance, &parameter));
     text.push_str(&residuals(emission));
     text.push_str(&method(
         "The nearest state on the constraints in the metric of the mass matrix: coordinates, then velocities.\n\n\
@@ -101,10 +102,15 @@ fn given_inputs(emission: &Emission<'_>) -> (String, &'static str) {
     }
 }
 
-/// A body that computes a node from a state with its accelerations and multipliers.
-fn of_balance(emission: &mut Emission<'_>, balance: &str, node: NodeId) -> String {
+/// A body that computes nodes from a state with its accelerations and multipliers.
+pub(super) fn of_balance(
+    emission: &mut Emission<'_>,
+    balance: &str,
+    nodes: &[NodeId],
+    result: impl FnOnce(&[String]) -> String,
+) -> String {
     name_accelerations(emission.model);
-    let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &[node]);
+    let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
     let (model, scalar) = (&*emission.model, &emission.item.scalar);
     let program = plan(&model.graph, &nodes);
     let written = block::write(model, scalar, &program, &program.outputs, &[], &mut Names::new(model));
@@ -115,7 +121,7 @@ fn of_balance(emission: &mut Emission<'_>, balance: &str, node: NodeId) -> Strin
     ));
     text.push_str(&body::prologue(model, scalar, &written.reads, Source::State));
     text.push_str(&body::assemble(&written));
-    text.push_str(&format!("::core::result::Result::Ok({})", written.outputs.join(", ")));
+    text.push_str(&format!("::core::result::Result::Ok({})", result(&written.outputs)));
     body::imported(text)
 }
 

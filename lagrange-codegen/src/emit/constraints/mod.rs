@@ -4,14 +4,17 @@
 //! | --- | --- |
 //! | `surface` | `System` and the runtime's `Surface`: accelerations with multipliers, residuals, factors |
 //! | `methods` | the inherent methods |
+//! | `places` | forces on particles and bodies |
 //! | `record` | the struct that has a field for each constraint |
 
 mod methods;
+mod places;
 mod record;
 mod surface;
 
 pub(crate) use methods::METHODS;
 pub(super) use methods::methods;
+pub(crate) use places::is_generated as is_force_on_place;
 pub(super) use record::{Held, declared, held, record, record_ident};
 pub(super) use surface::{implementations, system};
 

@@ -120,9 +120,10 @@ impl<'a> Start<'a> {
                         self.reads.parameters[i as usize] = true;
                         label.clone()
                     }
-                    Variable::Auxiliary(_) | Variable::Acceleration(_) | Variable::Multiplier(_) => {
-                        label.clone()
-                    }
+                    Variable::Auxiliary(_)
+                    | Variable::Acceleration(_)
+                    | Variable::Multiplier(_)
+                    | Variable::Position(_) => label.clone(),
                 };
                 (text, label)
             }

@@ -2,28 +2,24 @@
 
 use crate::real::Real;
 
-use super::Defect;
 use super::vectors::{add_scaled, dot, where_positive};
 
 /// B and what is solved with it. Vectors are rows; those of the null space have the indices `rank..N`.
-pub(super) struct Reduced<R, const N: usize> {
-    matrix: [[R; N]; N],
+pub(super) struct Reduced<'a, R, const N: usize> {
+    pub(super) mass: &'a [[R; N]; N],
     /// Z.
-    basis: [[R; N]; N],
+    basis: &'a [[R; N]; N],
     /// M Z.
     pub(super) inertia: [[R; N]; N],
+    /// B, then its factors.
+    matrix: [[R; N]; N],
     /// X = B⁻¹ Z, once factored.
     pub(super) solution: [[R; N]; N],
-    /// Of the coordinates.
-    scale: [R; N],
-    /// The sum of all magnitudes in the scaled M: what rounding errors of B are relative to.
-    total: R,
 }
 
-impl<R: Real, const N: usize> Reduced<R, N> {
-    /// B of a basis in the user's units; `scale` holds the units in which the basis is orthonormal.
+impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
     #[inline(always)]
-    pub(super) fn new(mass: &[[R; N]; N], basis: &[[R; N]; N], scale: &[R; N], rank: usize) -> Self {
+    pub(super) fn new(mass: &'a [[R; N]; N], basis: &'a [[R; N]; N], rank: usize) -> Self {
         let mut inertia = [[R::zero(); N]; N];
         let mut matrix = [[R::zero(); N]; N];
         for k in rank..N {
@@ -36,31 +32,35 @@ impl<R: Real, const N: usize> Reduced<R, N> {
                 matrix[i][j] = dot(&inertia[i], &basis[j]);
             }
         }
-        let mut sums = [R::zero(); N];
-        for i in 0..N {
-            for j in 0..N {
-                sums[j] += mass[i][j].abs() * scale[i];
-            }
-        }
-        Self { matrix, basis: *basis, inertia, solution: *basis, scale: *scale, total: dot(&sums, scale) }
+        Self { mass, basis, inertia, matrix, solution: *basis }
     }
 
-    /// The size below which a pivot is a rounding error: 4ε for each unit of scaled mass that went into it.
+    /// X.
+    ///
+    /// # Errors
+    /// The index of the first pivot without a digit, in every lane. Lanes that alone have none become NaN.
     #[inline(always)]
-    fn threshold(&self) -> R {
-        R::from_f64(4.0) * R::epsilon() * self.total
+    pub(super) fn factor<const DEFINITE: bool>(&mut self, rank: usize) -> Result<(), usize> {
+        if DEFINITE { self.definite(rank) } else { self.indefinite(rank) }
     }
 
-    /// X by B = L D Lᵀ, of a B that must be positive definite.
+    /// By B = L D Lᵀ, of a B that must be positive definite.
     #[inline(always)]
-    pub(super) fn definite(&mut self, rank: usize) -> Result<(), Defect> {
-        let threshold = self.threshold();
+    fn definite(&mut self, rank: usize) -> Result<(), usize> {
+        let ulps = R::from_f64(4.0 * N as f64) * R::epsilon();
         let mut column = [R::zero(); N];
         for k in rank..N {
+            // Rounding errors of B are relative to what its entries would be without cancellation, which for a
+            // positive semidefinite M is at most N times the inertia without couplings.
+            let mut uncoupled = [R::zero(); N];
+            for i in 0..N {
+                uncoupled[i] = self.mass[i][i] * self.basis[k][i];
+            }
             let mut pivot = self.matrix[k][k];
-            if !(pivot - threshold).is_positive() {
-                pivot =
-                    where_positive(pivot, pivot - threshold).ok_or_else(|| self.symmetric_defect(rank, k))?;
+            let excess = pivot - ulps * dot(&uncoupled, &self.basis[k]);
+            // The second test catches a sum that is not positive to begin with.
+            if !(excess.is_positive() && pivot.is_positive()) {
+                pivot = where_positive(pivot, excess.min(pivot)).ok_or(k)?;
             }
             let inverse = pivot.recip();
             for i in k + 1..N {
@@ -88,16 +88,29 @@ impl<R: Real, const N: usize> Reduced<R, N> {
         Ok(())
     }
 
-    /// X by P B = L U with partial pivoting, of any regular B.
+    /// By P B = L U with partial pivoting, of any regular B.
     #[inline(always)]
-    pub(super) fn indefinite(&mut self, rank: usize) -> Result<(), Defect> {
-        let threshold = self.threshold();
+    fn indefinite(&mut self, rank: usize) -> Result<(), usize> {
+        // What the entries of B would be without cancellation. Vectors and coordinates have similar sizes in the units
+        // that they were made in, so the sum does for all.
+        let mut total = R::zero();
+        for k in rank..N {
+            let mut sizes = [R::zero(); N];
+            for j in 0..N {
+                for i in 0..N {
+                    sizes[i] += (self.mass[j][i] * self.basis[k][j]).abs();
+                }
+            }
+            for i in 0..N {
+                total += sizes[i] * self.basis[k][i].abs();
+            }
+        }
+        let least = R::from_f64(4.0) * R::epsilon() * total;
         for i in rank..N {
             for j in rank..i {
                 self.matrix[j][i] = self.matrix[i][j];
             }
         }
-        let mut inverse = [R::zero(); N];
         for k in rank..N {
             let mut best = k;
             let mut size = self.matrix[k][k].abs().largest();
@@ -115,78 +128,51 @@ impl<R: Real, const N: usize> Reduced<R, N> {
                 }
             }
             let mut pivot = self.matrix[k][k];
-            let excess = pivot.abs() - threshold;
+            let excess = pivot.abs() - least;
             if !excess.is_positive() {
-                pivot = where_positive(pivot, excess).ok_or_else(|| self.upper_defect(rank, k, &inverse))?;
+                pivot = where_positive(pivot, excess).ok_or(k)?;
             }
-            inverse[k] = pivot.recip();
+            // U with a unit diagonal, so that the back-substitution has no divisions.
+            let inverse = pivot.recip();
+            for j in k..N {
+                self.matrix[k][j] *= inverse;
+            }
+            for x in &mut self.solution[k] {
+                *x *= inverse;
+            }
             let (above, known) = (self.matrix[k], self.solution[k]);
             for i in k + 1..N {
-                let l = self.matrix[i][k] * inverse[k];
-                for j in k + 1..N {
+                let l = self.matrix[i][k];
+                for j in k..N {
                     self.matrix[i][j] = R::mul_add(-l, above[j], self.matrix[i][j]);
                 }
                 add_scaled(&mut self.solution[i], &known, -l);
             }
         }
-        for k in (rank..N).rev() {
-            for i in k + 1..N {
-                let below = self.solution[i];
+        for i in (rank..N).rev() {
+            let below = self.solution[i];
+            for k in rank..i {
                 add_scaled(&mut self.solution[k], &below, -self.matrix[k][i]);
-            }
-            for x in &mut self.solution[k] {
-                *x *= inverse[k];
             }
         }
         Ok(())
     }
 
-    /// The null direction of B where D\[k] vanishes: L₁₁ᵀ c = −l, 1 in place k.
-    #[cold]
-    #[inline(never)]
-    fn symmetric_defect(&self, rank: usize, k: usize) -> Defect {
+    /// The motion Z c without inertia that makes pivot `direction` vanish: the combination of the vectors up to that
+    /// one whose products with the vectors before it are zero.
+    pub(super) fn motion<const DEFINITE: bool>(&self, rank: usize, direction: usize) -> [R; N] {
         let mut c = [R::zero(); N];
-        for j in (rank..N.min(k + 1)).rev() {
-            let mut sum = if j == k { R::one() } else { R::zero() };
-            for i in j + 1..N.min(k + 1) {
-                sum -= self.matrix[i][j] * c[i];
+        let mut motion = [R::zero(); N];
+        let end = N.min(direction + 1);
+        for k in (rank..end).rev() {
+            let mut sum = if k == direction { R::one() } else { R::zero() };
+            for i in k + 1..end {
+                // Both factors are unit triangular: Lᵀ, or U.
+                sum -= if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * c[i];
             }
-            c[j] = sum;
+            c[k] = sum;
+            add_scaled(&mut motion, &self.basis[k], sum);
         }
-        self.defect(rank, &c)
-    }
-
-    /// The null direction of B where U\[k]\[k] vanishes: U₁₁ c = −u, 1 in place k.
-    #[cold]
-    #[inline(never)]
-    fn upper_defect(&self, rank: usize, k: usize, inverse: &[R; N]) -> Defect {
-        let mut c = [R::zero(); N];
-        for j in (rank..N.min(k + 1)).rev() {
-            let mut sum = R::zero();
-            for i in j + 1..N.min(k + 1) {
-                sum -= self.matrix[j][i] * c[i];
-            }
-            c[j] = if j == k { R::one() } else { sum * inverse[j] };
-        }
-        self.defect(rank, &c)
-    }
-
-    /// Names the largest component of Z c, in scaled coordinates.
-    fn defect(&self, rank: usize, c: &[R; N]) -> Defect {
-        if !self.total.is_finite() {
-            return Defect::NotFinite;
-        }
-        let mut direction = [R::zero(); N];
-        for k in rank..N {
-            add_scaled(&mut direction, &self.basis[k], c[k]);
-        }
-        let (mut coordinate, mut size) = (0, R::zero().largest());
-        for i in 0..N {
-            let candidate = (direction[i] / self.scale[i]).abs().largest();
-            if candidate > size {
-                (coordinate, size) = (i, candidate);
-            }
-        }
-        Defect::Singular { coordinate }
+        motion
     }
 }

@@ -76,3 +76,24 @@ impl Noise {
         core::array::from_fn(|_| self.vector())
     }
 }
+
+#[test]
+fn debug_redundant() {
+    let mass = [[2.0, 0.0, 0.0], [0.5, 3.0, 0.0], [0.1, 0.2, 1.0]];
+    let a = [[1.0, 2.0, 0.5], [2.0, 4.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, -1.0]];
+    let y = [1.0, 2.0, 0.0, 0.5];
+    let s = Saddle::factor(&mass, &a);
+    let x = s.solve(&[1.0, 2.0, 3.0], &y);
+    std::println!("{x:?} {:?} {:?} {:?} {:?}", s.rank(), s.defect(), s.vanishing(), s.dropped);
+    std::println!("{:?}", residuals(&mass, &a, &x, &[1.0, 2.0, 3.0], &y));
+    let d = Diagonal::factor([0.5, 0.3, 1.0], &a);
+    let mass = [[2.0, 0.0, 0.0], [0.0, 1.0 / 0.3, 0.0], [0.0, 0.0, 1.0]];
+    let s = Saddle::factor(&mass, &a);
+    std::println!("{:?} {:?}", d.solve(&[1.0, 2.0, 3.0], &y), s.solve(&[1.0, 2.0, 3.0], &y));
+    std::println!("{d:?}");
+    let m = [[1.0, 0.0], [1.0, 1.0]];
+    std::println!("{:?}", Saddle::factor(&m, &[[0.0, 0.0]]).defect());
+    std::println!("{:?}", Saddle::factor(&m, &[[0.0, 1.0]]).solve(&[1.0, 0.0], &[1.0]));
+    std::println!("{:?}", Saddle::factor(&[[1.0, 0.0], [0.0, f64::NAN]], &[[0.0, 1.0]]).defect());
+    std::println!("{:?}", Saddle::factor(&[[1.0, 0.0], [0.0, 1.0]], &[[f64::NAN, 1.0]]).defect());
+}

@@ -42,3 +42,36 @@ pub(in crate::linear) fn where_positive<R: Real>(value: R, excess: R) -> Option<
     let excess = excess.max(R::zero());
     if excess.largest() > R::zero().largest() { Some(value * (excess / excess)) } else { None }
 }
+
+/// The entry at a place known at run time only; zero outside.
+///
+/// A few entries are compared one by one, which keeps the array in registers.
+#[inline(always)]
+pub(in crate::linear) fn pick<R: Real, const N: usize>(row: &[R; N], place: usize) -> R {
+    if N > 4 {
+        return row.get(place).copied().unwrap_or(R::zero());
+    }
+    let mut entry = R::zero();
+    for i in 0..N {
+        if i == place {
+            entry = row[i];
+        }
+    }
+    entry
+}
+
+/// Writes the entry at a place known at run time only.
+#[inline(always)]
+pub(in crate::linear) fn put<T: Copy, const N: usize>(row: &mut [T; N], place: usize, entry: T) {
+    if N > 4 {
+        if let Some(to) = row.get_mut(place) {
+            *to = entry;
+        }
+        return;
+    }
+    for i in 0..N {
+        if i == place {
+            row[i] = entry;
+        }
+    }
+}

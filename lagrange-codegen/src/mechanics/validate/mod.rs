@@ -1,6 +1,14 @@
 //! Physics that cannot be right: reported on the user's own expression, never ignored.
 
-use crate::calculus::{first_beyond_degree, velocity_degrees};
+mod constraints;
+mod exactness;
+mod inertia;
+mod matching;
+
+pub(super) use constraints::constraints;
+pub(super) use inertia::inertia;
+
+use crate::calculus::beyond_degree;
 use crate::diagnostics::{Diagnostics, Origin, physics};
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::{Action, Attitude, Model};
@@ -9,8 +17,8 @@ use crate::number::Number;
 /// Contributions that have no effect or the wrong form.
 pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mut Diagnostics) {
     for term in &model.kinetic {
-        if let Some(node) = first_beyond_degree(&model.graph, term.value, 2) {
-            let origin = model.origins.get(&node).copied().unwrap_or(term.origin);
+        if let Some(node) = beyond_degree(&model.graph, term.value, 2).first() {
+            let origin = model.origins.get(node).copied().unwrap_or(term.origin);
             diagnostics.at(origin, physics::kinetic_not_quadratic(&term.name));
         }
     }
@@ -94,6 +102,8 @@ pub(super) fn constants(model: &Model, diagnostics: &mut Diagnostics) {
     for body in &model.bodies {
         roots.extend(body.position.iter().chain([&body.mass]).map(|&node| (node, body.origin)));
     }
+    roots.extend(model.constraints.iter().map(|constraint| (constraint.value, constraint.origin)));
+    roots.extend(model.eliminated.iter().map(|eliminated| (eliminated.position, eliminated.quantity.origin)));
     for (root, origin) in roots {
         let broken = graph.cone([root]).into_iter().find(|&id| !is_number(graph, id));
         if let Some(node) = broken {
@@ -118,27 +128,6 @@ fn is_number(graph: &Graph, id: NodeId) -> bool {
             graph.evaluate(&[id], |_| f64::NAN)[0].is_finite()
         }
         None => true,
-    }
-}
-
-/// Coordinates that no inertia belongs to.
-pub(super) fn inertia(model: &Model, mass: &[Vec<NodeId>], diagnostics: &mut Diagnostics) {
-    let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];
-    let count = mass.len();
-    let mut massless = false;
-    for (row, coordinate) in model.coordinates.iter().enumerate() {
-        if (0..count).all(|column| model.graph.is_zero(entry(row, column))) {
-            massless = true;
-            let linear = model.lagrangian.iter().chain(&model.kinetic).any(|term| {
-                model.graph.depends_on(term.value, Variable::Velocity(row as u32))
-                    && velocity_degrees(&model.graph, term.value).at_most(1)
-            });
-            diagnostics.at(coordinate.origin, physics::no_inertia(&coordinate.written(), linear));
-        }
-    }
-    if !massless && let Some(free) = unmatched_row(count, |i, j| !model.graph.is_zero(entry(i, j))) {
-        let coordinate = &model.coordinates[free];
-        diagnostics.at(coordinate.origin, physics::structurally_singular(&coordinate.written()));
     }
 }
 
@@ -170,32 +159,4 @@ fn used_inputs(graph: &Graph, roots: &[NodeId], count: usize) -> Vec<bool> {
         }
     }
     used
-}
-
-/// A row without a partner in a maximum matching of rows to columns (augmenting paths); such
-/// a matrix is singular whatever its entries.
-fn unmatched_row(count: usize, nonzero: impl Fn(usize, usize) -> bool) -> Option<usize> {
-    fn augment(
-        row: usize,
-        count: usize,
-        nonzero: &dyn Fn(usize, usize) -> bool,
-        seen: &mut [bool],
-        partner: &mut [Option<usize>],
-    ) -> bool {
-        for column in 0..count {
-            if nonzero(row, column) && !std::mem::replace(&mut seen[column], true) {
-                let free = match partner[column] {
-                    None => true,
-                    Some(other) => augment(other, count, nonzero, seen, partner),
-                };
-                if free {
-                    partner[column] = Some(row);
-                    return true;
-                }
-            }
-        }
-        false
-    }
-    let mut partner = vec![None; count];
-    (0..count).find(|&row| !augment(row, count, &nonzero, &mut vec![false; count], &mut partner))
 }
