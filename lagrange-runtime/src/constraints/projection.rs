@@ -149,8 +149,8 @@ fn relative<R: Real>(value: R, size: R) -> R::Lane {
 #[inline(always)]
 fn within<R: Real, const C: usize>(values: &[R; C], sizes: &[R; C], roundings: f64) -> bool {
     let tolerance = R::from_f64(roundings) * R::epsilon();
-    (0..C).all(|c| {
-        let excess = values[c].abs() - tolerance * sizes[c];
+    values.iter().zip(sizes).all(|(value, &size)| {
+        let excess = value.abs() - tolerance * size;
         excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
     })
 }
