@@ -20,17 +20,23 @@ macro_rules! run {
 
 run! {
     cart_pole,
+    cartesian_pendulum,
     charge_in_magnetic_field,
     double_pendulum,
     heavy_top,
     pleiades,
+    rolling_disc,
     rotating_frame,
     spring_pendulum,
+    squeezer,
     ten_link_chain,
+    whirling_hoop,
 }
 
 #[path = "../examples/cart_pole.rs"]
 mod cart_pole;
+#[path = "../examples/cartesian_pendulum.rs"]
+mod cartesian_pendulum;
 #[path = "../examples/charge_in_magnetic_field.rs"]
 mod charge_in_magnetic_field;
 #[path = "../examples/double_pendulum.rs"]
@@ -39,12 +45,18 @@ mod double_pendulum;
 mod heavy_top;
 #[path = "../examples/pleiades.rs"]
 mod pleiades;
+#[path = "../examples/rolling_disc.rs"]
+mod rolling_disc;
 #[path = "../examples/rotating_frame.rs"]
 mod rotating_frame;
 #[path = "../examples/spring_pendulum.rs"]
 mod spring_pendulum;
+#[path = "../examples/squeezer.rs"]
+mod squeezer;
 #[path = "../examples/ten_link_chain.rs"]
 mod ten_link_chain;
+#[path = "../examples/whirling_hoop.rs"]
+mod whirling_hoop;
 
 #[test]
 fn no_example_is_forgotten() -> Result<(), Box<dyn Error>> {

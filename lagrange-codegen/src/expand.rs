@@ -6,13 +6,13 @@ use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
 use crate::diagnostics::{Diagnostics, physics};
-use crate::emit::{Emission, METHODS, emit, stubs};
+use crate::emit::{COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, emit, is_force_on_place, stubs};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::schedule::{Operations, plan};
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
-use crate::{jets, lower, mechanics, syntax};
+use crate::{eliminate, jets, lower, mechanics, syntax};
 
 /// Expands `#[lagrangian(args)] item`. Generated code names `default_crate` unless the user says
 /// `crate = path`. Where the description has mistakes, the expansion is all of their messages
@@ -42,8 +42,12 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
+    eliminate::eliminate(&mut model, diagnostics);
+    if diagnostics.has_errors() {
+        return None;
+    }
     let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
-    names_are_free(item, &equations, diagnostics);
+    names_are_free(item, &model, &equations, diagnostics);
     let before = as_derived(&mut model, &equations, diagnostics);
     if diagnostics.has_errors() {
         return None;
@@ -67,11 +71,15 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
 }
 
 /// Reports functions of the user that are named like generated methods.
-fn names_are_free(item: &Item, equations: &Equations, diagnostics: &mut Diagnostics) {
+fn names_are_free(item: &Item, model: &Model, equations: &Equations, diagnostics: &mut Diagnostics) {
+    let places = || model.places.iter().map(|place| place.name.clone());
     for function in &item.functions {
         let generated = match &*function.name {
             "applied_forces" | "power" => equations.power.is_some(),
             "jacobi_integral" => equations.jacobi_integral.is_some(),
+            name if equations.conditions.count() > 0 && CONSTRAINT_METHODS.contains(&name) => true,
+            name if is_force_on_place(name, places()) => true,
+            name if COMPLETIONS.contains(&name) => !model.eliminated.is_empty(),
             name => METHODS.contains(&name),
         };
         if generated {

@@ -9,6 +9,7 @@
 //! | --- | --- |
 //! | [`syntax`] | tokens → [`syntax::Item`]: roles, signatures, bodies, with spans |
 //! | [`lower`] | [`syntax::Item`] → [`model::Model`]: names, shapes, loops and calls resolved |
+//! | [`eliminate`] | [`model::Model`] → a [`model::Model`] with fewer coordinates |
 //! | [`mechanics`] | [`model::Model`] → [`mechanics::Equations`] |
 //! | [`structure`] | what is special about the equations, and how they are solved |
 //! | [`simplify`] | cheaper roots of equal value |
@@ -21,6 +22,7 @@
 pub mod calculus;
 pub mod collections;
 pub mod diagnostics;
+pub mod eliminate;
 mod emit;
 mod expand;
 pub mod expr;

@@ -12,7 +12,8 @@ use crate::expr::{Graph, NodeId};
 pub struct Model {
     /// The graph that all nodes below belong to.
     pub graph: Graph,
-    /// Generalized coordinates, arrays flattened, in declaration order.
+    /// Generalized coordinates, arrays flattened, in declaration order. Those that are eliminated are not
+    /// among them.
     pub coordinates: Vec<Quantity>,
     /// Inputs, arrays flattened, in declaration order.
     pub inputs: Vec<Quantity>,
@@ -34,12 +35,32 @@ pub struct Model {
     pub dissipation: Vec<Term>,
     /// Forces.
     pub forces: Vec<Force>,
+    /// Constraints, arrays flattened, in the order of declaration.
+    pub constraints: Vec<Constraint>,
+    /// Particles and bodies in the order of declaration, as places where constraint forces act; empty without holonomic
+    /// constraints.
+    pub places: Vec<Place>,
+    /// Constraints that are to be solved for a coordinate, in the order of declaration.
+    pub eliminations: Vec<Elimination>,
+    /// Coordinates that constraints have eliminated, in declaration order.
+    pub eliminated: Vec<Eliminated>,
+    /// Rate of Baumgarte's stabilisation \[1/s\], where it is asked for instead of projection.
+    pub baumgarte: Option<NodeId>,
     /// Names that the user gave to intermediate results.
     pub hints: Hints,
     /// Where in the source a node was first written.
     pub origins: Lookup<NodeId, Origin>,
     /// Names of the variables in emitted bodies, chosen when emission starts.
     pub locals: Locals,
+}
+
+impl Model {
+    /// Where a constraint's own function wrote the first of some nodes; its name where it wrote none. A node that
+    /// an earlier function wrote as well would point there.
+    pub fn place_in(&self, constraint: &Constraint, nodes: &[NodeId]) -> Origin {
+        let places = nodes.iter().filter_map(|node| self.origins.get(node).copied());
+        places.into_iter().find(|&place| place > constraint.origin).unwrap_or(constraint.origin)
+    }
 }
 
 /// Local variables of emitted bodies, by coordinate, velocity, input and parameter.
@@ -57,6 +78,8 @@ pub struct Locals {
     pub parameters: Vec<String>,
     /// Names of the auxiliaries of a Taylor expansion.
     pub auxiliaries: Vec<String>,
+    /// Names of the multipliers.
+    pub multipliers: Vec<String>,
 }
 
 /// A scalar coordinate or input.
@@ -73,19 +96,21 @@ pub struct Quantity {
 impl Quantity {
     /// As the user writes it: `theta` or `theta[0]`.
     pub fn written(&self) -> String {
-        match self.index {
-            Some(index) => format!("{}[{index}]", self.name),
-            None => self.name.clone(),
-        }
+        written(&self.name, self.index)
     }
 
     /// A name for a local variable: `theta` or `theta_0`.
     pub fn label(&self) -> String {
-        match self.index {
-            Some(index) => format!("{}_{index}", self.name),
-            None => self.name.clone(),
-        }
+        label(&self.name, self.index)
     }
+}
+
+fn written(name: &str, index: Option<usize>) -> String {
+    index.map_or_else(|| name.to_owned(), |index| format!("{name}[{index}]"))
+}
+
+fn label(name: &str, index: Option<usize>) -> String {
+    index.map_or_else(|| name.to_owned(), |index| format!("{name}_{index}"))
 }
 
 /// A parameter: an expression that the emitted code evaluates as it stands.
@@ -233,6 +258,86 @@ pub enum Action {
         /// Components in space axes \[N m\].
         torque: [NodeId; 3],
     },
+}
+
+/// A constraint given by one user function.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// The user's function.
+    pub name: String,
+    /// The index within an array.
+    pub index: Option<usize>,
+    /// f(q, t) or g(q, v, t), which is to stay zero.
+    pub value: NodeId,
+    /// f of a holonomic constraint as a function of the places that it is written through.
+    pub through: Option<NodeId>,
+    /// What it is a function of.
+    pub kind: ConstraintKind,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// What a constraint is a function of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConstraintKind {
+    /// f(q, t) = 0.
+    Holonomic,
+    /// g(q, v, t) = 0.
+    Nonholonomic {
+        /// Not necessarily affine in v: Chetaev's rule.
+        chetaev: bool,
+    },
+}
+
+impl Constraint {
+    /// As the user writes it: `rolling` or `rolling[0]`.
+    pub fn written(&self) -> String {
+        written(&self.name, self.index)
+    }
+
+    /// A name for a local variable: `rolling` or `rolling_0`.
+    pub fn label(&self) -> String {
+        label(&self.name, self.index)
+    }
+}
+
+/// A particle or a body as a place where forces act.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// The user's function.
+    pub name: String,
+    /// The index within an array.
+    pub index: Option<usize>,
+    /// Its position, or that of its centre of mass.
+    pub position: Vec<NodeId>,
+    /// The variables that stand for the components of the position in [`Constraint::through`].
+    pub variables: Vec<NodeId>,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// A holonomic constraint that gives a coordinate as a function of time.
+#[derive(Clone, Debug)]
+pub struct Elimination {
+    /// The constraint.
+    pub constraint: Constraint,
+    /// The coordinate, where the user names it.
+    pub coordinate: Option<usize>,
+    /// Where it is asked for.
+    pub origin: Origin,
+}
+
+/// A coordinate that a constraint has eliminated.
+#[derive(Clone, Debug)]
+pub struct Eliminated {
+    /// As it was declared.
+    pub quantity: Quantity,
+    /// Its place among all declared coordinates.
+    pub declared_index: usize,
+    /// Its value, a function of the coordinates that are left and of time.
+    pub position: NodeId,
+    /// Its total time derivative.
+    pub velocity: NodeId,
 }
 
 /// Names of intermediate results; the first name given to a node stays.

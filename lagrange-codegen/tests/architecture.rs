@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Lower layers first; a module may name only modules of its own and lower layers.
-const LAYERS: [(&str, u32); 14] = [
+const LAYERS: [(&str, u32); 15] = [
     ("collections", 0),
     ("number", 0),
     ("diagnostics", 0),
@@ -15,6 +15,7 @@ const LAYERS: [(&str, u32); 14] = [
     ("syntax", 3),
     ("lower", 4),
     ("mechanics", 4),
+    ("eliminate", 5),
     ("structure", 5),
     ("schedule", 5),
     ("jets", 6),
@@ -22,13 +23,14 @@ const LAYERS: [(&str, u32); 14] = [
 ];
 
 /// Modules that know no tokens.
-const TOKEN_FREE: [&str; 10] = [
+const TOKEN_FREE: [&str; 11] = [
     "collections",
     "number",
     "expr",
     "model",
     "calculus",
     "simplify",
+    "eliminate",
     "mechanics",
     "structure",
     "schedule",

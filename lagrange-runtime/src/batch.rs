@@ -241,6 +241,19 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         if !state.is_finite() {
             return Err(Cause::NotFinite);
         }
+        if S::CONSTRAINED {
+            let free = state;
+            self.system.project_at(&self.system.constants(), &mut state)?;
+            for i in 0..N {
+                // What rounding took belongs to the numbers that were rounded.
+                if state.q[i] != free.q[i] {
+                    residue.q[i] = num_traits::Zero::zero();
+                }
+                if state.v[i] != free.v[i] {
+                    residue.v[i] = num_traits::Zero::zero();
+                }
+            }
+        }
         (self.state, self.residue) = (state, residue);
         Ok(())
     }

@@ -5,13 +5,37 @@
 use core::fmt;
 
 /// Why a motion could not go on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
     /// The mass matrix cannot be inverted: the coordinate with this index has no inertia of its own here.
     SingularMassMatrix {
         /// Index of the coordinate at which the factorisation stopped.
         pivot: usize,
+    },
+    /// The coordinates violate a constraint: a start that is not consistent, or a step that cannot be brought back.
+    PositionViolated {
+        /// Index of the constraint, as in `CONSTRAINTS` of the system.
+        constraint: usize,
+        /// |f|, in the unit of the constraint.
+        by: Magnitude,
+    },
+    /// The velocities violate a constraint: df/dt of a holonomic one, g of a nonholonomic one.
+    VelocityViolated {
+        /// Index of the constraint.
+        constraint: usize,
+        /// |df/dt| or |g|.
+        by: Magnitude,
+    },
+    /// Constraints contradict each other: no state satisfies this one together with those before it.
+    Contradictory {
+        /// Index of the constraint.
+        constraint: usize,
+    },
+    /// The gradient of a constraint vanishes, so that it restricts nothing and has no reaction.
+    VanishingGradient {
+        /// Index of the constraint.
+        constraint: usize,
     },
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
@@ -29,6 +53,34 @@ pub enum Cause {
     InvalidTolerance,
 }
 
+/// How large a violation is, for a report: of two digits, because printing all of a float takes several kilobytes of a
+/// firmware.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+pub struct Magnitude(pub f32);
+
+impl fmt::Display for Magnitude {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (mut value, mut exponent) = (self.0, 0);
+        if !value.is_finite() {
+            return out.write_str("more than any number");
+        }
+        while value > 0.0 && value < 0.995 {
+            (value, exponent) = (value * 10.0, exponent - 1);
+        }
+        while value >= 9.95 {
+            (value, exponent) = (value / 10.0, exponent + 1);
+        }
+        let tenths = (10.0 * value + 0.5) as u32;
+        write!(out, "{}.{}e{exponent}", tenths / 10, tenths % 10)
+    }
+}
+
+impl fmt::Debug for Magnitude {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, out)
+    }
+}
+
 impl fmt::Display for Cause {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -36,6 +88,25 @@ impl fmt::Display for Cause {
                 out,
                 "the mass matrix is singular at coordinate {pivot}: give that coordinate a mass or an inertia, \
                  or keep away from configurations where it loses it"
+            ),
+            Self::PositionViolated { constraint, by } => write!(
+                out,
+                "the coordinates violate constraint {constraint} by {by}: start from `system.consistent(state)?`, which \
+                 projects a state onto the constraints; in the course of a motion take shorter steps"
+            ),
+            Self::VelocityViolated { constraint, by } => write!(
+                out,
+                "the velocities violate constraint {constraint} by {by}: start from `system.consistent(state)?`, which \
+                 projects a state onto the constraints; in the course of a motion take shorter steps"
+            ),
+            Self::Contradictory { constraint } => write!(
+                out,
+                "constraint {constraint} contradicts the others: no state satisfies all of them; check the parameters"
+            ),
+            Self::VanishingGradient { constraint } => write!(
+                out,
+                "the gradient of constraint {constraint} vanishes: where it is a square, give what is squared; else keep away \
+                 from this configuration"
             ),
             Self::NotFinite => out.write_str(
                 "a value is infinite or not a number: check the parameters and the start, or stop before \
@@ -99,6 +170,16 @@ mod tests {
         for part in ["t = 1.5", "coordinate 3", "give that coordinate a mass"] {
             assert!(text.contains(part), "{part} is missing in {text}");
         }
+    }
+
+    #[test]
+    fn magnitudes_have_two_digits() {
+        for (value, text) in
+            [(0.0, "0.0e0"), (1.0, "1.0e0"), (0.0211, "2.1e-2"), (996.0, "1.0e3"), (6.5e-30, "6.5e-30")]
+        {
+            assert_eq!(Magnitude(value).to_string(), text);
+        }
+        assert_eq!(Magnitude(f32::INFINITY).to_string(), "more than any number");
     }
 
     #[test]

@@ -10,6 +10,7 @@
 //! | [`batch`] | several motions at once, in the lanes of a SIMD vector |
 //! | [`stepper`] | a motion in fixed steps, for control loops |
 //! | [`integrator`] | the methods: Taylor series, Dormand–Prince 8(5,3), RK4, symplectic splittings, Gauss collocation |
+//! | [`constraints`] | multipliers, starts on the constraints, projection back onto them |
 //! | [`proved`] | what the macro proved of a system and a method may demand |
 //! | [`linearized`] | derivatives of the equations, for implicit methods and for control |
 //! | [`linear`] | factorisations of small dense matrices |
@@ -39,6 +40,7 @@ compile_error!(
 pub mod algebra;
 pub mod batch;
 mod columns;
+pub mod constraints;
 pub mod error;
 pub mod integrator;
 pub mod linear;
@@ -57,7 +59,8 @@ mod tables;
 
 pub use algebra::PrincipalMoments;
 pub use batch::Batch;
-pub use error::{Cause, MotionError};
+pub use constraints::{Constrained, Reactions};
+pub use error::{Cause, Magnitude, MotionError};
 pub use integrator::{
     Adaptive, BlanesMoan, BlanesMoan4, BlanesMoan6, Dop853, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Jet,
     Jets, Leapfrog, Rk4, Yoshida, Yoshida4, Yoshida6, Yoshida8,
@@ -93,14 +96,19 @@ pub mod __private {
         };
     }
     pub use crate::columns::Columns;
+    pub use crate::constraints::{self, Balance, Constrained, Reactions, Residuals, Surface};
     pub use crate::integrator::{Dop853, Jets};
     pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
     pub use crate::tables::Tables;
+    pub mod saddle {
+        //! Saddle-point systems of constrained mechanics.
+        pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur};
+    }
     pub mod jets {
         //! Recurrences of Taylor coefficients.
         pub use crate::columns::{Products, column, product, square, tile};
-        pub use crate::tables::{first, fraction, ramp, rate};
+        pub use crate::tables::{first, index, multiplier, ramp, rate};
     }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::system::System;

@@ -7,6 +7,7 @@
 //! After a sample inside a step the motion goes on from the ends of that step, never from the sample,
 //! so sampling costs no accuracy. A change of inputs does restart at the state that the caller sees.
 
+use crate::constraints::{Constrained, Reactions};
 use crate::error::{Cause, MotionError};
 pub use crate::integrator::adaptive::Steps;
 use crate::integrator::step_size::Limits;
@@ -184,6 +185,7 @@ where
     #[inline]
     pub fn advance_to(&mut self, t: S::Scalar) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
         self.check(t)?;
+        self.begin()?;
         if t != self.state.t {
             let mut attempts = self.limits.attempts;
             let Self { system, constants, control, limits, memory, .. } = self;
@@ -225,6 +227,7 @@ where
     #[inline]
     fn sample(&mut self, t: S::Scalar) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
         self.check(t)?;
+        self.begin()?;
         if t != self.state.t {
             let mut attempts = self.limits.attempts;
             let Self { system, constants, control, limits, memory, .. } = self;
@@ -233,12 +236,41 @@ where
         Ok(self.state)
     }
 
+    /// Refuses a start that violates constraints, and takes the roundings from one that does not.
+    #[inline]
+    fn begin(&mut self) -> Result<(), MotionError<S::Scalar>> {
+        if S::CONSTRAINED && self.steps().evaluations == 0 {
+            let failed = |cause| MotionError { cause, t: self.state.t };
+            self.system.check_start_at(&self.constants, &self.state).map_err(failed)?;
+            let mut start = self.state;
+            self.system.project_at(&self.constants, &mut start).map_err(failed)?;
+            self.state = start;
+            M::restart(&mut self.memory, start);
+        }
+        Ok(())
+    }
+
     /// Refuses a bad target or bad limits.
     #[inline]
     fn check(&self, t: S::Scalar) -> Result<(), MotionError<S::Scalar>> {
         use crate::real::Real;
         let verdict = if t.is_finite() { self.limits.check() } else { Err(Cause::InvalidTime) };
         verdict.map_err(|cause| MotionError { cause, t: self.state.t })
+    }
+}
+
+impl<S, C, M, const N: usize, const K: usize> Simulation<'_, S, C, M, N, K>
+where
+    S: Constrained<N, K>,
+    S::Scalar: Ordered,
+    C: Control<S::Scalar, N, K>,
+    M: Adaptive<S, C, N, K>,
+{
+    /// The multipliers of all constraints at the state, by name: `motion.reactions().rod`.
+    #[inline]
+    pub fn reactions(&self) -> Reactions<S::Reactions> {
+        let State { t, q, v } = &self.state;
+        self.system.reactions_at(&self.constants, *t, q, v, &self.inputs())
     }
 }
 

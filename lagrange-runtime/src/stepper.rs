@@ -4,6 +4,7 @@
 //! needs, so one that would go wrong does not compile. Time is summed with compensation,
 //! so a million steps of 1 ms end within a rounding of 1000 s.
 
+use crate::constraints::{Constrained, Reactions};
 use crate::error::{Cause, MotionError};
 use crate::integrator::{FixedStep, diagnose};
 use crate::real::Real;
@@ -30,7 +31,10 @@ where
     #[inline]
     pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
         let constants = system.constants();
-        Self { system, constants, memory: M::begin(system), state: start, residue: num_traits::Zero::zero() }
+        // The start of a constrained motion is checked by the first step; there is no room to remember that in the
+        // stepper of a system without constraints.
+        let residue = S::Scalar::from_f64(if S::CONSTRAINED { f64::NAN } else { 0.0 });
+        Self { system, constants, memory: M::begin(system), state: start, residue }
     }
 
     /// Goes on by `h` \[s] (backward if negative) with the inputs `u` held, and returns the state there.
@@ -45,10 +49,13 @@ where
         h: S::Scalar,
         u: &[S::Scalar; K],
     ) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
-        let from = &self.state;
         if !h.is_finite() {
-            return Err(MotionError { cause: Cause::InvalidStep, t: from.t });
+            return Err(MotionError { cause: Cause::InvalidStep, t: self.state.t });
         }
+        if S::CONSTRAINED && !self.residue.is_finite() {
+            self.check_start()?;
+        }
+        let from = &self.state;
         let step = M::step(&mut self.memory, self.system, &self.constants, from, h, u);
         let mut next = step.map_err(|cause| MotionError { cause, t: from.t })?;
         let increment = h + self.residue;
@@ -57,9 +64,24 @@ where
             let cause = diagnose(self.system, &self.constants, from.t, &from.q, &from.v);
             return Err(MotionError { cause, t: from.t });
         }
+        self.system
+            .project_at(&self.constants, &mut next)
+            .map_err(|cause| MotionError { cause, t: from.t })?;
         self.residue = increment - (next.t - from.t);
         self.state = next;
         Ok(&self.state)
+    }
+
+    /// Refuses a start that violates constraints.
+    #[cold]
+    fn check_start(&mut self) -> Result<(), MotionError<S::Scalar>> {
+        let mut start = self.state;
+        self.system
+            .check_start_at(&self.constants, &start)
+            .and_then(|()| self.system.project_at(&self.constants, &mut start))
+            .map_err(|cause| MotionError { cause, t: start.t })?;
+        (self.state, self.residue) = (start, num_traits::Zero::zero());
+        Ok(())
     }
 
     /// The state after the last good step.
@@ -72,5 +94,18 @@ where
     #[inline]
     pub fn energy(&self) -> S::Scalar {
         self.system.energy_at(&self.constants, self.state.t, &self.state.q, &self.state.v)
+    }
+}
+
+impl<S, M, const N: usize, const K: usize> Stepper<'_, S, M, N, K>
+where
+    S: Constrained<N, K>,
+    M: FixedStep<S, N, K>,
+{
+    /// The multipliers of all constraints at the state under the inputs `u`, by name.
+    #[inline]
+    pub fn reactions(&self, u: &[S::Scalar; K]) -> Reactions<S::Reactions> {
+        let State { t, q, v } = &self.state;
+        self.system.reactions_at(&self.constants, *t, q, v, u)
     }
 }

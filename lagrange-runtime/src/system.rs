@@ -49,6 +49,38 @@ pub trait System<const N: usize, const K: usize = 0> {
         Ok(())
     }
 
+    /// Whether constraints restrict the states.
+    const CONSTRAINED: bool = false;
+
+    /// Whether a motion may begin at a state.
+    ///
+    /// # Errors
+    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`] where it is off the constraints by more than roundings
+    /// of its numbers, and what is wrong with the constraints themselves.
+    #[inline(always)]
+    fn check_start_at(
+        &self,
+        _constants: &Self::Constants,
+        _start: &State<Self::Scalar, N>,
+    ) -> Result<(), Cause> {
+        Ok(())
+    }
+
+    /// Moves a state that a step has left near the constraints onto them: coordinates, then velocities, each by the
+    /// smallest change in the metric of the mass matrix.
+    ///
+    /// # Errors
+    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`] where that fails, and what is wrong with the constraints
+    /// themselves.
+    #[inline(always)]
+    fn project_at(
+        &self,
+        _constants: &Self::Constants,
+        _state: &mut State<Self::Scalar, N>,
+    ) -> Result<(), Cause> {
+        Ok(())
+    }
+
     /// T + V, or the energy function v·∂L/∂v − L where L is given directly.
     fn energy_at(
         &self,

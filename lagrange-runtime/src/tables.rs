@@ -81,16 +81,22 @@ pub fn rate<R: Real>(h: R, order: usize) -> R {
     h / R::from_f64(order as f64)
 }
 
-/// 1 / order.
+/// The order as a number, to divide by: a multiplication by its reciprocal would have the bias of [`rate`].
 #[inline(always)]
-pub fn fraction<R: Real>(order: usize) -> R {
-    R::recip(R::from_f64(order as f64))
+pub fn index<R: Real>(order: usize) -> R {
+    R::from_f64(order as f64)
 }
 
 /// order · coefficient.
 #[inline(always)]
 pub fn ramp<R: Real>(order: usize, coefficient: R) -> R {
     R::from_f64(order as f64) * coefficient
+}
+
+/// μ from κ = rate · μ; zero in a step of no length.
+#[inline(always)]
+pub fn multiplier<R: Real>(impulse: R, rate: R) -> R {
+    if rate == R::zero() { rate } else { impulse / rate }
 }
 
 /// The coefficient of order 1 from order 3 on; in order 2, where both ends of the interior are the same term, half of it.

@@ -5,6 +5,7 @@
 
 mod cases;
 mod conservation;
+mod constraints;
 mod derivation;
 mod failure;
 mod hygiene;

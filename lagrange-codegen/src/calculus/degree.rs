@@ -54,17 +54,17 @@ pub fn velocity_degrees(graph: &Graph, root: NodeId) -> Degrees {
     degrees[root.index()]
 }
 
-/// The first node below the root that is not a polynomial of at most the given degree.
-pub fn first_beyond_degree(graph: &Graph, root: NodeId, limit: u32) -> Option<NodeId> {
+/// The nodes below the root, ascending, that are not polynomials of at most the given degree.
+pub fn beyond_degree(graph: &Graph, root: NodeId, limit: u32) -> Vec<NodeId> {
     let mut degrees = vec![Degrees::Polynomial(0); graph.len()];
+    let mut beyond = Vec::new();
     for id in graph.cone([root]) {
-        let own = node_degrees(graph, id, |operand| degrees[operand.index()]);
-        if !own.at_most(limit) {
-            return Some(id);
+        degrees[id.index()] = node_degrees(graph, id, |operand| degrees[operand.index()]);
+        if !degrees[id.index()].at_most(limit) {
+            beyond.push(id);
         }
-        degrees[id.index()] = own;
     }
-    None
+    beyond
 }
 
 fn node_degrees(graph: &Graph, id: NodeId, of: impl Fn(NodeId) -> Degrees) -> Degrees {

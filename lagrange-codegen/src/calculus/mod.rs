@@ -13,7 +13,7 @@ mod substitute;
 #[cfg(test)]
 mod tests;
 
-pub use degree::{Degrees, first_beyond_degree, velocity_degrees};
+pub use degree::{Degrees, beyond_degree, velocity_degrees};
 pub use forward::pushforward;
 pub use local::{binary as partial_derivatives, unary as derivative};
 pub use reverse::pullback;

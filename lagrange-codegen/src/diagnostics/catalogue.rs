@@ -38,7 +38,7 @@ messages! {
     bad_attribute(error) = "cannot read these arguments ({error}); write \
         `#[lagrangian(coordinates = [x, theta: [3]], inputs = [motor])]`";
     unknown_attribute_argument(name; near) = "unknown argument `{name}`{near}; known are `coordinates`, \
-        `inputs`, `jacobians`, `crate` and `allow`";
+        `inputs`, `jacobians`, `baumgarte`, `crate` and `allow`";
     argument_with_value(name) = "`{name}` takes no value; write `{name}` alone, or leave it out";
     duplicate_argument(name) = "`{name}` is given twice; keep one of the two";
     unknown_lint(name, known; near) = "there is no lint `{name}`{near}; known are `{known}`";
@@ -66,7 +66,8 @@ messages! {
 messages! {
     unknown_role(name, near) = "there is no role `{name}`; did you mean `{near}`?";
     planned_role(name) = "the role `{name}` is not supported yet; remove the function or express it by the \
-        supported roles `point`, `body`, `kinetic`, `potential`, `lagrangian`, `dissipation` and `force`";
+        supported roles `point`, `body`, `kinetic`, `potential`, `lagrangian`, `dissipation`, `force`, \
+        `holonomic` and `nonholonomic`";
     two_roles(first, second) = "this function has the role `{first}` already; write a function of its own \
         for `{second}`";
     missing_role_argument(role, argument) = "`#[{role}]` needs `{argument}`; write \
@@ -79,7 +80,7 @@ messages! {
     role_form(role, form) = "`{role}` takes no value; write `{form}`";
     role_on_item(role) = "the role `{role}` belongs on a function; remove it here or write a function";
     force_at_and_on() = "a force acts either `at` a point or `on` a coordinate; split it into two functions";
-    bad_force_target(key) = "`{key}` names one place; write `{key} = name` or `{key} = name[index]`";
+    bad_target(key) = "`{key}` takes a name; write `{key} = name` or `{key} = name[index]`";
     missing_return_type(name, expected) = "`{name}` returns nothing; let it return {expected}";
     wrong_return(name, expected, found) = "`{name}` must return {expected}, not {found}";
     missing_receiver(name) = "`{name}` has a role but no `&self`; add `&self` as the first parameter";
@@ -100,6 +101,8 @@ messages! {
         velocity into a `#[lagrangian]` function, or a `#[dissipation]` or `#[force]` if they dissipate";
     velocity_in_position() = "a position is a function of coordinates and time; its velocity follows from \
         it and is not needed here";
+    velocity_in_holonomic() = "a holonomic constraint is a function of coordinates and time; write \
+        `#[nonholonomic]` for one on the velocities";
     input_outside_force() = "an input acts through a force; take `&Inputs` in a `#[force]` function";
 }
 
@@ -241,8 +244,8 @@ messages! {
 
 // What roles mean.
 messages! {
-    attribute_depends_on(name) = "`{name}` is not in sight here: mass and inertia are the same all through \
-        a run; use fields of `self`, or write the energy as a `#[kinetic]` function";
+    attribute_depends_on(name) = "`{name}` is not in sight here: what stands in an attribute is the same all \
+        through a run; use fields of `self`, or where a mass varies write the energy as a `#[kinetic]` function";
     wrong_number_of(what, expected, found) = "`{what}` has {found} for {expected}; give one for each, or one \
         scalar for all";
     array_for_single(what) = "several values of {what} are given for one element; index the one that is meant";
@@ -252,5 +255,10 @@ messages! {
         `#[point]` or `#[body]` function";
     not_a_place(name) = "`{name}` is no place; a force acts at a function of `&Coordinates` that returns a \
         position or a pose";
+    eliminated_count(name, constraints, coordinates) = "`{name}` is {constraints} and cannot eliminate \
+        {coordinates}; name one coordinate for each, or write functions of their own";
+    idle_baumgarte() = "there is no constraint to stabilise; remove `baumgarte`, or say `allow(no_effect)`";
+    bad_baumgarte() = "the rate of Baumgarte's stabilisation must be positive; write how fast an error shall decay \
+        [1/s]";
     index_into_single(name) = "`{name}` is no array; remove the index";
 }

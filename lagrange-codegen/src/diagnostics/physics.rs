@@ -8,13 +8,19 @@ pub fn kinetic_not_quadratic(function: &str) -> String {
     )
 }
 
+/// Which coordinates are meant where some are eliminated.
+fn left(eliminated: bool) -> &'static str {
+    if eliminated { " that is not eliminated" } else { "" }
+}
+
 /// A role function without influence on the motion.
-pub fn no_effect(role: &str, function: &str) -> String {
+pub fn no_effect(role: &str, function: &str, eliminated: bool) -> String {
+    let left = left(eliminated);
     let reason = match role {
-        "potential" => "it does not depend on any coordinate",
-        "dissipation function" => "it does not depend on any velocity",
-        "force" => "it is zero, or what it acts on does not move with any coordinate",
-        _ => "it depends on no coordinate and no velocity",
+        "potential" => format!("it does not depend on any coordinate{left}"),
+        "dissipation function" => format!("it does not depend on any velocity{left}"),
+        "force" => format!("it is zero, or what it acts on does not move with any coordinate{left}"),
+        _ => format!("it depends on no coordinate and no velocity{left}"),
     };
     format!(
         "the {role} `{function}` has no effect on the motion: {reason}; \
@@ -23,9 +29,10 @@ pub fn no_effect(role: &str, function: &str) -> String {
 }
 
 /// A particle or body that no coordinate moves.
-pub fn fixed_in_space(kind: &str, function: &str) -> String {
+pub fn fixed_in_space(kind: &str, function: &str, eliminated: bool) -> String {
+    let left = left(eliminated);
     format!(
-        "the {kind} `{function}` depends on no coordinate, so it is fixed in space (or moves as prescribed) and its \
+        "the {kind} `{function}` depends on no coordinate{left}, so it is fixed in space (or moves as prescribed) and its \
          inertia has no effect; remove its role (a helper function needs none), or say `allow(no_effect)` in the attribute"
     )
 }
@@ -46,7 +53,8 @@ pub fn no_inertia(coordinate: &str, linear: bool) -> String {
     };
     format!(
         "the coordinate `{coordinate}` has no inertia: {reason}, so its acceleration is not determined; \
-         give it a mass (`#[point(mass = …)]`, `#[body(…)]`, `#[kinetic]`) or remove the coordinate"
+         give it a mass (`#[point(mass = …)]`, `#[body(…)]`, `#[kinetic]`) or a constraint that ties it to the others, or \
+         remove the coordinate"
     )
 }
 
@@ -55,6 +63,107 @@ pub fn structurally_singular(coordinate: &str) -> String {
     format!(
         "the mass matrix is singular whatever the parameters: the inertia of the coordinate `{coordinate}` is not \
          independent of that of the others; give it a mass of its own or remove a coordinate"
+    )
+}
+
+/// A constraint in which the coordinate to be eliminated is not linear.
+pub fn not_solvable(constraint: &str, coordinate: &str) -> String {
+    format!(
+        "`{constraint}` cannot be solved for `{coordinate}`, whose coefficient is not the same all through a run; \
+         eliminate a coordinate that stands here alone or times a constant, or keep the constraint by `#[holonomic]`"
+    )
+}
+
+/// A coordinate to be eliminated by a constraint that does not contain it.
+pub fn absent_coordinate(coordinate: &str, constraint: &str, others: &str) -> String {
+    format!(
+        "the coordinate `{coordinate}` does not occur in `{constraint}` or cancels out; what can be eliminated here \
+         is `{others}`"
+    )
+}
+
+/// A constraint to eliminate by in which no coordinate is left.
+pub fn nothing_to_eliminate(constraint: &str) -> String {
+    format!(
+        "`{constraint}` determines no coordinate: none occurs in it but those that other constraints eliminate; \
+         mend or remove it"
+    )
+}
+
+/// A coordinate that two constraints are to be solved for.
+pub fn eliminated_twice(coordinate: &str) -> String {
+    format!(
+        "the coordinate `{coordinate}` is eliminated by another constraint already; eliminate another one here, or \
+         remove one of the two constraints"
+    )
+}
+
+/// Constraints that leave no coordinate.
+pub fn all_eliminated() -> &'static str {
+    "all coordinates are eliminated, so that nothing is left to move: the motion is known beforehand; keep at least \
+     one coordinate free"
+}
+
+/// A constraint without a gradient.
+pub fn restrains_nothing(constraint: &str, eliminated: bool) -> String {
+    let left = left(eliminated);
+    format!(
+        "`{constraint}` restrains nothing: its value changes with no coordinate and no velocity{left}; mend or \
+         remove it"
+    )
+}
+
+/// A nonholonomic constraint that depends on coordinates alone.
+pub fn without_velocity(constraint: &str) -> String {
+    format!("`{constraint}` depends on no velocity, so it is holonomic; write `#[holonomic]`")
+}
+
+/// A nonholonomic constraint that is not affine in the velocities.
+pub fn not_affine_in_velocities(constraint: &str) -> String {
+    format!(
+        "the constraint `{constraint}` is not affine in the velocities here; if that is meant, write \
+         `#[nonholonomic(chetaev)]`, which takes its forces along ∂g/∂v"
+    )
+}
+
+/// A constraint whose gradient vanishes, or has no value, on the constraint itself.
+pub fn vanishing_gradient(constraint: &str, advice: &str) -> String {
+    format!(
+        "wherever `{constraint}` is zero its gradient is zero too, or has no value, so no force can hold the system \
+         there; {advice}"
+    )
+}
+
+/// An affine constraint on velocities that follows from one on coordinates.
+pub fn integrable(constraint: &str) -> String {
+    format!(
+        "`{constraint}` is the time derivative of a function of coordinates and time; write that function as a \
+         `#[holonomic]` constraint, which keeps the coordinates from drifting as well, or say `allow(integrable)` in the \
+         attribute"
+    )
+}
+
+/// A constraint whose gradient is parallel to that of an earlier one.
+pub fn repetition(constraint: &str, other: &str) -> String {
+    format!(
+        "`{constraint}` restrains the same motion as `{other}`, so that their reactions are not determined; remove one \
+         of the two, or say `allow(redundant)` in the attribute"
+    )
+}
+
+/// Constraints that cannot hold at once.
+pub fn contradiction(constraint: &str, other: &str) -> String {
+    format!(
+        "`{constraint}` contradicts `{other}`: it is a multiple of it plus a constant, so that the two are never zero at \
+         once; mend or remove one of the two"
+    )
+}
+
+/// More constraints than coordinates that they contain.
+pub fn overdetermined(constraint: &str) -> String {
+    format!(
+        "`{constraint}` is one constraint too many: those before it determine all coordinates that it contains; remove \
+         one of them, or say `allow(redundant)` in the attribute"
     )
 }
 

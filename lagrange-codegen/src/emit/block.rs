@@ -294,7 +294,7 @@ impl<'a> Writer<'a> {
                 }
             }
             Variable::Parameter(i) => self.reads.parameters[i as usize] = true,
-            Variable::Auxiliary(_) => {}
+            Variable::Auxiliary(_) | Variable::Multiplier(_) | Variable::Position(_) => {}
         }
         variable_label(self.model, variable)
     }

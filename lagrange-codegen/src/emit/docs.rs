@@ -17,6 +17,16 @@ pub(super) fn equations(model: &Model, symbol: &str, nodes: &[NodeId]) -> String
     format!("\n{lines}")
 }
 
+/// An equation for each constraint, as a list; empty where one of them is too long.
+pub(super) fn constraints(model: &Model, symbol: &str, nodes: &[NodeId]) -> String {
+    let mut lines = String::new();
+    for (constraint, &node) in model.constraints.iter().zip(nodes) {
+        let Some(text) = expression(model, node) else { return String::new() };
+        lines.push_str(&format!("\n- `{symbol}({}) = {text}`", constraint.written()));
+    }
+    format!("\n{lines}")
+}
+
 /// `symbol = expression`; empty where that is too long.
 pub(super) fn equation(model: &Model, symbol: &str, node: NodeId) -> String {
     expression(model, node).map_or(String::new(), |text| format!("\n\n`{symbol} = {text}`"))
@@ -57,6 +67,8 @@ fn name(model: &Model, variable: Variable) -> String {
             indexed(&quantity.name, quantity.index, "")
         }
         Variable::Auxiliary(i) => model.locals.auxiliaries[i as usize].clone(),
+        Variable::Position(i) => format!("r[{i}]"),
+        Variable::Multiplier(i) => model.locals.multipliers[i as usize].clone(),
         Variable::Parameter(i) => {
             let path = &model.parameters[i as usize].path;
             path.strip_prefix("self.").unwrap_or(path).to_owned()

@@ -1,7 +1,7 @@
 //! The inherent methods: each is usable on its own, and what is not called is not linked.
 
 use super::body::{self, Source};
-use super::{Emission, docs};
+use super::{Emission, docs, eliminated};
 use crate::expr::{Dependence, NodeId};
 use crate::simplify::simplify;
 
@@ -10,7 +10,7 @@ pub(crate) const METHODS: [&str; 7] =
     ["accelerations", "mass_matrix", "bias", "momenta", "kinetic_energy", "potential_energy", "energy"];
 
 /// One method as text.
-fn method(doc: &str, signature: &str, body: &str) -> String {
+pub(super) fn method(doc: &str, signature: &str, body: &str) -> String {
     format!("#[doc = {doc:?}]\n#[inline]\npub fn {signature} {{\n{body}\n}}\n")
 }
 
@@ -62,11 +62,11 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> String {
         let body = "self.kinetic_energy(state) + self.potential_energy(state)";
         text.push_str(&method("Energy T + V \\[J\\].", &signature, body));
     }
-    text
+    text + &eliminated::completions(emission)
 }
 
 /// The parameters after `&self`, with the inputs where the nodes need them.
-fn arguments(emission: &Emission<'_>, nodes: &[NodeId]) -> String {
+pub(super) fn arguments(emission: &Emission<'_>, nodes: &[NodeId]) -> String {
     let graph = &emission.model.graph;
     let uses = |kind| nodes.iter().any(|&node| graph.dependence(node).meets(kind));
     let state = Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME);

@@ -2,7 +2,9 @@
 
 mod block;
 mod body;
+mod constraints;
 mod docs;
+mod eliminated;
 mod gather;
 mod jets;
 mod linearization;
@@ -27,6 +29,8 @@ use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
 
+pub(crate) use constraints::{METHODS as CONSTRAINT_METHODS, is_force_on_place};
+pub(crate) use eliminated::METHODS as COMPLETIONS;
 pub(crate) use methods::METHODS;
 pub(crate) use stubs::stubs;
 
@@ -62,8 +66,20 @@ impl Emission<'_> {
 /// The whole expansion.
 pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: &Diagnostics) -> TokenStream {
     emission.model.locals = names::locals(emission.model);
-    let (system, after) = system::system(&mut emission);
-    let methods = methods::methods(&mut emission);
+    let (system, surface, after) = match emission.solution.saddle {
+        Some(method) => {
+            let (system, surface, after) = constraints::system(&mut emission, method);
+            (system, Some(surface), after)
+        }
+        None => {
+            let (system, after) = system::system(&mut emission);
+            (system, None, after)
+        }
+    };
+    let mut methods = methods::methods(&mut emission);
+    if surface.is_some() {
+        methods.push_str(&constraints::methods(&mut emission));
+    }
     let report = report(&emission, before, after);
     let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
     let linearization = linearization::linearization(&mut emission);
@@ -77,6 +93,26 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let records = records::records(emission.item);
     let proofs = proofs::proofs(emission.item, &proofs::proved(emission.facts), count, inputs);
+    let surface = surface.map(|items| {
+        let (items, held) = (parameters.parse(&items), emission.equations.conditions.count());
+        let constrained = parameters.parse(&constraints::implementations(&emission));
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all)]
+            impl #impl_generics lagrange::Surface<#count, #inputs, #held> for #self_ty #where_clause {
+                #items
+            }
+
+            #[automatically_derived]
+            #[allow(clippy::all)]
+            impl #impl_generics lagrange::Constrained<#count, #inputs> for #self_ty #where_clause {
+                #constrained
+            }
+        }
+    });
+    let reactions = surface
+        .is_some()
+        .then(|| constraints::record(emission.item, &constraints::held(&emission.model.constraints)));
     let linearization = linearization.map(|items| {
         quote! {
             #[automatically_derived]
@@ -106,6 +142,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     quote! {
         #cleaned
         #records
+        #reactions
         const _: () = {
             use #crate_path::__private as lagrange;
 
@@ -123,6 +160,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
                 #system
             }
 
+            #surface
             #proofs
             #smooth
             #linearization
@@ -155,9 +193,20 @@ fn report(emission: &Emission<'_>, before: Operations, after: Operations) -> Tok
     let coordinates: Vec<String> =
         emission.model.coordinates.iter().map(|quantity| quantity.written()).collect();
     let count = coordinates.len();
+    let constraints: Vec<String> =
+        emission.model.constraints.iter().map(|constraint| constraint.written()).collect();
+    let constraints = (!constraints.is_empty()).then(|| {
+        let count = constraints.len();
+        quote! {
+            /// The constraints in the order of all vectors of them, to name the one that an error speaks of.
+            pub const CONSTRAINTS: [&'static str; #count] = [#(#constraints),*];
+        }
+    });
     quote! {
         /// The coordinates in the order of all vectors, to name the one that an error speaks of.
         pub const COORDINATES: [&'static str; #count] = [#(#coordinates),*];
+
+        #constraints
 
         /// Operations of one evaluation of the accelerations, as derived and as emitted. What is
         /// computed once per run, and a factorisation in the runtime, are not counted.

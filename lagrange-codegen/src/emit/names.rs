@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::expr::{Unary, Variable};
-use crate::model::{Locals, Model, Parameter, Quantity};
+use crate::model::{Constraint, Locals, Model, Parameter, Quantity};
 use crate::schedule::{Instruction, Program, Slot};
 
 /// Longer names are replaced by a numbered one.
@@ -26,7 +26,7 @@ const RESERVED: [&str; 27] = [
     "u",
     "h",
     "rate",
-    "fraction",
+    "index",
     "order",
     "orders",
     "inner",
@@ -104,7 +104,17 @@ pub(super) fn locals(model: &Model) -> Locals {
     let label = |parameter: &Parameter| claim(identifier(&parameter.label));
     let parameters = model.parameters.iter().map(label).collect();
     let accelerations = Vec::new();
-    Locals { coordinates, velocities, accelerations, inputs, parameters, auxiliaries: Vec::new() }
+    let multiplier = |constraint: &Constraint| claim(format!("{}_multiplier", constraint.label()));
+    let multipliers = model.constraints.iter().map(multiplier).collect();
+    Locals {
+        coordinates,
+        velocities,
+        accelerations,
+        inputs,
+        parameters,
+        auxiliaries: Vec::new(),
+        multipliers,
+    }
 }
 
 /// Gives names to the accelerations as well, for bodies that are given them.
@@ -124,6 +134,8 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
         Variable::Input(i) => model.locals.inputs[i as usize].clone(),
         Variable::Parameter(i) => model.locals.parameters[i as usize].clone(),
         Variable::Auxiliary(i) => model.locals.auxiliaries[i as usize].clone(),
+        Variable::Position(i) => format!("r{i}"),
+        Variable::Multiplier(i) => model.locals.multipliers[i as usize].clone(),
     }
 }
 

@@ -4,8 +4,9 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::{proofs, records};
-use crate::syntax::{Group, Item, Scalar};
+use super::constraints::{self, Held};
+use super::{COMPLETIONS, proofs, records};
+use crate::syntax::{Group, Item, Record, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
 /// themselves are broken.
@@ -22,7 +23,8 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
         Scalar::Generic(parameter) => parameter.clone(),
     };
     let total = |groups: &[Group]| groups.iter().map(|group| group.length.unwrap_or(1)).sum::<usize>();
-    let (count, inputs) = (total(&item.coordinates), total(&item.inputs));
+    let (declared, inputs) = (total(&item.coordinates), total(&item.inputs));
+    let count = declared.saturating_sub(item.eliminated());
     let linearization = item.jacobians.then(|| {
         let place = quote!(
             &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
@@ -39,10 +41,26 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             }
         }
     });
+    let held = constraints::declared(item);
+    let reactions = (!held.is_empty()).then(|| constraints::record(item, &held));
+    let constrained = (!held.is_empty()).then(|| {
+        let record = constraints::record_ident(item);
+        quote! {
+            impl #impl_generics lagrange::Constrained<#count, #inputs> for #self_ty #where_clause {
+                type Reactions = #record<#scalar>;
+                fn reactions_at(
+                    &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count], _: &[#scalar; #inputs]
+                ) -> lagrange::Reactions<#record<#scalar>> { loop {} }
+            }
+        }
+    });
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
-    let methods = methods(item, &quote!(#scalar), count, inputs);
+    let mut methods = methods(item, &quote!(#scalar), count, inputs);
+    methods.extend(constraint_methods(item, &held, &quote!(#scalar), count, inputs));
+    let completions = (declared > count).then(|| completions(item, &quote!(#scalar), count));
     Some(quote! {
         #records
+        #reactions
         const _: () = {
             use #crate_path::__private as lagrange;
 
@@ -56,6 +74,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 pub const STRUCTURE: lagrange::Structure =
                     lagrange::Structure { mass_matrix: "", facts: &[], skipped: &[] };
                 #methods
+                #completions
             }
 
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
@@ -72,6 +91,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             }
 
             #proofs
+            #constrained
             #linearization
             impl #impl_generics lagrange::Smooth<#count, #inputs> for #self_ty #where_clause {
                 type JetConstants = ();
@@ -113,10 +133,71 @@ fn methods(item: &Item, scalar: &TokenStream, count: usize, inputs: usize) -> To
         ("jacobi_integral", &none, scalar),
     ]
     .into_iter()
-    .filter(|(name, ..)| item.functions.iter().all(|function| *function.name != **name))
+    .filter(|(name, ..)| is_free(item, name))
     .map(|(name, inputs, output)| {
         let name = format_ident!("{name}");
         quote!(pub fn #name(&self, _: &lagrange::State<#scalar, #count> #inputs) -> #output { loop {} })
     })
     .collect()
+}
+
+/// The methods that complete a state by eliminated coordinates.
+fn completions(item: &Item, scalar: &TokenStream, count: usize) -> TokenStream {
+    COMPLETIONS
+        .into_iter()
+        .zip([Record::Coordinates, Record::Velocities])
+        .filter(|(name, _)| is_free(item, name))
+        .map(|(name, record)| {
+            let (name, record) = (format_ident!("{name}"), item.record_ident(record));
+            quote!(pub fn #name(&self, _: &lagrange::State<#scalar, #count>) -> #record<#scalar> { loop {} })
+        })
+        .collect()
+}
+
+/// Whether no function of the user has a name.
+fn is_free(item: &Item, name: &str) -> bool {
+    item.functions.iter().all(|function| *function.name != *name)
+}
+
+/// Those of a system with constraints.
+fn constraint_methods(
+    item: &Item,
+    held: &[Held],
+    scalar: &TokenStream,
+    count: usize,
+    inputs: usize,
+) -> TokenStream {
+    if held.is_empty() {
+        return TokenStream::new();
+    }
+    let total: usize = held.iter().map(|(_, length)| length.unwrap_or(1)).sum();
+    let record = constraints::record_ident(item);
+    let given = (inputs > 0).then(|| quote!(, _: &[#scalar; #inputs]));
+    let none = None;
+    let state = quote!(lagrange::State<#scalar, #count>);
+    let result = |ty: TokenStream| quote!(::core::result::Result<#ty, lagrange::MotionError<#scalar>>);
+    let each = quote!([#scalar; #total]);
+    let methods = [
+        ("reactions", &given, result(quote!(lagrange::Reactions<#record<#scalar>>))),
+        ("reaction_forces", &given, result(quote!(#record<[#scalar; #count]>))),
+        ("reaction_power", &given, result(scalar.clone())),
+        ("energy_rate", &given, result(scalar.clone())),
+        ("constraint_residuals", &none, each.clone()),
+        ("constraint_rates", &none, each),
+        ("constraint_jacobian", &none, quote!(lagrange::nalgebra::SMatrix<#scalar, #total, #count>)),
+    ];
+    let is_free = |name: &str| item.functions.iter().all(|function| *function.name != *name);
+    let methods = methods.into_iter().filter(|(name, ..)| is_free(name)).map(|(name, inputs, output)| {
+        let name = format_ident!("{name}");
+        quote!(pub fn #name(&self, _: &#state #inputs) -> #output { loop {} })
+    });
+    let consistent = is_free("consistent").then(|| {
+        let result = result(state.clone());
+        quote!(pub fn consistent(&self, state: #state) -> #result { loop {} })
+    });
+    quote! {
+        pub const CONSTRAINTS: [&'static str; #total] = [""; #total];
+        #(#methods)*
+        #consistent
+    }
 }

@@ -50,6 +50,10 @@ pub enum Variable {
     Parameter(u32),
     /// A function of the others whose Taylor coefficients follow from a recurrence.
     Auxiliary(u32),
+    /// A Lagrange multiplier of a constraint.
+    Multiplier(u32),
+    /// A component of the position of a particle or body, where a constraint is a function of that.
+    Position(u32),
 }
 
 /// One operation.
@@ -93,6 +97,8 @@ impl Dependence {
     pub const PARAMETERS: Dependence = Dependence(16);
     /// Generalized accelerations.
     pub const ACCELERATIONS: Dependence = Dependence(32);
+    /// Lagrange multipliers.
+    pub const MULTIPLIERS: Dependence = Dependence(64);
 
     /// The union of two sets.
     pub const fn union(self, other: Dependence) -> Dependence {
@@ -238,9 +244,12 @@ impl Graph {
         }
         let dependence = match &node {
             Node::Constant(_) => Dependence::NONE,
-            Node::Variable(Variable::Coordinate(_) | Variable::Auxiliary(_)) => Dependence::COORDINATES,
+            Node::Variable(Variable::Coordinate(_) | Variable::Auxiliary(_) | Variable::Position(_)) => {
+                Dependence::COORDINATES
+            }
             Node::Variable(Variable::Velocity(_)) => Dependence::VELOCITIES,
             Node::Variable(Variable::Acceleration(_)) => Dependence::ACCELERATIONS,
+            Node::Variable(Variable::Multiplier(_)) => Dependence::MULTIPLIERS,
             Node::Variable(Variable::Time) => Dependence::TIME,
             Node::Variable(Variable::Input(_)) => Dependence::INPUTS,
             Node::Variable(Variable::Parameter(_)) => Dependence::PARAMETERS,

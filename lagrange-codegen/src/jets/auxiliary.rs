@@ -16,7 +16,10 @@ use crate::mechanics::time_direction;
 use crate::number::Number;
 
 /// What changes in the course of a step; inputs are held.
-const MOVING: Dependence = Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME);
+const MOVING: Dependence = Dependence::COORDINATES
+    .union(Dependence::VELOCITIES)
+    .union(Dependence::TIME)
+    .union(Dependence::MULTIPLIERS);
 
 /// A function value with its series.
 #[derive(Clone, Debug)]

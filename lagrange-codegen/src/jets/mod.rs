@@ -6,6 +6,14 @@
 //!
 //! M v\[k + 1] = f\[k] / (k + 1) − p\[k + 1] at v\[k + 1] = 0.
 //!
+//! Constraints join at the level of velocities: with w = df/dt or g, each order of w is affine in v\[k + 1] with A = ∂w/∂v at
+//! the point of expansion, and each order of Aᵀλ in λ\[k]. Shifted by one order, μ\[k + 1] = λ\[k], multipliers are unknowns
+//! of the same order as the velocities, and both come from one solution of the saddle-point system with M and A:
+//!
+//! M v\[k + 1] − Aᵀμ\[k + 1] / (k + 1) = …,  A v\[k + 1] = −w\[k + 1] at v\[k + 1] = 0.
+//!
+//! So the series obeys the constraints at every order, although they are differentiated once only.
+//!
 //! No time derivative, no Coriolis term and no inverse is ever formed. `auxiliary` makes p and f polynomial,
 //! `recurrence` sorts the operations of the polynomial by when their coefficients of one order are known.
 //! Pryce and Nedialkov (*Solving differential-algebraic equations by Taylor series*, BIT 2005) have the
@@ -13,6 +21,7 @@
 
 mod auxiliary;
 mod bundles;
+mod conditions;
 mod recurrence;
 mod rewriting;
 
@@ -24,6 +33,8 @@ use crate::simplify::simplify;
 use auxiliary::{Auxiliary, NotSmooth, Rewriter};
 pub use auxiliary::{Relation, Value};
 pub use bundles::{Bundle, bundles};
+use conditions::Restrictions;
+use recurrence::Shape;
 pub use recurrence::{Coefficient, Jets, Lane, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
 
@@ -33,7 +44,16 @@ const COMPARABLE: usize = 4_000;
 /// The recurrences of a system; `None` where its equations have kinks or jumps, at which no series exists.
 pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     let count = equations.momenta.len();
-    let roots: Vec<NodeId> = equations.momenta.iter().chain(&equations.momentum_rates).copied().collect();
+    let conditions = &equations.conditions;
+    let mut roots: Vec<NodeId> = equations.momenta.iter().chain(&equations.momentum_rates).copied().collect();
+    let restrictions = Restrictions::of(&mut model.graph, conditions, count);
+    roots.extend(restrictions.reactions.iter().chain(&restrictions.rates));
+    roots.extend(conditions.relaxation.iter().flatten());
+    let shape = Shape {
+        coordinates: count,
+        constraints: conditions.count(),
+        relaxed: conditions.relaxation.is_some(),
+    };
     let mut forms = vec![roots];
     if model.graph.cone(forms[0].iter().copied()).len() <= COMPARABLE {
         forms.push(simplify(&mut model.graph, &mut model.hints, &forms[0]));
@@ -47,18 +67,21 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     let mut best: Option<Jets> = None;
     for form in forms {
         for meeting in [false, true] {
-            let jets = recurrences(&mut model.graph, count, &form, meeting).ok()?;
+            let jets = recurrences(&mut model.graph, shape, &form, meeting).ok()?;
             if best.as_ref().is_none_or(|best| jets.cost() < best.cost()) {
                 best = Some(jets);
             }
         }
     }
+    if let Some(jets) = &mut best {
+        jets.gradients = restrictions.gradients;
+    }
     best
 }
 
-/// The recurrences of d/dt p = f for `roots` p and f.
-fn recurrences(graph: &mut Graph, count: usize, roots: &[NodeId], meeting: bool) -> Result<Jets, NotSmooth> {
-    let mut rewriter = Rewriter::new(graph, count);
+/// The recurrences of d/dt p = f for the roots p, f, and of a constrained system Aᵀμ, w and dw/dt.
+fn recurrences(graph: &mut Graph, shape: Shape, roots: &[NodeId], meeting: bool) -> Result<Jets, NotSmooth> {
+    let mut rewriter = Rewriter::new(graph, shape.coordinates);
     let mut polynomials = rewriter.polynomials(roots)?;
     let mut auxiliaries = std::mem::take(&mut rewriter.auxiliaries);
     if meeting {
@@ -77,7 +100,7 @@ fn recurrences(graph: &mut Graph, count: usize, roots: &[NodeId], meeting: bool)
         polynomials.extend(operands(&auxiliary.value));
     }
     let program = plan(graph, &polynomials);
-    Ok(Jets::of(program, auxiliaries, count))
+    Ok(Jets::of(program, auxiliaries, shape))
 }
 
 fn operands(value: &Value<NodeId>) -> Vec<NodeId> {

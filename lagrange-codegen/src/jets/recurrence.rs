@@ -57,6 +57,15 @@ pub struct Series {
     pub relation: Relation<Slot>,
 }
 
+/// How many roots of which kind there are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape {
+    pub coordinates: usize,
+    pub constraints: usize,
+    /// Whether the constraints' rates are not zero but given.
+    pub relaxed: bool,
+}
+
 /// The recurrences of a system.
 #[derive(Clone, Debug)]
 pub struct Jets {
@@ -66,6 +75,14 @@ pub struct Jets {
     pub momenta: Vec<Slot>,
     /// Their rates.
     pub rates: Vec<Slot>,
+    /// Reactions Aᵀμ, one for each coordinate of a constrained system.
+    pub reactions: Vec<Slot>,
+    /// The constraints at the level of velocities.
+    pub conditions: Vec<Slot>,
+    /// Their gradients by the velocities at the point of expansion, a row each.
+    pub gradients: Vec<Vec<NodeId>>,
+    /// Their rates, where they are not zero.
+    pub relaxation: Vec<Slot>,
     /// Auxiliaries that the program reads.
     pub auxiliaries: Vec<Series>,
     /// The auxiliary that a slot reads.
@@ -74,17 +91,23 @@ pub struct Jets {
     pub lanes: Vec<Lane>,
     lane_of: Lookup<Lane, usize>,
     coefficients: Vec<Coefficient>,
+    /// Slots whose value at the point of expansion is zero whatever the state: products with multipliers.
+    vanishing: Vec<bool>,
     /// All slots, those that others need first.
     pub order: Vec<Slot>,
 }
 
 impl Jets {
     /// Sorts a program whose outputs are momenta, rates, and the operands of the auxiliaries.
-    pub(super) fn of(program: Program, auxiliaries: Vec<Auxiliary>, count: usize) -> Jets {
+    pub(super) fn of(program: Program, auxiliaries: Vec<Auxiliary>, shape: Shape) -> Jets {
         let mut outputs = program.outputs.clone().into_iter();
         let mut next = || outputs.next().expect("jets: as many slots as nodes");
-        let momenta: Vec<Slot> = (0..count).map(|_| next()).collect();
-        let rates: Vec<Slot> = (0..count).map(|_| next()).collect();
+        let mut take = |count: usize| -> Vec<Slot> { (0..count).map(|_| next()).collect() };
+        let Shape { coordinates, constraints, relaxed } = shape;
+        let (momenta, rates) = (take(coordinates), take(coordinates));
+        let reactions = take(if constraints > 0 { coordinates } else { 0 });
+        let conditions = take(constraints);
+        let relaxation = take(if relaxed { constraints } else { 0 });
         let mut variables: Vec<Option<Slot>> = vec![None; auxiliaries.len()];
         for slot in program.needed(&program.outputs) {
             if let Instruction::Variable(Variable::Auxiliary(index)) = program.instruction(slot) {
@@ -113,10 +136,15 @@ impl Jets {
         }
         let mut jets = Jets {
             coefficients: vec![Coefficient::Constant; program.len()],
+            vanishing: vec![false; program.len()],
             order: Vec::new(),
             program,
             momenta,
             rates,
+            reactions,
+            conditions,
+            gradients: Vec::new(),
+            relaxation,
             auxiliaries: series,
             auxiliary_at,
             lanes: Vec::new(),
@@ -124,6 +152,7 @@ impl Jets {
         };
         jets.sort();
         jets.classify();
+        jets.find_vanishing();
         jets.find_lanes();
         jets
     }
@@ -136,6 +165,21 @@ impl Jets {
     /// Whether a slot changes in the course of a step and a recurrence asks for it.
     pub fn moves(&self, slot: Slot) -> bool {
         self.coefficient(slot) != Coefficient::Constant
+    }
+
+    /// Whether the value of a slot is zero at every point of expansion.
+    pub fn vanishes(&self, slot: Slot) -> bool {
+        self.vanishing[slot.index()]
+    }
+
+    /// What is evaluated before the velocities of an order are known.
+    pub fn balances(&self) -> impl Iterator<Item = Slot> + '_ {
+        self.momenta.iter().chain(&self.reactions).chain(&self.conditions).copied()
+    }
+
+    /// What the next order starts from.
+    pub fn carried(&self) -> impl Iterator<Item = Slot> + '_ {
+        self.rates.iter().chain(&self.relaxation).copied()
     }
 
     /// The auxiliary at a slot.
@@ -203,10 +247,11 @@ impl Jets {
         LANE * self.lanes.len() + moving
     }
 
-    /// The slots whose coefficients the momenta need beside the velocities: what is evaluated twice an order.
-    pub fn under_momenta(&self) -> Vec<bool> {
+    /// The slots whose coefficients the momenta and the conditions need beside the velocities: what is evaluated twice an
+    /// order.
+    pub fn under_balances(&self) -> Vec<bool> {
         let mut under = vec![false; self.program.len()];
-        let mut stack = self.momenta.clone();
+        let mut stack: Vec<Slot> = self.balances().collect();
         while let Some(slot) = stack.pop() {
             if self.coefficient(slot) == Coefficient::Late
                 && !std::mem::replace(&mut under[slot.index()], true)
@@ -262,7 +307,7 @@ impl Jets {
         let mut classes = vec![Coefficient::Constant; self.program.len()];
         for &slot in &self.order {
             let mut class = match self.program.instruction(slot) {
-                Instruction::Variable(Variable::Velocity(_)) => Coefficient::Late,
+                Instruction::Variable(Variable::Velocity(_) | Variable::Multiplier(_)) => Coefficient::Late,
                 Instruction::Variable(Variable::Coordinate(_) | Variable::Time | Variable::Auxiliary(_)) => {
                     Coefficient::Early
                 }
@@ -273,7 +318,7 @@ impl Jets {
         }
         // What no recurrence asks for has a value but no series.
         let mut asked = vec![false; self.program.len()];
-        let mut stack: Vec<Slot> = self.momenta.iter().chain(&self.rates).copied().collect();
+        let mut stack: Vec<Slot> = self.balances().chain(self.carried()).collect();
         while let Some(slot) = stack.pop() {
             if classes[slot.index()] == Coefficient::Constant
                 || std::mem::replace(&mut asked[slot.index()], true)
@@ -293,6 +338,23 @@ impl Jets {
             }
         }
         self.coefficients = classes;
+    }
+
+    fn find_vanishing(&mut self) {
+        for &slot in &self.order {
+            let zero = |slot: Slot| self.vanishing[slot.index()];
+            self.vanishing[slot.index()] = match self.auxiliary(slot).map(|series| &series.relation) {
+                Some(Relation::Same(same)) => zero(*same),
+                Some(_) => false,
+                None => match self.program.instruction(slot) {
+                    Instruction::Variable(Variable::Multiplier(_)) => true,
+                    Instruction::Mul(a, b) => zero(a) || zero(b),
+                    Instruction::Add(a, b) | Instruction::Sub(a, b) => zero(a) && zero(b),
+                    Instruction::Neg(a) | Instruction::Div(a, _) => zero(a),
+                    _ => false,
+                },
+            };
+        }
     }
 
     fn find_lanes(&mut self) {

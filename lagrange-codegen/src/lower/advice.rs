@@ -195,6 +195,7 @@ impl<'a> Interpreter<'a> {
             Some(RoleKind::Force(_)) => "a force",
             Some(RoleKind::Point { .. } | RoleKind::Body { .. }) => "a position",
             Some(RoleKind::Dissipation) => "a dissipation function",
+            Some(RoleKind::Holonomic { .. } | RoleKind::Nonholonomic { .. }) => "a constraint",
             Some(RoleKind::Kinetic | RoleKind::Potential | RoleKind::Lagrangian) | None => "a Lagrangian",
         }
     }

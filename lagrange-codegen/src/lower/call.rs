@@ -77,14 +77,7 @@ impl<'a> Interpreter<'a> {
                 .collect();
             return self.refuse(origin, catalogue::recursion(cycle.join("` → `")));
         }
-        let mut shaped = Vec::with_capacity(arguments.len());
-        for (argument, parameter) in arguments.into_iter().zip(&function.parameters) {
-            let shape = self.shape(&parameter.ty);
-            shaped.push(self.coerce(argument, &shape, origin));
-        }
-        let mut key = Vec::new();
-        shaped.iter().for_each(|argument| argument.fingerprint(&mut key));
-        let key = (index, key);
+        let (shaped, key) = self.shaped(index, arguments, origin);
         if let Some(value) = self.memo.get(&key) {
             return value.clone();
         }
@@ -119,6 +112,24 @@ impl<'a> Interpreter<'a> {
         self.in_attribute = was_in_attribute;
         self.memo.insert(key, value.clone());
         value
+    }
+
+    /// The arguments of a call in the shapes that the function declares, and the key that its result is remembered by.
+    pub fn shaped(
+        &mut self,
+        index: usize,
+        arguments: Vec<Value>,
+        origin: Origin,
+    ) -> (Vec<Value>, (usize, Vec<u64>)) {
+        let function = &self.item.functions[index];
+        let mut shaped = Vec::with_capacity(arguments.len());
+        for (argument, parameter) in arguments.into_iter().zip(&function.parameters) {
+            let shape = self.shape(&parameter.ty);
+            shaped.push(self.coerce(argument, &shape, origin));
+        }
+        let mut key = Vec::new();
+        shaped.iter().for_each(|argument| argument.fingerprint(&mut key));
+        (shaped, (index, key))
     }
 
     /// The value of a function body: of its last expression or of `return`.

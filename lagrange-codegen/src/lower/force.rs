@@ -69,8 +69,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The flat indices of a coordinate named by `on = …`.
-    fn coordinates_of(&mut self, word: &'a Word, element: Option<&'a Expr>) -> Option<Vec<usize>> {
+    /// The flat indices of a coordinate named by `on = …` or `eliminate = …`.
+    pub fn coordinates_of(&mut self, word: &'a Word, element: Option<&'a Expr>) -> Option<Vec<usize>> {
         let groups = &self.item.coordinates;
         let mut start = 0;
         for group in groups {

@@ -61,6 +61,8 @@ pub struct Interpreter<'a> {
     pub fields: [Vec<Value>; 3],
     /// Whether an attribute argument such as a mass is evaluated.
     pub in_attribute: bool,
+    /// How many variables stand for components of positions.
+    pub positions: u32,
     /// How often something was reported, also where the report is a repetition.
     pub reports: usize,
     budget: Budget,
@@ -92,6 +94,7 @@ impl<'a> Interpreter<'a> {
             constants: vec![None; item.constants.len()],
             fields,
             in_attribute: false,
+            positions: 0,
             reports: 0,
             budget: Budget::Left(BUDGET),
         }

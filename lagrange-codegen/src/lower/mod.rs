@@ -8,6 +8,7 @@
 mod access;
 mod advice;
 mod call;
+mod constraint;
 mod construct;
 mod control;
 mod force;
@@ -19,6 +20,7 @@ mod operator;
 mod parameter;
 mod path;
 mod pattern;
+mod places;
 mod roles;
 mod rotation;
 mod scalar;

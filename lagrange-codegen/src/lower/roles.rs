@@ -6,7 +6,7 @@ use super::shape::Shape;
 use super::value::{Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::NodeId;
-use crate::model::{Attitude, Body, Point, Rotation, Term};
+use crate::model::{Attitude, Body, ConstraintKind, Point, Rotation, Term};
 use crate::syntax::Record;
 use crate::syntax::body::{Expr, ExprKind};
 use crate::syntax::item::{Argument, Function, RoleKind};
@@ -36,6 +36,12 @@ impl<'a> Interpreter<'a> {
                 RoleKind::Potential => self.energy(index, |model| &mut model.potential),
                 RoleKind::Lagrangian => self.energy(index, |model| &mut model.lagrangian),
                 RoleKind::Dissipation => self.energy(index, |model| &mut model.dissipation),
+                RoleKind::Holonomic { eliminate } => {
+                    self.constraint(index, ConstraintKind::Holonomic, eliminate.as_ref());
+                }
+                RoleKind::Nonholonomic { chetaev } => {
+                    self.constraint(index, ConstraintKind::Nonholonomic { chetaev: *chetaev }, None);
+                }
                 RoleKind::Force(_) => {}
             }
         }
@@ -44,10 +50,23 @@ impl<'a> Interpreter<'a> {
                 self.force(index, target);
             }
         }
+        self.places();
+        if let Some(rate) = &item.baumgarte {
+            self.baumgarte(rate);
+        }
     }
 
     /// The result of a role function; `None` if its signature is wrong, which is reported.
     pub fn result(&mut self, index: usize) -> Option<Value> {
+        let function: &'a Function = &self.item.functions[index];
+        let arguments = self.role_arguments(index)?;
+        let value = self.call(index, arguments, function.origin);
+        self.hint(&value, &function.name);
+        (!value.is_unknown()).then_some(value)
+    }
+
+    /// What a role function is called with.
+    pub fn role_arguments(&mut self, index: usize) -> Option<Vec<Value>> {
         let function: &'a Function = &self.item.functions[index];
         let mut arguments = Vec::with_capacity(function.parameters.len());
         for parameter in &function.parameters {
@@ -58,9 +77,7 @@ impl<'a> Interpreter<'a> {
                 Argument::Time => Value::Scalar(self.graph().variable(crate::expr::Variable::Time)),
             });
         }
-        let value = self.call(index, arguments, function.origin);
-        self.hint(&value, &function.name);
-        (!value.is_unknown()).then_some(value)
+        Some(arguments)
     }
 
     /// The declared return shape.
@@ -68,7 +85,8 @@ impl<'a> Interpreter<'a> {
         function.output.as_ref().map_or(Shape::Unit, |ty| self.shape(ty))
     }
 
-    fn wrong_return(&mut self, function: &'a Function, shape: &Shape) {
+    /// Reports a result of the wrong shape.
+    pub fn wrong_return(&mut self, function: &'a Function, shape: &Shape) {
         let origin = function.output.as_ref().map_or(function.origin, |ty| ty.origin);
         if let Some(role) = &function.role {
             let described = match shape {
@@ -187,7 +205,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The value of an attribute argument, in which only `self` is in sight.
-    fn attribute(&mut self, expr: &'a Expr) -> Value {
+    pub fn attribute(&mut self, expr: &'a Expr) -> Value {
         let mark = self.scope.enter();
         self.in_attribute = true;
         let value = self.expression(expr);

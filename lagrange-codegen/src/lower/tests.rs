@@ -1,5 +1,6 @@
 //! Lowering of whole descriptions.
 
+mod constraints;
 mod form;
 mod language;
 mod meaning;
@@ -33,7 +34,11 @@ pub fn value(model: &Model, node: NodeId, parameter: impl Fn(&str) -> f64) -> f6
     let variable = |variable: Variable| match variable {
         Variable::Coordinate(i) => 0.3 + 0.4 * f64::from(i),
         Variable::Velocity(i) => -0.4 + 0.5 * f64::from(i),
-        Variable::Acceleration(_) | Variable::Auxiliary(_) | Variable::Time => 0.9,
+        Variable::Acceleration(_)
+        | Variable::Auxiliary(_)
+        | Variable::Multiplier(_)
+        | Variable::Position(_)
+        | Variable::Time => 0.9,
         Variable::Input(i) => 1.5 + f64::from(i),
         Variable::Parameter(i) => parameter(&model.parameters[i as usize].path),
     };

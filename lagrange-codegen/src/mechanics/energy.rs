@@ -5,9 +5,10 @@
 //! L = T − V with a T quadratic in v is T, and for the relativistic particle (γ − 1) m c².
 
 use super::angular;
-use super::motion::Motion;
-use crate::calculus::{pullback, substitute, velocity_degrees};
-use crate::expr::NodeId;
+use super::constraints::Conditions;
+use super::motion::{Motion, time_direction};
+use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
+use crate::expr::{NodeId, Variable};
 use crate::model::Model;
 use crate::number::Number;
 
@@ -77,4 +78,41 @@ pub(super) fn power(model: &mut Model, motion: &Motion, applied: &[NodeId]) -> O
     let terms: Vec<_> =
         applied.iter().zip(&motion.v).map(|(&q, &v)| (model.graph.mul(q, v), Number::ONE)).collect();
     Some(model.graph.sum(Number::ZERO, &terms))
+}
+
+/// d(T + V)/dt along a constrained motion, without the large terms that cancel in v·∂E/∂q + a·∂E/∂v:
+///
+/// the Jacobi integral h = v·p − L changes by the power of the applied forces and of the reactions, less ∂L/∂t; what T + V
+/// differs from h by is differentiated as it stands.
+pub(super) fn rate(
+    model: &mut Model,
+    motion: &Motion,
+    momenta: &[NodeId],
+    energies: &Energies,
+    power: Option<NodeId>,
+    conditions: &Conditions,
+) -> Option<NodeId> {
+    if conditions.count() == 0 {
+        return None;
+    }
+    let graph = &mut model.graph;
+    let integral = energies.jacobi.unwrap_or(energies.total);
+    let mut lagrangian: Vec<_> =
+        momenta.iter().zip(&motion.v).map(|(&p, &v)| (graph.mul(p, v), Number::ONE)).collect();
+    lagrangian.push((integral, Number::MINUS_ONE));
+    let lagrangian = graph.sum(Number::ZERO, &lagrangian);
+    let (time, one) = (graph.variable(Variable::Time), graph.one());
+    let explicit = pushforward(graph, &[lagrangian], &[(time, one)])[0];
+    let mut terms = vec![(explicit, Number::MINUS_ONE)];
+    terms.extend(power.map(|power| (power, Number::ONE)));
+    terms.push((conditions.power(graph), Number::ONE));
+    if energies.jacobi.is_some() {
+        let mut direction = time_direction(graph, motion.q.len());
+        for (i, &v) in motion.v.iter().enumerate() {
+            direction.push((v, graph.variable(Variable::Acceleration(i as u32))));
+        }
+        let rest = graph.sub(energies.total, integral);
+        terms.push((pushforward(graph, &[rest], &direction)[0], Number::ONE));
+    }
+    Some(graph.sum(Number::ZERO, &terms))
 }

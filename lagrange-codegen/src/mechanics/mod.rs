@@ -6,13 +6,16 @@
 //! the same vector without the terms that cancel between d/dt ∂T/∂v and ∂T/∂q.
 
 mod angular;
+mod constraints;
 mod energy;
 mod equations;
 mod forces;
 mod linearization;
 mod motion;
+mod places;
 mod validate;
 
+pub use constraints::Conditions;
 pub use linearization::Linearization;
 
 use crate::diagnostics::Diagnostics;
@@ -47,15 +50,19 @@ pub struct Equations {
     pub jacobi_integral: Option<NodeId>,
     /// Power of the applied forces, where there are any.
     pub power: Option<NodeId>,
+    /// d(T + V)/dt along the motion of a constrained system, with its accelerations and multipliers as variables.
+    pub energy_rate: Option<NodeId>,
+    /// What the constraints contribute.
+    pub conditions: Conditions,
     /// Whether the mass matrix is symmetric positive semidefinite by construction or by the
     /// meaning of a kinetic energy; a Lagrangian given as a whole may have any signature.
     pub definite: bool,
 }
 
 impl Equations {
-    /// The entries of the mass matrix and the right-hand side.
+    /// The entries of the mass matrix and of the constraints' gradients, and the right-hand sides.
     pub fn roots(&self) -> Vec<NodeId> {
-        self.mass.iter().flatten().chain(&self.force).copied().collect()
+        self.mass.iter().flatten().chain(&self.force).copied().chain(self.conditions.roots()).collect()
     }
 
     /// The same with cheaper roots where the motion is solved for and facts are read: the mass
@@ -65,9 +72,19 @@ impl Equations {
         let mut take = |count: usize| simpler.by_ref().take(count).collect::<Vec<_>>();
         let mass = self.mass.iter().map(|row| take(row.len())).collect();
         let force = take(self.force.len());
+        let mut conditions = self.conditions.clone();
+        conditions.jacobian.iter_mut().for_each(|row| *row = take(row.len()));
+        conditions.gamma = take(conditions.gamma.len());
         let energies = [self.kinetic_energy, self.potential_energy];
         let energies = simplify(&mut model.graph, &mut model.hints, &energies);
-        Equations { mass, force, kinetic_energy: energies[0], potential_energy: energies[1], ..self.clone() }
+        Equations {
+            mass,
+            force,
+            conditions,
+            kinetic_energy: energies[0],
+            potential_energy: energies[1],
+            ..self.clone()
+        }
     }
 }
 
@@ -80,9 +97,10 @@ pub fn derive(
     let motion = Motion::of(model);
     validate::contributions(model, allows, diagnostics);
     validate::constants(model, diagnostics);
+    let independent = validate::constraints(model, allows, diagnostics);
     let momenta = equations::momenta(model, &motion);
     let mass = equations::mass_matrix(model, &motion, &momenta);
-    validate::inertia(model, &mass, diagnostics);
+    validate::inertia(model, &mass, &independent, diagnostics);
     let inertial = equations::inertial(model, &motion, &momenta);
     let conservative = equations::conservative(model);
     let applied_loads = forces::loads(model, &motion);
@@ -93,8 +111,10 @@ pub fn derive(
     let force = equations::negated(model, &total);
     let momentum_rates = equations::momentum_rates(model, &motion);
     validate::inputs(model, &force, &mass, allows, diagnostics);
+    let conditions = Conditions::of(model, &motion);
     let energies = energy::energies(model, &motion, &momenta);
     let power = energy::power(model, &motion, &applied);
+    let energy_rate = energy::rate(model, &motion, &momenta, &energies, power, &conditions);
     (!diagnostics.has_errors()).then_some(Equations {
         mass,
         bias,
@@ -107,6 +127,8 @@ pub fn derive(
         energy: energies.total,
         jacobi_integral: energies.jacobi,
         power,
+        energy_rate,
+        conditions,
         definite: model.lagrangian.is_empty(),
     })
 }

@@ -9,7 +9,12 @@ fn sample(variable: Variable) -> f64 {
         Variable::Coordinate(i) => 0.3 + 0.7 * f64::from(i),
         Variable::Velocity(i) => -0.4 + 0.9 * f64::from(i),
         Variable::Parameter(i) => 1.5 + f64::from(i),
-        Variable::Time | Variable::Input(_) | Variable::Acceleration(_) | Variable::Auxiliary(_) => 0.6,
+        Variable::Time
+        | Variable::Input(_)
+        | Variable::Acceleration(_)
+        | Variable::Auxiliary(_)
+        | Variable::Multiplier(_)
+        | Variable::Position(_) => 0.6,
     }
 }
 

@@ -15,7 +15,12 @@ fn check(graph: &mut Graph, roots: &[NodeId]) -> (u32, u32) {
             Variable::Coordinate(i) => 0.3 + 0.7 * f64::from(i) - 0.11 * f64::from(sample),
             Variable::Velocity(i) => -0.4 + 0.9 * f64::from(i) + 0.21 * f64::from(sample),
             Variable::Parameter(i) => 1.5 + f64::from(i),
-            Variable::Time | Variable::Input(_) | Variable::Acceleration(_) | Variable::Auxiliary(_) => 0.6,
+            Variable::Time
+            | Variable::Input(_)
+            | Variable::Acceleration(_)
+            | Variable::Auxiliary(_)
+            | Variable::Multiplier(_)
+            | Variable::Position(_) => 0.6,
         };
         let (before, now) = (graph.evaluate(roots, value), graph.evaluate(&after, value));
         for (a, b) in before.into_iter().zip(now) {

@@ -35,16 +35,21 @@ impl Facts {
         let energies = [equations.kinetic_energy, equations.potential_energy];
         let mut roots = equations.roots();
         roots.extend(energies);
+        roots.extend(equations.conditions.positions.iter().chain(&equations.conditions.rates));
         let uses = |kind: Dependence| roots.iter().any(|&root| graph.dependence(root).meets(kind));
         let fixed = |root: NodeId| graph.dependence(root).is_fixed();
-        let conservative = model.forces.is_empty() && model.dissipation.is_empty();
+        let lossless = equations.conditions.losses.iter().all(|&loss| graph.is_zero(loss));
+        let conservative = model.forces.is_empty() && model.dissipation.is_empty() && lossless;
         let appearing = appearing_coordinates(graph, &energies, count);
-        let idle = |i: usize| graph.is_zero(equations.applied[i]);
+        let conditions = &equations.conditions;
+        let idle = |i: usize| {
+            graph.is_zero(equations.applied[i]) && conditions.jacobian.iter().all(|row| graph.is_zero(row[i]))
+        };
         let constant_mass = entries().all(fixed);
         let resting = |&force: &NodeId| !graph.dependence(force).meets(Dependence::VELOCITIES);
         Facts {
             constant_mass,
-            separable: constant_mass && equations.force.iter().all(resting),
+            separable: constant_mass && conditions.count() == 0 && equations.force.iter().all(resting),
             diagonal_mass: (0..count).all(|i| (0..i).all(|j| graph.is_zero(equations.mass[i][j]))),
             autonomous: !uses(Dependence::TIME),
             has_jacobi_integral: equations.jacobi_integral.is_some(),
@@ -57,8 +62,20 @@ impl Facts {
     /// The lines of the report: what was found.
     pub fn found(&self, model: &Model) -> Vec<String> {
         let mut found = Vec::new();
+        if !model.eliminated.is_empty() {
+            let names: Vec<String> =
+                model.eliminated.iter().map(|eliminated| eliminated.quantity.written()).collect();
+            found.push(format!("eliminated by constraints: {}", names.join(", ")));
+        }
+        let constrained = !model.constraints.is_empty();
         if self.constant_mass {
-            found.push("the mass matrix is constant: factored once per run".to_owned());
+            let once = if constrained { "" } else { ": factored once per run" };
+            found.push(format!("the mass matrix is constant{once}"));
+        }
+        if constrained {
+            let names: Vec<String> =
+                model.constraints.iter().map(|constraint| constraint.written()).collect();
+            found.push(format!("constraints, each with a multiplier: {}", names.join(", ")));
         }
         if self.separable {
             found.push("separable: no force depends on velocities".to_owned());
@@ -96,8 +113,12 @@ impl Facts {
         skip(model.inputs.is_empty(), "inputs");
         skip(model.dissipation.is_empty(), "dissipation");
         skip(model.forces.is_empty(), "applied forces");
-        skip(self.diagonal_mass, "the solution of a linear system: the mass matrix is diagonal");
-        skip(true, "constraints and multipliers");
+        let unconstrained = model.constraints.is_empty();
+        skip(
+            self.diagonal_mass && unconstrained,
+            "the solution of a linear system: the mass matrix is diagonal",
+        );
+        skip(unconstrained, "constraints and multipliers");
         skipped
     }
 }

@@ -8,4 +8,4 @@ pub mod facts;
 pub mod solve;
 
 pub use facts::Facts;
-pub use solve::{Block, Method, Solution};
+pub use solve::{Block, Method, Saddle, Solution};

@@ -51,11 +51,25 @@ pub struct Block {
     pub constant: bool,
 }
 
-/// The solution of M a = f.
+/// How the accelerations and multipliers of a constrained system are solved for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Saddle {
+    /// M is diagonal: accelerations are eliminated, and A M⁻¹ Aᵀ is factored.
+    Diagonal,
+    /// The whole of M and A, in the null space of A.
+    Whole {
+        /// Whether the mass matrix has no negative direction.
+        definite: bool,
+    },
+}
+
+/// The solution of M a = f, or with constraints of M a − Aᵀλ = f and A a = γ.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// All blocks; each coordinate is in exactly one.
+    /// All blocks; without constraints each coordinate is in exactly one, with constraints there is none.
     pub blocks: Vec<Block>,
+    /// The method for a system with constraints.
+    pub saddle: Option<Saddle>,
 }
 
 impl Solution {
@@ -66,6 +80,9 @@ impl Solution {
         facts: &Facts,
         diagnostics: &mut Diagnostics,
     ) -> Solution {
+        if equations.conditions.count() > 0 {
+            return Solution { blocks: Vec::new(), saddle: Some(saddle(&model.graph, equations, facts)) };
+        }
         let mass = &equations.mass;
         let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];
         let mut blocks = Vec::with_capacity(facts.blocks.len());
@@ -110,12 +127,15 @@ impl Solution {
             };
             blocks.push(Block { coordinates: coordinates.clone(), method, constant });
         }
-        Solution { blocks }
+        Solution { blocks, saddle: None }
     }
 
     /// The nodes that a step computes: accelerations where they are written out, else entries of the
     /// mass matrix and right-hand sides.
     pub fn roots(&self, equations: &Equations) -> Vec<NodeId> {
+        if self.saddle.is_some() {
+            return equations.roots();
+        }
         let mut roots = Vec::new();
         for block in &self.blocks {
             match &block.method {
@@ -140,6 +160,16 @@ impl Solution {
             (false, false) if facts.blocks.len() > 1 => "block diagonal",
             (false, false) => "dense",
         };
+        if let Some(saddle) = self.saddle {
+            return match saddle {
+                Saddle::Diagonal => {
+                    format!("{kind}, eliminated from the saddle-point system of the constraints")
+                }
+                Saddle::Whole { .. } => {
+                    format!("{kind}, solved with the constraints in the null space of their gradients")
+                }
+            };
+        }
         let sized = |wanted: fn(&Method) -> bool| {
             self.blocks.iter().filter(|b| wanted(&b.method)).map(|b| b.coordinates.len()).max()
         };
@@ -157,6 +187,15 @@ impl Solution {
             parts.push(format!("LU with pivoting ({size} × {size})"));
         }
         format!("{kind}, solved by {}", parts.join(" and "))
+    }
+}
+
+/// M can be eliminated where no entry of its diagonal is missing.
+fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
+    let full = || equations.mass.iter().enumerate().all(|(i, row)| !graph.is_zero(row[i]));
+    match facts.diagonal_mass && full() {
+        true => Saddle::Diagonal,
+        false => Saddle::Whole { definite: equations.definite },
     }
 }
 

@@ -1,4 +1,5 @@
-//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, crate = …, allow(…)`.
+//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, baumgarte = …,
+//! crate = …, allow(…)`.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::ext::IdentExt;
@@ -14,9 +15,9 @@ use super::translate::{Translator, bare};
 use crate::diagnostics::{Diagnostics, catalogue};
 
 /// The checks that `allow(…)` can switch off.
-pub const LINTS: [&str; 2] = ["unused_input", "no_effect"];
+pub const LINTS: [&str; 4] = ["unused_input", "no_effect", "redundant", "integrable"];
 
-const KNOWN: [&str; 5] = ["coordinates", "inputs", "jacobians", "crate", "allow"];
+const KNOWN: [&str; 6] = ["coordinates", "inputs", "jacobians", "baumgarte", "crate", "allow"];
 
 /// The parsed arguments.
 #[derive(Default)]
@@ -27,6 +28,8 @@ pub struct Args {
     pub inputs: Vec<Declaration>,
     /// Whether the `jacobians` argument is there.
     pub jacobians: bool,
+    /// The `baumgarte` argument.
+    pub baumgarte: Option<syn::Expr>,
     /// The `crate` argument.
     pub crate_path: Option<syn::Path>,
     /// The `allow` argument.
@@ -60,6 +63,7 @@ impl Parse for Declaration {
 enum Argument {
     Names(Ident, Vec<Declaration>),
     Jacobians(Ident),
+    Baumgarte(Ident, syn::Expr),
     Crate(Ident, syn::Path),
     Allow(Ident, Vec<Ident>),
     /// With a value that it does not take.
@@ -72,6 +76,7 @@ impl Argument {
         match self {
             Argument::Names(key, _)
             | Argument::Jacobians(key)
+            | Argument::Baumgarte(key, _)
             | Argument::Crate(key, _)
             | Argument::Allow(key, _)
             | Argument::Valued(key)
@@ -92,6 +97,10 @@ impl Parse for Argument {
                 Ok(Argument::Names(key, names.into_iter().collect()))
             }
             "jacobians" if input.is_empty() || input.peek(Token![,]) => Ok(Argument::Jacobians(key)),
+            "baumgarte" => {
+                input.parse::<Token![=]>()?;
+                Ok(Argument::Baumgarte(key, input.parse()?))
+            }
             "crate" => {
                 input.parse::<Token![=]>()?;
                 Ok(Argument::Crate(key, syn::Path::parse_mod_style(input)?))
@@ -143,6 +152,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
                 target.extend(names);
             }
             Argument::Jacobians(_) => args.jacobians = true,
+            Argument::Baumgarte(_, rate) => args.baumgarte = Some(rate),
             Argument::Crate(_, path) => args.crate_path = Some(path),
             Argument::Allow(_, names) => {
                 for name in names {

@@ -7,8 +7,9 @@ use quote::format_ident;
 
 use super::args::LINTS;
 use super::body::{Block, Constant, Expr, Name, Pattern, Word};
+use super::constant;
 use super::translate::bare;
-use super::types::Type;
+use super::types::{Type, TypeKind};
 use crate::diagnostics::Origin;
 
 /// A parsed `#[lagrangian(…)] impl … { … }`.
@@ -30,6 +31,8 @@ pub struct Item {
     pub crate_path: syn::Path,
     /// Whether derivatives of the equations are generated.
     pub jacobians: bool,
+    /// Rate of Baumgarte's stabilisation, where the attribute asks for it.
+    pub baumgarte: Option<Expr>,
     /// Lints switched off with `allow(…)`.
     pub allowed: Vec<&'static str>,
     /// The impl block as it is emitted again.
@@ -47,6 +50,32 @@ impl Item {
     pub fn allows(&self, lint: &str) -> bool {
         debug_assert!(LINTS.contains(&lint), "item: a lint that is not in the list");
         self.allowed.contains(&lint)
+    }
+
+    /// How many scalar coordinates are to be eliminated, by what the roles say.
+    pub fn eliminated(&self) -> usize {
+        let eliminates = |function: &&Function| {
+            let kind = function.role.as_ref().map(|role| &role.kind);
+            matches!(kind, Some(RoleKind::Holonomic { eliminate: Some(_) }))
+        };
+        let functions = self.functions.iter().filter(eliminates);
+        functions.map(|function| self.components(function).unwrap_or(1)).sum()
+    }
+
+    /// Whether a function is a constraint with a multiplier.
+    pub fn is_kept_constraint(&self, function: &Function) -> bool {
+        let kind = function.role.as_ref().map(|role| &role.kind);
+        matches!(kind, Some(RoleKind::Holonomic { eliminate: None } | RoleKind::Nonholonomic { .. }))
+    }
+
+    /// The number of components of what a function returns, if that is an array or a vector.
+    pub fn components(&self, function: &Function) -> Option<usize> {
+        match function.output.as_ref().map(|ty| &ty.kind) {
+            Some(TypeKind::Array(_, length) | TypeKind::Vector(length)) => {
+                constant::integer(length, &self.constants).and_then(|length| length.try_into().ok())
+            }
+            _ => None,
+        }
     }
 
     /// The name of a generated struct, such as `ChainCoordinates`.
@@ -202,6 +231,25 @@ pub enum RoleKind {
     Dissipation,
     /// `#[force]`.
     Force(Target),
+    /// `#[holonomic]`.
+    Holonomic {
+        /// `#[holonomic(eliminate = x)]`: it is solved for a coordinate instead of being kept.
+        eliminate: Option<Eliminate>,
+    },
+    /// `#[nonholonomic]`.
+    Nonholonomic {
+        /// `#[nonholonomic(chetaev)]`: it need not be affine in the velocities.
+        chetaev: bool,
+    },
+}
+
+/// The coordinates that a constraint is solved for.
+#[derive(Clone, Debug)]
+pub struct Eliminate {
+    /// `x` or `theta[1]`, where they are named.
+    pub coordinate: Option<(Word, Option<Expr>)>,
+    /// Where it is asked for.
+    pub origin: Origin,
 }
 
 /// What a force acts on.

@@ -61,7 +61,7 @@ pub fn parse(
             parameter.bounds.push(syn::parse_quote!(#crate_path::Real));
         }
     }
-    let cleaned = rewrite::clean(&block, &name, &scalar, &crate_path);
+    let cleaned = rewrite::clean(&block, &name, &scalar, &crate_path, args.baumgarte.as_ref());
     let mut translator = Translator { diagnostics, scalar, self_name: name.to_string() };
     let mut constants = Vec::new();
     let mut functions = Vec::new();
@@ -77,6 +77,7 @@ pub fn parse(
         }
         role::refuse_on_item(item, &mut translator);
     }
+    let baumgarte = args.baumgarte.map(|rate| translator.expression(&rate));
     let coordinates = args::groups(&args.coordinates, &constants, &mut translator);
     let inputs = args::groups(&args.inputs, &constants, &mut translator);
     if args.inputs.is_empty() {
@@ -104,6 +105,7 @@ pub fn parse(
         inputs,
         crate_path,
         jacobians: args.jacobians,
+        baumgarte,
         allowed: args.allowed,
         cleaned,
         functions,

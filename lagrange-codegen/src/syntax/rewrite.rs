@@ -12,10 +12,16 @@ use syn::{Expr, ImplItem, ItemImpl, Lit};
 use super::item::{Record, Scalar};
 use super::role;
 
-/// The cleaned impl block.
-pub fn clean(block: &ItemImpl, name: &Ident, scalar: &Scalar, crate_path: &syn::Path) -> TokenStream {
+/// The cleaned impl block. `rate` is an expression from the attribute of the block.
+pub fn clean(
+    block: &ItemImpl,
+    name: &Ident,
+    scalar: &Scalar,
+    crate_path: &syn::Path,
+    rate: Option<&Expr>,
+) -> TokenStream {
     let mut block = block.clone();
-    let used = names_in_attributes(&block);
+    let used = names_in_attributes(&block, rate);
     for item in &mut block.items {
         match item {
             ImplItem::Fn(function) => {
@@ -59,21 +65,21 @@ pub fn rename(mut block: ItemImpl, name: &Ident, scalar: &Scalar) -> ItemImpl {
     block
 }
 
-/// Identifiers in role attributes: what stands there is used, though rustc cannot see it.
-fn names_in_attributes(block: &ItemImpl) -> Vec<String> {
+/// Identifiers in attributes: what stands there is used, though rustc cannot see it.
+fn names_in_attributes(block: &ItemImpl, rate: Option<&Expr>) -> Vec<String> {
     let mut names = Vec::new();
+    let mut stack: Vec<TokenStream> = rate.map(ToTokens::to_token_stream).into_iter().collect();
     for item in &block.items {
         let ImplItem::Fn(function) = item else { continue };
-        for attribute in function.attrs.iter().filter(|attribute| role::is_role(attribute)) {
-            let mut stack = vec![attribute.meta.to_token_stream()];
-            while let Some(stream) = stack.pop() {
-                for tree in stream {
-                    match tree {
-                        TokenTree::Ident(ident) => names.push(ident.to_string()),
-                        TokenTree::Group(group) => stack.push(group.stream()),
-                        TokenTree::Punct(_) | TokenTree::Literal(_) => {}
-                    }
-                }
+        let roles = function.attrs.iter().filter(|attribute| role::is_role(attribute));
+        stack.extend(roles.map(|attribute| attribute.meta.to_token_stream()));
+    }
+    while let Some(stream) = stack.pop() {
+        for tree in stream {
+            match tree {
+                TokenTree::Ident(ident) => names.push(ident.to_string()),
+                TokenTree::Group(group) => stack.push(group.stream()),
+                TokenTree::Punct(_) | TokenTree::Literal(_) => {}
             }
         }
     }

@@ -6,17 +6,30 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, Ident, Meta, Token};
 
 use super::body::{ExprKind, Owner, Word};
-use super::item::{Role, RoleKind, Target};
+use super::item::{Eliminate, Role, RoleKind, Target};
 use super::place;
 use super::suggest::nearest;
 use super::translate::{Translator, bare};
 use crate::diagnostics::catalogue;
 
 /// Roles of the language.
-const SUPPORTED: [&str; 7] = ["point", "body", "kinetic", "potential", "lagrangian", "dissipation", "force"];
+const SUPPORTED: [&str; 9] = [
+    "point",
+    "body",
+    "kinetic",
+    "potential",
+    "lagrangian",
+    "dissipation",
+    "force",
+    "holonomic",
+    "nonholonomic",
+];
 
 /// Roles that are refused until they are honoured.
-const PLANNED: [&str; 5] = ["holonomic", "nonholonomic", "friction", "unilateral", "event"];
+const PLANNED: [&str; 3] = ["friction", "unilateral", "event"];
+
+/// Arguments of roles that may stand without a value.
+const FLAGS: [&str; 2] = ["eliminate", "chetaev"];
 
 /// Attributes of the language and of common tools that resemble no role.
 const FOREIGN: [&str; 16] = [
@@ -106,10 +119,13 @@ fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Optio
         "point" => &["mass"],
         "body" => &["mass", "inertia"],
         "force" => &["at", "on"],
+        "holonomic" => &["eliminate"],
+        "nonholonomic" => &["chetaev"],
         _ => &[],
     };
     let given = arguments(name, attribute, accepted, translator)?;
-    let take = |key: &str| given.iter().find(|(word, _)| word == key).map(|(_, expr)| expr);
+    let find = |key: &str| given.iter().find(|given| given.key == key);
+    let take = |key: &str| find(key).and_then(|given| given.value.as_ref());
     let required = |key: &str, translator: &mut Translator| {
         let expr = take(key);
         if expr.is_none() {
@@ -128,6 +144,18 @@ fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Optio
         "potential" => Some(RoleKind::Potential),
         "lagrangian" => Some(RoleKind::Lagrangian),
         "dissipation" => Some(RoleKind::Dissipation),
+        "holonomic" => {
+            let Some(KeyValue { key, value }) = find("eliminate") else {
+                return Some(RoleKind::Holonomic { eliminate: None });
+            };
+            let coordinate = match value {
+                Some(value) => Some(target(value, "eliminate", translator)?),
+                None => None,
+            };
+            let origin = translator.origin(key.span());
+            Some(RoleKind::Holonomic { eliminate: Some(Eliminate { coordinate, origin }) })
+        }
+        "nonholonomic" => Some(RoleKind::Nonholonomic { chetaev: find("chetaev").is_some() }),
         _ => match (take("at"), take("on")) {
             (Some(_), Some(on)) => {
                 translator.diagnostics.error(place::expression(on), catalogue::force_at_and_on());
@@ -142,14 +170,17 @@ fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Optio
 
 struct KeyValue {
     key: Ident,
-    value: Expr,
+    value: Option<Expr>,
 }
 
 impl Parse for KeyValue {
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let key = input.call(Ident::parse_any)?;
+        if input.is_empty() || input.peek(Token![,]) {
+            return Ok(KeyValue { key, value: None });
+        }
         input.parse::<Token![=]>()?;
-        Ok(KeyValue { key, value: input.parse()? })
+        Ok(KeyValue { key, value: Some(input.parse()?) })
     }
 }
 
@@ -158,12 +189,13 @@ fn arguments(
     attribute: &Attribute,
     accepted: &[&str],
     translator: &mut Translator,
-) -> Option<Vec<(String, Expr)>> {
+) -> Option<Vec<KeyValue>> {
     let list = match &attribute.meta {
         Meta::Path(_) => return Some(Vec::new()),
         Meta::NameValue(pair) => {
             let form = match accepted {
                 ["at", ..] => "#[force]` or `#[force(at = …)]".to_string(),
+                [flag] if FLAGS.contains(flag) => format!("#[{role}]` or `#[{role}({flag})]"),
                 [] => format!("#[{role}]"),
                 _ => format!("#[{role}({} = …)]", accepted.join(" = …, ")),
             };
@@ -182,7 +214,7 @@ fn arguments(
             return None;
         }
     };
-    let mut given: Vec<(String, Expr)> = Vec::new();
+    let mut given: Vec<KeyValue> = Vec::new();
     let mut valid = true;
     for KeyValue { key, value } in pairs {
         let text = bare(&key).to_string();
@@ -195,11 +227,17 @@ fn arguments(
             };
             translator.diagnostics.error(key.span(), message);
             valid = false;
-        } else if given.iter().any(|(other, _)| *other == text) {
+        } else if given.iter().any(|other| other.key == key) {
             translator.diagnostics.error(key.span(), catalogue::duplicate_argument(&text));
             valid = false;
+        } else if value.is_none() && !FLAGS.contains(&text.as_str()) {
+            translator.diagnostics.error(key.span(), catalogue::bad_role_arguments(role, "expected `=`"));
+            valid = false;
+        } else if text == "chetaev" && value.is_some() {
+            translator.diagnostics.error(key.span(), catalogue::argument_with_value(&text));
+            valid = false;
         } else {
-            given.push((text, value));
+            given.push(KeyValue { key, value });
         }
     }
     valid.then_some(given)
@@ -217,7 +255,7 @@ fn target(expr: &Expr, key: &str, translator: &mut Translator) -> Option<(Word, 
             Some((Word { name: path.last, origin: path.origin }, index))
         }
         _ => {
-            translator.diagnostics.at(base.origin, catalogue::bad_force_target(key));
+            translator.diagnostics.at(base.origin, catalogue::bad_target(key));
             None
         }
     }

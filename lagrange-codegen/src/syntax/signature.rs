@@ -121,6 +121,10 @@ fn near_record(name: &str) -> Option<&'static str> {
 pub fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
     match (role, argument) {
         (RoleKind::Force(_), _) => None,
+        (RoleKind::Nonholonomic { .. }, Argument::Record(Record::Velocities)) => None,
+        (RoleKind::Holonomic { .. }, Argument::Record(Record::Velocities)) => {
+            Some(catalogue::velocity_in_holonomic())
+        }
         (_, Argument::Record(Record::Coordinates) | Argument::Time) => None,
         (RoleKind::Kinetic | RoleKind::Lagrangian | RoleKind::Dissipation, Argument::Record(record)) => {
             (record == Record::Inputs).then(catalogue::input_outside_force)
@@ -132,7 +136,11 @@ pub fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
             Some(catalogue::velocity_in_position())
         }
         (
-            RoleKind::Potential | RoleKind::Point { .. } | RoleKind::Body { .. },
+            RoleKind::Potential
+            | RoleKind::Point { .. }
+            | RoleKind::Body { .. }
+            | RoleKind::Holonomic { .. }
+            | RoleKind::Nonholonomic { .. },
             Argument::Record(Record::Inputs),
         ) => Some(catalogue::input_outside_force()),
     }
@@ -147,6 +155,9 @@ pub fn returns(role: &RoleKind) -> &'static str {
             "a scalar energy"
         }
         RoleKind::Force(_) => "a force",
+        RoleKind::Holonomic { .. } | RoleKind::Nonholonomic { .. } => {
+            "what is to stay zero, a scalar or an array of scalars"
+        }
     }
 }
 

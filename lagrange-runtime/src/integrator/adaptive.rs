@@ -130,6 +130,7 @@ where
         }
         while memory.end.state.t != t {
             memory.step(&Driven { system, constants, control }, limits, t, true, attempts)?;
+            project(memory, system, constants)?;
         }
         Ok(memory.end.state)
     }
@@ -153,10 +154,35 @@ where
                 memory.rewind();
             }
             memory.step(&driven, limits, t, false, attempts)?;
+            project(memory, system, constants)?;
         }
         let end = memory.end.state.t;
-        memory.sample(&driven, t).map_err(|cause| MotionError { cause, t: end })
+        let failed = |cause| MotionError { cause, t: end };
+        let mut state = memory.sample(&driven, t).map_err(failed)?;
+        system.project_at(constants, &mut state).map_err(failed)?;
+        Ok(state)
     }
+}
+
+/// Moves the end of a step back onto the constraints.
+#[inline(always)]
+fn project<S: System<N, K>, const N: usize, const K: usize>(
+    memory: &mut Dop853Memory<S::Scalar, N>,
+    system: &S,
+    constants: &S::Constants,
+) -> Result<(), MotionError<S::Scalar>>
+where
+    S::Scalar: Ordered,
+{
+    if S::CONSTRAINED {
+        let mut end = memory.end.state;
+        if let Err(cause) = system.project_at(constants, &mut end) {
+            memory.rewind();
+            return Err(MotionError { cause, t: memory.end.state.t });
+        }
+        memory.correct(end);
+    }
+    Ok(())
 }
 
 /// A system under control, as the integrator wants it.

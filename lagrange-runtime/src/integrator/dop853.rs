@@ -115,6 +115,20 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         *self = Self { length: self.length, counts: self.counts, ..Self::new(state) };
     }
 
+    /// Replaces the end of the step by a state beside it.
+    pub(crate) fn correct(&mut self, state: State<R, N>) {
+        let Point { state: end, residue } = &mut self.end;
+        for n in 0..N {
+            // What rounding took belongs to the number that was rounded.
+            if state.q[n] != end.q[n] {
+                (end.q[n], residue.q[n], self.slope) = (state.q[n], R::zero(), None);
+            }
+            if state.v[n] != end.v[n] {
+                (end.v[n], residue.v[n], self.slope) = (state.v[n], R::zero(), None);
+            }
+        }
+    }
+
     /// Returns to the start of the step.
     pub(crate) fn rewind(&mut self) {
         if self.start.state.t != self.end.state.t {

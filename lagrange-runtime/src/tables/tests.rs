@@ -66,5 +66,5 @@ fn rates_are_rounded_once() {
     for order in 1..=40 {
         assert_eq!(rate(0.3, order), 0.3 / order as f64);
     }
-    assert_eq!((ramp(3, 0.5), fraction::<f64>(8)), (1.5, 0.125));
+    assert_eq!((ramp(3, 0.5), index::<f64>(8)), (1.5, 8.0));
 }

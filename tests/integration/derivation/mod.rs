@@ -2,6 +2,7 @@
 
 mod arrays;
 mod elementary;
+mod eliminated;
 mod forces;
 mod generic_bodies;
 mod lagrangians;

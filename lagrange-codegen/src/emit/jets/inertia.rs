@@ -1,5 +1,6 @@
 //! The mass matrix at the point of expansion: one factorisation a step, or a run where it is constant.
 
+use super::saddle::{SaddlePoint, SaddleStart};
 use super::start::Start;
 use super::{bare, binding};
 use crate::emit::Emission;
@@ -17,6 +18,8 @@ use crate::syntax::Scalar;
 /// How each block is solved in every order.
 pub(super) struct Inertia {
     blocks: Vec<Part>,
+    /// With constraints, instead of blocks.
+    saddle: Option<SaddlePoint>,
     /// Entries of all blocks but the constant ones, lower triangles row by row.
     moving: Program,
     /// Entries of the constant blocks that are not numbers.
@@ -47,6 +50,8 @@ pub(super) struct AtStart {
     pub reads: Reads,
     /// Each block with what solves it.
     pub solvers: Vec<Solver>,
+    /// With constraints, what solves for velocities and multipliers together.
+    pub saddle: Option<SaddleStart>,
 }
 
 /// A block and what solves it.
@@ -66,10 +71,12 @@ pub(super) enum By {
 }
 
 impl Inertia {
-    pub fn plan(emission: &mut Emission<'_>) -> Inertia {
+    pub fn plan(emission: &mut Emission<'_>, jets: &Jets) -> Inertia {
+        let saddle = emission.solution.saddle.map(|method| SaddlePoint::plan(emission, jets, method));
         let graph = &emission.model.graph;
         let mass = &emission.equations.mass;
         let (mut moving, mut constant): (Vec<NodeId>, Vec<NodeId>) = Default::default();
+        moving.extend(saddle.iter().flat_map(SaddlePoint::nodes));
         let mut blocks = Vec::with_capacity(emission.solution.blocks.len());
         for block in &emission.solution.blocks {
             let coordinates = block.coordinates.clone();
@@ -92,7 +99,7 @@ impl Inertia {
             }
             blocks.push(Part { coordinates, factor, entries });
         }
-        Inertia { blocks, moving: plan(graph, &moving), constant: plan(graph, &constant) }
+        Inertia { blocks, saddle, moving: plan(graph, &moving), constant: plan(graph, &constant) }
     }
 
     /// The number of factorisations made once per run.
@@ -191,6 +198,11 @@ impl Inertia {
         let written = block::write(model, scalar, &self.moving, &self.moving.outputs, &given, names);
         let mut statements = body::assemble(&written);
         let mut outputs = written.outputs.iter().cloned();
+        let saddle = self.saddle.as_ref().map(|saddle| {
+            let (text, start) = saddle.at_start(model, scalar, &mut outputs, names);
+            statements.push_str(&text);
+            start
+        });
         let mut solvers = Vec::with_capacity(self.blocks.len());
         let mut factored = 0;
         for part in &self.blocks {
@@ -236,6 +248,6 @@ impl Inertia {
             };
             solvers.push(Solver { coordinates: part.coordinates.clone(), by });
         }
-        AtStart { labels, statements, reads: written.reads, solvers }
+        AtStart { labels, statements, reads: written.reads, solvers, saddle }
     }
 }

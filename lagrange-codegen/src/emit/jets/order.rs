@@ -98,7 +98,7 @@ fn named(jets: &Jets) -> Vec<bool> {
         named[lane.left.slot.index()] = true;
         named[lane.right.slot.index()] = true;
     }
-    for slot in jets.rates.iter().chain(&jets.momenta) {
+    for slot in jets.carried().chain(jets.balances()) {
         uses[slot.index()] += 1;
     }
     for (named, uses) in named.iter_mut().zip(uses) {
@@ -124,7 +124,7 @@ pub(super) struct Writer<'a, 'b> {
     pub(super) inner: Vec<String>,
     /// Every factor of a lane with the variables that hold its coefficients of order 1 and of the last order.
     pub(super) edges: Vec<(crate::jets::Operand, String, String)>,
-    /// Variables that carry the momentum rates of the last order, by coordinate.
+    /// Variables that carry the momentum rates of the last order, by coordinate, then those of relaxed constraints.
     pub(super) forces: Vec<String>,
     pub(super) before: String,
     pub(super) body: String,
@@ -137,7 +137,7 @@ impl Writer<'_, '_> {
         let scalar = &self.emission.item.scalar;
         let count = self.emission.count();
         let model = &*self.emission.model;
-        let under = self.jets.under_momenta();
+        let under = self.jets.under_balances();
 
         let mut velocities = Vec::with_capacity(count);
         for i in 0..count {
@@ -153,6 +153,7 @@ impl Writer<'_, '_> {
             self.forces.push(force);
             velocities.push((coordinate, velocity));
         }
+        let multipliers = self.multipliers();
         for &slot in &self.jets.order {
             if let Instruction::Variable(variable) = self.jets.program.instruction(slot) {
                 match variable {
@@ -162,6 +163,9 @@ impl Writer<'_, '_> {
                     Variable::Velocity(i) => {
                         self.coefficients[slot.index()] = velocities[i as usize].1.clone();
                     }
+                    Variable::Multiplier(i) => {
+                        self.coefficients[slot.index()] = multipliers[i as usize].clone();
+                    }
                     _ => {}
                 }
             }
@@ -169,7 +173,10 @@ impl Writer<'_, '_> {
         self.interiors();
         self.early();
         self.partially(&under);
-        self.solve(mass, &velocities);
+        match &mass.saddle {
+            Some(saddle) => self.solve_saddle(saddle, &velocities, &multipliers),
+            None => self.solve(mass, &velocities),
+        }
         let join = |pick: fn(&(String, String)) -> &String| {
             velocities.iter().map(|pair| pick(pair).clone()).collect::<Vec<_>>().join(", ")
         };
@@ -178,8 +185,8 @@ impl Writer<'_, '_> {
         self.late(&under);
         self.store();
         let mut fraction = format!("let rate: {scalar} = lagrange::jets::rate(h, order);\n");
-        if self.body.contains("fraction") {
-            fraction.push_str(&format!("let fraction: {scalar} = lagrange::jets::fraction(order);\n"));
+        if self.body.contains("/ index)") {
+            fraction.push_str(&format!("let index: {scalar} = lagrange::jets::index(order);\n"));
         }
         let inner = self.sweep();
         format!(
@@ -189,7 +196,7 @@ impl Writer<'_, '_> {
     }
 
     /// A variable that carries the coefficient of a slot to the next order.
-    fn carry(&mut self, slot: Slot, wish: &str) -> String {
+    pub(super) fn carry(&mut self, slot: Slot, wish: &str) -> String {
         let scalar = &self.emission.item.scalar;
         let name = self.names.claim(Some(wish.to_owned()));
         self.before.push_str(&format!("let mut {name}: {scalar} = {};\n", self.start.text(slot)));
@@ -210,14 +217,21 @@ impl Writer<'_, '_> {
         self.names.claim(wish)
     }
 
+    /// Whether the solution of an order gives the coefficient.
+    fn is_unknown(&self, slot: Slot) -> bool {
+        let unknown = |variable| matches!(variable, Variable::Velocity(_) | Variable::Multiplier(_));
+        matches!(self.jets.program.instruction(slot), Instruction::Variable(variable) if unknown(variable))
+    }
+
     fn text(&self, operand: Operand) -> Option<String> {
         match operand {
             Operand::Inner(lane) => Some(self.inner[lane].clone()),
+            Operand::Share(lane) => Some(format!("({} / index)", self.inner[lane])),
             Operand::Slot(slot) => Some(self.coefficients[slot.index()].clone()),
         }
     }
 
-    fn partial_text(&self, operand: Operand) -> Option<String> {
+    pub(super) fn partial_text(&self, operand: Operand) -> Option<String> {
         match operand {
             Operand::Slot(slot) if self.jets.coefficient(slot) == Coefficient::Late => {
                 self.partial[slot.index()].clone()
@@ -227,7 +241,7 @@ impl Writer<'_, '_> {
     }
 
     /// Terms in the order in which their operands are known.
-    fn sorted(&self, mut terms: Vec<Term>) -> Vec<Term> {
+    pub(super) fn sorted(&self, mut terms: Vec<Term>) -> Vec<Term> {
         terms.sort_by_key(|term| (self.context.coefficient(term.value), term.factor.is_some()));
         // A chain starts with a positive term where it can, which saves the change of sign.
         let earliest = terms.first().map(|term| self.context.coefficient(term.value));
@@ -284,9 +298,7 @@ impl Writer<'_, '_> {
     fn partially(&mut self, under: &[bool]) {
         for slot in self.jets.order.clone() {
             let late = self.jets.coefficient(slot) == Coefficient::Late;
-            let velocity =
-                matches!(self.jets.program.instruction(slot), Instruction::Variable(Variable::Velocity(_)));
-            if !late || velocity || !under[slot.index()] || !self.context.named[slot.index()] {
+            if !late || self.is_unknown(slot) || !under[slot.index()] || !self.context.named[slot.index()] {
                 continue;
             }
             let (known, unknown) = self.split(slot);
@@ -352,9 +364,7 @@ impl Writer<'_, '_> {
     fn late(&mut self, under: &[bool]) {
         for slot in self.jets.order.clone() {
             let late = self.jets.coefficient(slot) == Coefficient::Late && self.context.named[slot.index()];
-            if !late
-                || matches!(self.jets.program.instruction(slot), Instruction::Variable(Variable::Velocity(_)))
-            {
+            if !late || self.is_unknown(slot) {
                 continue;
             }
             let (known, unknown) = self.split(slot);
@@ -368,7 +378,7 @@ impl Writer<'_, '_> {
             self.bind(&name, &text);
             self.coefficients[slot.index()] = name;
         }
-        for (force, &slot) in self.forces.iter().zip(&self.jets.rates) {
+        for (force, slot) in self.forces.iter().zip(self.jets.carried()) {
             let text = self.value(slot);
             self.after.push_str(&format!("{force} = {};\n", bare(&text)));
         }

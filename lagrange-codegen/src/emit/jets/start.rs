@@ -120,7 +120,10 @@ impl<'a> Start<'a> {
                         self.reads.parameters[i as usize] = true;
                         label.clone()
                     }
-                    Variable::Auxiliary(_) | Variable::Acceleration(_) => label.clone(),
+                    Variable::Auxiliary(_)
+                    | Variable::Acceleration(_)
+                    | Variable::Multiplier(_)
+                    | Variable::Position(_) => label.clone(),
                 };
                 (text, label)
             }
@@ -197,7 +200,7 @@ fn power(x: &str, exponent: Exponent) -> String {
 
 /// The slots whose values the recurrences use.
 fn needed(jets: &Jets, known: &[String]) -> Vec<bool> {
-    let mut stack: Vec<Slot> = jets.rates.clone();
+    let mut stack: Vec<Slot> = jets.carried().collect();
     for &slot in &jets.order {
         if !jets.moves(slot) {
             continue;
@@ -210,7 +213,7 @@ fn needed(jets: &Jets, known: &[String]) -> Vec<bool> {
                 Relation::Same(_) => {}
             },
             (Instruction::Mul(a, b), None) => match (jets.moves(a), jets.moves(b)) {
-                (true, true) => stack.extend([a, b]),
+                (true, true) => stack.extend([a, b].into_iter().filter(|&factor| !jets.vanishes(factor))),
                 (true, false) => stack.push(b),
                 (false, _) => stack.push(a),
             },

@@ -19,6 +19,8 @@ pub(super) struct Term {
 pub(super) enum Operand {
     /// The interior sum of a lane.
     Inner(usize),
+    /// The same divided by the order.
+    Share(usize),
     /// The coefficient of a slot.
     Slot(Slot),
 }
@@ -95,10 +97,9 @@ impl Context<'_> {
     }
 
     fn product(&self, a: Slot, b: Slot, negative: bool, terms: &mut Vec<Term>) {
-        let term = |factor: Slot, slot: Slot| Term {
-            negative,
-            factor: Some(self.start[factor.index()].clone()),
-            value: Operand::Slot(slot),
+        let term = |factor: Slot, slot: Slot| {
+            let text = (!self.jets.vanishes(factor)).then(|| self.start[factor.index()].clone())?;
+            Some(Term { negative, factor: Some(text), value: Operand::Slot(slot) })
         };
         match (self.jets.moves(a), self.jets.moves(b)) {
             (true, true) => {
@@ -108,12 +109,12 @@ impl Context<'_> {
                     let twice = format!("({0} + {0})", self.start[a.index()]);
                     terms.push(Term { negative, factor: Some(twice), value: Operand::Slot(a) });
                 } else {
-                    terms.push(term(a, b));
-                    terms.push(term(b, a));
+                    terms.extend(term(a, b));
+                    terms.extend(term(b, a));
                 }
             }
-            (true, false) => terms.push(term(b, a)),
-            (false, true) => terms.push(term(a, b)),
+            (true, false) => terms.extend(term(b, a)),
+            (false, true) => terms.extend(term(a, b)),
             (false, false) => {}
         }
     }
@@ -128,11 +129,7 @@ impl Context<'_> {
             Relation::Chain(arguments) => {
                 for (&(slope, argument), lane) in arguments.iter().zip(lanes) {
                     if self.jets.moves(slope) {
-                        terms.push(Term {
-                            negative: false,
-                            factor: Some("fraction".to_owned()),
-                            value: Operand::Inner(lane),
-                        });
+                        terms.push(Term { negative: false, factor: None, value: Operand::Share(lane) });
                     }
                     let factor = Some(self.start[slope.index()].clone());
                     terms.push(Term { negative: false, factor, value: Operand::Slot(argument) });
@@ -157,7 +154,7 @@ impl Context<'_> {
                     };
                     let first = scaled(*exponent, &reciprocal);
                     terms.push(inner(exponent.is_negative(), format!("({first})"), lanes[0]));
-                    let second = format!("({} * fraction)", scaled(above, &reciprocal));
+                    let second = format!("({} / index)", scaled(above, &reciprocal));
                     terms.push(inner(!above.is_negative(), second, lanes[1]));
                 }
                 terms.push(Term { negative: false, factor: Some(slope), value: Operand::Slot(*base) });
@@ -168,7 +165,7 @@ impl Context<'_> {
     /// When all of an operand is known.
     pub fn coefficient(&self, operand: Operand) -> Coefficient {
         match operand {
-            Operand::Inner(_) => Coefficient::Constant,
+            Operand::Inner(_) | Operand::Share(_) => Coefficient::Constant,
             Operand::Slot(slot) => self.jets.coefficient(slot),
         }
     }

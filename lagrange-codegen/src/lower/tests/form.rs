@@ -66,7 +66,7 @@ fn roles() {
     let energy = |role: TokenStream| quote!(#role fn energy(&self, q: &Coordinates) -> f64 { q.x });
     block(energy(quote!(#[potental])), "there is no role `potental`; did you mean `potential`?");
     block(energy(quote!(#[Potential])), "there is no role `Potential`; did you mean `potential`?");
-    block(energy(quote!(#[holonomic])), "the role `holonomic` is not supported yet; ");
+    block(energy(quote!(#[event])), "the role `event` is not supported yet; ");
     block(energy(quote!(#[potential] #[kinetic])), "this function has the role `potential` already; ");
     block(energy(quote!(#[potential(mass = 1.0)])), "`potential` takes no arguments; ");
     block(energy(quote!(#[potential = 1.0])), "`potential` takes no value; ");
@@ -79,7 +79,7 @@ fn roles() {
         energy(quote!(#[force(at = x, on = x)])),
         "a force acts either `at` a point or `on` a coordinate; ",
     );
-    block(energy(quote!(#[force(on = self.x)])), "`on` names one place; ");
+    block(energy(quote!(#[force(on = self.x)])), "`on` takes a name; ");
     block(energy(quote!(#[force(on = y)])), "there is no coordinate `y`; declared are `x`, `a`");
     block(energy(quote!(#[force(on = a[2])])), "the index 2 is out of range; valid are 0 to 1");
     block(energy(quote!(#[force(on = x[0])])), "`x` is no array; ");

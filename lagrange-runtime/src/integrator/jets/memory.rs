@@ -87,6 +87,19 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         }
     }
 
+    /// Replaces the end of the step by a state beside it.
+    pub(super) fn correct(&mut self, end: State<R, N>) {
+        for i in 0..N {
+            // What rounding took belongs to the number that was rounded.
+            if end.q[i] != self.end.q[i] {
+                (self.end.q[i], self.end_residue.q[i]) = (end.q[i], R::zero());
+            }
+            if end.v[i] != self.end.v[i] {
+                (self.end.v[i], self.end_residue.v[i]) = (end.v[i], R::zero());
+            }
+        }
+    }
+
     /// Whether the coefficients of the highest order are finite, and with them all others.
     #[inline]
     pub(super) fn is_finite(&self) -> bool {

@@ -163,6 +163,12 @@ where
                 return Err(MotionError { cause, t: at.t });
             }
         }
-        Ok(memory.at(t))
+        let mut state = memory.at(t);
+        // The polynomial obeys constraints to the tolerance, the ends of its steps to rounding.
+        if S::CONSTRAINED && t != memory.end.t {
+            let failed = |cause| MotionError { cause, t: memory.end.t };
+            system.project_at(constants, &mut state).map_err(failed)?;
+        }
+        Ok(state)
     }
 }

@@ -106,6 +106,14 @@ where
             (memory.end, memory.end_residue) = (memory.start, memory.residue);
             return Err(Cause::NotFinite);
         }
+        if S::CONSTRAINED {
+            let mut end = memory.end;
+            if let Err(cause) = system.project_at(constants, &mut end) {
+                (memory.end, memory.end_residue) = (memory.start, memory.residue);
+                return Err(cause);
+            }
+            memory.correct(end);
+        }
         memory.counts.accepted += 1;
         return Ok(());
     }

@@ -1,6 +1,14 @@
 //! Physics that cannot be right: reported on the user's own expression, never ignored.
 
-use crate::calculus::{first_beyond_degree, velocity_degrees};
+mod constraints;
+mod exactness;
+mod inertia;
+mod matching;
+
+pub(super) use constraints::constraints;
+pub(super) use inertia::inertia;
+
+use crate::calculus::beyond_degree;
 use crate::diagnostics::{Diagnostics, Origin, physics};
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::{Action, Attitude, Model};
@@ -9,8 +17,8 @@ use crate::number::Number;
 /// Contributions that have no effect or the wrong form.
 pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mut Diagnostics) {
     for term in &model.kinetic {
-        if let Some(node) = first_beyond_degree(&model.graph, term.value, 2) {
-            let origin = model.origins.get(&node).copied().unwrap_or(term.origin);
+        if let Some(node) = beyond_degree(&model.graph, term.value, 2).first() {
+            let origin = model.origins.get(node).copied().unwrap_or(term.origin);
             diagnostics.at(origin, physics::kinetic_not_quadratic(&term.name));
         }
     }
@@ -18,6 +26,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         return;
     }
     let graph = &model.graph;
+    let eliminated = !model.eliminated.is_empty();
     let state = Dependence::COORDINATES.union(Dependence::VELOCITIES);
     let idle = |value: NodeId, matters: Dependence| !graph.dependence(value).meets(matters);
     for (role, terms, matters) in [
@@ -27,7 +36,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         ("dissipation function", &model.dissipation, Dependence::VELOCITIES),
     ] {
         for term in terms.iter().filter(|term| idle(term.value, matters)) {
-            diagnostics.at(term.origin, physics::no_effect(role, &term.name));
+            diagnostics.at(term.origin, physics::no_effect(role, &term.name, eliminated));
         }
     }
     let mut reported: Vec<Origin> = Vec::new();
@@ -40,7 +49,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
     let fixed = |position: &[NodeId]| position.iter().all(|&x| idle(x, Dependence::COORDINATES));
     for point in &model.points {
         if fixed(&point.position) {
-            complain(point.origin, physics::fixed_in_space("point", &point.name), diagnostics);
+            complain(point.origin, physics::fixed_in_space("point", &point.name, eliminated), diagnostics);
         } else if graph.is_zero(point.mass) {
             complain(point.origin, physics::zero_mass(&point.name), diagnostics);
         } else if graph.as_constant(point.mass).is_some_and(Number::is_negative) {
@@ -61,7 +70,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
             complain(body.origin, physics::negative_mass(&body.name), diagnostics);
         }
         if fixed(&body.position) && !turns {
-            complain(body.origin, physics::fixed_in_space("body", &body.name), diagnostics);
+            complain(body.origin, physics::fixed_in_space("body", &body.name, eliminated), diagnostics);
         }
     }
     for force in &model.forces {
@@ -76,7 +85,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         };
         let part_of_a_pair = model.forces.iter().filter(|other| other.origin == force.origin).count() > 1;
         if !has_effect && !part_of_a_pair {
-            complain(force.origin, physics::no_effect("force", &force.name), diagnostics);
+            complain(force.origin, physics::no_effect("force", &force.name, eliminated), diagnostics);
         }
     }
 }
@@ -93,6 +102,8 @@ pub(super) fn constants(model: &Model, diagnostics: &mut Diagnostics) {
     for body in &model.bodies {
         roots.extend(body.position.iter().chain([&body.mass]).map(|&node| (node, body.origin)));
     }
+    roots.extend(model.constraints.iter().map(|constraint| (constraint.value, constraint.origin)));
+    roots.extend(model.eliminated.iter().map(|eliminated| (eliminated.position, eliminated.quantity.origin)));
     for (root, origin) in roots {
         let broken = graph.cone([root]).into_iter().find(|&id| !is_number(graph, id));
         if let Some(node) = broken {
@@ -117,27 +128,6 @@ fn is_number(graph: &Graph, id: NodeId) -> bool {
             graph.evaluate(&[id], |_| f64::NAN)[0].is_finite()
         }
         None => true,
-    }
-}
-
-/// Coordinates that no inertia belongs to.
-pub(super) fn inertia(model: &Model, mass: &[Vec<NodeId>], diagnostics: &mut Diagnostics) {
-    let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];
-    let count = mass.len();
-    let mut massless = false;
-    for (row, coordinate) in model.coordinates.iter().enumerate() {
-        if (0..count).all(|column| model.graph.is_zero(entry(row, column))) {
-            massless = true;
-            let linear = model.lagrangian.iter().chain(&model.kinetic).any(|term| {
-                model.graph.depends_on(term.value, Variable::Velocity(row as u32))
-                    && velocity_degrees(&model.graph, term.value).at_most(1)
-            });
-            diagnostics.at(coordinate.origin, physics::no_inertia(&coordinate.written(), linear));
-        }
-    }
-    if !massless && let Some(free) = unmatched_row(count, |i, j| !model.graph.is_zero(entry(i, j))) {
-        let coordinate = &model.coordinates[free];
-        diagnostics.at(coordinate.origin, physics::structurally_singular(&coordinate.written()));
     }
 }
 
@@ -169,32 +159,4 @@ fn used_inputs(graph: &Graph, roots: &[NodeId], count: usize) -> Vec<bool> {
         }
     }
     used
-}
-
-/// A row without a partner in a maximum matching of rows to columns (augmenting paths); such
-/// a matrix is singular whatever its entries.
-fn unmatched_row(count: usize, nonzero: impl Fn(usize, usize) -> bool) -> Option<usize> {
-    fn augment(
-        row: usize,
-        count: usize,
-        nonzero: &dyn Fn(usize, usize) -> bool,
-        seen: &mut [bool],
-        partner: &mut [Option<usize>],
-    ) -> bool {
-        for column in 0..count {
-            if nonzero(row, column) && !std::mem::replace(&mut seen[column], true) {
-                let free = match partner[column] {
-                    None => true,
-                    Some(other) => augment(other, count, nonzero, seen, partner),
-                };
-                if free {
-                    partner[column] = Some(row);
-                    return true;
-                }
-            }
-        }
-        false
-    }
-    let mut partner = vec![None; count];
-    (0..count).find(|&row| !augment(row, count, &nonzero, &mut vec![false; count], &mut partner))
 }

@@ -1,0 +1,107 @@
+//! Every quantity of a model, for a rewriting of all of them at once.
+
+use crate::calculus::substitute;
+use crate::expr::{Node, NodeId};
+use crate::model::{Action, Attitude, Model, Rotation, RotationForm};
+
+/// Replaces nodes in all quantities of a model. Names and places in the source go with what they belong to.
+pub(super) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
+    let mut roots = Vec::new();
+    visit(model, &mut |node| roots.push(*node));
+    let cone = model.graph.cone(roots);
+    let images = substitute(&mut model.graph, &cone, replacements);
+    for (&node, &image) in cone.iter().zip(&images) {
+        if node == image || matches!(model.graph.node(image), Node::Constant(_) | Node::Variable(_)) {
+            continue;
+        }
+        if let Some(name) = model.hints.name(node).map(str::to_owned) {
+            model.hints.suggest(image, name);
+        }
+        if let Some(&origin) = model.origins.get(&node)
+            && !model.origins.contains(&image)
+        {
+            model.origins.insert(image, origin);
+        }
+    }
+    visit(model, &mut |node| {
+        if let Ok(place) = cone.binary_search(node) {
+            *node = images[place];
+        }
+    });
+}
+
+/// Calls a function with every quantity that may depend on coordinates.
+fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
+    // By name, so that a new field of the model does not compile until it is known here.
+    let Model {
+        graph: _,
+        coordinates: _,
+        inputs: _,
+        parameters: _,
+        lengths: _,
+        points,
+        bodies,
+        kinetic,
+        potential,
+        lagrangian,
+        dissipation,
+        forces,
+        constraints,
+        places,
+        eliminations: _,
+        eliminated: _,
+        baumgarte: _,
+        hints: _,
+        origins: _,
+        locals: _,
+    } = model;
+    for point in points {
+        point.position.iter_mut().for_each(&mut *each);
+    }
+    for body in bodies {
+        body.position.iter_mut().for_each(&mut *each);
+        match &mut body.attitude {
+            Attitude::Planar { angle, inertia: _ } => each(angle),
+            Attitude::Spatial { rotation: turn, inertia: _ } => rotation(turn, each),
+        }
+    }
+    for term in [kinetic, potential, lagrangian, dissipation].into_iter().flatten() {
+        each(&mut term.value);
+    }
+    for force in forces {
+        match &mut force.action {
+            Action::Generalized(entries) => entries.iter_mut().for_each(|(_, load)| each(load)),
+            Action::AtPosition { position, force } => {
+                position.iter_mut().chain(force).for_each(&mut *each);
+            }
+            Action::PlanarTorque { angle, torque } => {
+                each(angle);
+                each(torque);
+            }
+            Action::SpatialTorque { rotation: turn, torque } => {
+                rotation(turn, each);
+                torque.iter_mut().for_each(&mut *each);
+            }
+        }
+    }
+    for constraint in constraints {
+        each(&mut constraint.value);
+        constraint.through.iter_mut().for_each(&mut *each);
+    }
+    for place in places {
+        place.position.iter_mut().for_each(&mut *each);
+    }
+}
+
+fn rotation(turn: &mut Rotation, each: &mut dyn FnMut(&mut NodeId)) {
+    turn.matrix.as_flattened_mut().iter_mut().for_each(&mut *each);
+    match &mut turn.form {
+        RotationForm::Axis { axis: _, angle } => each(angle),
+        RotationForm::Product(left, right) => {
+            rotation(left, each);
+            rotation(right, each);
+        }
+        RotationForm::Inverse(inner) => rotation(inner, each),
+        RotationForm::Entries => {}
+    }
+}

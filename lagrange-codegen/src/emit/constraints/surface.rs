@@ -1,0 +1,175 @@
+//! `System` of a constrained model, and the runtime's `Surface` and `Constrained`.
+
+use super::{factored, record_ident, rows, saddle_type};
+use crate::emit::Emission;
+use crate::emit::block;
+use crate::emit::body::{self, Source};
+use crate::emit::names::Names;
+use crate::expr::NodeId;
+use crate::schedule::{Operations, plan};
+use crate::simplify::simplify;
+use crate::structure::Saddle;
+
+/// The items of `System` and of `Surface` as text, and the operations of one evaluation of the accelerations.
+pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (String, String, Operations) {
+    let (balance, constants_type, constants, operations) = balance(emission, method);
+    let residuals = residuals(emission);
+    let saddle = saddle(emission, method);
+    let scalar = emission.item.scalar.to_string();
+    let (vector, inputs) = (emission.vector_type(), emission.input_type());
+    let (count, given, held) =
+        (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
+    let integrator = if emission.jets.is_some() { "Jets" } else { "Dop853" };
+    let place = format!("t: {scalar}, q: &{vector}, v: &{vector}");
+    let surface = format!("lagrange::Surface<{count}, {given}, {held}>");
+    let system = format!(
+        "type Scalar = {scalar};\ntype Method = lagrange::{integrator};\ntype Constants = {constants_type};\n\
+         const CONSTRAINED: bool = true;\n\
+         #[inline]\nfn constants(&self) -> Self::Constants {{\n{constants}\n}}\n\
+         #[inline]\nfn accelerations_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) -> {vector} \
+         {{\n<Self as {surface}>::balance_at(self, constants, t, q, v, u).accelerations\n}}\n\
+         fn check_at(&self, _constants: &Self::Constants, {place}) -> ::core::result::Result<(), lagrange::Cause> \
+         {{\nlagrange::constraints::check::<Self, {count}, {given}, {held}>(self, t, q, v)\n}}\n\
+         fn check_start_at(&self, _constants: &Self::Constants, start: &lagrange::State<{scalar}, {count}>) \
+         -> ::core::result::Result<(), lagrange::Cause> \
+         {{\nlagrange::constraints::check_start::<Self, {count}, {given}, {held}>(self, start)\n}}\n"
+    );
+    let project = if emission.model.baumgarte.is_some() {
+        String::new()
+    } else {
+        format!(
+            "#[inline]\nfn project_at(&self, _constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>) \
+             -> ::core::result::Result<(), lagrange::Cause> \
+             {{\nlagrange::constraints::project::<Self, {count}, {given}, {held}>(self, state)\n}}\n"
+        )
+    };
+    let energy = format!(
+        "#[inline]\nfn energy_at(&self, _constants: &Self::Constants, {place}) -> {scalar} \
+         {{\nself.energy(&lagrange::State {{ t, q: *q, v: *v }})\n}}\n"
+    );
+    let surface = format!(
+        "type Saddle = {};\n\
+         #[inline]\nfn balance_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) \
+         -> lagrange::Balance<{scalar}, {count}, {held}> {{\n{balance}\n}}\n\
+         #[inline]\nfn residuals_at(&self, {place}) -> lagrange::Residuals<{scalar}, {held}> {{\n{residuals}\n}}\n\
+         #[inline]\nfn saddle_at(&self, {place}) -> (Self::Saddle, [[{scalar}; {count}]; {held}]) {{\n{saddle}\n}}\n",
+        saddle_type(method, &emission.item.scalar, count, held)
+    );
+    (system + &project + &energy, surface, operations)
+}
+
+/// The implementation of `Constrained` as text.
+pub(in crate::emit) fn implementations(emission: &Emission<'_>) -> String {
+    let scalar = &emission.item.scalar;
+    let (vector, inputs) = (emission.vector_type(), emission.input_type());
+    let (count, given, held) =
+        (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
+    let record = record_ident(emission.item);
+    format!(
+        "type Reactions = {record}<{scalar}>;\n\
+         #[inline]\nfn reactions_at(&self, constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) \
+         -> lagrange::Reactions<{record}<{scalar}>> {{\n\
+         let balance = <Self as lagrange::Surface<{count}, {given}, {held}>>::balance_at(self, constants, t, q, v, u);\n\
+         lagrange::Reactions::new(balance.multipliers.into(), balance.rank == {held})\n}}\n"
+    )
+}
+
+/// M, A, the forces and γ: the body of `balance_at`, type and body of the constants, and the operations.
+fn balance(emission: &mut Emission<'_>, method: Saddle) -> (String, String, String, Operations) {
+    let equations = emission.equations;
+    let (count, held) = (emission.count(), equations.conditions.count());
+    let mass = masses(emission, method);
+    let mut roots = mass.clone();
+    roots.extend(equations.conditions.roots());
+    roots.extend(&equations.force);
+    let roots = simplify(&mut emission.model.graph, &mut emission.model.hints, &roots);
+    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let program = plan(&model.graph, &roots);
+    let mut names = Names::new(model);
+    let hoisted = program.hoisted();
+    let (labels, fixed) = body::constants(model, scalar, &program, &hoisted, &mut names);
+    let given: Vec<_> = hoisted.iter().copied().zip(labels.iter().cloned()).collect();
+    let written = block::write(model, scalar, &program, &program.outputs, &given, &mut names);
+
+    let mut text = body::prologue(model, scalar, &written.reads, Source::Slices);
+    if !labels.is_empty() {
+        text.push_str(&format!("let [{}] = *constants;\n", labels.join(", ")));
+    }
+    text.push_str(&body::assemble(&written));
+    let mut outputs = written.outputs.into_iter();
+    let mut take = |count: usize| outputs.by_ref().take(count).collect::<Vec<_>>();
+    text.push_str(&mass_and_gradients(emission, method, take(mass.len()), take(count * held)));
+    let gamma = take(held);
+    text.push_str(&format!(
+        "lagrange::constraints::balance(&{}, &[{}], &[{}])",
+        factored(method, scalar, count, held),
+        take(count).join(", "),
+        gamma.join(", ")
+    ));
+    let parameters = body::parameters(model, scalar, &fixed.reads);
+    let constants = format!("{parameters}{}[{}]", body::assemble(&fixed), fixed.outputs.join(", "));
+    let constants_type = format!("[{scalar}; {}]", hoisted.len());
+    (body::imported(text), constants_type, body::imported(constants), program.operations(false))
+}
+
+/// 1 / M of a diagonal mass matrix, or its lower triangle.
+fn masses(emission: &mut Emission<'_>, method: Saddle) -> Vec<NodeId> {
+    let rows = &emission.equations.mass;
+    match method {
+        Saddle::Whole { .. } => rows.iter().flatten().copied().collect(),
+        Saddle::Diagonal => {
+            let graph = &mut emission.model.graph;
+            let one = graph.one();
+            rows.iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect()
+        }
+    }
+}
+
+/// Statements that fill `mass` and `gradients`.
+fn mass_and_gradients(
+    emission: &Emission<'_>,
+    method: Saddle,
+    mass: Vec<String>,
+    gradients: Vec<String>,
+) -> String {
+    let (scalar, count) = (&emission.item.scalar, emission.count());
+    let mass = match method {
+        Saddle::Diagonal => format!("let mass = [{}];\n", mass.join(", ")),
+        Saddle::Whole { .. } => body::lower_triangle(scalar, count, &mass),
+    };
+    let gradients: Vec<Vec<String>> = gradients.chunks(count).map(<[String]>::to_vec).collect();
+    mass + &rows(scalar, "gradients", count, &gradients)
+}
+
+fn residuals(emission: &mut Emission<'_>) -> String {
+    let conditions = &emission.equations.conditions;
+    let held = conditions.count();
+    let mut roots = conditions.positions.clone();
+    roots.extend(&conditions.position_sizes);
+    roots.extend(&conditions.rates);
+    roots.extend(&conditions.rate_sizes);
+    // The values are those of the user's formulas, not of simplified ones: these are what is to vanish.
+    body::plain(emission.model, &emission.item.scalar, &roots, Source::Slices, |values| {
+        let fields = ["positions", "position_sizes", "rates", "rate_sizes"];
+        let fields: Vec<String> = fields
+            .into_iter()
+            .zip(values.chunks(held))
+            .map(|(name, values)| format!("{name}: [{}]", values.join(", ")))
+            .collect();
+        format!("lagrange::Residuals {{ {} }}", fields.join(", "))
+    })
+}
+
+fn saddle(emission: &mut Emission<'_>, method: Saddle) -> String {
+    let (count, held) = (emission.count(), emission.equations.conditions.count());
+    let mut roots = masses(emission, method);
+    let split = roots.len();
+    roots.extend(emission.equations.conditions.jacobian.iter().flatten());
+    let roots = simplify(&mut emission.model.graph, &mut emission.model.hints, &roots);
+    let emission = &*emission;
+    body::plain(emission.model, &emission.item.scalar, &roots, Source::Slices, |values| {
+        let (mass, gradients) = values.split_at(split);
+        let filled = mass_and_gradients(emission, method, mass.to_vec(), gradients.to_vec());
+        format!("{filled}({}, gradients)", factored(method, &emission.item.scalar, count, held))
+    })
+}

@@ -1,0 +1,102 @@
+//! Holonomic constraints as functions of the places that they are written through.
+//!
+//! The force of a constraint f on a particle is λ ∂f/∂r where f is a function of its position r. So each constraint function
+//! runs once more, with variables in place of what the functions of particles and bodies return.
+
+use std::rc::Rc;
+
+use super::interpreter::Interpreter;
+use super::value::Value;
+use crate::collections::Lookup;
+use crate::expr::{NodeId, Variable};
+use crate::model::{ConstraintKind, Place};
+use crate::syntax::item::RoleKind;
+
+impl Interpreter<'_> {
+    /// Finds the places, and the constraints as functions of them.
+    pub fn places(&mut self) {
+        let holonomic = |kind: ConstraintKind| kind == ConstraintKind::Holonomic;
+        if self.reports > 0 || !self.model.constraints.iter().any(|constraint| holonomic(constraint.kind)) {
+            return;
+        }
+        let item = self.item;
+        let mut stand_ins = Lookup::default();
+        for (index, function) in item.functions.iter().enumerate() {
+            let kind = function.role.as_ref().map(|role| &role.kind);
+            if !matches!(kind, Some(RoleKind::Point { .. } | RoleKind::Body { .. })) {
+                continue;
+            }
+            let Some(arguments) = self.role_arguments(index) else { continue };
+            let (_, key) = self.shaped(index, arguments, function.origin);
+            let Some(value) = self.result(index) else { continue };
+            let stand_in = self.stand_in(&value);
+            for (number, (place, variables)) in
+                self.placed(&function.name, &value).into_iter().zip(self.placed("", &stand_in)).enumerate()
+            {
+                self.model.places.push(Place {
+                    name: function.name.to_string(),
+                    index: matches!(value, Value::Array(_)).then_some(number),
+                    position: place.position,
+                    variables: variables.position,
+                    origin: function.origin,
+                });
+            }
+            stand_ins.insert(key, stand_in);
+        }
+        // What a second evaluation may complain of, the first did not.
+        let memo = std::mem::replace(&mut self.memo, stand_ins);
+        let hints = self.model.hints.clone();
+        let mut constraint = 0;
+        for (index, function) in item.functions.iter().enumerate() {
+            if !item.is_kept_constraint(function) {
+                continue;
+            }
+            let count = item.components(function).unwrap_or(1);
+            if let (true, Some(value)) =
+                (holonomic(self.model.constraints[constraint].kind), self.result(index))
+            {
+                for (number, node) in nodes(&value).into_iter().enumerate() {
+                    self.model.constraints[constraint + number].through = Some(node);
+                }
+            }
+            constraint += count;
+        }
+        self.memo = memo;
+        self.model.hints = hints;
+    }
+
+    /// A value of the same form made of variables.
+    fn stand_in(&mut self, value: &Value) -> Value {
+        match value {
+            Value::Scalar(_) => Value::Scalar(self.position()),
+            Value::Vector(nodes) => Value::Vector(nodes.iter().map(|_| self.position()).collect()),
+            Value::Point(nodes) => Value::Point(nodes.iter().map(|_| self.position()).collect()),
+            Value::Isometry(shift, turn) => {
+                Value::Isometry(shift.iter().map(|_| self.position()).collect(), turn.clone())
+            }
+            Value::Array(elements) => {
+                Value::Array(Rc::new(elements.iter().map(|element| self.stand_in(element)).collect()))
+            }
+            // A pose: the orientation stays a function of the coordinates.
+            Value::Tuple(parts) => match parts.as_slice() {
+                [shift, turn] => Value::Tuple(Rc::new(vec![self.stand_in(shift), turn.clone()])),
+                _ => value.clone(),
+            },
+            other => other.clone(),
+        }
+    }
+
+    fn position(&mut self) -> NodeId {
+        let variable = Variable::Position(self.positions);
+        self.positions += 1;
+        self.graph().variable(variable)
+    }
+}
+
+/// All scalars of the value of a constraint function.
+pub(super) fn nodes(value: &Value) -> Vec<NodeId> {
+    match value {
+        Value::Array(elements) => elements.iter().flat_map(|element| element.nodes().to_vec()).collect(),
+        single => single.nodes().to_vec(),
+    }
+}

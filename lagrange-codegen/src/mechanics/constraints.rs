@@ -1,0 +1,219 @@
+//! Constraints: their time derivatives, gradients, reactions and power.
+//!
+//! With A = ∂f/∂q of the holonomic constraints f(q, t) = 0 and A = ∂g/∂v of the nonholonomic ones g(q, v, t) = 0
+//! (affine: d'Alembert; otherwise Chetaev's rule), the equations of motion are
+//!
+//! M a + b = Q − ∂D/∂v + Aᵀλ,  A a = γ,
+//!
+//! where A a = γ is the second time derivative of f and the first of g. Multipliers belong to the constraints as the
+//! user wrote them (Lanczos, *The Variational Principles of Mechanics*, chapter II.12; Neimark and Fufaev, *Dynamics of
+//! Nonholonomic Systems*, chapter III).
+
+use super::motion::{Motion, time_direction};
+use super::places;
+use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
+use crate::expr::{Graph, Node, NodeId, Unary, Variable};
+use crate::model::{Constraint, ConstraintKind, Model};
+use crate::number::Number;
+
+/// What the constraints of a model contribute, one entry for each constraint unless said otherwise.
+#[derive(Clone, Debug, Default)]
+pub struct Conditions {
+    /// f of the holonomic constraints, zero for the others.
+    pub positions: Vec<NodeId>,
+    /// Σ |summands of f|, which its rounding errors are measured against.
+    pub position_sizes: Vec<NodeId>,
+    /// w: df/dt of the holonomic constraints, g of the others.
+    pub rates: Vec<NodeId>,
+    /// Σ |summands of w|.
+    pub rate_sizes: Vec<NodeId>,
+    /// A, a row for each constraint.
+    pub jacobian: Vec<Vec<NodeId>>,
+    /// γ.
+    pub gamma: Vec<NodeId>,
+    /// Aᵀμ with multipliers as variables, one entry for each coordinate.
+    pub reactions: Vec<NodeId>,
+    /// −A v on the constraints: what a unit multiplier takes from the energy in a unit of time. ∂f/∂t of the holonomic ones.
+    pub losses: Vec<NodeId>,
+    /// The Cartesian force of a unit multiplier on each of the model's places, by constraint, place and component.
+    pub on_places: Vec<Vec<Vec<NodeId>>>,
+    /// dw/dt, where stabilised by Baumgarte's method; elsewhere it is zero.
+    pub relaxation: Option<Vec<NodeId>>,
+}
+
+impl Conditions {
+    /// Differentiates all constraints.
+    pub(super) fn of(model: &mut Model, motion: &Motion) -> Conditions {
+        if model.constraints.is_empty() {
+            return Conditions::default();
+        }
+        let (constraints, baumgarte) = (model.constraints.clone(), model.baumgarte);
+        let graph = &mut model.graph;
+        let direction = time_direction(graph, motion.q.len());
+        let (zero, one) = (graph.zero(), graph.one());
+        let values: Vec<NodeId> = constraints.iter().map(|constraint| constraint.value).collect();
+        let changes = pushforward(graph, &values, &direction);
+        let time = graph.variable(Variable::Time);
+        let explicit = pushforward(graph, &values, &[(time, one)]);
+        let rates: Vec<NodeId> = (0..values.len())
+            .map(|c| if is_holonomic(&constraints[c]) { changes[c] } else { values[c] })
+            .collect();
+        let curvature = pushforward(graph, &rates, &direction);
+        let mut gamma: Vec<NodeId> = curvature.into_iter().map(|change| graph.neg(change)).collect();
+
+        let jacobian: Vec<Vec<NodeId>> = constraints
+            .iter()
+            .map(|constraint| {
+                let to = if is_holonomic(constraint) { &motion.q } else { &motion.v };
+                pullback(graph, &[(constraint.value, one)], to)
+            })
+            .collect();
+        let multipliers: Vec<NodeId> =
+            (0..values.len() as u32).map(|c| graph.variable(Variable::Multiplier(c))).collect();
+        let reactions = reactions(graph, &constraints, &multipliers, motion);
+        let losses = (0..values.len())
+            .map(|c| {
+                if is_holonomic(&constraints[c]) {
+                    explicit[c]
+                } else {
+                    drift(graph, values[c], &jacobian[c], motion)
+                }
+            })
+            .collect();
+        let on_places = places::forces(graph, &constraints, &model.places, &jacobian, motion);
+        let positions: Vec<NodeId> = constraints
+            .iter()
+            .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })
+            .collect();
+        let mut sizes = |values: &[NodeId], of: &[NodeId]| -> Vec<NodeId> {
+            values.iter().zip(&jacobian).map(|(&value, row)| size_of(graph, value, row, of)).collect()
+        };
+        let (position_sizes, rate_sizes) = (sizes(&positions, &motion.q), sizes(&rates, &motion.v));
+        let relaxation = baumgarte.map(|rate| {
+            let square = graph.powi(rate, 2);
+            let terms = constraints.iter().zip(&positions).zip(&rates);
+            terms
+                .map(|((constraint, &position), &w)| {
+                    let damping = graph.mul(rate, w);
+                    let stiffness = graph.mul(square, position);
+                    let twice = if is_holonomic(constraint) { Number::Ratio(2, 1) } else { Number::ONE };
+                    graph.sum(Number::ZERO, &[(damping, -twice), (stiffness, Number::MINUS_ONE)])
+                })
+                .collect::<Vec<_>>()
+        });
+        if let Some(relaxation) = &relaxation {
+            for (gamma, &change) in gamma.iter_mut().zip(relaxation) {
+                *gamma = graph.add(*gamma, change);
+            }
+        }
+        Conditions {
+            positions,
+            position_sizes,
+            rates,
+            rate_sizes,
+            jacobian,
+            gamma,
+            reactions,
+            losses,
+            on_places,
+            relaxation,
+        }
+    }
+
+    /// The number of constraints.
+    pub fn count(&self) -> usize {
+        self.rates.len()
+    }
+
+    /// The power v·Aᵀλ of the reactions, with the multipliers as variables.
+    pub fn power(&self, graph: &mut Graph) -> NodeId {
+        let terms: Vec<_> = (0..self.count())
+            .map(|c| {
+                let multiplier = graph.variable(Variable::Multiplier(c as u32));
+                (graph.mul(multiplier, self.losses[c]), Number::MINUS_ONE)
+            })
+            .collect();
+        graph.sum(Number::ZERO, &terms)
+    }
+
+    /// The entries of A and γ.
+    pub fn roots(&self) -> impl Iterator<Item = NodeId> + '_ {
+        self.jacobian.iter().flatten().chain(&self.gamma).copied()
+    }
+}
+
+fn is_holonomic(constraint: &Constraint) -> bool {
+    constraint.kind == ConstraintKind::Holonomic
+}
+
+/// g − ∂g/∂v · v: for a constraint affine in v the part without v.
+fn drift(graph: &mut Graph, value: NodeId, gradient: &[NodeId], motion: &Motion) -> NodeId {
+    if velocity_degrees(graph, value).at_most(1) {
+        let zero = graph.zero();
+        let at_rest: Vec<_> = motion.v.iter().map(|&v| (v, zero)).collect();
+        return substitute(graph, &[value], &at_rest)[0];
+    }
+    let mut terms = vec![(value, Number::ONE)];
+    terms.extend(gradient.iter().zip(&motion.v).map(|(&a, &v)| (graph.mul(a, v), Number::MINUS_ONE)));
+    graph.sum(Number::ZERO, &terms)
+}
+
+/// Aᵀμ by one reverse sweep, so that no gradient is written out.
+fn reactions(
+    graph: &mut Graph,
+    constraints: &[Constraint],
+    multipliers: &[NodeId],
+    motion: &Motion,
+) -> Vec<NodeId> {
+    let seeds = |holonomic: bool| -> Vec<(NodeId, NodeId)> {
+        let all = constraints.iter().zip(multipliers);
+        all.filter(|(constraint, _)| is_holonomic(constraint) == holonomic)
+            .map(|(constraint, &multiplier)| (constraint.value, multiplier))
+            .collect()
+    };
+    let through_q = pullback(graph, &seeds(true), &motion.q);
+    let through_v = pullback(graph, &seeds(false), &motion.v);
+    through_q.into_iter().zip(through_v).map(|(q, v)| graph.add(q, v)).collect()
+}
+
+/// What rounding errors of a constraint are relative to. One without summands, such as z = 0, has no size of its own and takes
+/// that of the state.
+fn size_of(graph: &mut Graph, value: NodeId, gradient: &[NodeId], state: &[NodeId]) -> NodeId {
+    let own = size(graph, value);
+    let is_sum =
+        |factor: NodeId| graph.scaled(factor).1 == factor && matches!(graph.node(factor), Node::Sum { .. });
+    let factors = graph.factors(graph.scaled(value).1);
+    let has_summands = factors.into_iter().any(|(factor, exponent)| exponent.0 > 0 && is_sum(factor));
+    if has_summands || graph.is_zero(value) {
+        return own;
+    }
+    let mut sum = |nodes: &[NodeId]| {
+        let terms: Vec<_> = nodes.iter().map(|&node| (graph.unary(Unary::Abs, node), Number::ONE)).collect();
+        graph.sum(Number::ZERO, &terms)
+    };
+    let (slope, extent) = (sum(gradient), sum(state));
+    let carried = graph.mul(slope, extent);
+    graph.add(own, carried)
+}
+
+/// The sum of the absolute values of the summands, also of sums within products.
+fn size(graph: &mut Graph, value: NodeId) -> NodeId {
+    match graph.node(value).clone() {
+        Node::Sum { offset, terms } => {
+            let terms: Vec<_> = terms.into_iter().map(|(term, c)| (size(graph, term), c.abs())).collect();
+            graph.sum(offset.abs(), &terms)
+        }
+        Node::Product(factors) => {
+            let factors: Vec<_> = factors
+                .into_iter()
+                .map(|(factor, exponent)| {
+                    let is_sum = exponent.0 > 0 && matches!(graph.node(factor), Node::Sum { .. });
+                    let factor = if is_sum { size(graph, factor) } else { graph.unary(Unary::Abs, factor) };
+                    (factor, exponent)
+                })
+                .collect();
+            graph.product(&factors)
+        }
+        _ => graph.unary(Unary::Abs, value),
+    }
+}

@@ -1,0 +1,68 @@
+//! Cartesian forces of constraints on the particles and bodies that they are written through.
+//!
+//! Where f is a function of positions r, its force at r is λ ∂f/∂r. A coordinate that is a component of one position counts as
+//! that component, so that a constraint may be written in the coordinates as well.
+
+use super::motion::Motion;
+use crate::calculus::{pullback, substitute};
+use crate::expr::{Graph, NodeId};
+use crate::model::{Constraint, Place};
+
+/// The force of a unit multiplier by constraint, place and component.
+pub(super) fn forces(
+    graph: &mut Graph,
+    constraints: &[Constraint],
+    places: &[Place],
+    jacobian: &[Vec<NodeId>],
+    motion: &Motion,
+) -> Vec<Vec<Vec<NodeId>>> {
+    let coordinates: Vec<(NodeId, NodeId)> =
+        motion.q.iter().filter_map(|&q| component_of_one(places, q).map(|variable| (q, variable))).collect();
+    let variables: Vec<NodeId> = places.iter().flat_map(|place| place.variables.iter().copied()).collect();
+    let values: Vec<(NodeId, NodeId)> = places
+        .iter()
+        .flat_map(|place| place.variables.iter().copied().zip(place.position.iter().copied()))
+        .collect();
+    let one = graph.one();
+    let mut forces = Vec::with_capacity(constraints.len());
+    for (constraint, gradient) in constraints.iter().zip(jacobian) {
+        let flat: Vec<NodeId> = match constraint.through {
+            Some(through) => {
+                let through = substitute(graph, &[through], &coordinates)[0];
+                let slopes = pullback(graph, &[(through, one)], &variables);
+                substitute(graph, &slopes, &values)
+            }
+            // A force on velocities: what they are the velocities of.
+            None => {
+                let slope = |&variable: &NodeId| {
+                    let coordinate = coordinates.iter().find(|&&(_, of)| of == variable)?.0;
+                    let place = motion.q.iter().position(|&q| q == coordinate)?;
+                    Some(gradient[place])
+                };
+                let zero = graph.zero();
+                variables.iter().map(|variable| slope(variable).unwrap_or(zero)).collect()
+            }
+        };
+        let mut rest = flat.into_iter();
+        let split = places
+            .iter()
+            .map(|place| rest.by_ref().take(place.variables.len()).collect::<Vec<_>>())
+            .collect();
+        forces.push(split);
+    }
+    forces
+}
+
+/// The variable of the component that a coordinate is, if it is one of exactly one position.
+fn component_of_one(places: &[Place], q: NodeId) -> Option<NodeId> {
+    let mut found = places.iter().flat_map(|place| {
+        place
+            .position
+            .iter()
+            .zip(&place.variables)
+            .filter(move |&(&x, _)| x == q)
+            .map(|(_, &variable)| variable)
+    });
+    let first = found.next();
+    first.filter(|_| found.next().is_none())
+}

@@ -1,0 +1,193 @@
+//! Constraints at run time: multipliers and reactions, starts that satisfy them, and projection back onto them.
+//!
+//! The equations of a constrained motion are differentiated, so a numerical motion obeys the derivatives of the
+//! constraints and drifts off the constraints themselves. After every step the state is moved back by the smallest change
+//! in the metric of the mass matrix, coordinates first (f = 0), then velocities (df/dt = 0 and g = 0): Hairer and Wanner,
+//! *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*, 1992.
+
+mod projection;
+mod solution;
+mod start;
+
+use core::ops::Deref;
+
+use crate::error::Magnitude;
+use crate::linear::SaddlePoint;
+use crate::real::{Ordered, Real};
+use crate::state::State;
+use crate::system::System;
+pub use projection::project;
+pub use solution::{balance, check, finite, forces, is_singular, matrix, regular};
+pub use start::{check_start, consistent};
+
+/// A system with constraints.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no constraints",
+    label = "there are no reactions in this system",
+    note = "a function with the role `#[holonomic]` or `#[nonholonomic]` makes one"
+)]
+pub trait Constrained<const N: usize, const K: usize = 0>: System<N, K> {
+    /// The multipliers, a field for each constraint.
+    type Reactions: Copy + core::fmt::Debug;
+
+    /// The multipliers at a state under the inputs `u`; not finite where the equations have no solution.
+    fn reactions_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> Reactions<Self::Reactions>;
+}
+
+/// Multipliers λ of all constraints, by the names of the constraints, in the sense that the generalized force of a
+/// constraint f is λ ∂f/∂q with f as it is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reactions<T> {
+    multipliers: T,
+    unique: bool,
+}
+
+impl<T> Reactions<T> {
+    /// Multipliers, and whether the motion determines them.
+    #[inline]
+    pub fn new(multipliers: T, unique: bool) -> Self {
+        Self { multipliers, unique }
+    }
+
+    /// Whether the motion determines each multiplier. Where constraints are redundant it does not: the total force is
+    /// certain, and the multipliers given are those of least Σ λ².
+    #[inline]
+    pub fn are_unique(&self) -> bool {
+        self.unique
+    }
+}
+
+impl<T> Deref for Reactions<T> {
+    type Target = T;
+
+    #[inline]
+    fn deref(&self) -> &T {
+        &self.multipliers
+    }
+}
+
+/// How far a state is off its constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residuals<R, const C: usize> {
+    /// f; zero for nonholonomic constraints.
+    pub positions: [R; C],
+    /// Σ |summands of f|: what rounding errors are relative to.
+    pub position_sizes: [R; C],
+    /// df/dt, or g.
+    pub rates: [R; C],
+    /// Σ |summands of df/dt or g|.
+    pub rate_sizes: [R; C],
+}
+
+/// Accelerations with multipliers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Balance<R, const N: usize, const C: usize> {
+    /// a.
+    pub accelerations: [R; N],
+    /// λ.
+    pub multipliers: [R; C],
+    /// How many constraints are independent.
+    pub rank: usize,
+}
+
+/// What generated code implements for `C` scalar constraints.
+pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> {
+    /// The factors of M and A.
+    type Saddle: SaddlePoint<Self::Scalar, N, C>;
+
+    /// Solves M a − Aᵀλ = f, A a = γ.
+    fn balance_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> Balance<Self::Scalar, N, C>;
+
+    /// How far a state is off the constraints.
+    fn residuals_at(
+        &self,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+    ) -> Residuals<Self::Scalar, C>;
+
+    /// The gradients A, rows by constraint, and the factors of M and A.
+    fn saddle_at(
+        &self,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+    ) -> (Self::Saddle, [[Self::Scalar; N]; C]);
+}
+
+/// A nonnegative number in single precision, enough for a report: its binary digits one by one, since a scalar of the user's
+/// own has no conversion.
+#[cold]
+fn magnitude<R: Ordered>(value: R) -> Magnitude {
+    if !value.is_finite() {
+        return Magnitude(f32::NAN);
+    }
+    let (mut rest, mut sum) = (value, 0.0);
+    let (mut digit, mut power) = (R::from_f64(LARGEST_DIGIT as f64), LARGEST_DIGIT);
+    if value >= digit + digit {
+        return Magnitude(f32::INFINITY);
+    }
+    while power > 0.0 && rest > R::zero() {
+        if rest >= digit {
+            rest -= digit;
+            sum += power;
+        }
+        digit *= R::from_f64(0.5);
+        power *= 0.5;
+    }
+    Magnitude(sum)
+}
+
+/// 2¹²⁷.
+const LARGEST_DIGIT: f32 = f32::from_bits(0x7f00_0000);
+
+/// The largest entry of an array, and where it is.
+fn worst<R: Real, const C: usize>(values: impl Fn(usize) -> R::Lane) -> (usize, R::Lane) {
+    let mut worst = (0, num_traits::Zero::zero());
+    for c in 0..C {
+        let value = values(c);
+        if value > worst.1 {
+            worst = (c, value);
+        }
+    }
+    worst
+}
+
+/// The same state with changes of its coordinates and velocities.
+fn moved<R: Real, const N: usize>(state: &State<R, N>, q: &[R; N], v: &[R; N], share: R) -> State<R, N> {
+    let mut next = *state;
+    for i in 0..N {
+        next.q[i] = R::mul_add(share, q[i], next.q[i]);
+        next.v[i] = R::mul_add(share, v[i], next.v[i]);
+    }
+    next
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn magnitudes_are_those_of_single_precision() {
+        for value in [0.0, 1.0, 0.1, 1e-30, 6.02e23, 1e-40] {
+            assert!((f64::from(magnitude(value).0) - value).abs() <= 1.2e-7 * value + 1.5e-45, "{value}");
+        }
+        assert_eq!(magnitude(0.1_f32).0, 0.1);
+        assert_eq!(magnitude(1e39).0, f32::INFINITY);
+        assert!(magnitude(f64::NAN).0.is_nan());
+    }
+}

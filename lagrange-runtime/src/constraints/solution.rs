@@ -1,0 +1,108 @@
+//! Accelerations and multipliers from the factors of M and A. Reached through generated code only.
+
+use nalgebra::SMatrix;
+
+use super::{Balance, Surface};
+use crate::error::{Cause, MotionError};
+use crate::integrator::diagnose;
+use crate::linear::{Defect, SaddlePoint};
+use crate::real::Real;
+use crate::state::State;
+
+/// Solves M a − Aᵀλ = `force`, A a = `gamma`; NaN where there is no solution.
+#[inline(always)]
+pub fn balance<R: Real, const N: usize, const C: usize>(
+    saddle: &impl SaddlePoint<R, N, C>,
+    force: &[R; N],
+    gamma: &[R; C],
+) -> Balance<R, N, C> {
+    let (mut accelerations, multipliers) = saddle.solve(force, gamma);
+    if saddle.vanishing().is_some() {
+        accelerations = [R::from_f64(f64::NAN); N];
+    }
+    Balance { accelerations, multipliers, rank: saddle.rank() }
+}
+
+/// Whether there are no accelerations.
+#[inline(always)]
+pub fn is_singular<R: Real, const N: usize, const C: usize>(saddle: &impl SaddlePoint<R, N, C>) -> bool {
+    saddle.defect().is_some() || saddle.vanishing().is_some()
+}
+
+/// What is wrong with the factors, if anything.
+///
+/// # Errors
+/// [`Cause::VanishingGradient`], [`Cause::SingularMassMatrix`], [`Cause::NotFinite`].
+#[cold]
+pub fn regular<R: Real, const N: usize, const C: usize>(
+    saddle: &impl SaddlePoint<R, N, C>,
+) -> Result<(), Cause> {
+    match (saddle.vanishing(), saddle.defect()) {
+        (Some(constraint), _) => Err(Cause::VanishingGradient { constraint }),
+        (None, Some(Defect::Singular { coordinate })) => Err(Cause::SingularMassMatrix { pivot: coordinate }),
+        (None, Some(Defect::NotFinite)) => Err(Cause::NotFinite),
+        (None, None) => Ok(()),
+    }
+}
+
+/// Whether the equations have a solution at a state.
+///
+/// # Errors
+/// As [`regular`].
+#[cold]
+pub fn check<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    t: S::Scalar,
+    q: &[S::Scalar; N],
+    v: &[S::Scalar; N],
+) -> Result<(), Cause>
+where
+    S: Surface<N, K, C>,
+{
+    regular(&system.saddle_at(t, q, v).0)
+}
+
+/// Whether accelerations and multipliers are finite.
+///
+/// # Errors
+/// What is wrong at the state.
+#[inline]
+pub fn finite<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    balance: &Balance<S::Scalar, N, C>,
+) -> Result<(), MotionError<S::Scalar>>
+where
+    S: Surface<N, K, C>,
+{
+    if balance.accelerations.iter().chain(&balance.multipliers).all(|x| x.is_finite()) {
+        return Ok(());
+    }
+    let cause = diagnose(system, &system.constants(), state.t, &state.q, &state.v);
+    Err(MotionError { cause, t: state.t })
+}
+
+/// λ ∂f/∂q of each constraint.
+#[inline]
+pub fn forces<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    multipliers: &[S::Scalar; C],
+) -> [[S::Scalar; N]; C]
+where
+    S: Surface<N, K, C>,
+{
+    let (_, mut rows) = system.saddle_at(state.t, &state.q, &state.v);
+    for (row, &multiplier) in rows.iter_mut().zip(multipliers) {
+        for entry in row {
+            *entry *= multiplier;
+        }
+    }
+    rows
+}
+
+/// Rows as a matrix.
+#[inline]
+pub fn matrix<R: Real, const N: usize, const C: usize>(rows: &[[R; N]; C]) -> SMatrix<R, C, N> {
+    SMatrix::from_fn(|c, i| rows[c][i])
+}

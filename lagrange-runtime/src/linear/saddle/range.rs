@@ -1,0 +1,193 @@
+//! The careful way to the null space: the Householder QR of Aᵀ with column pivoting, which reveals the rank.
+//!
+//! Rows are eliminated longest first. The reflector of step k maps what is left of its row on one coordinate, the one
+//! with the largest component, and is zero in those of earlier steps: with the sign that avoids cancellation this
+//! keeps the error of every coordinate relative to that coordinate (Cox and Higham, "Stability of Householder QR
+//! factorization for weighted least squares problems", 1998), and it needs no exchange of coordinates. Nothing depends
+//! on which coordinate that is, so lanes that disagree do no harm.
+
+use crate::real::Real;
+
+use super::Split;
+use super::scaled::Scaled;
+use super::vectors::{add_scaled, dot, where_positive};
+
+/// A row whose distance from the span of the rows before is less than 2¹² ε of its size depends on them.
+///
+/// A distance is known to some Nε, amplified by how close to each other the rows before are, and a gradient is often
+/// itself a difference of larger numbers. What is above the tolerance has three digits in `f64` and `f32` alike.
+const ROUNDINGS: f64 = 4096.0;
+
+/// The independent rows of A and the reflectors that make them triangular.
+pub(super) struct Range<R, const N: usize, const C: usize> {
+    units: [R; N],
+    /// Sizes of the rows of A in these units; this and all below in the order of `order`.
+    sizes: [R; C],
+    /// The row of A in each place; independent ones first.
+    pub(super) order: [usize; C],
+    /// u of 1 − β u uᵀ.
+    reflectors: [[R; N]; C],
+    beta: [R; C],
+    /// A in terms of the orthonormal vectors, triangular in the independent rows; without the diagonal.
+    lower: [[R; C]; C],
+    /// 1 / diagonal.
+    inverse: [R; C],
+    /// The coordinate on which each step maps its row; the rest of the coordinates follow.
+    leads: [usize; N],
+    pub(super) rank: usize,
+    /// The first row of zeros.
+    pub(super) vanishing: Option<usize>,
+}
+
+impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
+    pub(super) fn factor(scaled: &Scaled<R, N, C>) -> Self {
+        let zero = R::zero();
+        let mut rows = scaled.rows;
+        let mut vanishing = None;
+        for c in (0..C).rev() {
+            if scaled.sizes[c].largest() == zero.largest() {
+                (rows[c], vanishing) = ([zero; N], Some(c));
+            }
+        }
+        let mut this = Self {
+            units: scaled.units,
+            sizes: scaled.sizes,
+            order: core::array::from_fn(|c| c),
+            reflectors: [[zero; N]; C],
+            beta: [zero; C],
+            lower: [[zero; C]; C],
+            inverse: [zero; C],
+            leads: core::array::from_fn(|i| i),
+            rank: C.min(N),
+            vanishing,
+        };
+        let mut squares: [R; C] = core::array::from_fn(|c| dot(&rows[c], &rows[c]));
+        let least = R::from_f64(ROUNDINGS) * R::epsilon();
+        let least = least * least;
+        for k in 0..C.min(N) {
+            let mut best = k;
+            for c in k + 1..C {
+                if squares[c].largest() > squares[best].largest() {
+                    best = c;
+                }
+            }
+            rows.swap(k, best);
+            squares.swap(k, best);
+            this.lower.swap(k, best);
+            this.sizes.swap(k, best);
+            this.order.swap(k, best);
+            let excess = squares[k] - least;
+            let square =
+                if excess.is_positive() { Some(squares[k]) } else { where_positive(squares[k], excess) };
+            let Some(square) = square else {
+                this.rank = k;
+                break;
+            };
+            this.reflect(&mut rows, &mut squares, square, k);
+        }
+        this
+    }
+
+    /// Step k: the reflector of row k, applied to the rows after it.
+    fn reflect(&mut self, rows: &mut [[R; N]; C], squares: &mut [R; C], square: R, k: usize) {
+        let mut u = rows[k];
+        let (mut lead, mut largest) = (0, R::zero());
+        for i in 0..N {
+            if u[i].abs().largest() > largest.abs().largest() {
+                (lead, largest) = (i, u[i]);
+            }
+        }
+        let norm = square.sqrt();
+        let diagonal = -(largest.signum() * norm);
+        for i in 0..N {
+            if i == lead {
+                u[i] -= diagonal;
+            }
+        }
+        let place = self.leads.iter().position(|&i| i == lead).unwrap_or(k);
+        self.leads.swap(k, place);
+        let beta = (square + norm * largest.abs()).recip();
+        for c in k + 1..C {
+            let along = dot(&u, &rows[c]) * beta;
+            add_scaled(&mut rows[c], &u, -along);
+            for i in 0..N {
+                if i == lead {
+                    self.lower[c][k] = rows[c][i];
+                    rows[c][i] = R::zero();
+                }
+            }
+            squares[c] = dot(&rows[c], &rows[c]);
+        }
+        self.reflectors[k] = u;
+        self.beta[k] = beta;
+        self.inverse[k] = diagonal.recip();
+    }
+
+    /// The null space and the right inverse: A Y₀ = 1 on the independent rows, with velocities in the range of Aᵀ.
+    pub(super) fn split(&self) -> Split<R, N, C> {
+        let rank = self.rank.min(C).min(N);
+        let mut basis = [[R::zero(); N]; N];
+        for k in 0..N {
+            for i in 0..N {
+                if i == self.leads[k] {
+                    basis[k][i] = R::one();
+                }
+            }
+        }
+        for j in (0..rank).rev() {
+            for vector in basis.iter_mut().skip(j) {
+                let along = dot(&self.reflectors[j], vector) * self.beta[j];
+                add_scaled(vector, &self.reflectors[j], -along);
+            }
+        }
+        for vector in &mut basis {
+            for i in 0..N {
+                vector[i] *= self.units[i];
+            }
+        }
+        for k in (0..rank).rev() {
+            for c in k + 1..rank {
+                let known = basis[c];
+                add_scaled(&mut basis[k], &known, -self.lower[c][k]);
+            }
+            basis[k] = basis[k].map(|x| x * self.inverse[k]);
+        }
+        let mut inverse = [[R::zero(); C]; N];
+        for k in 0..rank {
+            let factor = self.sizes[k].recip();
+            for i in 0..N {
+                if let Some(to) = inverse[i].get_mut(self.order[k]) {
+                    *to = basis[k][i] * factor;
+                }
+            }
+        }
+        Split { null: basis, inverse }
+    }
+
+    /// For each independent row, its coefficient in every row of A, in the user's order and units.
+    pub(super) fn combinations(&self) -> [[R; C]; C] {
+        let rank = self.rank.min(C);
+        let mut combinations = [[R::zero(); C]; C];
+        for c in 0..C {
+            let mut coefficients = [R::zero(); C];
+            if c < rank {
+                coefficients[c] = R::one();
+            } else {
+                for k in (0..rank).rev() {
+                    let mut sum = self.lower[c][k];
+                    for j in k + 1..rank {
+                        sum -= coefficients[j] * self.lower[j][k];
+                    }
+                    coefficients[k] = sum * self.inverse[k];
+                }
+            }
+            for k in 0..rank {
+                let unit = if c == k { R::one() } else { self.sizes[c] / self.sizes[k] };
+                if let Some(to) = combinations[k].get_mut(self.order[c]) {
+                    *to = coefficients[k] * unit;
+                }
+            }
+        }
+        combinations
+    }
+}

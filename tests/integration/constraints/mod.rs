@@ -1,0 +1,7 @@
+//! Constrained systems: reactions, motions on their constraints, and what cannot be.
+//!
+//! | module | what |
+//! | --- | --- |
+//! | [`cases`] | reference digits from outside |
+
+mod cases;

@@ -1,0 +1,28 @@
+//! A force on a coordinate that is prescribed.
+
+use lagrangian::prelude::*;
+
+pub struct Slide {
+    pub mass: f64,
+    pub rate: f64,
+}
+
+#[lagrangian(coordinates = [x, y, angle])]
+impl Slide {
+    #[point(mass = self.mass)]
+    fn block(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x + q.angle.cos(), q.y + q.angle.sin())
+    }
+
+    #[force(on = angle)]
+    fn motor(&self, v: &Velocities) -> f64 {
+        -v.angle
+    }
+
+    #[holonomic(eliminate = angle)]
+    fn drive(&self, q: &Coordinates, t: f64) -> f64 {
+        q.angle - self.rate * t
+    }
+}
+
+fn main() {}

@@ -1,0 +1,23 @@
+//! A constraint in which no coordinate is left.
+
+use lagrangian::prelude::*;
+
+pub struct Slide {
+    pub mass: f64,
+    pub radius: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Slide {
+    #[point(mass = self.mass)]
+    fn block(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[holonomic]
+    fn level(&self, q: &Coordinates) -> f64 {
+        self.block(q).y - q.y + self.radius
+    }
+}
+
+fn main() {}
