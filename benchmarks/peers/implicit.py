@@ -2,8 +2,8 @@
 
 `casadi-idas` keeps the multipliers as algebraic variables (index 1: constraints differentiated twice, accelerations
 eliminated, a consistent start), `casadi-cvodes` eliminates them too and integrates by Adams' methods. What CasADi would
-interpret is compiled by gcc instead. In trials that were slower or less accurate: accelerations as
-algebraic variables, multipliers out of the error test, Baumgarte's terms, and the stabilised form of index 2.
+interpret is compiled by gcc instead. No better in trials: accelerations as algebraic variables, multipliers out of the
+error test, Baumgarte's terms, and the stabilised form of index 2.
 """
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
-//! Integrators from crates, on the best accelerations known by hand: closed forms, for chains the rod tensions.
+//! Integrators from crates, on the best equations known by hand: closed forms, for chains the rod tensions, for systems with
+//! constraints reduced ones; diffsol also with the multipliers.
 
 mod differential_equations;
 mod diffsol;
