@@ -111,7 +111,7 @@ pub fn derive(
     let force = equations::negated(model, &total);
     let momentum_rates = equations::momentum_rates(model, &motion);
     validate::inputs(model, &force, &mass, allows, diagnostics);
-    let conditions = Conditions::of(model, &motion);
+    let conditions = Conditions::of(model, &motion, &mass);
     let energies = energy::energies(model, &motion, &momenta);
     let power = energy::power(model, &motion, &applied);
     let energy_rate = energy::rate(model, &motion, &momenta, &energies, power, &conditions);

@@ -5,11 +5,14 @@
 //! A v        = y        A: C × N                   κ: multipliers, Aᵀ κ the forces of constraint
 //! ```
 //!
-//! Coordinates are scaled to unit mass and rows of A to unit size, so that no decision depends on units. A
-//! Householder QR of Aᵀ with column pivoting finds the independent rows, a right inverse of them, and an orthonormal
-//! basis Z of the null space of A; in that basis the equations are Zᵀ M Z t = Zᵀ (r − M v₀), where M need be regular
-//! only there: coordinates without mass are welcome if the constraints tie them to others. (Nocedal and Wright,
-//! "Numerical Optimization", 2nd ed., § 16.2; Golub and Van Loan, "Matrix Computations", 4th ed., §§ 5.4 and 6.2.)
+//! Coordinates are scaled to unit mass and rows of A to unit size, so that no decision depends on units. Then A gives
+//! velocities v₀ that meet the constraints and a basis Z of those that they leave open, in which the equations are
+//! Zᵀ M Z t = Zᵀ (r − M v₀). M need be regular only there: coordinates without mass are welcome if the constraints tie
+//! them to others. (Nocedal and Wright, "Numerical Optimization", 2nd ed., § 16.2; Golub and Van Loan, "Matrix
+//! Computations", 4th ed., §§ 5.4 and 6.2.)
+//!
+//! Where rows of A are clearly independent, Z comes from an elimination that solves them for as many coordinates;
+//! otherwise from a Householder QR of Aᵀ with column pivoting, which decides about the rank.
 //!
 //! From this the blocks of the inverse are formed explicitly, because a factorisation is used some twenty times:
 //!
@@ -18,7 +21,8 @@
 //! ```
 //!
 //! so that a solution is one product of a matrix and a vector, without divisions and without substitutions that wait
-//! for each other. The residuals are those of a factorisation times, at most, the condition of the scaled Zᵀ M Z.
+//! for each other. Solutions are as accurate as those of the factors; residuals are a few roundings where the scaled A
+//! and Zᵀ M Z are well conditioned, and grow with their condition, which those of factors would not.
 
 use crate::real::Real;
 
@@ -71,12 +75,17 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
 
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
+
+    /// Units of the coordinates in which none is larger than another: 1/√M\[i]\[i], or what A makes of them where that
+    /// does not exist; zero for a coordinate that nothing moves.
+    fn units(&self) -> [R; N];
 }
 
 /// The inverse of a saddle-point system with any symmetric M.
 ///
 /// With several lanes the order of the pivots and the rank are common to all of them. A lane that has a smaller rank
-/// than another, or a singular Zᵀ M Z where another has none, gives NaN; the other lanes are right.
+/// than another, or other dependent rows, or a singular Zᵀ M Z where another has none, gives NaN; the other lanes are
+/// right. A defect of some lanes is [`Defect::NotFinite`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saddle<R, const N: usize, const C: usize> {
     /// P, symmetric up to rounding: the row of a component of r.
@@ -88,6 +97,7 @@ pub struct Saddle<R, const N: usize, const C: usize> {
     /// What a component of y adds to κ: T, likewise.
     stiffness: [[R; C]; C],
     dropped: [bool; C],
+    units: [R; N],
     rank: usize,
     vanishing: Option<usize>,
     defect: Option<Defect>,
@@ -118,10 +128,11 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         let mut split = Split { null: [[R::zero(); N]; N], inverse: [[R::zero(); C]; N] };
         // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts from the
         // arguments again, so that nothing else need be in memory.
-        if partition(&Scaled::new(mass, a), &mut split) {
+        let scaled = Scaled::new(mass, a);
+        if partition(&scaled, &mut split) {
             let mut reduced = Reduced::new(&full, &split.null, C);
             if reduced.factor::<DEFINITE>(C).is_ok() {
-                return Self::assemble(&split, &reduced, C);
+                return Self::assemble(&split, &reduced, scaled.units, C);
             }
         }
         Self::carefully::<DEFINITE>(mass, a)
@@ -141,7 +152,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             let singular = scaled.defect(&reduced.motion::<DEFINITE>(range.rank, direction));
             return Self::failed(if finite { singular } else { Defect::NotFinite });
         }
-        let mut this = Self::assemble(&split, &reduced, range.rank);
+        let mut this = Self::assemble(&split, &reduced, scaled.units, range.rank);
         this.vanishing = range.vanishing;
         if range.rank < C {
             for &row in range.order.iter().skip(range.rank) {
@@ -158,26 +169,27 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
 
     /// The blocks of the inverse from the null space and a right inverse of A.
     #[inline(always)]
-    fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, rank: usize) -> Self {
-        // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
+    fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, units: [R; N], rank: usize) -> Self {
+        let Split { null, inverse } = split;
+        let Reduced { mass, inertia, solution, .. } = reduced;
         let mut drift = [[R::zero(); C]; N];
-        for (drift, inertia) in drift.iter_mut().zip(&reduced.inertia).skip(rank) {
-            *drift = add_product(drift, &split.inverse, inertia);
+        for k in rank..N {
+            drift[k] = add_product(&drift[k], inverse, &inertia[k]);
         }
-        let Reduced { solution, mass, .. } = reduced;
         let mut compliance = [[R::zero(); N]; N];
         for (i, to) in compliance.iter_mut().enumerate() {
             let mut row = [R::zero(); N];
-            for (vector, solution) in split.null.iter().zip(solution).skip(rank) {
-                add_scaled(&mut row, vector, solution[i]);
+            for k in rank..N {
+                add_scaled(&mut row, &null[k], solution[k][i]);
             }
             *to = row;
         }
-        let mut reaction = split.inverse;
+        // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
+        let mut reaction = *inverse;
         for (i, to) in reaction.iter_mut().enumerate() {
             let mut row = *to;
-            for (drift, solution) in drift.iter().zip(solution).skip(rank) {
-                add_scaled(&mut row, drift, -solution[i]);
+            for k in rank..N {
+                add_scaled(&mut row, &drift[k], -solution[k][i]);
             }
             *to = row;
         }
@@ -195,6 +207,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             reaction,
             stiffness,
             dropped: [false; C],
+            units,
             rank,
             vanishing: None,
             defect: None,
@@ -220,6 +233,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             reaction: [[nan; C]; N],
             stiffness: [[nan; C]; C],
             dropped: [false; C],
+            units: [nan; N],
             rank: 0,
             vanishing: None,
             defect: Some(defect),
@@ -281,6 +295,11 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R,
     #[inline]
     fn vanishing(&self) -> Option<usize> {
         self.vanishing
+    }
+
+    #[inline]
+    fn units(&self) -> [R; N] {
+        self.units
     }
 }
 

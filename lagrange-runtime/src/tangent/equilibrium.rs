@@ -10,7 +10,7 @@
 use core::fmt;
 
 use super::{Place, Tangent, Variation};
-use crate::constraints::{INNER, magnitude};
+use crate::constraints::{Extent, INNER, magnitude};
 use crate::error::{Cause, Magnitude};
 use crate::linear::{Saddle, SaddlePoint, SingularValues, TangentSpace};
 use crate::real::{Ordered, Real, larger, smaller};
@@ -231,30 +231,36 @@ where
         if !S::HOLONOMIC.contains(&true) {
             return Ok(q);
         }
-        let inner = S::Scalar::from_f64(INNER) * S::Scalar::epsilon();
         let mut q = q;
         let mut residuals = self.system.deviations_at(self.t, &q, &none);
         for _ in 0..CORRECTIONS {
-            if residuals.positions_are_roundings() {
+            if residuals.level_is_roundings(true) {
                 return Ok(q);
             }
-            let before = residuals.size(true);
-            let gradients = Self::holonomic(&self.variation(&q, &[S::Scalar::from_f64(0.0); C]).gradients);
-            let saddle = Saddle::factor(&self.metric, &gradients);
+            let (saddle, gradients) = self.tangent(&q);
+            let by_state = Extent::of(&saddle, &q).sizes(&saddle, &gradients);
+            let before = residuals.relative(true, &by_state);
             let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
             let moved: [S::Scalar; N] = core::array::from_fn(|i| q[i] + change[i]);
             if !moved.iter().all(|q| q.is_finite()) {
                 break;
             }
             let there = self.system.deviations_at(self.t, &moved, &none);
-            let state = State::at_rest(q).at_time(self.t);
-            if there.size(true) >= before && residuals.are_near(true, &gradients, &state, inner) {
+            let better = there.relative(true, &by_state) < before;
+            if !better && residuals.are_roundings_beside(true, INNER, &by_state) {
                 // No better place in this arithmetic.
                 return Ok(q);
             }
             (q, residuals) = (moved, there);
         }
-        Err(EquilibriumError::Constraints(residuals.cause()))
+        let (saddle, gradients) = self.tangent(&q);
+        Err(EquilibriumError::Constraints(residuals.cause(true, &Extent::unit().sizes(&saddle, &gradients))))
+    }
+
+    /// The gradients of the holonomic constraints, and the factors of them with the metric.
+    fn tangent(&self, q: &[S::Scalar; N]) -> (Saddle<S::Scalar, N, C>, [[S::Scalar; N]; C]) {
+        let gradients = Self::holonomic(&self.variation(q, &[S::Scalar::from_f64(0.0); C]).gradients);
+        (Saddle::factor(&self.metric, &gradients), gradients)
     }
 
     /// Forces and stiffness at coordinates on the constraints.
@@ -340,11 +346,12 @@ where
     fn resting(&self, rest: &Rest<S::Scalar, N, K, C>) -> Result<(), EquilibriumError> {
         let state = State::at_rest(rest.q).at_time(self.t);
         let residuals = self.system.deviations_at(state.t, &state.q, &state.v);
-        let inner = S::Scalar::from_f64(INNER) * S::Scalar::epsilon();
-        if residuals.are_near(false, &rest.variation.gradients, &state, inner) {
+        let saddle = Saddle::factor(&self.metric, &rest.variation.gradients);
+        let by_state = Extent::of(&saddle, &state.v).sizes(&saddle, &rest.variation.gradients);
+        if residuals.are_roundings_beside(false, INNER, &by_state) {
             return Ok(());
         }
-        match residuals.cause() {
+        match residuals.cause(false, &Extent::unit().sizes(&saddle, &rest.variation.gradients)) {
             Cause::VelocityViolated { constraint, .. } => {
                 Err(EquilibriumError::MovingConstraint { constraint })
             }
