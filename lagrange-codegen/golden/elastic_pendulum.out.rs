@@ -714,4 +714,17 @@ A singular mass matrix, with the coordinate and the time.*/
             matrices
         }
     }
+    #[automatically_derived]
+    #[allow(clippy::all, unused_variables)]
+    impl lagrange::Sensitive<2usize, 1usize, 0usize, 0usize> for ElasticPendulum {
+        const PARAMETERS: [&'static str; 0] = [];
+        #[inline]
+        fn by_parameters_at(
+            &self,
+            constants: &Self::Constants,
+            place: &lagrange::Place<'_, f64, 2, 1, 0>,
+        ) -> lagrange::ByParameters<f64, 2, 0, 0> {
+            lagrange::ByParameters::zero()
+        }
+    }
 };

@@ -82,8 +82,8 @@ pub use system::System;
 #[cfg(feature = "std")]
 pub use tangent::Mode;
 pub use tangent::{
-    Basis, Equilibrium, EquilibriumError, Imbalance, InverseDynamics, LinearModel, Response, Tangent,
-    Variation,
+    Basis, ByParameters, Equilibrium, EquilibriumError, Imbalance, InverseDynamics, LinearModel, Response,
+    Sensitive, Sensitivities, Tangent, Transition, Variation, Variational, VariationalMotion, Varied,
 };
 #[cfg(feature = "wide")]
 pub use wide;
@@ -109,7 +109,7 @@ pub mod __private {
     pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
     pub use crate::tables::Tables;
-    pub use crate::tangent::{self, Imbalance, Place, Tangent, Variation};
+    pub use crate::tangent::{self, ByParameters, Imbalance, Place, Sensitive, Tangent, Variation};
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
         pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur};

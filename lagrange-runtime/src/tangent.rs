@@ -10,6 +10,8 @@
 //! | [`Tangent::linearize`] | M, C, G, K and ẋ = A x + B u about a state |
 //! | [`Tangent::modes`] | frequencies, damping ratios and shapes of small oscillations |
 //! | [`Tangent::inverse_dynamics`] | forces that a given motion needs |
+//! | [`Sensitive::sensitivities`] | derivatives of accelerations and multipliers by parameters |
+//! | [`Sensitive::variational`] | the motion with its derivatives by the start and by parameters |
 //!
 mod equilibrium;
 mod inverse_dynamics;
@@ -18,6 +20,9 @@ mod linear_model;
 mod modes;
 mod reduced;
 mod response;
+mod sensitive;
+mod variational;
+mod varied;
 
 use crate::constraints::{Balance, Residuals};
 use crate::error::MotionError;
@@ -31,6 +36,9 @@ pub use linear_model::{Basis, LinearModel};
 pub use modes::Mode;
 pub use reduced::{reduced, reduced_by_inputs, reduced_residual};
 pub use response::Response;
+pub use sensitive::{ByParameters, Sensitive, Sensitivities};
+pub use variational::{Transition, Variational, VariationalMotion};
+pub use varied::Varied;
 
 /// r = f + Aᵀλ − M a, and A a − γ of the constraints: both zero on the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,10 +1,10 @@
-//! The implementations of the runtime's `Linearized` and `Tangent`, where the attribute asks for them.
+//! The implementations of the runtime's `Linearized`, `Tangent` and `Sensitive`, where the attribute asks for them.
 
 use super::body::{self, Source};
 use super::names::{Names, name_accelerations};
 use super::{Emission, block, scalar};
 use crate::expr::NodeId;
-use crate::mechanics::Linearization;
+use crate::mechanics::{Linearization, Sensitivities};
 use crate::model::ConstraintKind;
 use crate::schedule::plan;
 use crate::simplify::simplify;
@@ -12,12 +12,14 @@ use crate::simplify::simplify;
 /// Larger matrices are filled row by row in functions of their own.
 const OUTLINED: usize = 32;
 
-/// The items of both traits as text.
+/// The items of the traits as text.
 pub(super) struct Items {
     /// Of `Linearized`.
     pub linearized: String,
     /// Of `Tangent`.
     pub tangent: String,
+    /// Of `Sensitive`.
+    pub sensitive: String,
 }
 
 pub(super) fn linearization(emission: &mut Emission<'_>) -> Option<Items> {
@@ -26,11 +28,13 @@ pub(super) fn linearization(emission: &mut Emission<'_>) -> Option<Items> {
     }
     name_accelerations(emission.model);
     let derived = Linearization::of(emission.model, emission.equations);
-    Some(if emission.equations.conditions.count() == 0 {
+    let sensitive = sensitive(emission, &derived.by_p);
+    let (linearized, tangent) = if emission.equations.conditions.count() == 0 {
         free(emission, derived)
     } else {
         constrained(emission, derived)
-    })
+    };
+    Some(Items { linearized, tangent, sensitive })
 }
 
 /// Argument lists that several functions share.
@@ -53,7 +57,7 @@ impl Signature {
 }
 
 /// Without constraints.
-fn free(emission: &mut Emission<'_>, derived: Linearization) -> Items {
+fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String) {
     let Linearization { forces, by_u, .. } = derived;
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let scalar = &emission.item.scalar.to_string();
@@ -112,12 +116,12 @@ fn free(emission: &mut Emission<'_>, derived: Linearization) -> Items {
     let deviations =
         "lagrange::Residuals { positions: [], position_sizes: [], rates: [], rate_sizes: [] }".to_owned();
     let tangent = tangent(emission, [&balance, &deviations, &imbalance, &by_t]);
-    Items { linearized, tangent }
+    (linearized, tangent)
 }
 
 /// With constraints: `Linearized` is that of the accelerations with the multipliers solved for.
-fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> Items {
-    let Linearization { forces, by_u, conditions, rates_by_q } = derived;
+fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> (String, String) {
+    let Linearization { forces, by_u, conditions, rates_by_q, by_p: _ } = derived;
     let (count, inputs, held) =
         (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
     let scalar = &emission.item.scalar.to_string();
@@ -183,7 +187,7 @@ fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> Items {
     let balance = format!("{surface}::balance_at(self, constants, t, q, v, u)");
     let deviations = format!("{surface}::residuals_at(self, t, q, v)");
     let tangent = tangent(emission, [&balance, &deviations, &imbalance, &variation]);
-    Items { linearized, tangent }
+    (linearized, tangent)
 }
 
 /// The items of `Tangent` from the bodies of its functions.
@@ -207,6 +211,48 @@ fn tangent(emission: &Emission<'_>, [balance, deviations, imbalance, variation]:
          #[inline]\nfn variation_at({place}) -> lagrange::Variation<{scalar}, {count}, {inputs}, {held}> \
          {{\n{variation}\n}}\n",
         kinds.join(", ")
+    )
+}
+
+/// The items of `Sensitive`.
+fn sensitive(emission: &mut Emission<'_>, by_p: &Sensitivities) -> String {
+    let (count, inputs, held, parameters) = (
+        emission.count(),
+        emission.model.inputs.len(),
+        emission.equations.conditions.count(),
+        emission.model.sensitivities.len(),
+    );
+    let zero = scalar::zero(&emission.item.scalar);
+    let matrices = [
+        ("forces", flat(by_p.forces.clone())),
+        ("conditions", flat(by_p.conditions.clone())),
+        ("positions", flat(by_p.positions.clone())),
+        ("rates", flat(by_p.rates.clone())),
+    ];
+    let roots: Vec<NodeId> = matrices.iter().flat_map(|(_, nodes)| nodes).copied().collect();
+    let body = if parameters == 0 {
+        "lagrange::ByParameters::zero()".to_owned()
+    } else {
+        at_place(emission, &roots, |values| {
+            let mut text = "let mut matrices = lagrange::ByParameters::zero();\n".to_owned();
+            let mut rest = values;
+            for (name, nodes) in &matrices {
+                let (entries, others) = rest.split_at(nodes.len());
+                text.push_str(&matrix(name, &zero, parameters, entries));
+                rest = others;
+            }
+            text + "matrices"
+        })
+    };
+    let path = |&parameter: &u32| format!("{:?}", emission.model.parameters[parameter as usize].path);
+    let paths: Vec<String> = emission.model.sensitivities.iter().map(path).collect();
+    let scalar = &emission.item.scalar;
+    format!(
+        "const PARAMETERS: [&'static str; {parameters}] = [{}];\n\
+         #[inline]\nfn by_parameters_at(&self, constants: &Self::Constants, \
+         place: &lagrange::Place<'_, {scalar}, {count}, {inputs}, {held}>) \
+         -> lagrange::ByParameters<{scalar}, {count}, {held}, {parameters}> {{\n{body}\n}}\n",
+        paths.join(", ")
     )
 }
 

@@ -27,6 +27,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     let count = declared.saturating_sub(item.eliminated());
     let held = constraints::declared(item);
     let total_held: usize = held.iter().map(|(_, length)| length.unwrap_or(1)).sum();
+    let parameters = item.sensitivities.len();
     let linearization = item.jacobians.then(|| {
         let place = quote!(
             &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
@@ -56,6 +57,15 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 fn variation_at(
                     &self, _: &(), _: &lagrange::Place<'_, #scalar, #count, #inputs, #total_held>
                 ) -> lagrange::Variation<#scalar, #count, #inputs, #total_held> { loop {} }
+            }
+
+            impl #impl_generics lagrange::Sensitive<#count, #inputs, #total_held, #parameters>
+                for #self_ty #where_clause
+            {
+                const PARAMETERS: [&'static str; #parameters] = [""; #parameters];
+                fn by_parameters_at(
+                    &self, _: &(), _: &lagrange::Place<'_, #scalar, #count, #inputs, #total_held>
+                ) -> lagrange::ByParameters<#scalar, #count, #total_held, #parameters> { loop {} }
             }
         }
     });

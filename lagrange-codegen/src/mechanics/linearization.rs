@@ -3,7 +3,7 @@
 //! No inverse of M is differentiated: the derivatives of the accelerations are the solution of a linear system with M and
 //! A and these on the right.
 
-use super::Equations;
+use super::{Conditions, Equations};
 use crate::calculus::pushforward;
 use crate::expr::{NodeId, Variable};
 use crate::model::Model;
@@ -22,6 +22,19 @@ pub struct Derivatives {
     pub by_t: Vec<NodeId>,
 }
 
+/// Derivatives by parameters, a column each.
+#[derive(Clone, Debug)]
+pub struct Sensitivities {
+    /// Of r.
+    pub forces: Vec<Vec<NodeId>>,
+    /// Of A a − γ.
+    pub conditions: Vec<Vec<NodeId>>,
+    /// Of f of the holonomic constraints.
+    pub positions: Vec<Vec<NodeId>>,
+    /// Of w.
+    pub rates: Vec<Vec<NodeId>>,
+}
+
 /// The residuals and their derivatives.
 #[derive(Clone, Debug)]
 pub struct Linearization {
@@ -33,6 +46,8 @@ pub struct Linearization {
     pub conditions: Derivatives,
     /// ∂w/∂q, with w the constraints at the level of velocities.
     pub rates_by_q: Vec<Vec<NodeId>>,
+    /// By the parameters that are asked for.
+    pub by_p: Sensitivities,
 }
 
 impl Linearization {
@@ -41,13 +56,23 @@ impl Linearization {
         let (count, inputs) = (model.coordinates.len(), model.inputs.len());
         let residual = residual(model, equations);
         let conditions = conditions(model, equations);
-        let by_u = by(model, &residual, Variable::Input, inputs);
-        let rates_by_q = by(model, &equations.conditions.rates, Variable::Coordinate, count);
+        let by_u = by(model, &residual, &variables(Variable::Input, inputs));
+        let Conditions { positions, rates, .. } = &equations.conditions;
+        let rates_by_q = by(model, rates, &variables(Variable::Coordinate, count));
+        let parameters: Vec<Variable> =
+            model.sensitivities.iter().map(|&parameter| Variable::Parameter(parameter)).collect();
+        let by_p = Sensitivities {
+            forces: by(model, &residual, &parameters),
+            conditions: by(model, &conditions, &parameters),
+            positions: by(model, positions, &parameters),
+            rates: by(model, rates, &parameters),
+        };
         Linearization {
             forces: derivatives(model, residual),
             by_u,
             conditions: derivatives(model, conditions),
             rates_by_q,
+            by_p,
         }
     }
 }
@@ -56,19 +81,24 @@ fn derivatives(model: &mut Model, values: Vec<NodeId>) -> Derivatives {
     let count = model.coordinates.len();
     let (time, one) = (model.graph.variable(Variable::Time), model.graph.one());
     Derivatives {
-        by_q: by(model, &values, Variable::Coordinate, count),
-        by_v: by(model, &values, Variable::Velocity, count),
+        by_q: by(model, &values, &variables(Variable::Coordinate, count)),
+        by_v: by(model, &values, &variables(Variable::Velocity, count)),
         by_t: pushforward(&mut model.graph, &values, &[(time, one)]),
         values,
     }
 }
 
-/// Derivatives by the first `count` variables of a kind.
-fn by(model: &mut Model, values: &[NodeId], variable: fn(u32) -> Variable, count: usize) -> Vec<Vec<NodeId>> {
+/// The first `count` variables of a kind.
+fn variables(kind: fn(u32) -> Variable, count: usize) -> Vec<Variable> {
+    (0..count as u32).map(kind).collect()
+}
+
+/// Derivatives by some variables, a column each.
+fn by(model: &mut Model, values: &[NodeId], variables: &[Variable]) -> Vec<Vec<NodeId>> {
     let one = model.graph.one();
-    let mut rows = vec![Vec::with_capacity(count); values.len()];
-    for column in 0..count as u32 {
-        let variable = model.graph.variable(variable(column));
+    let mut rows = vec![Vec::with_capacity(variables.len()); values.len()];
+    for &variable in variables {
+        let variable = model.graph.variable(variable);
         let slopes = pushforward(&mut model.graph, values, &[(variable, one)]);
         rows.iter_mut().zip(slopes).for_each(|(row, slope)| row.push(slope));
     }

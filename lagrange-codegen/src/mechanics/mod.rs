@@ -16,7 +16,7 @@ mod places;
 mod validate;
 
 pub use constraints::Conditions;
-pub use linearization::Linearization;
+pub use linearization::{Linearization, Sensitivities};
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::NodeId;

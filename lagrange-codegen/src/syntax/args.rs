@@ -1,5 +1,5 @@
-//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, baumgarte = …,
-//! crate = …, allow(…)`.
+//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, sensitivities = […],
+//! baumgarte = …, crate = …, allow(…)`.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::ext::IdentExt;
@@ -17,7 +17,8 @@ use crate::diagnostics::{Diagnostics, catalogue};
 /// The checks that `allow(…)` can switch off.
 pub const LINTS: [&str; 4] = ["unused_input", "no_effect", "redundant", "integrable"];
 
-const KNOWN: [&str; 6] = ["coordinates", "inputs", "jacobians", "baumgarte", "crate", "allow"];
+const KNOWN: [&str; 7] =
+    ["coordinates", "inputs", "jacobians", "sensitivities", "baumgarte", "crate", "allow"];
 
 /// The parsed arguments.
 #[derive(Default)]
@@ -28,6 +29,8 @@ pub struct Args {
     pub inputs: Vec<Declaration>,
     /// Whether the `jacobians` argument is there.
     pub jacobians: bool,
+    /// The `sensitivities` argument.
+    pub sensitivities: Vec<syn::Expr>,
     /// The `baumgarte` argument.
     pub baumgarte: Option<syn::Expr>,
     /// The `crate` argument.
@@ -63,6 +66,7 @@ impl Parse for Declaration {
 enum Argument {
     Names(Ident, Vec<Declaration>),
     Jacobians(Ident),
+    Sensitivities(Ident, Vec<syn::Expr>),
     Baumgarte(Ident, syn::Expr),
     Crate(Ident, syn::Path),
     Allow(Ident, Vec<Ident>),
@@ -76,6 +80,7 @@ impl Argument {
         match self {
             Argument::Names(key, _)
             | Argument::Jacobians(key)
+            | Argument::Sensitivities(key, _)
             | Argument::Baumgarte(key, _)
             | Argument::Crate(key, _)
             | Argument::Allow(key, _)
@@ -97,6 +102,13 @@ impl Parse for Argument {
                 Ok(Argument::Names(key, names.into_iter().collect()))
             }
             "jacobians" if input.is_empty() || input.peek(Token![,]) => Ok(Argument::Jacobians(key)),
+            "sensitivities" => {
+                input.parse::<Token![=]>()?;
+                let content;
+                bracketed!(content in input);
+                let parameters = Punctuated::<syn::Expr, Token![,]>::parse_terminated(&content)?;
+                Ok(Argument::Sensitivities(key, parameters.into_iter().collect()))
+            }
             "baumgarte" => {
                 input.parse::<Token![=]>()?;
                 Ok(Argument::Baumgarte(key, input.parse()?))
@@ -152,6 +164,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
                 target.extend(names);
             }
             Argument::Jacobians(_) => args.jacobians = true,
+            Argument::Sensitivities(_, parameters) => args.sensitivities = parameters,
             Argument::Baumgarte(_, rate) => args.baumgarte = Some(rate),
             Argument::Crate(_, path) => args.crate_path = Some(path),
             Argument::Allow(_, names) => {

@@ -4,3 +4,4 @@ mod classical;
 mod constrained;
 mod derivatives;
 mod seeds;
+mod sensitivities;
