@@ -11,6 +11,7 @@
 //! | [`stepper`] | a motion in fixed steps, for control loops |
 //! | [`integrator`] | the methods: Taylor series, Dormand–Prince 8(5,3), RK4, symplectic splittings, Gauss collocation |
 //! | [`constraints`] | multipliers, starts on the constraints, projection back onto them |
+//! | [`analysis`] | inertia forces by origin, Christoffel symbols, Legendre's transformation |
 //! | [`proved`] | what the macro proved of a system and a method may demand |
 //! | [`linearized`] | derivatives of the equations, for implicit methods and for control |
 //! | [`linear`] | factorisations of small dense matrices |
@@ -38,6 +39,7 @@ compile_error!(
 );
 
 pub mod algebra;
+pub mod analysis;
 pub mod batch;
 mod columns;
 pub mod constraints;
@@ -58,6 +60,7 @@ pub mod system;
 mod tables;
 
 pub use algebra::PrincipalMoments;
+pub use analysis::InertiaForces;
 pub use batch::Batch;
 pub use constraints::{Constrained, Reactions};
 pub use error::{Cause, MotionError};
@@ -84,6 +87,7 @@ pub use wide;
 #[doc(hidden)]
 pub mod __private {
     pub use crate::algebra::{self, PrincipalMoments};
+    pub use crate::analysis::{self, InertiaForces};
     pub use crate::error::{Cause, MotionError};
     pub use crate::linear::{Ldlt, Lu};
     pub use crate::linearized::{Linearization, Linearized};

@@ -141,7 +141,14 @@ fn vector(emission: &mut Emission<'_>, name: &str, doc: &str, symbol: &str, node
     method(&doc, &signature, &body)
 }
 
-fn scalar(emission: &mut Emission<'_>, name: &str, doc: &str, symbol: &str, node: NodeId) -> String {
+/// A method on a state that returns a number.
+pub(super) fn scalar(
+    emission: &mut Emission<'_>,
+    name: &str,
+    doc: &str,
+    symbol: &str,
+    node: NodeId,
+) -> String {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &[node]);
     let doc = format!("{doc}{}", docs::equation(emission.model, symbol, nodes[0]));
     let signature = format!("{name}({}) -> {}", arguments(emission, &nodes), emission.item.scalar);

@@ -1,5 +1,6 @@
 //! Tokens of the expansion, in the order they stand in it.
 
+mod analysis;
 mod block;
 mod body;
 mod constraints;
@@ -29,6 +30,7 @@ use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
 
+pub(crate) use analysis::METHODS as ANALYSIS_METHODS;
 pub(crate) use constraints::{METHODS as CONSTRAINT_METHODS, is_force_on_place};
 pub(crate) use eliminated::METHODS as COMPLETIONS;
 pub(crate) use methods::METHODS;
@@ -83,6 +85,9 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let report = report(&emission, before, after);
     let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
     let linearization = linearization::linearization(&mut emission);
+    if emission.item.analysis {
+        methods.push_str(&analysis::analysis(&mut emission));
+    }
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
     let linearization = linearization.map(|text| parameters.parse(&text));
@@ -130,6 +135,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             fn __lengths(&self) { #lengths }
         }
     });
+    let test = analysis::test(&emission);
     let smooth = smooth.map(|items| {
         quote! {
             #[automatically_derived]
@@ -165,6 +171,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             #smooth
             #linearization
         };
+        #test
     }
 }
 

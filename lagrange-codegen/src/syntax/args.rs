@@ -1,5 +1,5 @@
-//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, baumgarte = …,
-//! crate = …, allow(…)`.
+//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, analysis, verify = …,
+//! baumgarte = …, crate = …, allow(…)`.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::ext::IdentExt;
@@ -17,7 +17,11 @@ use crate::diagnostics::{Diagnostics, catalogue};
 /// The checks that `allow(…)` can switch off.
 pub const LINTS: [&str; 4] = ["unused_input", "no_effect", "redundant", "integrable"];
 
-const KNOWN: [&str; 6] = ["coordinates", "inputs", "jacobians", "baumgarte", "crate", "allow"];
+const KNOWN: [&str; 8] =
+    ["coordinates", "inputs", "jacobians", "analysis", "verify", "baumgarte", "crate", "allow"];
+
+/// Arguments that are a word alone.
+const WORDS: [&str; 2] = ["jacobians", "analysis"];
 
 /// The parsed arguments.
 #[derive(Default)]
@@ -28,6 +32,10 @@ pub struct Args {
     pub inputs: Vec<Declaration>,
     /// Whether the `jacobians` argument is there.
     pub jacobians: bool,
+    /// Whether the `analysis` argument is there.
+    pub analysis: bool,
+    /// The `verify` argument.
+    pub verify: Option<syn::Expr>,
     /// The `baumgarte` argument.
     pub baumgarte: Option<syn::Expr>,
     /// The `crate` argument.
@@ -62,7 +70,8 @@ impl Parse for Declaration {
 /// One argument as written.
 enum Argument {
     Names(Ident, Vec<Declaration>),
-    Jacobians(Ident),
+    Word(Ident),
+    Verify(Ident, syn::Expr),
     Baumgarte(Ident, syn::Expr),
     Crate(Ident, syn::Path),
     Allow(Ident, Vec<Ident>),
@@ -75,7 +84,8 @@ impl Argument {
     fn key(&self) -> &Ident {
         match self {
             Argument::Names(key, _)
-            | Argument::Jacobians(key)
+            | Argument::Word(key)
+            | Argument::Verify(key, _)
             | Argument::Baumgarte(key, _)
             | Argument::Crate(key, _)
             | Argument::Allow(key, _)
@@ -96,7 +106,13 @@ impl Parse for Argument {
                 let names = Punctuated::<Declaration, Token![,]>::parse_terminated(&content)?;
                 Ok(Argument::Names(key, names.into_iter().collect()))
             }
-            "jacobians" if input.is_empty() || input.peek(Token![,]) => Ok(Argument::Jacobians(key)),
+            word if WORDS.contains(&word) && (input.is_empty() || input.peek(Token![,])) => {
+                Ok(Argument::Word(key))
+            }
+            "verify" => {
+                input.parse::<Token![=]>()?;
+                Ok(Argument::Verify(key, input.parse()?))
+            }
             "baumgarte" => {
                 input.parse::<Token![=]>()?;
                 Ok(Argument::Baumgarte(key, input.parse()?))
@@ -116,7 +132,8 @@ impl Parse for Argument {
                 while !input.is_empty() && !input.peek(Token![,]) {
                     input.parse::<proc_macro2::TokenTree>()?;
                 }
-                Ok(if key == "jacobians" { Argument::Valued(key) } else { Argument::Unknown(key) })
+                let known = WORDS.iter().any(|word| key == word);
+                Ok(if known { Argument::Valued(key) } else { Argument::Unknown(key) })
             }
         }
     }
@@ -151,7 +168,9 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
                 };
                 target.extend(names);
             }
-            Argument::Jacobians(_) => args.jacobians = true,
+            Argument::Word(key) if key == "jacobians" => args.jacobians = true,
+            Argument::Word(_) => args.analysis = true,
+            Argument::Verify(_, example) => args.verify = Some(example),
             Argument::Baumgarte(_, rate) => args.baumgarte = Some(rate),
             Argument::Crate(_, path) => args.crate_path = Some(path),
             Argument::Allow(_, names) => {

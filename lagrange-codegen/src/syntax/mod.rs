@@ -105,6 +105,8 @@ pub fn parse(
         inputs,
         crate_path,
         jacobians: args.jacobians,
+        analysis: args.analysis,
+        verify: args.verify,
         baumgarte,
         allowed: args.allowed,
         cleaned,
