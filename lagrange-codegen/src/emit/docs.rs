@@ -40,11 +40,6 @@ pub(super) fn named(model: &Model, nodes: impl Iterator<Item = (String, NodeId)>
     format!("\n{lines}")
 }
 
-/// An expression in the user's names, whatever its length.
-pub(super) fn text(model: &Model, node: NodeId) -> String {
-    model.graph.print(node, &|variable| name(model, variable))
-}
-
 /// A short expression in the user's names.
 fn expression(model: &Model, node: NodeId) -> Option<String> {
     // Printing writes shared parts out each time, so the size is checked before.

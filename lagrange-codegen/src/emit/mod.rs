@@ -6,6 +6,7 @@ mod body;
 mod constraints;
 mod docs;
 mod eliminated;
+mod equations;
 mod gather;
 mod jets;
 mod linearization;
@@ -88,6 +89,11 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     if emission.item.analysis {
         methods.push_str(&analysis::analysis(&mut emission));
     }
+    let page = emission.item.analysis.then(|| {
+        let (page, constants) = equations::page(&mut emission, after);
+        methods.push_str(&constants);
+        quote!(#[doc = #page])
+    });
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
     let linearization = linearization.map(|text| parameters.parse(&text));
@@ -152,6 +158,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
         const _: () = {
             use #crate_path::__private as lagrange;
 
+            #page
             #[automatically_derived]
             #[allow(clippy::all)]
             impl #impl_generics #self_ty #where_clause {

@@ -6,7 +6,7 @@ use crate::emit::body::{self, Source};
 use crate::emit::constraints::rows;
 use crate::emit::methods::method;
 use crate::emit::names::name_accelerations;
-use crate::emit::{Emission, docs};
+use crate::emit::{Emission, equations};
 use crate::expr::NodeId;
 use crate::mechanics::analysis::Regressor;
 use crate::simplify::simplify;
@@ -18,7 +18,7 @@ pub(super) fn items(emission: &mut Emission<'_>) -> String {
     };
     name_accelerations(emission.model);
     let (count, width) = (emission.count(), lumped.len());
-    let names: Vec<String> = lumped.iter().map(|&node| docs::text(emission.model, node)).collect();
+    let names: Vec<String> = lumped.iter().map(|&node| equations::expression(emission.model, node)).collect();
     let mut text = constant(
         "REGRESSOR",
         "Lumped parameters π in which the equations are linear, M a + b = Y π; those that identification can tell apart at most.",

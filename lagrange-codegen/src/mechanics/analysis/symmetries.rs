@@ -21,8 +21,8 @@ const SPARE: usize = 16;
 /// Points at which a candidate is confirmed.
 const CONFIRMED: usize = 40;
 
-/// dI/dt may be this share of the sum of its absolute terms.
-const ROUNDING: f64 = 1e-11;
+/// dI/dt may be this share of the sum of its absolute terms and of the momenta.
+const ROUNDING: f64 = 1e-12;
 
 /// Largest denominator of an entry of S and s.
 const DENOMINATOR: i128 = 12;
@@ -57,6 +57,13 @@ enum Unknown {
 }
 
 impl Unknown {
+    /// The coordinate that it moves.
+    fn row(self) -> usize {
+        match self {
+            Unknown::Entry(i, _) | Unknown::Plane(i, _) | Unknown::Shift(i) => i,
+        }
+    }
+
     /// The entries of S, and of s, that it stands for.
     fn parts(self) -> (Vec<(usize, usize, i128)>, Option<usize>) {
         match self {
@@ -71,29 +78,34 @@ impl Unknown {
 pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
     let unknowns = unknowns(model, equations);
     let mut noise = Noise(0);
-    let mut rows = Vec::new();
-    let (wanted, mut valid) = (unknowns.len() + SPARE, 0);
-    for attempt in 0..4 * wanted {
-        if valid == wanted {
-            break;
-        }
-        let sample = Sample::draw(model, equations, &mut noise, attempt);
-        if sample.is_finite() {
-            valid += 1;
-            rows.extend(sample.conditions(&unknowns));
-        }
-    }
-    if valid < wanted {
+    let Some(samples) = samples(model, equations, &mut noise, unknowns.len() + SPARE) else {
         return Vec::new();
-    }
-    let candidates: Vec<Generator> = null_space(rows, unknowns.len())
+    };
+    // Momenta say how large a force on a coordinate must be to count: masses may differ by many orders.
+    let weights: Vec<f64> = (0..equations.mass.len())
+        .map(|i| {
+            let largest =
+                samples.iter().fold(0.0, |largest: f64, sample| largest.max(sample.momenta[i].abs()));
+            if largest > 0.0 { largest.recip() } else { 1.0 }
+        })
+        .collect();
+    let scales: Vec<f64> = unknowns.iter().map(|unknown| weights[unknown.row()]).collect();
+    let rows = samples
         .iter()
-        .filter_map(|vector| Generator::rational(vector, &unknowns))
+        .flat_map(|sample| sample.conditions(&unknowns))
+        .map(|row| row.iter().zip(&scales).map(|(entry, scale)| entry * scale).collect());
+    let candidates: Vec<Generator> = null_space(rows.collect(), unknowns.len())
+        .iter()
+        .filter_map(|vector| {
+            let free = vector.iter().rposition(|&entry| entry == 1.0)?;
+            let unscaled: Vec<f64> =
+                vector.iter().zip(&scales).map(|(entry, scale)| entry * scale / scales[free]).collect();
+            Generator::rational(&unscaled, &unknowns)
+        })
         .collect();
-    let mut confirmed: Vec<Generator> = candidates
-        .into_iter()
-        .filter(|candidate| is_conserved(model, equations, candidate, &mut noise))
-        .collect();
+    let Some(others) = self::samples(model, equations, &mut noise, CONFIRMED) else { return Vec::new() };
+    let is_confirmed = |candidate: &Generator| others.iter().all(|sample| sample.confirms(candidate));
+    let mut confirmed: Vec<Generator> = candidates.into_iter().filter(is_confirmed).collect();
     // Translations first, as they stand in the coordinates.
     confirmed.sort_by_key(|generator| !generator.linear.is_empty());
     confirmed
@@ -208,16 +220,17 @@ impl Sample {
     fn confirms(&self, generator: &Generator) -> bool {
         let vanishes = |force: &[f64], momenta: Option<&[f64]>| {
             let (mut sum, mut size) = (0.0, 0.0);
-            let mut add = |term: f64| {
+            let mut add = |term: f64, scale: f64| {
                 sum += term;
-                size += term.abs();
+                size += term.abs() + scale.abs();
             };
             for &(i, j, value) in &generator.linear {
-                add(value.value() * force[i] * self.q[j]);
-                add(momenta.map_or(0.0, |momenta| value.value() * momenta[i] * self.v[j]));
+                let value = value.value();
+                add(value * force[i] * self.q[j], value * self.momenta[i]);
+                add(momenta.map_or(0.0, |momenta| value * momenta[i] * self.v[j]), 0.0);
             }
             for &(i, value) in &generator.shift {
-                add(value.value() * force[i]);
+                add(value.value() * force[i], value.value() * self.momenta[i]);
             }
             sum.abs() <= ROUNDING * size
         };
@@ -226,19 +239,11 @@ impl Sample {
     }
 }
 
-fn is_conserved(model: &Model, equations: &Equations, candidate: &Generator, noise: &mut Noise) -> bool {
-    let (mut valid, mut attempt) = (0, 0);
-    while valid < CONFIRMED && attempt < 4 * CONFIRMED {
-        let sample = Sample::draw(model, equations, noise, attempt);
-        attempt += 1;
-        if sample.is_finite() {
-            if !sample.confirms(candidate) {
-                return false;
-            }
-            valid += 1;
-        }
-    }
-    valid == CONFIRMED
+/// So many points at which everything is a number; `None` where there are hardly any.
+fn samples(model: &Model, equations: &Equations, noise: &mut Noise, wanted: usize) -> Option<Vec<Sample>> {
+    let drawn = (0..4 * wanted).map(|attempt| Sample::draw(model, equations, noise, attempt));
+    let samples: Vec<Sample> = drawn.filter(Sample::is_finite).take(wanted).collect();
+    (samples.len() == wanted).then_some(samples)
 }
 
 impl Generator {
