@@ -16,6 +16,7 @@
 //! | [`linearized`] | derivatives of the equations, for implicit methods and for control |
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
+//! | [`verify`] | the certificate of a model: identities at sampled states |
 //! | [`structure`] | operation counts and proven facts of a model |
 //! | [`error`] | why and when a motion stopped |
 //!
@@ -58,6 +59,7 @@ pub mod stepper;
 pub mod structure;
 pub mod system;
 mod tables;
+pub mod verify;
 
 pub use algebra::PrincipalMoments;
 pub use analysis::InertiaForces;
@@ -80,6 +82,7 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
 pub use system::System;
+pub use verify::{Certificate, Identity, Violation};
 #[cfg(feature = "wide")]
 pub use wide;
 
@@ -116,5 +119,6 @@ pub mod __private {
     }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::system::System;
+    pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;
 }

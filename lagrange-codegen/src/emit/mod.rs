@@ -86,9 +86,11 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let report = report(&emission, before, after);
     let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
     let linearization = linearization::linearization(&mut emission);
-    if emission.item.analysis {
-        methods.push_str(&analysis::analysis(&mut emission));
-    }
+    let certificate = emission.item.analysis.then(|| {
+        let analysis = analysis::analysis(&mut emission);
+        methods.push_str(&analysis.methods);
+        analysis.certificate
+    });
     let page = emission.item.analysis.then(|| {
         let (page, constants) = equations::page(&mut emission, after);
         methods.push_str(&constants);
@@ -142,6 +144,16 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
         }
     });
     let test = analysis::test(&emission);
+    let certificate = certificate.map(|items| {
+        let items = parameters.parse(&items);
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Verifiable<#count, #inputs> for #self_ty #where_clause {
+                #items
+            }
+        }
+    });
     let smooth = smooth.map(|items| {
         quote! {
             #[automatically_derived]
@@ -177,6 +189,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             #proofs
             #smooth
             #linearization
+            #certificate
         };
         #test
     }

@@ -105,7 +105,7 @@ pub fn parse(
         inputs,
         crate_path,
         jacobians: args.jacobians,
-        analysis: args.analysis,
+        analysis: args.analysis || args.verify.is_some(),
         verify: args.verify,
         baumgarte,
         allowed: args.allowed,

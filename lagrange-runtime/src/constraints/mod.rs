@@ -131,7 +131,7 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
 /// The nearest double to a nonnegative number: its binary digits one by one, since a scalar of the user's own has no
 /// conversion.
 #[cold]
-fn to_f64<R: Ordered>(value: R) -> f64 {
+pub(crate) fn to_f64<R: Ordered>(value: R) -> f64 {
     if !value.is_finite() {
         return f64::NAN;
     }

@@ -294,3 +294,15 @@ fn symmetries_that_reactions_break_are_no_integrals() {
     assert_eq!(Skate::CYCLIC, ["heading"]);
     assert_eq!(Skate::CONSERVED, ["energy", "momentum of heading"]);
 }
+
+#[test]
+fn certificates_are_given() {
+    EulerTop { inertia: [1.0, 2.0, 3.0] }.verify().unwrap();
+    Top { a: 0.004, c: 0.0015, moment: 0.25 }.verify().unwrap();
+    Atwood { counterweight: 2.5 }.verify().unwrap();
+    SphericalPendulum { g: 1.0 }.verify().unwrap();
+    Pleiades { masses: std::array::from_fn(|i| (i + 1) as f64) }.verify().unwrap();
+    Free { m: [1.0, 2.0, 3.0], l: [0.5, 0.6, 0.7], inertia: 0.4 }.verify().unwrap();
+    Satellite { inertia: 0.3 }.verify().unwrap();
+    Skate { inertia: 0.3 }.verify().unwrap();
+}

@@ -207,3 +207,10 @@ fn parts_of_the_kinetic_energy_are_homogeneous() {
         close_on(10.0, t2 - t0 + CARRIED.potential_energy(&state), jacobi, CLOSED_FORM);
     }
 }
+
+#[test]
+fn certificates_are_given() {
+    Spherical.verify().unwrap();
+    Parabolic { mass: 1.7 }.verify().unwrap();
+    CARRIED.verify().unwrap();
+}

@@ -201,3 +201,11 @@ fn rates_of_the_energies_are_their_derivatives_along_the_motion() {
         close_on(10.0, system.jacobi_rate(&state, &u), jacobi, DIFFERENCES);
     }
 }
+
+#[test]
+fn certificates_are_given() {
+    FRAME.verify().unwrap();
+    Hemisphere { mass: 0.8, radius: 1.2 }.verify().unwrap();
+    Hoop { mass: 1.0, radius: 0.5, rate: 6.0 }.verify().unwrap();
+    Driven { l: 0.8 }.verify().unwrap();
+}

@@ -146,3 +146,10 @@ fn a_singular_transformation_is_an_error() {
     let error = system.velocities_from_momenta(1.5, &[0.0, 0.0], &[f64::NAN, 0.0]).unwrap_err();
     assert_eq!(error.t, 1.5);
 }
+
+#[test]
+fn certificates_are_given() {
+    Cart { rate: 1.3 }.verify().unwrap();
+    Relativistic { c: 2.0 }.verify().unwrap();
+    Wire.verify().unwrap();
+}

@@ -9,8 +9,8 @@ use crate::model::{Model, Quantity};
 use crate::number::Number;
 use crate::simplify::simplify;
 
-/// The constants `CYCLIC` and `CONSERVED` with their methods.
-pub(super) fn items(emission: &mut Emission<'_>) -> String {
+/// The constants `CYCLIC` and `CONSERVED` with their methods, and the number of conserved quantities.
+pub(super) fn items(emission: &mut Emission<'_>) -> (String, usize) {
     let cyclic = emission.facts.cyclic.clone();
     let names: Vec<String> = cyclic.iter().map(|&i| emission.model.coordinates[i].written()).collect();
     let momenta: Vec<NodeId> = cyclic.iter().map(|&i| emission.equations.momenta[i]).collect();
@@ -55,7 +55,7 @@ pub(super) fn items(emission: &mut Emission<'_>) -> String {
         &names,
         &values,
     ));
-    text
+    (text, values.len())
 }
 
 /// A list of names.

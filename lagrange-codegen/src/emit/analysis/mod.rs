@@ -7,6 +7,7 @@
 //! | `hamilton` | the Hamiltonian form: velocities from momenta, H, canonical equations |
 //! | `conserved` | cyclic coordinates and the integrals of Noether's theorem |
 //! | `regressor` | the equations as a linear function of lumped parameters |
+//! | `stubs` | what stands for all that after a mistake |
 //! | `verify` | the certificate, and the test that asks for it |
 
 mod conserved;
@@ -14,6 +15,7 @@ mod covariant;
 mod hamilton;
 mod inertia;
 mod regressor;
+mod stubs;
 mod verify;
 
 use super::Emission;
@@ -21,10 +23,19 @@ use super::constraints::{balance_at, of_balance};
 use super::methods::{arguments, method};
 use crate::expr::NodeId;
 use crate::mechanics::analysis::Covariant;
+pub(super) use stubs::stubs;
 pub(super) use verify::test;
 
+/// What the attribute's `analysis` adds.
+pub(super) struct Analysis {
+    /// Constants and methods as text.
+    pub methods: String,
+    /// The items of `Verifiable` as text.
+    pub certificate: String,
+}
+
 /// Names of the methods, which no function of the user may have.
-pub(crate) const METHODS: [&str; 18] = [
+pub(crate) const METHODS: [&str; 17] = [
     "kinetic_energy_parts",
     "inertia_forces",
     "energy_rate",
@@ -42,21 +53,22 @@ pub(crate) const METHODS: [&str; 18] = [
     "lumped_parameters",
     "verify",
     "verify_at",
-    "verified_example",
 ];
 
-/// Constants and methods as text.
-pub(super) fn analysis(emission: &mut Emission<'_>) -> String {
+/// Everything beside the test.
+pub(super) fn analysis(emission: &mut Emission<'_>) -> Analysis {
     let covariant = Covariant::of(emission.model, emission.equations);
     let mut text = inertia::methods(emission, covariant.as_ref());
     if let Some(covariant) = &covariant {
         text.push_str(&covariant::methods(emission, covariant));
     }
     text.push_str(&hamilton::methods(emission, covariant.is_some()));
-    text.push_str(&conserved::items(emission));
+    let (items, conserved) = conserved::items(emission);
+    text.push_str(&items);
     text.push_str(&regressor::items(emission));
-    text.push_str(&verify::methods(emission, covariant.is_some()));
-    text
+    text.push_str(&verify::methods(emission));
+    let certificate = verify::implementation(emission, covariant.is_some(), conserved);
+    Analysis { methods: text, certificate }
 }
 
 /// A method on the accelerations and multipliers of a motion, which are solved for.
