@@ -55,3 +55,8 @@ fn heavy_top() {
 fn elastic_pendulum_with_jacobians() {
     check("elastic_pendulum");
 }
+
+#[test]
+fn rotating_pendulum_with_analysis() {
+    check("rotating_pendulum");
+}

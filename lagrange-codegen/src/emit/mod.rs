@@ -79,7 +79,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             (system, None, after)
         }
     };
-    let mut methods = methods::methods(&mut emission);
+    let (mut methods, sides) = methods::methods(&mut emission);
     if surface.is_some() {
         methods.push_str(&constraints::methods(&mut emission));
     }
@@ -91,8 +91,10 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
         methods.push_str(&analysis.methods);
         analysis.certificate
     });
+    let written = equations::Equations::of(&mut emission, &sides);
+    methods.push_str(&written.constant(emission.model));
     let page = emission.item.analysis.then(|| {
-        let (page, constants) = equations::page(&mut emission, after);
+        let (page, constants) = equations::page(&mut emission, &written, after);
         methods.push_str(&constants);
         quote!(#[doc = #page])
     });

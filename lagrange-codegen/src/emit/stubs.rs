@@ -74,6 +74,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 };
                 pub const STRUCTURE: lagrange::Structure =
                     lagrange::Structure { mass_matrix: "", facts: &[], skipped: &[] };
+                pub const EQUATIONS: &'static str = "";
                 #methods
                 #completions
             }

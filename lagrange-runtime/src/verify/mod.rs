@@ -119,6 +119,11 @@ pub struct Described<R> {
 }
 
 /// A system with a certificate: one whose attribute asks for `analysis`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no certificate",
+    label = "this needs `analysis`",
+    note = "say so in the attribute: `#[lagrangian(coordinates = […], analysis)]`"
+)]
 pub trait Verifiable<const N: usize, const K: usize = 0>: System<N, K> {
     /// The number of conserved quantities.
     const CONSERVED: usize;

@@ -65,7 +65,6 @@ pub(in crate::emit) fn stubs(item: &Item, scalar: &TokenStream, count: usize, in
         pub const CYCLIC: &'static [&'static str] = &[];
         pub const CONSERVED: &'static [&'static str] = &[];
         pub const REGRESSOR: &'static [&'static str] = &[];
-        pub const EQUATIONS: &'static str = "";
         pub const EQUATIONS_LATEX: &'static str = "";
         #(#methods)*
         #(#any)*

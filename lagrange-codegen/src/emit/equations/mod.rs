@@ -13,7 +13,6 @@ use crate::emit::Emission;
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::Model;
 use crate::number::Number;
-use crate::simplify::simplify;
 use formula::{Writer, join};
 pub(super) use page::page;
 use symbols::Notation;
@@ -27,6 +26,14 @@ const LONG: u64 = 160;
 /// Parts below this many nodes need no name.
 const SHORT: u64 = 7;
 
+/// The vectors of the equations as the methods compute them.
+pub(super) struct Sides {
+    /// b.
+    pub bias: Vec<NodeId>,
+    /// Q − ∂D/∂v.
+    pub applied: Vec<NodeId>,
+}
+
 /// The equations of motion, ready to be written.
 pub(super) struct Equations {
     /// By coordinate: the summands of the left-hand side, and of the right-hand side.
@@ -39,12 +46,12 @@ pub(super) struct Equations {
 
 impl Equations {
     /// Gathers the rows that are to be written.
-    pub fn of(emission: &mut Emission<'_>) -> Equations {
+    pub fn of(emission: &mut Emission<'_>, sides: &Sides) -> Equations {
         let equations = emission.equations;
         let count = emission.count();
         let mut rows = Vec::new();
         for i in 0..count {
-            let row = row(emission.model, equations, i);
+            let row = row(emission.model, equations, sides, i);
             let nodes = rows
                 .iter()
                 .chain([&row])
@@ -57,9 +64,8 @@ impl Equations {
         let sizes: Vec<usize> = rows.iter().map(|(left, right)| left.len() + right.len()).collect();
         let nodes: Vec<NodeId> =
             rows.iter().flat_map(|(left, right)| left.iter().chain(right).copied()).collect();
-        let Model { graph, hints, .. } = &mut *emission.model;
-        let simpler = simplify(graph, hints, &nodes);
-        let mut simpler = readable::with_angles(graph, &simpler).into_iter();
+        let graph = &mut emission.model.graph;
+        let mut simpler = readable::with_angles(graph, &nodes).into_iter();
         for ((left, right), size) in rows.iter_mut().zip(sizes) {
             let (of_left, of_right) = (left.len(), size - left.len());
             *left = simpler.by_ref().take(of_left).collect();
@@ -79,6 +85,15 @@ impl Equations {
             rows.iter().flat_map(|(left, right)| left.iter().chain(right).copied()).collect();
         let shared = shared(graph, &nodes);
         Equations { omitted: count - rows.len(), rows, shared }
+    }
+
+    /// The constant `EQUATIONS` as text.
+    pub fn constant(&self, model: &Model) -> String {
+        let plain = self.written(model, Notation::Unicode);
+        format!(
+            "/// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.\n\
+             pub const EQUATIONS: &'static str = {plain:?};\n"
+        )
     }
 
     /// The equations as text.
@@ -138,7 +153,12 @@ pub(super) fn expression(model: &Model, node: NodeId) -> String {
 }
 
 /// Σ M_ij a_j + b_i and Q_i + Σ A_ci λ_c.
-fn row(model: &mut Model, equations: &crate::mechanics::Equations, i: usize) -> (Vec<NodeId>, Vec<NodeId>) {
+fn row(
+    model: &mut Model,
+    equations: &crate::mechanics::Equations,
+    sides: &Sides,
+    i: usize,
+) -> (Vec<NodeId>, Vec<NodeId>) {
     let graph = &mut model.graph;
     let count = equations.mass.len();
     let mut left: Vec<NodeId> = (0..count)
@@ -147,8 +167,8 @@ fn row(model: &mut Model, equations: &crate::mechanics::Equations, i: usize) -> 
             graph.mul(equations.mass[i.max(j)][i.min(j)], a)
         })
         .collect();
-    left.push(equations.bias[i]);
-    let mut right = vec![equations.applied[i]];
+    left.push(sides.bias[i]);
+    let mut right = vec![sides.applied[i]];
     right.extend(equations.conditions.reactions.get(i));
     left.retain(|&node| !graph.is_zero(node));
     right.retain(|&node| !graph.is_zero(node));

@@ -10,15 +10,16 @@ use crate::schedule::Operations;
 /// Longer expressions, in nodes written out, are left to the code.
 const LONGEST: u64 = 240;
 
-/// The page as markdown, and the constants as text.
-pub(in crate::emit) fn page(emission: &mut Emission<'_>, after: Operations) -> (String, String) {
-    let equations = Equations::of(emission);
+/// The page as markdown, and the constant `EQUATIONS_LATEX`.
+pub(in crate::emit) fn page(
+    emission: &mut Emission<'_>,
+    equations: &Equations,
+    after: Operations,
+) -> (String, String) {
     let plain = equations.written(emission.model, Notation::Unicode);
     let formulas = equations.written(emission.model, Notation::Latex);
     let constants = format!(
-        "/// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.\n\
-         pub const EQUATIONS: &'static str = {plain:?};\n\
-         /// The same in LaTeX, an `aligned` environment.\n\
+        "/// `EQUATIONS` in LaTeX, an `aligned` environment.\n\
          pub const EQUATIONS_LATEX: &'static str = {formulas:?};\n"
     );
     let mut text = format!("# Model\n\n{}", states(emission));
