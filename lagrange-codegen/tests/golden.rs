@@ -55,3 +55,13 @@ fn heavy_top() {
 fn elastic_pendulum_with_jacobians() {
     check("elastic_pendulum");
 }
+
+#[test]
+fn cartesian_pendulum_with_a_constraint() {
+    check("cartesian_pendulum");
+}
+
+#[test]
+fn rotating_pendulum_with_analysis() {
+    check("rotating_pendulum");
+}

@@ -12,7 +12,7 @@
 use super::motion::{Motion, time_direction};
 use super::places;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
-use crate::expr::{Graph, Node, NodeId, Unary, Variable};
+use crate::expr::{Exponent, Graph, Node, NodeId, Unary, Variable};
 use crate::model::{Constraint, ConstraintKind, Model};
 use crate::number::Number;
 
@@ -42,8 +42,8 @@ pub struct Conditions {
 }
 
 impl Conditions {
-    /// Differentiates all constraints.
-    pub(super) fn of(model: &mut Model, motion: &Motion) -> Conditions {
+    /// Differentiates all constraints of a system with this mass matrix.
+    pub(super) fn of(model: &mut Model, motion: &Motion, mass: &[Vec<NodeId>]) -> Conditions {
         if model.constraints.is_empty() {
             return Conditions::default();
         }
@@ -86,7 +86,7 @@ impl Conditions {
             .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })
             .collect();
         let mut sizes = |values: &[NodeId], of: &[NodeId]| -> Vec<NodeId> {
-            values.iter().zip(&jacobian).map(|(&value, row)| size_of(graph, value, row, of)).collect()
+            values.iter().zip(&jacobian).map(|(&value, row)| size_of(graph, value, row, of, mass)).collect()
         };
         let (position_sizes, rate_sizes) = (sizes(&positions, &motion.q), sizes(&rates, &motion.v));
         let relaxation = baumgarte.map(|rate| {
@@ -177,8 +177,14 @@ fn reactions(
 }
 
 /// What rounding errors of a constraint are relative to. One without summands, such as z = 0, has no size of its own and takes
-/// that of the state.
-fn size_of(graph: &mut Graph, value: NodeId, gradient: &[NodeId], state: &[NodeId]) -> NodeId {
+/// that of the state: Σ |∂f/∂q[i]| |q[j]|, where √(M[j][j] / M[i][i]) brings coordinates of different units together.
+fn size_of(
+    graph: &mut Graph,
+    value: NodeId,
+    gradient: &[NodeId],
+    state: &[NodeId],
+    mass: &[Vec<NodeId>],
+) -> NodeId {
     let own = size(graph, value);
     let is_sum =
         |factor: NodeId| graph.scaled(factor).1 == factor && matches!(graph.node(factor), Node::Sum { .. });
@@ -187,13 +193,22 @@ fn size_of(graph: &mut Graph, value: NodeId, gradient: &[NodeId], state: &[NodeI
     if has_summands || graph.is_zero(value) {
         return own;
     }
-    let mut sum = |nodes: &[NodeId]| {
-        let terms: Vec<_> = nodes.iter().map(|&node| (graph.unary(Unary::Abs, node), Number::ONE)).collect();
-        graph.sum(Number::ZERO, &terms)
-    };
-    let (slope, extent) = (sum(gradient), sum(state));
-    let carried = graph.mul(slope, extent);
-    graph.add(own, carried)
+    let inertia: Vec<NodeId> = (0..state.len()).map(|i| graph.unary(Unary::Abs, mass[i][i])).collect();
+    // A root that may vanish is no unit.
+    let is_unit =
+        |graph: &Graph, i: usize| !graph.is_zero(inertia[i]) && graph.dependence(inertia[i]).is_fixed();
+    let mut terms = vec![(own, Number::ONE)];
+    for i in (0..gradient.len()).filter(|&i| !graph.is_zero(gradient[i])).collect::<Vec<_>>() {
+        let slope = graph.unary(Unary::Abs, gradient[i]);
+        for j in 0..state.len() {
+            let mut factors = vec![(slope, Exponent(2)), (graph.unary(Unary::Abs, state[j]), Exponent(2))];
+            if is_unit(graph, i) && !graph.is_zero(inertia[j]) {
+                factors.extend([(inertia[j], Exponent(1)), (inertia[i], Exponent(-1))]);
+            }
+            terms.push((graph.product(&factors), Number::ONE));
+        }
+    }
+    graph.sum(Number::ZERO, &terms)
 }
 
 /// The sum of the absolute values of the summands, also of sums within products.

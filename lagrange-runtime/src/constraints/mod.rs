@@ -5,6 +5,7 @@
 //! in the metric of the mass matrix, coordinates first (f = 0), then velocities (df/dt = 0 and g = 0): Hairer and Wanner,
 //! *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*, 1992.
 
+mod extent;
 mod projection;
 mod solution;
 mod start;
@@ -16,6 +17,8 @@ use crate::linear::SaddlePoint;
 use crate::real::{Ordered, Real};
 use crate::state::State;
 use crate::system::System;
+pub(crate) use extent::Extent;
+pub(crate) use projection::INNER;
 pub use projection::project;
 pub use solution::{balance, check, finite, forces, is_singular, matrix, regular};
 pub use start::{check_start, consistent};
@@ -132,7 +135,7 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
 /// A nonnegative number in single precision, enough for a report: its binary digits one by one, since a scalar of the user's
 /// own has no conversion.
 #[cold]
-fn magnitude<R: Ordered>(value: R) -> Magnitude {
+pub(crate) fn magnitude<R: Ordered>(value: R) -> Magnitude {
     if !value.is_finite() {
         return Magnitude(f32::NAN);
     }

@@ -241,7 +241,7 @@ impl Writer<'_, '_> {
                     })
                     .collect();
                 self.body.push_str(&format!(
-                    "let [{}] = {factors}.solve([{}]);\n",
+                    "let [{}] = {factors}.solve_order(order, &mass, [{}]);\n",
                     impulses.join(", "),
                     right.join(", ")
                 ));
