@@ -10,6 +10,8 @@
 
 mod check;
 mod close;
+mod constrained;
+mod constraint;
 mod expansion;
 mod expression;
 mod faults;
@@ -22,6 +24,7 @@ mod report;
 mod runner;
 mod source;
 mod strategy;
+mod surface;
 mod system;
 mod writer;
 

@@ -100,14 +100,19 @@ impl<R: Real, const C: usize> Residuals<R, C> {
     pub(crate) fn level_is_roundings(&self, of_positions: bool) -> bool {
         let (values, sizes) = self.level(of_positions);
         let tolerance = R::from_f64(ROUNDINGS) * R::epsilon();
-        (0..C).all(|c| is_within(values[c], tolerance * sizes[c]))
+        // By pairs: an index would be tested against its bounds, and a firmware link the panic.
+        values.iter().zip(sizes).all(|(&value, &size)| is_within(value, tolerance * size))
     }
 
     /// Whether nothing is left of one level but so many roundings of its summands, or roundings of the state.
     pub(crate) fn are_roundings_beside(&self, of_positions: bool, roundings: f64, by_state: &[R; C]) -> bool {
         let (values, sizes) = self.level(of_positions);
         let (own, whole) = (R::from_f64(roundings) * R::epsilon(), R::from_f64(ROUNDINGS) * R::epsilon());
-        (0..C).all(|c| is_within(values[c], own * sizes[c] + whole * by_state[c]))
+        let sizes = sizes.iter().zip(by_state);
+        values
+            .iter()
+            .zip(sizes)
+            .all(|(&value, (&size, &by_state))| is_within(value, own * size + whole * by_state))
     }
 
     /// The constraint that the state is furthest from, in units of the kinetic metric.
