@@ -92,22 +92,23 @@ fn laguerre(n: usize, x: f64) -> (f64, f64) {
     (value, n as f64 * (value - before) / x)
 }
 
-/// Draws the rest and, for some modes, where the joints are at the ends of a swing.
+/// Draws the rest and the ends of a swing: displacements to first order, the largest of them 0.15 m.
 fn drawn<const J: usize, const N: usize>(
     title: &str,
     joints: impl Fn(&[f64; N]) -> [Vector2<f64>; J],
     rest: &[f64; N],
     shape: &[f64; N],
 ) -> plot::Chart {
-    let line = |share: f64| {
-        let q = std::array::from_fn(|i| rest[i] + share * shape[i]);
-        let joints = joints(&q);
-        std::iter::once((0.0, 0.0)).chain(joints.map(|joint| (joint.x, joint.y))).collect::<Vec<_>>()
-    };
-    let largest = shape.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let moved = |share: f64| joints(&std::array::from_fn(|i| rest[i] + share * shape[i]));
+    let step = 1e-6 / shape.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let (at_rest, above, below) = (moved(0.0), moved(step), moved(-step));
+    let displacements: [Vector2<f64>; J] = std::array::from_fn(|i| above[i] - below[i]);
+    let largest = displacements.iter().fold(0.0_f64, |most, displacement| most.max(displacement.norm()));
     let mut chart = plot::Chart::new(title, "x [m]", "y [m]").equal_scales();
-    for (share, age) in [(-0.35, 0.2), (0.35, 0.2), (0.0, 1.0)] {
-        chart = chart.linkage("", age, line(share / largest));
+    for (share, age) in [(-0.15, 0.2), (0.15, 0.2), (0.0, 1.0)] {
+        let places = at_rest.iter().zip(&displacements).map(|(rest, by)| rest + by * (share / largest));
+        let line = std::iter::once((0.0, 0.0)).chain(places.map(|place| (place.x, place.y)));
+        chart = chart.linkage("", age, line);
     }
     chart
 }
