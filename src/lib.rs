@@ -65,7 +65,7 @@ pub mod prelude {
     };
     pub use lagrange_runtime::{
         BlanesMoan4, BlanesMoan6, Cause, Dop853, Gauss4, Gauss6, Gauss8, Jet, Jets, Leapfrog, Linearized,
-        MotionError, Ordered, Real, Rk4, State, System, Yoshida4, Yoshida6, Yoshida8,
+        MotionError, Ordered, Real, Rk4, Sensitive, State, System, Tangent, Yoshida4, Yoshida6, Yoshida8,
     };
 }
 

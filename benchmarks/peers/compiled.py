@@ -1,6 +1,6 @@
 """numbalsoda: DOP853 and LSODA in native code, on hand-written accelerations compiled by gcc.
 
-Chains are the tridiagonal equations for the rod tensions.
+Chains are the tridiagonal equations for the rod tensions; systems with constraints are reduced by hand.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+import reduced
 from problem import Failure, Integrator, Problem, Subject, Vector
 
 try:
@@ -47,7 +48,8 @@ class Run(Integrator):
         self.problem = problem
         self.tolerance = tolerance
         self.times = np.array([0.0, problem.t_end])
-        self.end = problem.start
+        self.start = reduced.begin(problem)
+        self.end = self.start
 
     def reset(self) -> None:
         pass
@@ -55,14 +57,14 @@ class Run(Integrator):
     def run(self) -> None:
         tolerances = {"rtol": self.tolerance, "atol": self.tolerance}
         states, success = self.solve(
-            self.field, self.problem.start, self.times, mxstep=2_000_000, **tolerances
+            self.field, self.start, self.times, mxstep=2_000_000, **tolerances
         )
         if not success:
             raise Failure("no success")
         self.end = states[-1]
 
     def ends(self) -> list[Vector]:
-        return [self.end]
+        return [reduced.end(self.problem, self.end)]
 
     def steps(self) -> int:
         return 0

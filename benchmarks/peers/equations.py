@@ -1,8 +1,8 @@
 """The best equations of motion known for each system, derived by hand, as heyoka's expressions.
 
 Small systems are closed forms; chains are the tridiagonal equations for the rod tensions, which grow linearly with the
-number of links. Differences of angles are kept as arguments of sines and cosines, which costs heyoka less
-than angle sums do.
+number of links; `reduced.py` has systems whose constraints leave fewer numbers than coordinates and velocities.
+Differences of angles are kept as arguments of sines and cosines, which costs heyoka less than angle sums do.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ from collections.abc import Callable
 
 import heyoka as hy
 from heyoka import expression as Expression
+
+import reduced
 
 G = 9.81
 
@@ -141,10 +143,13 @@ SYSTEMS: dict[str, tuple[int, Callable[[list[Expression], list[Expression]], lis
     "nlink10": (10, chain),
     "nlink20": (20, chain),
 }
+NAMES = SYSTEMS.keys() | reduced.SYSTEMS.keys()
 
 
 def derive(name: str) -> list[tuple[Expression, Expression]]:
     """The first-order system."""
+    if name in reduced.SYSTEMS:
+        return reduced.derive(name)
     count, accelerations = SYSTEMS[name]
     q = [hy.make_vars(f"q{i}") for i in range(count)]
     v = [hy.make_vars(f"v{i}") for i in range(count)]

@@ -17,6 +17,7 @@ import numpy as np
 
 import equations
 import lagrangians
+import reduced
 from problem import Failure, Integrator, Problem, Subject, Vector
 
 # Where the default mode takes more than about ten seconds to build, or is the slower one.
@@ -44,13 +45,14 @@ class Scalar(Integrator):
 
     def __init__(self, problem: Problem, integrator: hy.taylor_adaptive_dbl) -> None:
         self.problem = problem
+        self.start = reduced.begin(problem)
         self.integrator = integrator
         self.taken = 0
         self.overhead = call(lambda: integrator.propagate_until(0.0))
 
     def reset(self) -> None:
         self.integrator.time = 0.0
-        self.integrator.state[:] = self.problem.start
+        self.integrator.state[:] = self.start
 
     def run(self) -> None:
         outcome, _, _, self.taken, *_ = self.integrator.propagate_until(self.problem.t_end)
@@ -58,7 +60,7 @@ class Scalar(Integrator):
             raise Failure(str(outcome))
 
     def ends(self) -> list[Vector]:
-        return [self.integrator.state.copy()]
+        return [reduced.end(self.problem, self.integrator.state.copy())]
 
     def steps(self) -> int:
         return int(self.taken)
@@ -72,7 +74,8 @@ class Batch(Integrator):
         self.trajectories = lanes
         self.zero = np.zeros(lanes)
         self.target = np.full(lanes, problem.t_end)
-        self.start = np.repeat(problem.start[:, None], lanes, axis=1)
+        self.problem = problem
+        self.start = np.repeat(reduced.begin(problem)[:, None], lanes, axis=1)
         self.overhead = call(lambda: integrator.propagate_until(self.zero))
 
     def reset(self) -> None:
@@ -83,7 +86,8 @@ class Batch(Integrator):
         self.integrator.propagate_until(self.target)
 
     def ends(self) -> list[Vector]:
-        return [self.integrator.state[:, lane].copy() for lane in range(self.trajectories)]
+        states = (self.integrator.state[:, lane].copy() for lane in range(self.trajectories))
+        return [reduced.end(self.problem, state) for state in states]
 
     def steps(self) -> int:
         return int(self.integrator.propagate_res[0][3])
@@ -101,7 +105,7 @@ class Heyoka(Subject):
 
     def systems(self, names: dict[str, Problem]) -> list[str]:
         # Its lagrangian() knows no constraints.
-        known = lagrangians.SYSTEMS if self.source == "lagrangian" else equations.SYSTEMS
+        known = lagrangians.SYSTEMS.keys() if self.source == "lagrangian" else equations.NAMES
         return [name for name in names if name in known]
 
     def build(self, problem: Problem, tolerance: float) -> Integrator:
@@ -111,9 +115,10 @@ class Heyoka(Subject):
             self.derived[name] = derive(name)
         compact = name in COMPACT.get((self.source, self.lanes), set())
         options = {"tol": tolerance, "compact_mode": compact, "fast_math": self.fast}
+        start = reduced.begin(problem)
         if self.lanes == 1:
-            return Scalar(problem, hy.taylor_adaptive(self.derived[name], problem.start.copy(), **options))
-        start = np.repeat(problem.start[:, None], self.lanes, axis=1)
+            return Scalar(problem, hy.taylor_adaptive(self.derived[name], start.copy(), **options))
+        start = np.repeat(start[:, None], self.lanes, axis=1)
         return Batch(problem, hy.taylor_adaptive_batch(self.derived[name], start, **options), self.lanes)
 
 

@@ -57,6 +57,11 @@ fn elastic_pendulum_with_jacobians() {
 }
 
 #[test]
+fn cartesian_pendulum_with_a_constraint() {
+    check("cartesian_pendulum");
+}
+
+#[test]
 fn rotating_pendulum_with_analysis() {
     check("rotating_pendulum");
 }

@@ -18,14 +18,14 @@ pub enum Cause {
         /// Index of the constraint, as in `CONSTRAINTS` of the system.
         constraint: usize,
         /// |f|, in the unit of the constraint.
-        by: f64,
+        by: Magnitude,
     },
     /// The velocities violate a constraint: df/dt of a holonomic one, g of a nonholonomic one.
     VelocityViolated {
         /// Index of the constraint.
         constraint: usize,
         /// |df/dt| or |g|.
-        by: f64,
+        by: Magnitude,
     },
     /// Constraints contradict each other: no state satisfies this one together with those before it.
     Contradictory {
@@ -53,6 +53,34 @@ pub enum Cause {
     InvalidTolerance,
 }
 
+/// How large a violation is, for a report: of two digits, because printing all of a float takes several kilobytes of a
+/// firmware.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+pub struct Magnitude(pub f32);
+
+impl fmt::Display for Magnitude {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (mut value, mut exponent) = (self.0, 0);
+        if !value.is_finite() {
+            return out.write_str("more than any number");
+        }
+        while value > 0.0 && value < 0.995 {
+            (value, exponent) = (value * 10.0, exponent - 1);
+        }
+        while value >= 9.95 {
+            (value, exponent) = (value / 10.0, exponent + 1);
+        }
+        let tenths = (10.0 * value + 0.5) as u32;
+        write!(out, "{}.{}e{exponent}", tenths / 10, tenths % 10)
+    }
+}
+
+impl fmt::Debug for Magnitude {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, out)
+    }
+}
+
 impl fmt::Display for Cause {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -63,12 +91,12 @@ impl fmt::Display for Cause {
             ),
             Self::PositionViolated { constraint, by } => write!(
                 out,
-                "the coordinates violate constraint {constraint} by {by:e}: start from `system.consistent(state)?`, which \
+                "the coordinates violate constraint {constraint} by {by}: start from `system.consistent(state)?`, which \
                  projects a state onto the constraints; in the course of a motion take shorter steps"
             ),
             Self::VelocityViolated { constraint, by } => write!(
                 out,
-                "the velocities violate constraint {constraint} by {by:e}: start from `system.consistent(state)?`, which \
+                "the velocities violate constraint {constraint} by {by}: start from `system.consistent(state)?`, which \
                  projects a state onto the constraints; in the course of a motion take shorter steps"
             ),
             Self::Contradictory { constraint } => write!(
@@ -145,7 +173,17 @@ mod tests {
     }
 
     #[test]
+    fn magnitudes_have_two_digits() {
+        for (value, text) in
+            [(0.0, "0.0e0"), (1.0, "1.0e0"), (0.0211, "2.1e-2"), (996.0, "1.0e3"), (6.5e-30, "6.5e-30")]
+        {
+            assert_eq!(Magnitude(value).to_string(), text);
+        }
+        assert_eq!(Magnitude(f32::INFINITY).to_string(), "more than any number");
+    }
+
+    #[test]
     fn an_error_is_small() {
-        assert!(size_of::<Cause>() <= 3 * size_of::<usize>());
+        assert!(size_of::<Cause>() <= 2 * size_of::<usize>());
     }
 }

@@ -14,6 +14,7 @@
 //! | [`analysis`] | inertia forces by origin, Christoffel symbols, Legendre's transformation |
 //! | [`proved`] | what the macro proved of a system and a method may demand |
 //! | [`linearized`] | derivatives of the equations, for implicit methods and for control |
+//! | [`tangent`] | the same with constraints, and what follows: equilibria, linear models, modes |
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
 //! | [`verify`] | the certificate of a model: identities at sampled states |
@@ -59,13 +60,14 @@ pub mod stepper;
 pub mod structure;
 pub mod system;
 mod tables;
+pub mod tangent;
 pub mod verify;
 
 pub use algebra::PrincipalMoments;
 pub use analysis::InertiaForces;
 pub use batch::Batch;
 pub use constraints::{Constrained, Reactions};
-pub use error::{Cause, MotionError};
+pub use error::{Cause, Magnitude, MotionError};
 pub use integrator::{
     Adaptive, BlanesMoan, BlanesMoan4, BlanesMoan6, Dop853, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Jet,
     Jets, Leapfrog, Rk4, Yoshida, Yoshida4, Yoshida6, Yoshida8,
@@ -82,6 +84,12 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
 pub use system::System;
+#[cfg(feature = "std")]
+pub use tangent::Mode;
+pub use tangent::{
+    Basis, ByParameters, Equilibrium, EquilibriumError, Imbalance, InverseDynamics, LinearModel, Response,
+    Sensitive, Sensitivities, Tangent, Transition, Variation, Variational, VariationalMotion, Varied,
+};
 pub use verify::{Certificate, Identity, Violation};
 #[cfg(feature = "wide")]
 pub use wide;
@@ -108,6 +116,7 @@ pub mod __private {
     pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
     pub use crate::tables::Tables;
+    pub use crate::tangent::{self, ByParameters, Imbalance, Place, Sensitive, Tangent, Variation};
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
         pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur};

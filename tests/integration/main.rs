@@ -3,8 +3,10 @@
 // Descriptions index as their formulas do.
 #![allow(clippy::needless_range_loop)]
 
+mod analysis;
 mod cases;
 mod conservation;
+mod constraints;
 mod derivation;
 mod failure;
 mod hygiene;

@@ -7,7 +7,7 @@
 use super::number::Number;
 
 /// Gravitational acceleration [m/s²].
-const G: f64 = 9.81;
+pub const G: f64 = 9.81;
 
 /// Accelerations by hand of a system of `N` coordinates.
 pub trait ByHand<const N: usize>: Copy + 'static {
@@ -133,28 +133,55 @@ by_hand!(
     }
 );
 
-by_hand!(
-    /// Slider and crank, uniform links of lengths ½ and 1, unit masses, the multiplier eliminated.
-    SliderCrank<2>, |_, q, v| {
+/// Slider and crank, uniform links of lengths ½ and 1, unit masses, the multiplier eliminated.
+#[derive(Clone, Copy)]
+pub struct SliderCrank;
+
+/// What the equations of the slider and crank are made of.
+pub struct SliderCrankTerms<R> {
+    /// Upper triangle of the mass matrix, by rows.
+    pub mass: [R; 3],
+    /// Torques that the rates and gravity need.
+    pub bias: [R; 2],
+    /// Derivatives of the constraint ½ sin θ₁ + sin θ₂ = 0.
+    pub gradient: [R; 2],
+    /// Its second derivative in time is that of the accelerations less this.
+    pub turning: R,
+}
+
+impl SliderCrank {
+    /// The terms at a state.
+    #[inline]
+    pub fn terms<R: Number>(q: &[R; 2], v: &[R; 2]) -> SliderCrankTerms<R> {
         let (s1, c1) = q[0].sin_cos();
         let (s2, c2) = q[1].sin_cos();
         let (square1, square2) = (v[0] * v[0], v[1] * v[1]);
         let (c, s) = (c1 * c2 + s1 * s2, s1 * c2 - c1 * s2);
-        let m11 = s1 * s1 * 0.25 + (1.0 / 12.0 + 0.25);
-        let m12 = c * 0.25 + s1 * s2 * 0.5;
-        let m22 = s2 * s2 + 1.0 / 3.0;
         let piston = c1 * square1 * 0.5 + c2 * square2;
-        let bias1 = s * square2 * 0.25 + s1 * piston * 0.5 + c1 * (0.75 * G);
-        let bias2 = s2 * piston - s * square1 * 0.25 + c2 * (0.5 * G);
-        // The constraint gives the second acceleration as ratio · first + rest.
-        let inverse = c2.inverse();
-        let ratio = -(c1 * inverse * 0.5);
-        let rest = (s1 * square1 * 0.5 + s2 * square2) * inverse;
-        let force = bias1 + m12 * rest + ratio * (bias2 + m22 * rest);
-        let first = -force / (m11 + ratio * (m12 * 2.0 + ratio * m22));
-        [first, ratio * first + rest]
+        SliderCrankTerms {
+            mass: [s1 * s1 * 0.25 + (1.0 / 12.0 + 0.25), c * 0.25 + s1 * s2 * 0.5, s2 * s2 + 1.0 / 3.0],
+            bias: [
+                s * square2 * 0.25 + s1 * piston * 0.5 + c1 * (0.75 * G),
+                s2 * piston - s * square1 * 0.25 + c2 * (0.5 * G),
+            ],
+            gradient: [c1 * 0.5, c2],
+            turning: s1 * square1 * 0.5 + s2 * square2,
+        }
     }
-);
+}
+
+impl ByHand<2> for SliderCrank {
+    #[inline]
+    fn accelerations<R: Number>(_t: f64, q: &[R; 2], v: &[R; 2], a: &mut [R; 2]) {
+        let SliderCrankTerms { mass: [m11, m12, m22], bias, gradient, turning } = Self::terms(q, v);
+        // The constraint gives the second acceleration as ratio · first + rest.
+        let inverse = gradient[1].inverse();
+        let (ratio, rest) = (-(gradient[0] * inverse), turning * inverse);
+        let force = bias[0] + m12 * rest + ratio * (bias[1] + m22 * rest);
+        let first = -force / (m11 + ratio * (m12 * 2.0 + ratio * m22));
+        *a = [first, ratio * first + rest];
+    }
+}
 
 /// Chain: dense mass matrix, LDLᵀ by rows.
 #[derive(Clone, Copy)]

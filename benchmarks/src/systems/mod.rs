@@ -1,9 +1,18 @@
 //! The systems of all benchmarks, described to the macro and written by hand.
 
+#[cfg(feature = "peers")]
+pub mod andrews;
+#[cfg(feature = "peers")]
+pub mod car_axis;
+pub mod constrained;
 pub mod described;
 #[cfg(feature = "peers")]
 pub mod dual;
+#[cfg(feature = "peers")]
+pub mod first_order;
 pub mod hand;
+#[cfg(feature = "peers")]
+pub mod multipliers;
 pub mod number;
 
 use std::cell::RefCell;

@@ -100,7 +100,9 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     });
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
-    let linearization = linearization.map(|text| parameters.parse(&text));
+    let linearization = linearization.map(|linearization::Items { linearized, tangent, sensitive }| {
+        [linearized, tangent, sensitive].map(|text| parameters.parse(&text))
+    });
 
     let Item { self_ty, generics, crate_path, cleaned, .. } = emission.item;
     let smooth = smooth.map(|text| parameters.parse(&text));
@@ -128,12 +130,26 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let reactions = surface
         .is_some()
         .then(|| constraints::record(emission.item, &constraints::held(&emission.model.constraints)));
-    let linearization = linearization.map(|items| {
+    let linearization = linearization.map(|[linearized, tangent, sensitive]| {
+        let held = emission.equations.conditions.count();
+        let by = emission.model.sensitivities.len();
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, unused_variables)]
             impl #impl_generics lagrange::Linearized<#count, #inputs> for #self_ty #where_clause {
-                #items
+                #linearized
+            }
+
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Tangent<#count, #inputs, #held> for #self_ty #where_clause {
+                #tangent
+            }
+
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Sensitive<#count, #inputs, #held, #by> for #self_ty #where_clause {
+                #sensitive
             }
         }
     });

@@ -21,6 +21,7 @@
 
 mod auxiliary;
 mod bundles;
+mod conditions;
 mod recurrence;
 mod rewriting;
 
@@ -32,6 +33,7 @@ use crate::simplify::simplify;
 use auxiliary::{Auxiliary, NotSmooth, Rewriter};
 pub use auxiliary::{Relation, Value};
 pub use bundles::{Bundle, bundles};
+use conditions::Restrictions;
 use recurrence::Shape;
 pub use recurrence::{Coefficient, Jets, Lane, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
@@ -44,7 +46,8 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     let count = equations.momenta.len();
     let conditions = &equations.conditions;
     let mut roots: Vec<NodeId> = equations.momenta.iter().chain(&equations.momentum_rates).copied().collect();
-    roots.extend(conditions.reactions.iter().chain(&conditions.rates));
+    let restrictions = Restrictions::of(&mut model.graph, conditions, count);
+    roots.extend(restrictions.reactions.iter().chain(&restrictions.rates));
     roots.extend(conditions.relaxation.iter().flatten());
     let shape = Shape {
         coordinates: count,
@@ -69,6 +72,9 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
                 best = Some(jets);
             }
         }
+    }
+    if let Some(jets) = &mut best {
+        jets.gradients = restrictions.gradients;
     }
     best
 }

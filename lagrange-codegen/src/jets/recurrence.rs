@@ -79,6 +79,8 @@ pub struct Jets {
     pub reactions: Vec<Slot>,
     /// The constraints at the level of velocities.
     pub conditions: Vec<Slot>,
+    /// Their gradients by the velocities at the point of expansion, a row each.
+    pub gradients: Vec<Vec<NodeId>>,
     /// Their rates, where they are not zero.
     pub relaxation: Vec<Slot>,
     /// Auxiliaries that the program reads.
@@ -141,6 +143,7 @@ impl Jets {
             rates,
             reactions,
             conditions,
+            gradients: Vec::new(),
             relaxation,
             auxiliaries: series,
             auxiliary_at,

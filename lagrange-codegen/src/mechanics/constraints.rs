@@ -12,7 +12,7 @@
 use super::motion::{Motion, time_direction};
 use super::places;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
-use crate::expr::{Graph, Node, NodeId, Unary, Variable};
+use crate::expr::{Exponent, Graph, Node, NodeId, Unary, Variable};
 use crate::model::{Constraint, ConstraintKind, Model};
 use crate::number::Number;
 
@@ -42,8 +42,8 @@ pub struct Conditions {
 }
 
 impl Conditions {
-    /// Differentiates all constraints.
-    pub(super) fn of(model: &mut Model, motion: &Motion) -> Conditions {
+    /// Differentiates all constraints of a system with this mass matrix.
+    pub(super) fn of(model: &mut Model, motion: &Motion, mass: &[Vec<NodeId>]) -> Conditions {
         if model.constraints.is_empty() {
             return Conditions::default();
         }
@@ -85,8 +85,10 @@ impl Conditions {
             .iter()
             .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })
             .collect();
-        let mut sizes = |values: &[NodeId]| values.iter().map(|&value| size(graph, value)).collect();
-        let (position_sizes, rate_sizes) = (sizes(&positions), sizes(&rates));
+        let mut sizes = |values: &[NodeId], of: &[NodeId]| -> Vec<NodeId> {
+            values.iter().zip(&jacobian).map(|(&value, row)| size_of(graph, value, row, of, mass)).collect()
+        };
+        let (position_sizes, rate_sizes) = (sizes(&positions, &motion.q), sizes(&rates, &motion.v));
         let relaxation = baumgarte.map(|rate| {
             let square = graph.powi(rate, 2);
             let terms = constraints.iter().zip(&positions).zip(&rates);
@@ -172,6 +174,41 @@ fn reactions(
     let through_q = pullback(graph, &seeds(true), &motion.q);
     let through_v = pullback(graph, &seeds(false), &motion.v);
     through_q.into_iter().zip(through_v).map(|(q, v)| graph.add(q, v)).collect()
+}
+
+/// What rounding errors of a constraint are relative to. One without summands, such as z = 0, has no size of its own and takes
+/// that of the state: Σ |∂f/∂q[i]| |q[j]|, where √(M[j][j] / M[i][i]) brings coordinates of different units together.
+fn size_of(
+    graph: &mut Graph,
+    value: NodeId,
+    gradient: &[NodeId],
+    state: &[NodeId],
+    mass: &[Vec<NodeId>],
+) -> NodeId {
+    let own = size(graph, value);
+    let is_sum =
+        |factor: NodeId| graph.scaled(factor).1 == factor && matches!(graph.node(factor), Node::Sum { .. });
+    let factors = graph.factors(graph.scaled(value).1);
+    let has_summands = factors.into_iter().any(|(factor, exponent)| exponent.0 > 0 && is_sum(factor));
+    if has_summands || graph.is_zero(value) {
+        return own;
+    }
+    let inertia: Vec<NodeId> = (0..state.len()).map(|i| graph.unary(Unary::Abs, mass[i][i])).collect();
+    // A root that may vanish is no unit.
+    let is_unit =
+        |graph: &Graph, i: usize| !graph.is_zero(inertia[i]) && graph.dependence(inertia[i]).is_fixed();
+    let mut terms = vec![(own, Number::ONE)];
+    for i in (0..gradient.len()).filter(|&i| !graph.is_zero(gradient[i])).collect::<Vec<_>>() {
+        let slope = graph.unary(Unary::Abs, gradient[i]);
+        for j in 0..state.len() {
+            let mut factors = vec![(slope, Exponent(2)), (graph.unary(Unary::Abs, state[j]), Exponent(2))];
+            if is_unit(graph, i) && !graph.is_zero(inertia[j]) {
+                factors.extend([(inertia[j], Exponent(1)), (inertia[i], Exponent(-1))]);
+            }
+            terms.push((graph.product(&factors), Number::ONE));
+        }
+    }
+    graph.sum(Number::ZERO, &terms)
 }
 
 /// The sum of the absolute values of the summands, also of sums within products.

@@ -17,7 +17,7 @@ mod places;
 mod validate;
 
 pub use constraints::Conditions;
-pub use linearization::Linearization;
+pub use linearization::{Linearization, Sensitivities};
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::NodeId;
@@ -112,7 +112,7 @@ pub fn derive(
     let force = equations::negated(model, &total);
     let momentum_rates = equations::momentum_rates(model, &motion);
     validate::inputs(model, &force, &mass, allows, diagnostics);
-    let conditions = Conditions::of(model, &motion);
+    let conditions = Conditions::of(model, &motion, &mass);
     let energies = energy::energies(model, &motion, &momenta);
     let power = energy::power(model, &motion, &applied);
     let energy_rate = (conditions.count() > 0).then(|| {

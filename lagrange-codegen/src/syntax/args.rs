@@ -1,4 +1,4 @@
-//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, analysis, verify = …,
+//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, sensitivities = […], analysis, verify = …,
 //! baumgarte = …, crate = …, allow(…)`.
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -17,8 +17,17 @@ use crate::diagnostics::{Diagnostics, catalogue};
 /// The checks that `allow(…)` can switch off.
 pub const LINTS: [&str; 4] = ["unused_input", "no_effect", "redundant", "integrable"];
 
-const KNOWN: [&str; 8] =
-    ["coordinates", "inputs", "jacobians", "analysis", "verify", "baumgarte", "crate", "allow"];
+const KNOWN: [&str; 9] = [
+    "coordinates",
+    "inputs",
+    "jacobians",
+    "sensitivities",
+    "analysis",
+    "verify",
+    "baumgarte",
+    "crate",
+    "allow",
+];
 
 /// Arguments that are a word alone.
 const WORDS: [&str; 2] = ["jacobians", "analysis"];
@@ -32,6 +41,8 @@ pub struct Args {
     pub inputs: Vec<Declaration>,
     /// Whether the `jacobians` argument is there.
     pub jacobians: bool,
+    /// The `sensitivities` argument.
+    pub sensitivities: Vec<syn::Expr>,
     /// Whether the `analysis` argument is there.
     pub analysis: bool,
     /// The `verify` argument.
@@ -71,6 +82,7 @@ impl Parse for Declaration {
 enum Argument {
     Names(Ident, Vec<Declaration>),
     Word(Ident),
+    Sensitivities(Ident, Vec<syn::Expr>),
     Verify(Ident, syn::Expr),
     Baumgarte(Ident, syn::Expr),
     Crate(Ident, syn::Path),
@@ -85,6 +97,7 @@ impl Argument {
         match self {
             Argument::Names(key, _)
             | Argument::Word(key)
+            | Argument::Sensitivities(key, _)
             | Argument::Verify(key, _)
             | Argument::Baumgarte(key, _)
             | Argument::Crate(key, _)
@@ -108,6 +121,13 @@ impl Parse for Argument {
             }
             word if WORDS.contains(&word) && (input.is_empty() || input.peek(Token![,])) => {
                 Ok(Argument::Word(key))
+            }
+            "sensitivities" => {
+                input.parse::<Token![=]>()?;
+                let content;
+                bracketed!(content in input);
+                let parameters = Punctuated::<syn::Expr, Token![,]>::parse_terminated(&content)?;
+                Ok(Argument::Sensitivities(key, parameters.into_iter().collect()))
             }
             "verify" => {
                 input.parse::<Token![=]>()?;
@@ -170,6 +190,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
             }
             Argument::Word(key) if key == "jacobians" => args.jacobians = true,
             Argument::Word(_) => args.analysis = true,
+            Argument::Sensitivities(_, parameters) => args.sensitivities = parameters,
             Argument::Verify(_, example) => args.verify = Some(example),
             Argument::Baumgarte(_, rate) => args.baumgarte = Some(rate),
             Argument::Crate(_, path) => args.crate_path = Some(path),

@@ -176,8 +176,7 @@ struct KeyValue {
 impl Parse for KeyValue {
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let key = input.call(Ident::parse_any)?;
-        let alone = FLAGS.iter().any(|flag| key == flag) && (input.is_empty() || input.peek(Token![,]));
-        if alone {
+        if input.is_empty() || input.peek(Token![,]) {
             return Ok(KeyValue { key, value: None });
         }
         input.parse::<Token![=]>()?;
@@ -230,6 +229,9 @@ fn arguments(
             valid = false;
         } else if given.iter().any(|other| other.key == key) {
             translator.diagnostics.error(key.span(), catalogue::duplicate_argument(&text));
+            valid = false;
+        } else if value.is_none() && !FLAGS.contains(&text.as_str()) {
+            translator.diagnostics.error(key.span(), catalogue::bad_role_arguments(role, "expected `=`"));
             valid = false;
         } else if text == "chetaev" && value.is_some() {
             translator.diagnostics.error(key.span(), catalogue::argument_with_value(&text));

@@ -11,6 +11,8 @@
 mod analysis;
 mod check;
 mod close;
+mod constrained;
+mod constraint;
 mod expansion;
 mod expression;
 mod faults;
@@ -23,6 +25,7 @@ mod report;
 mod runner;
 mod source;
 mod strategy;
+mod surface;
 mod system;
 mod writer;
 

@@ -5,16 +5,20 @@
 //! in the metric of the mass matrix, coordinates first (f = 0), then velocities (df/dt = 0 and g = 0): Hairer and Wanner,
 //! *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*, 1992.
 
+mod extent;
 mod projection;
 mod solution;
 mod start;
 
 use core::ops::Deref;
 
+use crate::error::Magnitude;
 use crate::linear::SaddlePoint;
 use crate::real::{Ordered, Real};
 use crate::state::State;
 use crate::system::System;
+pub(crate) use extent::Extent;
+pub(crate) use projection::INNER;
 pub use projection::project;
 pub use solution::{balance, check, finite, forces, is_singular, matrix, regular};
 pub use start::{check_start, consistent};
@@ -128,26 +132,31 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
     ) -> (Self::Saddle, [[Self::Scalar; N]; C]);
 }
 
-/// The nearest double to a nonnegative number: its binary digits one by one, since a scalar of the user's own has no
-/// conversion.
+/// A nonnegative number in single precision, enough for a report: its binary digits one by one, since a scalar of the user's
+/// own has no conversion.
 #[cold]
-pub(crate) fn to_f64<R: Ordered>(value: R) -> f64 {
+pub(crate) fn magnitude<R: Ordered>(value: R) -> Magnitude {
     if !value.is_finite() {
-        return f64::NAN;
+        return Magnitude(f32::NAN);
     }
     let (mut rest, mut sum) = (value, 0.0);
-    let mut power = f64::MAX / 2.0 + f64::MIN_POSITIVE;
-    power = f64::from_bits(power.to_bits() & (0x7ff << 52));
+    let (mut digit, mut power) = (R::from_f64(LARGEST_DIGIT as f64), LARGEST_DIGIT);
+    if value >= digit + digit {
+        return Magnitude(f32::INFINITY);
+    }
     while power > 0.0 && rest > R::zero() {
-        let digit = R::from_f64(power);
-        if digit > R::zero() && rest >= digit {
+        if rest >= digit {
             rest -= digit;
             sum += power;
         }
+        digit *= R::from_f64(0.5);
         power *= 0.5;
     }
-    sum
+    Magnitude(sum)
 }
+
+/// 2¹²⁷.
+const LARGEST_DIGIT: f32 = f32::from_bits(0x7f00_0000);
 
 /// The largest entry of an array, and where it is.
 fn worst<R: Real, const C: usize>(values: impl Fn(usize) -> R::Lane) -> (usize, R::Lane) {
@@ -169,4 +178,19 @@ fn moved<R: Real, const N: usize>(state: &State<R, N>, q: &[R; N], v: &[R; N], s
         next.v[i] = R::mul_add(share, v[i], next.v[i]);
     }
     next
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn magnitudes_are_those_of_single_precision() {
+        for value in [0.0, 1.0, 0.1, 1e-30, 6.02e23, 1e-40] {
+            assert!((f64::from(magnitude(value).0) - value).abs() <= 1.2e-7 * value + 1.5e-45, "{value}");
+        }
+        assert_eq!(magnitude(0.1_f32).0, 0.1);
+        assert_eq!(magnitude(1e39).0, f32::INFINITY);
+        assert!(magnitude(f64::NAN).0.is_nan());
+    }
 }

@@ -1,13 +1,17 @@
 //! Back onto the constraints after a step.
 
-use super::{Residuals, Surface, moved, to_f64, worst};
-use crate::error::Cause;
+use super::extent::Extent;
+use super::{Residuals, Surface, magnitude, moved, worst};
+use crate::error::{Cause, Magnitude};
 use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 
 /// A residual of so many roundings of its summands is none.
 const ROUNDINGS: f64 = 4.0;
+
+/// Roundings of inner operations, in units of the summands.
+pub(crate) const INNER: f64 = 4096.0;
 
 /// Corrections before a projection is given up.
 const CORRECTIONS: usize = 16;
@@ -35,7 +39,7 @@ where
     correct(system, state, residuals)
 }
 
-/// Newton's corrections.
+/// Newton's corrections: of the coordinates, then of the velocities.
 fn correct<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &mut State<S::Scalar, N>,
@@ -46,81 +50,94 @@ where
 {
     let none = [num_traits::Zero::zero(); N];
     let contraction = <S::Scalar as Real>::Lane::from_f64(CONTRACTION);
-    let (mut saddle, _) = system.saddle_at(state.t, &state.q, &state.v);
+    let (mut saddle, mut gradients) = system.saddle_at(state.t, &state.q, &state.v);
     let (mut next, mut residuals) = (*state, first);
-    for _ in 0..CORRECTIONS {
-        let of_positions = !residuals.positions_are_roundings();
-        let before = residuals.size(of_positions);
-        if of_positions {
-            let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
-            next = moved(&next, &change, &none, num_traits::One::one());
-        } else {
-            let (change, _) = saddle.solve(&none, &residuals.rates.map(|w| -w));
-            next = moved(&next, &none, &change, num_traits::One::one());
-        }
-        if !next.is_finite() {
-            break;
-        }
-        residuals = system.residuals_at(next.t, &next.q, &next.v);
-        if residuals.are_roundings() {
-            *state = next;
-            return Ok(());
-        }
-        if of_positions && !residuals.positions_are_roundings() || !of_positions {
-            let after = residuals.size(of_positions);
-            if after >= before && residuals.are_near() {
-                // No better state in this arithmetic.
-                *state = next;
-                return Ok(());
+    for of_positions in [true, false] {
+        let arrived = Extent::of(&saddle, if of_positions { &next.q } else { &next.v });
+        let mut sizes = arrived.sizes(&saddle, &gradients);
+        let mut settled = residuals.level_is_roundings(of_positions);
+        for _ in 0..CORRECTIONS {
+            if settled {
+                break;
             }
+            let before = residuals.relative(of_positions, &sizes);
+            let last = residuals.are_roundings_beside(of_positions, ROUNDINGS, &sizes);
+            let (change, _) = saddle.solve(&none, &residuals.level(of_positions).0.map(|value| -value));
+            let (q, v) = if of_positions { (&change, &none) } else { (&none, &change) };
+            next = moved(&next, q, v, num_traits::One::one());
+            if !next.is_finite() {
+                break;
+            }
+            residuals = system.residuals_at(next.t, &next.q, &next.v);
+            let extent = Extent::of(&saddle, if of_positions { &next.q } else { &next.v });
+            sizes = arrived.max(extent).sizes(&saddle, &gradients);
+            let after = residuals.relative(of_positions, &sizes);
+            // A correction of roundings leaves roundings, and where one makes nothing better there is no better state in
+            // this arithmetic.
+            let stalled = after >= before && residuals.are_roundings_beside(of_positions, INNER, &sizes);
+            settled = last || stalled || residuals.level_is_roundings(of_positions);
             if after >= contraction * before {
-                saddle = system.saddle_at(next.t, &next.q, &next.v).0;
+                (saddle, gradients) = system.saddle_at(next.t, &next.q, &next.v);
             }
+        }
+        if !settled {
+            return Err(residuals.cause(of_positions, &Extent::unit().sizes(&saddle, &gradients)));
         }
     }
-    Err(residuals.cause())
+    *state = next;
+    Ok(())
 }
 
 impl<R: Real, const C: usize> Residuals<R, C> {
     /// Whether nothing is left but roundings.
     #[inline(always)]
     pub(super) fn are_roundings(&self) -> bool {
-        self.positions_are_roundings() && within(&self.rates, &self.rate_sizes, ROUNDINGS)
+        self.level_is_roundings(true) && self.level_is_roundings(false)
     }
 
+    /// Whether nothing is left of one level but roundings of its summands.
     #[inline(always)]
-    fn positions_are_roundings(&self) -> bool {
-        within(&self.positions, &self.position_sizes, ROUNDINGS)
+    pub(crate) fn level_is_roundings(&self, of_positions: bool) -> bool {
+        let (values, sizes) = self.level(of_positions);
+        let tolerance = R::from_f64(ROUNDINGS) * R::epsilon();
+        // By pairs: an index would be tested against its bounds, and a firmware link the panic.
+        values.iter().zip(sizes).all(|(&value, &size)| is_within(value, tolerance * size))
     }
 
-    /// Whether what is left may be roundings of inner operations.
-    fn are_near(&self) -> bool {
-        const INNER: f64 = 4096.0;
-        within(&self.positions, &self.position_sizes, INNER) && within(&self.rates, &self.rate_sizes, INNER)
+    /// Whether nothing is left of one level but so many roundings of its summands, or roundings of the state.
+    pub(crate) fn are_roundings_beside(&self, of_positions: bool, roundings: f64, by_state: &[R; C]) -> bool {
+        let (values, sizes) = self.level(of_positions);
+        let (own, whole) = (R::from_f64(roundings) * R::epsilon(), R::from_f64(ROUNDINGS) * R::epsilon());
+        let sizes = sizes.iter().zip(by_state);
+        values
+            .iter()
+            .zip(sizes)
+            .all(|(&value, (&size, &by_state))| is_within(value, own * size + whole * by_state))
     }
 
-    /// The largest residual relative to its summands.
-    pub(super) fn size(&self, of_positions: bool) -> R::Lane {
-        let (values, sizes) = self.pick(of_positions);
-        worst::<R, C>(|c| relative(values[c], sizes[c])).1
-    }
-
-    fn pick(&self, of_positions: bool) -> (&[R; C], &[R; C]) {
-        if of_positions { (&self.positions, &self.position_sizes) } else { (&self.rates, &self.rate_sizes) }
-    }
-
-    /// The constraint that is violated most.
+    /// The constraint that the state is furthest from, in units of the kinetic metric.
     #[cold]
-    pub(super) fn cause(&self) -> Cause {
-        let of_positions = !self.positions_are_roundings();
-        let (values, sizes) = self.pick(of_positions);
-        let (constraint, _) = worst::<R, C>(|c| relative(values[c], sizes[c]));
-        let by = values.get(constraint).map_or(0.0, |value| to_f64(value.abs().largest()));
+    pub(crate) fn cause(&self, of_positions: bool, slopes: &[R; C]) -> Cause {
+        let (values, _) = self.level(of_positions);
+        let (constraint, _) = worst::<R, C>(|c| relative(values[c], slopes[c]));
+        let by = values.get(constraint).map_or(Magnitude(0.0), |value| magnitude(value.abs().largest()));
         if of_positions {
             Cause::PositionViolated { constraint, by }
         } else {
             Cause::VelocityViolated { constraint, by }
         }
+    }
+
+    /// The largest residual of one level, relative to its own size and to that of the state.
+    pub(crate) fn relative(&self, of_positions: bool, by_state: &[R; C]) -> R::Lane {
+        let (values, sizes) = self.level(of_positions);
+        worst::<R, C>(|c| relative(values[c], sizes[c] + by_state[c])).1
+    }
+
+    /// The residuals of one level and their own sizes.
+    #[inline(always)]
+    pub(super) fn level(&self, of_positions: bool) -> (&[R; C], &[R; C]) {
+        if of_positions { (&self.positions, &self.position_sizes) } else { (&self.rates, &self.rate_sizes) }
     }
 }
 
@@ -130,12 +147,9 @@ fn relative<R: Real>(value: R, size: R) -> R::Lane {
     (value.abs() / (size + R::from_f64(f64::MIN_POSITIVE))).largest()
 }
 
-/// Whether all values are within so many roundings of their sizes; false for NaN.
+/// Whether a value is no larger than a tolerance in any lane; false for NaN.
 #[inline(always)]
-fn within<R: Real, const C: usize>(values: &[R; C], sizes: &[R; C], roundings: f64) -> bool {
-    let tolerance = R::from_f64(roundings) * R::epsilon();
-    (0..C).all(|c| {
-        let excess = values[c].abs() - tolerance * sizes[c];
-        excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
-    })
+pub(super) fn is_within<R: Real>(value: R, tolerance: R) -> bool {
+    let excess = value.abs() - tolerance;
+    excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
 }

@@ -1,7 +1,9 @@
 //! Where a motion may begin, and the nearest such state.
 
+use super::extent::Extent;
+use super::projection::is_within;
 use super::solution::regular;
-use super::{Residuals, Surface, moved, to_f64, worst};
+use super::{Residuals, Surface, moved};
 use crate::error::{Cause, MotionError};
 use crate::linear::SaddlePoint;
 use crate::real::Real;
@@ -34,31 +36,31 @@ where
         return Err(Cause::NotFinite);
     }
     let residuals = system.residuals_at(start.t, &start.q, &start.v);
-    let (saddle, _) = system.saddle_at(start.t, &start.q, &start.v);
+    let (saddle, gradients) = system.saddle_at(start.t, &start.q, &start.v);
     regular(&saddle)?;
-    if residuals.are_roundings() {
-        return Ok(());
-    }
     let tolerance = number(SHARE) * S::Scalar::epsilon().sqrt();
     let none = [num_traits::Zero::zero(); N];
-    let small = |values: &[S::Scalar; C], sizes: &[S::Scalar; C], of: &[S::Scalar; N]| {
-        let excess = |c: usize| (values[c].abs() - tolerance * sizes[c]).largest();
-        if (0..C).all(|c| excess(c) <= num_traits::Zero::zero()) {
-            return true;
+    for (of_positions, numbers) in [(true, &start.q), (false, &start.v)] {
+        if residuals.level_is_roundings(of_positions) {
+            continue;
         }
-        // A constraint such as z = 0 has no size of its own: the state has.
-        let (change, _) = saddle.solve(&none, values);
-        let largest = |values: &[S::Scalar; N]| {
-            values.iter().fold(num_traits::Zero::zero(), |largest: S::Scalar, x| largest.max(x.abs()))
+        let (values, sizes) = residuals.level(of_positions);
+        let by_state = Extent::of(&saddle, numbers).sizes(&saddle, &gradients);
+        let good = |own: &[S::Scalar; C]| (0..C).all(|c| is_within(values[c], tolerance * own[c]));
+        // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic metric.
+        let is_small = || {
+            let (change, _) = saddle.solve(&none, values);
+            let largest = |values: &[S::Scalar; N]| {
+                values.iter().fold(num_traits::Zero::zero(), |largest: S::Scalar, x| largest.max(x.abs()))
+            };
+            is_within(largest(&change), tolerance * largest(numbers))
         };
-        let excess = largest(&change) - tolerance * largest(of);
-        excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
-    };
-    let Residuals { positions, position_sizes, rates, rate_sizes } = &residuals;
-    if small(positions, position_sizes, &start.q) && small(rates, rate_sizes, &start.v) {
-        return Ok(());
+        let both = core::array::from_fn(|c| sizes[c] + by_state[c]);
+        if !(good(sizes) || good(&both) && is_small()) {
+            return Err(residuals.cause(of_positions, &Extent::unit().sizes(&saddle, &gradients)));
+        }
     }
-    Err(residuals.cause())
+    Ok(())
 }
 
 /// The nearest state on the constraints in the metric of the mass matrix, by Newton's method: coordinates, then
@@ -96,6 +98,9 @@ where
     let mut state = start;
     let mut residuals = system.residuals_at(state.t, &state.q, &state.v);
     for _ in 0..STEPS {
+        if residuals.level_is_roundings(of_positions) {
+            break;
+        }
         let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
         regular(&saddle)?;
         let values = if of_positions { residuals.positions } else { residuals.rates };
@@ -103,13 +108,14 @@ where
         if !change.iter().all(|x| x.is_finite()) {
             return Err(Cause::NotFinite);
         }
-        let (mut share, before) = (one, distance(&residuals, &gradients, of_positions));
+        let slopes = Extent::unit().sizes(&saddle, &gradients);
+        let (mut share, before) = (one, distance(&residuals, &slopes, of_positions));
         let mut better = None;
         for _ in 0..HALVINGS {
             let (q, v) = if of_positions { (&change, &none) } else { (&none, &change) };
             let next = moved(&state, q, v, share);
             let there = system.residuals_at(next.t, &next.q, &next.v);
-            if distance(&there, &gradients, of_positions) < before {
+            if distance(&there, &slopes, of_positions) < before {
                 better = Some((next, there));
                 break;
             }
@@ -121,33 +127,35 @@ where
         }
     }
     let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
-    if on_surface(&residuals, &gradients, &state, of_positions) {
+    regular(&saddle)?;
+    let extent =
+        |state: &State<S::Scalar, N>| Extent::of(&saddle, if of_positions { &state.q } else { &state.v });
+    let by_state = extent(&start).max(extent(&state)).sizes(&saddle, &gradients);
+    if on_surface(&residuals, &gradients, &state, &by_state, of_positions) {
         return Ok(state);
     }
-    let values = if of_positions { residuals.positions } else { residuals.rates };
-    let (constraint, by) = worst::<S::Scalar, C>(|c| values[c].abs().largest());
-    Err(match (saddle.rank() < C, of_positions) {
-        (true, _) => Cause::Contradictory { constraint },
-        (false, true) => Cause::PositionViolated { constraint, by: to_f64(by) },
-        (false, false) => Cause::VelocityViolated { constraint, by: to_f64(by) },
+    Err(match residuals.cause(of_positions, &Extent::unit().sizes(&saddle, &gradients)) {
+        Cause::PositionViolated { constraint, .. } | Cause::VelocityViolated { constraint, .. }
+            if saddle.rank() < C =>
+        {
+            Cause::Contradictory { constraint }
+        }
+        violated => violated,
     })
 }
 
-/// Σ (f / |∂f/∂q|)²: how far the constraints are, whatever their units.
-fn distance<R: Real, const N: usize, const C: usize>(
+/// Σ (f / |∂f/∂q|)² with gradients in units of the kinetic metric: how far the constraints are, whatever their units.
+fn distance<R: Real, const C: usize>(
     residuals: &Residuals<R, C>,
-    gradients: &[[R; N]; C],
+    slopes: &[R; C],
     of_positions: bool,
 ) -> R::Lane {
-    let values = if of_positions { &residuals.positions } else { &residuals.rates };
+    let (values, _) = residuals.level(of_positions);
     let mut sum = R::zero();
-    for (value, row) in values.iter().zip(gradients) {
-        let mut square = R::zero();
-        for &a in row {
-            square = R::mul_add(a, a, square);
-        }
-        if *value != R::zero() {
-            sum += *value * *value / square;
+    for (&value, &slope) in values.iter().zip(slopes) {
+        if value != R::zero() {
+            let distance = value / slope;
+            sum = R::mul_add(distance, distance, sum);
         }
     }
     sum.largest()
@@ -158,20 +166,18 @@ fn on_surface<R: Real, const N: usize, const C: usize>(
     residuals: &Residuals<R, C>,
     gradients: &[[R; N]; C],
     state: &State<R, N>,
+    by_state: &[R; C],
     of_positions: bool,
 ) -> bool {
     const ROUNDINGS: f64 = 64.0;
-    let (values, sizes, of) = if of_positions {
-        (&residuals.positions, &residuals.position_sizes, &state.q)
-    } else {
-        (&residuals.rates, &residuals.rate_sizes, &state.v)
-    };
+    let (values, sizes) = residuals.level(of_positions);
+    let of = if of_positions { &state.q } else { &state.v };
     let tolerance = R::from_f64(ROUNDINGS) * R::epsilon();
     (0..C).all(|c| {
-        let mut size = sizes[c];
+        let mut size = sizes[c] + by_state[c];
         for i in 0..N {
             size += (gradients[c][i] * of[i]).abs();
         }
-        (values[c].abs() - tolerance * size).largest() <= num_traits::Zero::zero()
+        is_within(values[c], tolerance * size)
     })
 }

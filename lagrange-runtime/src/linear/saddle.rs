@@ -5,11 +5,14 @@
 //! A v        = y        A: C × N                   κ: multipliers, Aᵀ κ the forces of constraint
 //! ```
 //!
-//! Coordinates are scaled to unit mass and rows of A to unit size, so that no decision depends on units. A
-//! Householder QR of Aᵀ with column pivoting finds the independent rows, a right inverse of them, and an orthonormal
-//! basis Z of the null space of A; in that basis the equations are Zᵀ M Z t = Zᵀ (r − M v₀), where M need be regular
-//! only there: coordinates without mass are welcome if the constraints tie them to others. (Nocedal and Wright,
-//! "Numerical Optimization", 2nd ed., § 16.2; Golub and Van Loan, "Matrix Computations", 4th ed., §§ 5.4 and 6.2.)
+//! Coordinates are scaled to unit mass and rows of A to unit size, so that no decision depends on units. Then A gives
+//! velocities v₀ that meet the constraints and a basis Z of those that they leave open, in which the equations are
+//! Zᵀ M Z t = Zᵀ (r − M v₀). M need be regular only there: coordinates without mass are welcome if the constraints tie
+//! them to others. (Nocedal and Wright, "Numerical Optimization", 2nd ed., § 16.2; Golub and Van Loan, "Matrix
+//! Computations", 4th ed., §§ 5.4 and 6.2.)
+//!
+//! Where rows of A are clearly independent, Z comes from an elimination that solves them for as many coordinates;
+//! otherwise from a Householder QR of Aᵀ with column pivoting, which decides about the rank.
 //!
 //! From this the blocks of the inverse are formed explicitly, because a factorisation is used some twenty times:
 //!
@@ -18,7 +21,8 @@
 //! ```
 //!
 //! so that a solution is one product of a matrix and a vector, without divisions and without substitutions that wait
-//! for each other. The residuals are those of a factorisation times, at most, the condition of the scaled Zᵀ M Z.
+//! for each other. Solutions are as accurate as those of the factors; residuals are a few roundings where the scaled A
+//! and Zᵀ M Z are well conditioned, and grow with their condition, which those of factors would not.
 
 use crate::real::Real;
 
@@ -28,15 +32,17 @@ mod range;
 mod reduced;
 pub(super) mod redundant;
 mod scaled;
+mod tangent_space;
 pub(super) mod vectors;
 
 pub use diagonal::Diagonal;
+pub(crate) use tangent_space::TangentSpace;
 
 use partition::partition;
 use range::Range;
 use reduced::Reduced;
 use scaled::Scaled;
-use vectors::{add_scaled, put};
+use vectors::{add_product, add_scaled, poison, put, transposed};
 
 /// Why a saddle-point system has no solution, or not one only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,12 +75,17 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
 
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
+
+    /// Units of the coordinates in which none is larger than another: 1/√M\[i]\[i], or what A makes of them where that
+    /// does not exist; zero for a coordinate that nothing moves.
+    fn units(&self) -> [R; N];
 }
 
 /// The inverse of a saddle-point system with any symmetric M.
 ///
 /// With several lanes the order of the pivots and the rank are common to all of them. A lane that has a smaller rank
-/// than another, or a singular Zᵀ M Z where another has none, gives NaN; the other lanes are right.
+/// than another, or other dependent rows, or a singular Zᵀ M Z where another has none, gives NaN; the other lanes are
+/// right. A defect of some lanes is [`Defect::NotFinite`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saddle<R, const N: usize, const C: usize> {
     /// P, symmetric up to rounding: the row of a component of r.
@@ -86,6 +97,7 @@ pub struct Saddle<R, const N: usize, const C: usize> {
     /// What a component of y adds to κ: T, likewise.
     stiffness: [[R; C]; C],
     dropped: [bool; C],
+    units: [R; N],
     rank: usize,
     vanishing: Option<usize>,
     defect: Option<Defect>,
@@ -116,10 +128,11 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         let mut split = Split { null: [[R::zero(); N]; N], inverse: [[R::zero(); C]; N] };
         // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts from the
         // arguments again, so that nothing else need be in memory.
-        if partition(&Scaled::new(&full, a), &mut split) {
+        let scaled = Scaled::new(mass, a);
+        if partition(&scaled, &mut split) {
             let mut reduced = Reduced::new(&full, &split.null, C);
             if reduced.factor::<DEFINITE>(C).is_ok() {
-                return Self::assemble(&split, &reduced, C);
+                return Self::assemble(&split, &reduced, scaled.units, C);
             }
         }
         Self::carefully::<DEFINITE>(mass, a)
@@ -130,65 +143,71 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     #[inline(never)]
     fn carefully<const DEFINITE: bool>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
         let full = symmetric(mass);
-        let scaled = Scaled::new(&full, a);
+        let scaled = Scaled::new(mass, a);
         let range = Range::factor(&scaled);
         let finite = full.iter().flatten().chain(a.iter().flatten()).all(|x| x.is_finite());
-        if range.rank < C && !finite {
-            return Self::failed(Defect::NotFinite);
-        }
         let split = range.split();
         let mut reduced = Reduced::new(&full, &split.null, range.rank);
         if let Err(direction) = reduced.factor::<DEFINITE>(range.rank) {
             let singular = scaled.defect(&reduced.motion::<DEFINITE>(range.rank, direction));
             return Self::failed(if finite { singular } else { Defect::NotFinite });
         }
-        let mut this = Self::assemble(&split, &reduced, range.rank);
+        let mut this = Self::assemble(&split, &reduced, scaled.units, range.rank);
         this.vanishing = range.vanishing;
         if range.rank < C {
             for &row in range.order.iter().skip(range.rank) {
                 put(&mut this.dropped, row, true);
             }
             this.shorten(&range);
+            // A row that is not a number is not taken, but it does not depend on others either.
+            poison(this.compliance.as_flattened_mut(), a.as_flattened());
+            poison(this.transfer.as_flattened_mut(), a.as_flattened());
+            poison(this.stiffness.as_flattened_mut(), a.as_flattened());
         }
         this
     }
 
     /// The blocks of the inverse from the null space and a right inverse of A.
     #[inline(always)]
-    fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, rank: usize) -> Self {
-        // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
+    fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, units: [R; N], rank: usize) -> Self {
+        let Split { null, inverse } = split;
+        let Reduced { mass, inertia, solution, .. } = reduced;
         let mut drift = [[R::zero(); C]; N];
         for k in rank..N {
-            for i in 0..N {
-                add_scaled(&mut drift[k], &split.inverse[i], reduced.inertia[k][i]);
-            }
+            drift[k] = add_product(&drift[k], inverse, &inertia[k]);
         }
         let mut compliance = [[R::zero(); N]; N];
-        let mut reaction = split.inverse;
-        for i in 0..N {
+        for (i, to) in compliance.iter_mut().enumerate() {
+            let mut row = [R::zero(); N];
             for k in rank..N {
-                add_scaled(&mut compliance[i], &split.null[k], reduced.solution[k][i]);
-                add_scaled(&mut reaction[i], &drift[k], -reduced.solution[k][i]);
+                add_scaled(&mut row, &null[k], solution[k][i]);
             }
+            *to = row;
+        }
+        // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
+        let mut reaction = *inverse;
+        for (i, to) in reaction.iter_mut().enumerate() {
+            let mut row = *to;
+            for k in rank..N {
+                add_scaled(&mut row, &drift[k], -solution[k][i]);
+            }
+            *to = row;
         }
         let mut stiffness = [[R::zero(); C]; C];
-        let mut transfer = [[R::zero(); N]; C];
-        for i in 0..N {
-            let mut momentum = [R::zero(); C];
-            for j in 0..N {
-                add_scaled(&mut momentum, &reaction[j], reduced.mass[i][j]);
-            }
-            for c in 0..C {
-                add_scaled(&mut stiffness[c], &momentum, reaction[i][c]);
-                transfer[c][i] = reaction[i][c];
+        for (row, mass) in reaction.iter().zip(*mass) {
+            let momentum = add_product(&[R::zero(); C], &reaction, mass);
+            for (to, &x) in stiffness.iter_mut().zip(row) {
+                add_scaled(to, &momentum, x);
             }
         }
+        let transfer = transposed(&reaction);
         Self {
             compliance,
             transfer,
             reaction,
             stiffness,
             dropped: [false; C],
+            units,
             rank,
             vanishing: None,
             defect: None,
@@ -214,6 +233,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             reaction: [[nan; C]; N],
             stiffness: [[nan; C]; C],
             dropped: [false; C],
+            units: [nan; N],
             rank: 0,
             vanishing: None,
             defect: Some(defect),
@@ -223,8 +243,14 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
 
 /// A symmetric matrix from its lower triangle.
 #[inline(always)]
-fn symmetric<R: Copy, const N: usize>(lower: &[[R; N]; N]) -> [[R; N]; N] {
-    core::array::from_fn(|i| core::array::from_fn(|j| lower[i.max(j)][i.min(j)]))
+pub(super) fn symmetric<R: Copy, const N: usize>(lower: &[[R; N]; N]) -> [[R; N]; N] {
+    let mut full = *lower;
+    for i in 0..N {
+        for j in 0..i {
+            full[j][i] = lower[i][j];
+        }
+    }
+    full
 }
 
 /// The velocities that the constraints leave open, and some that meet them.
@@ -238,23 +264,12 @@ struct Split<R, const N: usize, const C: usize> {
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R, N, C> {
     #[inline]
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
-        // Two sums each, so that the additions of one need not wait for those of the other.
-        let (mut v, mut driven) = ([R::zero(); N], [R::zero(); N]);
-        let (mut kappa, mut reaction) = ([R::zero(); C], [R::zero(); C]);
-        for j in 0..N {
-            add_scaled(&mut v, &self.compliance[j], r[j]);
-            add_scaled(&mut reaction, &self.reaction[j], r[j]);
-        }
-        for c in 0..C {
-            add_scaled(&mut driven, &self.transfer[c], y[c]);
-            add_scaled(&mut kappa, &self.stiffness[c], y[c]);
-        }
-        for i in 0..N {
-            v[i] += driven[i];
-        }
-        for c in 0..C {
-            kappa[c] -= reaction[c];
-        }
+        let mut v = add_product(&[R::zero(); N], &self.compliance, r);
+        let driven = add_product(&[R::zero(); N], &self.transfer, y);
+        add_scaled(&mut v, &driven, R::one());
+        let mut kappa = add_product(&[R::zero(); C], &self.stiffness, y);
+        let reaction = add_product(&[R::zero(); C], &self.reaction, r);
+        add_scaled(&mut kappa, &reaction, -R::one());
         (v, kappa)
     }
 
@@ -280,6 +295,11 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R,
     #[inline]
     fn vanishing(&self) -> Option<usize> {
         self.vanishing
+    }
+
+    #[inline]
+    fn units(&self) -> [R; N] {
+        self.units
     }
 }
 

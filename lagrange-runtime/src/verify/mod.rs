@@ -12,7 +12,7 @@ use core::fmt;
 
 use num_traits::One;
 
-use crate::constraints::to_f64;
+use crate::constraints::magnitude;
 use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
@@ -215,9 +215,9 @@ pub fn verify_at<S: Verifiable<N, K>, const N: usize, const K: usize>(
     Ok(passed)
 }
 
-/// A number of the user's scalar as a double.
+/// A number of the user's scalar as a double, of seven digits.
 fn double<R: Real>(value: R) -> f64 {
-    to_f64(value.abs().largest())
+    f64::from(magnitude(value.abs().largest()).0)
 }
 
 #[cfg(test)]

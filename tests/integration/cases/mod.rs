@@ -40,16 +40,16 @@ mod stiff_spring;
 mod tautochrone;
 
 /// Standard acceleration of fall of all cases that state no other \[m/s²].
-const G: f64 = 9.81;
+pub(crate) const G: f64 = 9.81;
 
 /// Relative tolerance of closed-form scalars: forces, eigenvalues, energies.
-const CLOSED_FORM: f64 = 1e-12;
+pub(crate) const CLOSED_FORM: f64 = 1e-12;
 
 /// Relative tolerance of states of difficulty 1 and 2.
-const EASY: f64 = 1e-9;
+pub(crate) const EASY: f64 = 1e-9;
 
 /// Relative tolerance of states of difficulty 3.
-const MEDIUM: f64 = 1e-8;
+pub(crate) const MEDIUM: f64 = 1e-8;
 
 /// Relative tolerance of states of difficulty 4 and 5.
-const HARD: f64 = 1e-6;
+pub(crate) const HARD: f64 = 1e-6;

@@ -274,3 +274,75 @@ fn rotations_follow_the_prescribed_angle() {
         close(rotor.velocities(&state).turn, 2.0 * (2.0 * state.t).cos(), 1e-14);
     }
 }
+
+/// A particle on a driven cart, held by a rod and guided by a blade, both of which know the cart.
+struct Guided {
+    length: f64,
+    rate: f64,
+}
+
+#[lagrangian(coordinates = [x, cart, y, z])]
+impl Guided {
+    #[point(mass = 2.0)]
+    fn block(&self, q: &Coordinates) -> Vector3<f64> {
+        Vector3::new(q.x + q.cart, q.y, q.z)
+    }
+
+    #[holonomic]
+    fn rod(&self, q: &Coordinates) -> f64 {
+        Vector3::new(q.x, q.y, q.z - q.cart).norm() - self.length
+    }
+
+    #[nonholonomic]
+    fn blade(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        (v.x + v.cart) * q.z.sin() - v.y * (q.z + q.cart).cos()
+    }
+
+    #[holonomic(eliminate = cart)]
+    fn drive(&self, q: &Coordinates, t: f64) -> f64 {
+        q.cart - (self.rate * t).sin()
+    }
+}
+
+/// The same with the prescribed path written out.
+struct Written {
+    length: f64,
+    rate: f64,
+}
+
+#[lagrangian(coordinates = [x, y, z])]
+impl Written {
+    fn cart(&self, t: f64) -> f64 {
+        (self.rate * t).sin()
+    }
+
+    #[point(mass = 2.0)]
+    fn block(&self, q: &Coordinates, t: f64) -> Vector3<f64> {
+        Vector3::new(q.x + self.cart(t), q.y, q.z)
+    }
+
+    #[holonomic]
+    fn rod(&self, q: &Coordinates, t: f64) -> f64 {
+        Vector3::new(q.x, q.y, q.z - self.cart(t)).norm() - self.length
+    }
+
+    #[nonholonomic]
+    fn blade(&self, q: &Coordinates, v: &Velocities, t: f64) -> f64 {
+        (v.x + self.rate * (self.rate * t).cos()) * q.z.sin() - v.y * (q.z + self.cart(t)).cos()
+    }
+}
+
+#[test]
+fn constraints_that_are_kept_follow_the_prescribed_path() {
+    let (guided, written) = (Guided { length: 1.5, rate: 3.0 }, Written { length: 1.5, rate: 3.0 });
+    let mut samples = Samples::new(4);
+    for _ in 0..10 {
+        let state: State<f64, 3> = samples.state(0.2, 1.2);
+        all_close(guided.accelerations(&state).unwrap(), written.accelerations(&state).unwrap(), 1e-12);
+        let (found, expected) = (guided.reactions(&state).unwrap(), written.reactions(&state).unwrap());
+        all_close([found.rod, found.blade], [expected.rod, expected.blade], 1e-12);
+        let (q, v) = (guided.coordinates(&state), guided.velocities(&state));
+        all_close(guided.constraint_residuals(&state), [guided.rod(&q), guided.blade(&q, &v)], 1e-12);
+    }
+    assert_eq!(Guided::CONSTRAINTS, ["rod", "blade"]);
+}

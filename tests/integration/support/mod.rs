@@ -1,6 +1,7 @@
 //! What several tests share.
 
 pub mod close;
+pub mod constrained;
 pub mod difference;
 pub mod dual;
 pub mod identities;

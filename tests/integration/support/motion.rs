@@ -1,6 +1,6 @@
 //! Motions at the tightest practical tolerance, compared with reference states.
 
-use lagrangian::{Adaptive, Control, Simulation, State, System};
+use lagrangian::{Adaptive, Control, Dop853, Held, Simulation, State, System};
 
 use super::close::all_close;
 
@@ -18,11 +18,39 @@ pub fn follows<S, const N: usize, const M: usize>(
 ) where
     S: System<N, 0, Scalar = f64>,
 {
-    let mut motion = system.simulate(start).with_tolerance(TIGHT);
+    follows_by::<S::Method, _, N, M>(system, start, reference, tolerance);
+}
+
+/// The same by method `A`.
+#[track_caller]
+pub fn follows_by<A, S, const N: usize, const M: usize>(
+    system: &S,
+    start: State<f64, N>,
+    reference: impl IntoIterator<Item = (f64, [f64; M])>,
+    tolerance: f64,
+) where
+    S: System<N, 0, Scalar = f64>,
+    A: Adaptive<S, Held<f64, 0>, N, 0>,
+{
+    let mut motion = system.simulate_with::<A>(start).with_tolerance(TIGHT);
     for (t, expected) in reference {
         motion.advance_to(t).expect("motion: no obstacle");
         all_close(numbers(motion.state()), expected, tolerance);
     }
+}
+
+/// The same by the method of the system and by [`Dop853`].
+#[track_caller]
+pub fn both_follow<S, const N: usize, const M: usize>(
+    system: &S,
+    start: State<f64, N>,
+    reference: impl IntoIterator<Item = (f64, [f64; M])> + Clone,
+    tolerance: f64,
+) where
+    S: System<N, 0, Scalar = f64>,
+{
+    follows(system, start, reference.clone(), tolerance);
+    follows_by::<Dop853, _, N, M>(system, start, reference, tolerance);
 }
 
 /// The state at a time.

@@ -4,34 +4,31 @@ use std::marker::PhantomData;
 
 use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
 
-use super::{Outcome, Subject, slope, subject};
-use crate::systems::hand::ByHand;
+use super::{Outcome, Subject, subject};
+use crate::systems::first_order::FirstOrder;
 
 /// Steps that a run may take; the crate's own limit is too low for fine tolerances.
 const STEPS: usize = 50_000_000;
 
-struct Field<H, const N: usize>(PhantomData<H>);
+struct Field<F>(PhantomData<F>);
 
-impl<H: ByHand<N>, const N: usize, const D: usize> ODE<f64, [f64; D]> for Field<H, N> {
+impl<F: FirstOrder<D>, const D: usize> ODE<f64, [f64; D]> for Field<F> {
     #[inline]
     fn diff(&self, t: f64, y: &[f64; D], dydt: &mut [f64; D]) {
-        slope::<H, f64, N, D>(t, y, dydt);
+        F::slope(t, y, dydt);
     }
 }
 
 /// One subject for each method.
-pub fn subjects<H: ByHand<N>, const N: usize, const D: usize>(
-    start: [f64; D],
-    t_end: f64,
-) -> Vec<Box<dyn Subject>> {
+pub fn subjects<F: FirstOrder<D>, const D: usize>(start: [f64; D], t_end: f64) -> Vec<Box<dyn Subject>> {
     macro_rules! method {
         ($name:literal, $method:ident) => {
             subject($name, move |tolerance| {
                 let method = ExplicitRungeKutta::$method().rtol(tolerance).atol(tolerance).max_steps(STEPS);
-                let field = Field::<H, N>(PhantomData);
+                let field = Field::<F>(PhantomData);
                 let solved = IVP::ode(&field, 0.0, t_end, start).method(method).solve();
                 let solution = solved.map_err(|error| format!("{error:?}"))?;
-                let end = solution.y.last().ok_or("no solution")?.to_vec();
+                let end = F::motion(t_end, solution.y.last().ok_or("no solution")?);
                 Ok(Outcome { end, steps: solution.steps.accepted as u64 })
             })
         };

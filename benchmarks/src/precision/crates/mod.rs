@@ -1,4 +1,5 @@
-//! Integrators from crates, on the best accelerations known by hand: closed forms, for chains the rod tensions.
+//! Integrators from crates, on the best equations known by hand: closed forms, for chains the rod tensions, for systems with
+//! constraints reduced ones; diffsol also with the multipliers.
 
 mod differential_equations;
 mod diffsol;
@@ -6,57 +7,82 @@ mod ode_solvers;
 
 use super::subject::{Function, Outcome, Subject};
 use crate::problem::Problem;
+use crate::systems::andrews::{AndrewsMultipliers, AndrewsReduced};
+use crate::systems::car_axis::{CarAxisMultipliers, CarAxisReduced};
+use crate::systems::first_order::{Explicit, FirstOrder};
 use crate::systems::hand::{self as h, ByHand};
-use crate::systems::number::Number;
+use crate::systems::multipliers::{PendulumMultiplier, SliderCrankMultiplier};
 
 /// A boxed subject.
 fn subject(name: &'static str, run: impl Fn(f64) -> Result<Outcome, String> + 'static) -> Box<dyn Subject> {
     Box::new(Function { name, trajectories: 1, run })
 }
 
-/// dy/dt of y = (q, v), with D = 2 N.
-#[inline(always)]
-fn slope<H: ByHand<N>, R: Number, const N: usize, const D: usize>(t: f64, y: &[R; D], slope: &mut [R; D]) {
-    const { assert!(D == 2 * N) };
-    let (q, v) = (y.first_chunk::<N>(), y.last_chunk::<N>());
-    let (Some(q), Some(v)) = (q, v) else { return };
-    if let Some(first) = slope.first_chunk_mut::<N>() {
-        *first = *v;
-    }
-    if let Some(last) = slope.last_chunk_mut::<N>() {
-        H::accelerations(t, q, v, last);
-    }
+/// All crates on equations without multipliers.
+fn all<F: FirstOrder<D>, const D: usize>(_: F, problem: &Problem) -> Vec<Box<dyn Subject>> {
+    let start = F::begin(&problem.start);
+    let mut subjects = differential_equations::subjects::<F, D>(start, problem.t_end);
+    subjects.extend(ode_solvers::subjects::<F, D>(start, problem.t_end));
+    subjects.extend(diffsol::subjects::<F, D>(start, problem.t_end));
+    subjects
 }
 
-/// All crates on one system.
-fn all<H: ByHand<N>, const N: usize, const D: usize>(
-    _by_hand: H,
+/// All crates on accelerations by hand, D = 2 N.
+fn explicit<H: ByHand<N>, const N: usize, const D: usize>(
+    by_hand: H,
     problem: &Problem,
 ) -> Vec<Box<dyn Subject>> {
-    let start: [f64; D] = problem.start.as_slice().try_into().expect("2 N numbers");
-    let mut subjects = differential_equations::subjects::<H, N, D>(start, problem.t_end);
-    subjects.extend(ode_solvers::subjects::<H, N, D>(start, problem.t_end));
-    subjects.extend(diffsol::subjects::<H, N, D>(start, problem.t_end));
+    all::<Explicit<H, N>, D>(Explicit(by_hand), problem)
+}
+
+/// All crates on equations without multipliers, and what can keep them on those with.
+fn both<F: FirstOrder<D>, M: FirstOrder<E>, const D: usize, const E: usize>(
+    reduced: F,
+    _: M,
+    problem: &Problem,
+) -> Vec<Box<dyn Subject>> {
+    let mut subjects = all(reduced, problem);
+    subjects.push(diffsol::multipliers::<M, E>(M::begin(&problem.start), problem.t_end));
     subjects
 }
 
 /// Everything of the crates that can do this problem.
 pub fn subjects(problem: &Problem) -> Vec<Box<dyn Subject>> {
     match problem.name {
-        "dpend" => all::<_, 2, 4>(h::DoublePendulum, problem),
-        "spring" => all::<_, 2, 4>(h::SpringPendulum, problem),
-        "hh" => all::<_, 2, 4>(h::HenonHeiles, problem),
-        "kepler" => all::<_, 2, 4>(h::Kepler, problem),
-        "pleiades" => all::<_, 14, 28>(h::Pleiades, problem),
-        "top" => all::<_, 3, 6>(h::Top, problem),
-        "sph" => all::<_, 2, 4>(h::SphericalPendulum, problem),
-        "cart" => all::<_, 2, 4>(h::CartPole, problem),
-        "pendc" => all::<_, 2, 4>(h::Pendulum, problem),
-        "slider" => all::<_, 2, 4>(h::SliderCrank, problem),
-        "nlink3" => all::<_, 3, 6>(h::Linear, problem),
-        "nlink5" => all::<_, 5, 10>(h::Linear, problem),
-        "nlink10" => all::<_, 10, 20>(h::Linear, problem),
-        "nlink20" => all::<_, 20, 40>(h::Linear, problem),
+        "dpend" => explicit::<_, 2, 4>(h::DoublePendulum, problem),
+        "spring" => explicit::<_, 2, 4>(h::SpringPendulum, problem),
+        "hh" => explicit::<_, 2, 4>(h::HenonHeiles, problem),
+        "kepler" => explicit::<_, 2, 4>(h::Kepler, problem),
+        "pleiades" => explicit::<_, 14, 28>(h::Pleiades, problem),
+        "top" => explicit::<_, 3, 6>(h::Top, problem),
+        "sph" => explicit::<_, 2, 4>(h::SphericalPendulum, problem),
+        "cart" => explicit::<_, 2, 4>(h::CartPole, problem),
+        "pendc" => both::<Explicit<_, 2>, _, 4, 5>(Explicit(h::Pendulum), PendulumMultiplier, problem),
+        "slider" => both::<Explicit<_, 2>, _, 4, 5>(Explicit(h::SliderCrank), SliderCrankMultiplier, problem),
+        "andrews" => both(AndrewsReduced, AndrewsMultipliers, problem),
+        "caraxis" => both(CarAxisReduced, CarAxisMultipliers, problem),
+        "nlink3" => explicit::<_, 3, 6>(h::Linear, problem),
+        "nlink5" => explicit::<_, 5, 10>(h::Linear, problem),
+        "nlink10" => explicit::<_, 10, 20>(h::Linear, problem),
+        "nlink20" => explicit::<_, 20, 40>(h::Linear, problem),
         _ => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::problem::{CONSTRAINED, problems};
+
+    /// Reduced equations and those with multipliers are the systems that the references belong to.
+    #[test]
+    fn equations_reach_the_references() {
+        for name in CONSTRAINED {
+            for problem in problems(Some(name)).expect("the table of references") {
+                for mut subject in super::subjects(&problem) {
+                    let sample = subject.sample(&problem, 1e-8, 0.0).expect("a motion");
+                    assert!(sample.error < 1e-3, "{name} {}: {:e}", subject.name(), sample.error);
+                }
+            }
+        }
     }
 }

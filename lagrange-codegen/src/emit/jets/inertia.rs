@@ -71,8 +71,8 @@ pub(super) enum By {
 }
 
 impl Inertia {
-    pub fn plan(emission: &mut Emission<'_>) -> Inertia {
-        let saddle = emission.solution.saddle.map(|method| SaddlePoint::plan(emission, method));
+    pub fn plan(emission: &mut Emission<'_>, jets: &Jets) -> Inertia {
+        let saddle = emission.solution.saddle.map(|method| SaddlePoint::plan(emission, jets, method));
         let graph = &emission.model.graph;
         let mass = &emission.equations.mass;
         let (mut moving, mut constant): (Vec<NodeId>, Vec<NodeId>) = Default::default();

@@ -31,7 +31,7 @@ const WIDTH: usize = 4;
 /// The items of the trait, as text.
 pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     label_auxiliaries(emission, jets);
-    let inertia = Inertia::plan(emission);
+    let inertia = Inertia::plan(emission, jets);
     let mut names = Names::new(emission.model);
     let (model, scalar) = (&*emission.model, &emission.item.scalar);
     let hoisted = jets.program.hoisted();

@@ -10,6 +10,7 @@ use crate::emit::Emission;
 use crate::emit::names::Names;
 use crate::emit::{body, scalar};
 use crate::expr::NodeId;
+use crate::jets::Jets;
 use crate::model::Model;
 use crate::structure::Saddle;
 use crate::syntax::Scalar;
@@ -42,10 +43,10 @@ impl SaddlePoint {
     /// Names of the factors in the generated code.
     const FACTORS: &'static str = "saddle";
 
-    pub fn plan(emission: &mut Emission<'_>, method: Saddle) -> SaddlePoint {
+    pub fn plan(emission: &mut Emission<'_>, jets: &Jets, method: Saddle) -> SaddlePoint {
         let equations = emission.equations;
         let graph = &mut emission.model.graph;
-        let gradients = equations.conditions.jacobian.clone();
+        let gradients = jets.gradients.clone();
         let mass = match method {
             Saddle::Whole { .. } => equations.mass.iter().flatten().copied().collect(),
             Saddle::Diagonal => {
@@ -240,7 +241,7 @@ impl Writer<'_, '_> {
                     })
                     .collect();
                 self.body.push_str(&format!(
-                    "let [{}] = {factors}.solve([{}]);\n",
+                    "let [{}] = {factors}.solve_order(order, &mass, [{}]);\n",
                     impulses.join(", "),
                     right.join(", ")
                 ));

@@ -152,6 +152,24 @@ fn the_form_is_checked() {
     );
     block(
         quote!(
+            #[holonomic(eliminat)]
+            fn f(&self, q: &Coordinates) -> f64 {
+                q.x
+            }
+        ),
+        "`holonomic` has no argument `eliminat`; did you mean `eliminate`?",
+    );
+    block(
+        quote!(
+            #[point(mass)]
+            fn f(&self, q: &Coordinates) -> f64 {
+                q.x
+            }
+        ),
+        "cannot read the arguments of `point` (expected `=`); ",
+    );
+    block(
+        quote!(
             #[nonholonomic(eliminate)]
             fn f(&self, v: &Velocities) -> f64 {
                 v.x

@@ -13,6 +13,8 @@ use crate::simplify::simplify;
 struct Row {
     constraint: Constraint,
     gradient: Vec<NodeId>,
+    /// The columns in which the gradient is not zero.
+    columns: Vec<usize>,
     /// Whether a mistake of it is reported.
     faulty: bool,
 }
@@ -31,7 +33,8 @@ pub(in crate::mechanics) fn constraints(
         if let Some((origin, message)) = fault {
             diagnostics.at(origin, message);
         }
-        rows.push(Row { constraint, gradient, faulty });
+        let columns = (0..gradient.len()).filter(|&i| !model.graph.is_zero(gradient[i])).collect();
+        rows.push(Row { constraint, gradient, columns, faulty });
     }
     for later in 1..rows.len() {
         for earlier in 0..later {
@@ -42,11 +45,14 @@ pub(in crate::mechanics) fn constraints(
             }
         }
     }
-    let pattern =
-        |row: &Row| -> Vec<bool> { row.gradient.iter().map(|&slope| !model.graph.is_zero(slope)).collect() };
+    let count = model.coordinates.len();
+    let pattern = |row: &Row| -> Vec<bool> {
+        let mut pattern = vec![false; count];
+        row.columns.iter().for_each(|&column| pattern[column] = true);
+        pattern
+    };
     let patterns: Vec<Vec<bool>> = rows.iter().map(pattern).collect();
-    let mut matching =
-        Matching::new(model.coordinates.len(), |row: usize, column: usize| patterns[row][column]);
+    let mut matching = Matching::new(count, |row: usize, column: usize| patterns[row][column]);
     let mut independent = Vec::with_capacity(rows.len());
     for (place, row) in rows.iter().enumerate() {
         if matching.add(place) {
@@ -159,21 +165,15 @@ fn repetition(
     later: &Row,
     allows: &dyn Fn(&str) -> bool,
 ) -> Option<String> {
-    if earlier.faulty || later.faulty {
+    if earlier.faulty || later.faulty || earlier.columns != later.columns {
         return None;
     }
     let graph = &mut model.graph;
-    let pairs = || later.gradient.iter().copied().zip(earlier.gradient.iter().copied());
-    if pairs().any(|(slope, other)| graph.is_zero(slope) != graph.is_zero(other)) {
-        return None;
-    }
     let mut ratio = None;
-    for (slope, other) in pairs() {
-        if !graph.is_zero(slope) {
-            let quotient = graph.div(slope, other);
-            if *ratio.get_or_insert(quotient) != quotient {
-                return None;
-            }
+    for &column in &later.columns {
+        let quotient = graph.div(later.gradient[column], earlier.gradient[column]);
+        if *ratio.get_or_insert(quotient) != quotient {
+            return None;
         }
     }
     let (name, other) = (later.constraint.written(), earlier.constraint.written());

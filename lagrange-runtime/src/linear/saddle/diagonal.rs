@@ -1,9 +1,9 @@
 //! The saddle-point system of a diagonal mass matrix, by its Schur complement.
 
-use crate::linear::Schur;
+use crate::linear::schur::{SMALL, Schur};
 use crate::real::Real;
 
-use super::vectors::{add_scaled, dot};
+use super::vectors::{add_product, dot, multiply, subtract_product, transposed};
 use super::{Defect, SaddlePoint};
 
 /// A saddle-point system with a diagonal M: particles in Cartesian coordinates.
@@ -13,49 +13,43 @@ use super::{Defect, SaddlePoint};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Diagonal<R, const N: usize, const C: usize> {
     inverse_masses: [R; N],
-    a: [[R; N]; C],
+    /// M⁻¹ Aᵀ.
+    drift: [[R; C]; N],
+    /// A M⁻¹; of small systems S⁻¹ A M⁻¹, what a component of the lack adds to v.
+    rows: [[R; N]; C],
     schur: Schur<R, C>,
 }
 
 impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
-    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves.
+    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves; a negative one gives NaN where it
+    /// makes a row of A negative.
+    ///
+    /// A row that reaches only coordinates that nothing moves counts as [vanishing](SaddlePoint::vanishing).
     #[inline]
     #[must_use]
     pub fn factor(inverse_masses: [R; N], a: &[[R; N]; C]) -> Self {
         let mut lower = [[R::zero(); C]; C];
-        for i in 0..C {
-            let mut row = a[i];
-            for j in 0..N {
-                row[j] *= inverse_masses[j];
-            }
-            for j in 0..=i {
-                lower[i][j] = dot(&row, &a[j]);
+        let mut rows = *a;
+        for c in 0..C {
+            multiply(&mut rows[c], &inverse_masses);
+            for d in 0..=c {
+                lower[c][d] = dot(&rows[c], &a[d]);
             }
         }
-        Self { inverse_masses, a: *a, schur: Schur::factor(lower) }
+        let drift = transposed(&rows);
+        let schur = Schur::factor_with(&lower, &mut rows);
+        Self { inverse_masses, drift, rows, schur }
     }
 }
 
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<R, N, C> {
     #[inline]
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
-        let mut free = *r;
-        for i in 0..N {
-            free[i] *= self.inverse_masses[i];
-        }
-        let mut lack = *y;
-        for c in 0..C {
-            lack[c] -= dot(&self.a[c], &free);
-        }
+        let lack = subtract_product(y, &self.drift, r);
         let kappa = self.schur.solve(lack);
-        let mut force = *r;
-        for c in 0..C {
-            add_scaled(&mut force, &self.a[c], kappa[c]);
-        }
-        for i in 0..N {
-            force[i] *= self.inverse_masses[i];
-        }
-        (force, kappa)
+        let mut free = *r;
+        multiply(&mut free, &self.inverse_masses);
+        (add_product(&free, &self.rows, if C <= SMALL { &lack } else { &kappa }), kappa)
     }
 
     #[inline]
@@ -76,5 +70,10 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
     #[inline]
     fn vanishing(&self) -> Option<usize> {
         self.schur.vanishing()
+    }
+
+    #[inline]
+    fn units(&self) -> [R; N] {
+        self.inverse_masses.map(R::sqrt)
     }
 }

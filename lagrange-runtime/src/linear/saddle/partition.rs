@@ -9,12 +9,12 @@ use crate::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;
-use super::vectors::{add_scaled, pick, put};
+use super::vectors::{add_scaled, pick, put, scale, smallest};
 
 /// A pivot below this part of its row is left to the careful way.
 ///
 /// Three such pivots in a row cost as many digits as `f32` has, so what is above needs no decision about the rank. Of
-/// random rows one in some hundred is below.
+/// random systems with as many constraints as coordinates one in a hundred is below, of others hardly any.
 const LEAST: f64 = 1.0 / 256.0;
 
 /// Fills `split` from rows that are clearly independent. False, with `split` in disorder, if a pivot is too small:
@@ -28,32 +28,28 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
         return false;
     }
     let mut rows = scaled.rows;
-    // What each row has taken over from y: row k of 1 with the operations on rows made so far.
+    // The unit matrix with the operations on rows made so far. Not in place of columns of A, and not only up to the
+    // diagonal: constant places and lengths are faster than half the work.
     let mut parts = [[R::zero(); C]; C];
     // The coordinate of each row, then those that stay free.
     let mut places: [usize; N] = core::array::from_fn(|i| i);
     for k in 0..C {
         parts[k][k] = scaled.factors[k];
-        let (lead, pivot) = largest(&rows[k]);
+        let lead = largest(&rows[k]);
+        let pivot = pick(&rows[k], lead);
         if !(pivot.abs() - R::from_f64(LEAST)).is_positive() {
             return false;
         }
         let inverse = pivot.recip();
-        for x in &mut rows[k] {
-            *x *= inverse;
-        }
-        for x in parts[k].iter_mut().take(k + 1) {
-            *x *= inverse;
-        }
+        scale(&mut rows[k], inverse);
+        scale(&mut parts[k], inverse);
         // The column of a lead becomes 0 up to rounding, and is not read again.
         let (row, part) = (rows[k], parts[k]);
         for c in 0..C {
             if c != k {
                 let l = -pick(&rows[c], lead);
                 add_scaled(&mut rows[c], &row, l);
-                for j in 0..=k {
-                    parts[c][j] = R::mul_add(part[j], l, parts[c][j]);
-                }
+                add_scaled(&mut parts[c], &part, l);
             }
         }
         for i in k..N {
@@ -79,19 +75,18 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
 
 /// The entry whose smallest lane is largest, and where it is: by halves, so that few comparisons wait for others.
 #[inline(always)]
-fn largest<R: Real, const N: usize>(row: &[R; N]) -> (usize, R) {
+fn largest<R: Real, const N: usize>(row: &[R; N]) -> usize {
     let mut places: [usize; N] = core::array::from_fn(|i| i);
-    let mut entries = *row;
-    let mut sizes = row.map(|x| -(-x.abs()).largest());
+    let mut sizes = row.map(|x| smallest(x.abs()));
     let mut length = N;
     while length > 1 {
         let half = length.div_ceil(2);
         for i in 0..length - half {
             if sizes[i + half] > sizes[i] {
-                (places[i], entries[i], sizes[i]) = (places[i + half], entries[i + half], sizes[i + half]);
+                (places[i], sizes[i]) = (places[i + half], sizes[i + half]);
             }
         }
         length = half;
     }
-    (places.first().copied().unwrap_or(0), entries.first().copied().unwrap_or(R::zero()))
+    places.first().copied().unwrap_or(0)
 }

@@ -10,12 +10,13 @@ use crate::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;
-use super::vectors::{add_scaled, dot, where_positive};
+use super::vectors::{add_scaled, best, dot, multiply, pick, put, scale, unit, where_positive};
 
 /// A row whose distance from the span of the rows before is less than 2¹² ε of its size depends on them.
 ///
-/// A distance is known to some Nε, amplified by how close to each other the rows before are, and a gradient is often
-/// itself a difference of larger numbers. What is above the tolerance has three digits in `f64` and `f32` alike.
+/// The distance of a row that depends on others is 1ε by rounding alone, but a gradient is often itself a difference of
+/// larger numbers, which brings their roundings. What is above the tolerance has three digits in `f64` and `f32` alike,
+/// as long as it is not more uncertain than that.
 const ROUNDINGS: f64 = 4096.0;
 
 /// The independent rows of A and the reflectors that make them triangular.
@@ -65,17 +66,16 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
         let least = R::from_f64(ROUNDINGS) * R::epsilon();
         let least = least * least;
         for k in 0..C.min(N) {
-            let mut best = k;
+            let longest = best(&squares, least);
             for c in k + 1..C {
-                if squares[c].largest() > squares[best].largest() {
-                    best = c;
+                if c == longest {
+                    rows.swap(k, c);
+                    squares.swap(k, c);
+                    this.lower.swap(k, c);
+                    this.sizes.swap(k, c);
+                    this.order.swap(k, c);
                 }
             }
-            rows.swap(k, best);
-            squares.swap(k, best);
-            this.lower.swap(k, best);
-            this.sizes.swap(k, best);
-            this.order.swap(k, best);
             let excess = squares[k] - least;
             let square =
                 if excess.is_positive() { Some(squares[k]) } else { where_positive(squares[k], excess) };
@@ -92,32 +92,25 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
     fn reflect(&mut self, rows: &mut [[R; N]; C], squares: &mut [R; C], square: R, k: usize) {
         let mut u = rows[k];
         let (mut lead, mut largest) = (0, R::zero());
-        for i in 0..N {
-            if u[i].abs().largest() > largest.abs().largest() {
-                (lead, largest) = (i, u[i]);
+        for (i, &x) in u.iter().enumerate() {
+            if x.abs().largest() > largest.abs().largest() {
+                (lead, largest) = (i, x);
             }
         }
         let norm = square.sqrt();
         let diagonal = -(largest.signum() * norm);
-        for i in 0..N {
-            if i == lead {
-                u[i] -= diagonal;
-            }
-        }
+        put(&mut u, lead, largest - diagonal);
         let place = self.leads.iter().position(|&i| i == lead).unwrap_or(k);
         self.leads.swap(k, place);
         let beta = (square + norm * largest.abs()).recip();
         for c in k + 1..C {
             let along = dot(&u, &rows[c]) * beta;
             add_scaled(&mut rows[c], &u, -along);
-            for i in 0..N {
-                if i == lead {
-                    self.lower[c][k] = rows[c][i];
-                    rows[c][i] = R::zero();
-                }
-            }
+            self.lower[c][k] = pick(&rows[c], lead);
+            put(&mut rows[c], lead, R::zero());
             squares[c] = dot(&rows[c], &rows[c]);
         }
+        squares[k] = R::zero();
         self.reflectors[k] = u;
         self.beta[k] = beta;
         self.inverse[k] = diagonal.recip();
@@ -126,14 +119,7 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
     /// The null space and the right inverse: A Y₀ = 1 on the independent rows, with velocities in the range of Aᵀ.
     pub(super) fn split(&self) -> Split<R, N, C> {
         let rank = self.rank.min(C).min(N);
-        let mut basis = [[R::zero(); N]; N];
-        for k in 0..N {
-            for i in 0..N {
-                if i == self.leads[k] {
-                    basis[k][i] = R::one();
-                }
-            }
-        }
+        let mut basis = self.leads.map(unit);
         for j in (0..rank).rev() {
             for vector in basis.iter_mut().skip(j) {
                 let along = dot(&self.reflectors[j], vector) * self.beta[j];
@@ -141,24 +127,20 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             }
         }
         for vector in &mut basis {
-            for i in 0..N {
-                vector[i] *= self.units[i];
-            }
+            multiply(vector, &self.units);
         }
         for k in (0..rank).rev() {
             for c in k + 1..rank {
                 let known = basis[c];
                 add_scaled(&mut basis[k], &known, -self.lower[c][k]);
             }
-            basis[k] = basis[k].map(|x| x * self.inverse[k]);
+            scale(&mut basis[k], self.inverse[k]);
         }
         let mut inverse = [[R::zero(); C]; N];
-        for k in 0..rank {
+        for (k, vector) in basis.iter().enumerate().take(rank) {
             let factor = self.sizes[k].recip();
-            for i in 0..N {
-                if let Some(to) = inverse[i].get_mut(self.order[k]) {
-                    *to = basis[k][i] * factor;
-                }
+            for (row, &x) in inverse.iter_mut().zip(vector) {
+                put(row, self.order[k], x * factor);
             }
         }
         Split { null: basis, inverse }
@@ -174,18 +156,14 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
                 coefficients[c] = R::one();
             } else {
                 for k in (0..rank).rev() {
-                    let mut sum = self.lower[c][k];
-                    for j in k + 1..rank {
-                        sum -= coefficients[j] * self.lower[j][k];
-                    }
+                    let known = coefficients.iter().zip(&self.lower).take(rank).skip(k + 1);
+                    let sum = known.fold(self.lower[c][k], |sum, (&x, row)| sum - x * row[k]);
                     coefficients[k] = sum * self.inverse[k];
                 }
             }
             for k in 0..rank {
                 let unit = if c == k { R::one() } else { self.sizes[c] / self.sizes[k] };
-                if let Some(to) = combinations[k].get_mut(self.order[c]) {
-                    *to = coefficients[k] * unit;
-                }
+                put(&mut combinations[k], self.order[c], coefficients[k] * unit);
             }
         }
         combinations

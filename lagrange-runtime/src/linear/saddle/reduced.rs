@@ -2,7 +2,8 @@
 
 use crate::real::Real;
 
-use super::vectors::{add_scaled, dot, where_positive};
+use super::symmetric;
+use super::vectors::{add_scaled, dot, scale, where_positive};
 
 /// B and what is solved with it. Vectors are rows; those of the null space have the indices `rank..N`.
 pub(super) struct Reduced<'a, R, const N: usize> {
@@ -48,41 +49,40 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
     #[inline(always)]
     fn definite(&mut self, rank: usize) -> Result<(), usize> {
         let ulps = R::from_f64(4.0 * N as f64) * R::epsilon();
+        let Self { mass, basis, matrix, solution, .. } = self;
         let mut column = [R::zero(); N];
         for k in rank..N {
             // Rounding errors of B are relative to what its entries would be without cancellation, which for a
             // positive semidefinite M is at most N times the inertia without couplings.
-            let mut uncoupled = [R::zero(); N];
-            for i in 0..N {
-                uncoupled[i] = self.mass[i][i] * self.basis[k][i];
+            let mut uncoupled = basis[k];
+            for (i, x) in uncoupled.iter_mut().enumerate() {
+                *x *= mass[i][i];
             }
-            let mut pivot = self.matrix[k][k];
-            let excess = pivot - ulps * dot(&uncoupled, &self.basis[k]);
+            let mut pivot = matrix[k][k];
+            let excess = pivot - ulps * dot(&uncoupled, &basis[k]);
             // The second test catches a sum that is not positive to begin with.
             if !(excess.is_positive() && pivot.is_positive()) {
                 pivot = where_positive(pivot, excess.min(pivot)).ok_or(k)?;
             }
             let inverse = pivot.recip();
             for i in k + 1..N {
-                column[i] = self.matrix[i][k];
+                column[i] = matrix[i][k];
             }
-            let above = self.solution[k];
+            let above = solution[k];
             for i in k + 1..N {
                 let l = column[i] * inverse;
-                self.matrix[i][k] = l;
+                matrix[i][k] = l;
                 for j in k + 1..=i {
-                    self.matrix[i][j] = R::mul_add(-l, column[j], self.matrix[i][j]);
+                    matrix[i][j] = R::mul_add(-l, column[j], matrix[i][j]);
                 }
-                add_scaled(&mut self.solution[i], &above, -l);
+                add_scaled(&mut solution[i], &above, -l);
             }
-            for x in &mut self.solution[k] {
-                *x *= inverse;
-            }
+            scale(&mut solution[k], inverse);
         }
         for i in (rank..N).rev() {
-            let below = self.solution[i];
+            let below = solution[i];
             for k in rank..i {
-                add_scaled(&mut self.solution[k], &below, -self.matrix[i][k]);
+                add_scaled(&mut solution[k], &below, -matrix[i][k]);
             }
         }
         Ok(())
@@ -91,31 +91,23 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
     /// By P B = L U with partial pivoting, of any regular B.
     #[inline(always)]
     fn indefinite(&mut self, rank: usize) -> Result<(), usize> {
-        // What the entries of B would be without cancellation. Vectors and coordinates have similar sizes in the units
-        // that they were made in, so the sum does for all.
+        let Self { mass, basis, matrix, solution, .. } = self;
+        // What the entries of B would be without cancellation. In the units that vectors were made in they all have
+        // similar sizes, so the sum does for all.
         let mut total = R::zero();
-        for k in rank..N {
-            let mut sizes = [R::zero(); N];
-            for j in 0..N {
-                for i in 0..N {
-                    sizes[i] += (self.mass[j][i] * self.basis[k][j]).abs();
-                }
-            }
-            for i in 0..N {
-                total += sizes[i] * self.basis[k][i].abs();
+        for vector in basis.iter().skip(rank) {
+            let sizes = vector.map(R::abs);
+            for (row, &size) in mass.iter().zip(&sizes) {
+                total += dot(&row.map(R::abs), &sizes) * size;
             }
         }
         let least = R::from_f64(4.0) * R::epsilon() * total;
-        for i in rank..N {
-            for j in rank..i {
-                self.matrix[j][i] = self.matrix[i][j];
-            }
-        }
+        *matrix = symmetric(matrix);
         for k in rank..N {
             let mut best = k;
-            let mut size = self.matrix[k][k].abs().largest();
-            for i in k + 1..N {
-                let candidate = self.matrix[i][k].abs().largest();
+            let mut size = matrix[k][k].abs().largest();
+            for (i, row) in matrix.iter().enumerate().skip(k + 1) {
+                let candidate = row[k].abs().largest();
                 if candidate > size {
                     (best, size) = (i, candidate);
                 }
@@ -123,36 +115,30 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
             // A search instead of `swap`, so that no index needs a check at run time.
             for i in k + 1..N {
                 if i == best {
-                    (self.matrix[k], self.matrix[i]) = (self.matrix[i], self.matrix[k]);
-                    (self.solution[k], self.solution[i]) = (self.solution[i], self.solution[k]);
+                    (matrix[k], matrix[i]) = (matrix[i], matrix[k]);
+                    (solution[k], solution[i]) = (solution[i], solution[k]);
                 }
             }
-            let mut pivot = self.matrix[k][k];
+            let mut pivot = matrix[k][k];
             let excess = pivot.abs() - least;
             if !excess.is_positive() {
                 pivot = where_positive(pivot, excess).ok_or(k)?;
             }
             // U with a unit diagonal, so that the back-substitution has no divisions.
             let inverse = pivot.recip();
-            for j in k..N {
-                self.matrix[k][j] *= inverse;
-            }
-            for x in &mut self.solution[k] {
-                *x *= inverse;
-            }
-            let (above, known) = (self.matrix[k], self.solution[k]);
+            scale(&mut matrix[k], inverse);
+            scale(&mut solution[k], inverse);
+            let (above, known) = (matrix[k], solution[k]);
             for i in k + 1..N {
-                let l = self.matrix[i][k];
-                for j in k..N {
-                    self.matrix[i][j] = R::mul_add(-l, above[j], self.matrix[i][j]);
-                }
-                add_scaled(&mut self.solution[i], &known, -l);
+                let l = matrix[i][k];
+                add_scaled(&mut matrix[i], &above, -l);
+                add_scaled(&mut solution[i], &known, -l);
             }
         }
         for i in (rank..N).rev() {
-            let below = self.solution[i];
+            let below = solution[i];
             for k in rank..i {
-                add_scaled(&mut self.solution[k], &below, -self.matrix[k][i]);
+                add_scaled(&mut solution[k], &below, -matrix[k][i]);
             }
         }
         Ok(())
@@ -166,9 +152,9 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
         let end = N.min(direction + 1);
         for k in (rank..end).rev() {
             let mut sum = if k == direction { R::one() } else { R::zero() };
-            for i in k + 1..end {
+            for (i, &known) in c.iter().enumerate().take(end).skip(k + 1) {
                 // Both factors are unit triangular: Lᵀ, or U.
-                sum -= if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * c[i];
+                sum -= if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * known;
             }
             c[k] = sum;
             add_scaled(&mut motion, &self.basis[k], sum);

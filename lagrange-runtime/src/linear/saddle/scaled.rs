@@ -7,7 +7,7 @@
 use crate::real::Real;
 
 use super::Defect;
-use super::vectors::magnitude;
+use super::vectors::{magnitude, multiply, put, scale};
 
 /// A in these units.
 #[derive(Clone, Copy)]
@@ -29,14 +29,10 @@ impl<R: Real, const N: usize, const C: usize> Scaled<R, N, C> {
         let mut sizes = [R::zero(); C];
         let mut factors = [R::zero(); C];
         for c in 0..C {
-            for i in 0..N {
-                rows[c][i] *= units[i];
-            }
+            multiply(&mut rows[c], &units);
             sizes[c] = magnitude(&rows[c]);
             factors[c] = sizes[c].recip();
-            for x in &mut rows[c] {
-                *x *= factors[c];
-            }
+            scale(&mut rows[c], factors[c]);
         }
         Self { units, sizes, factors, rows }
     }
@@ -44,8 +40,8 @@ impl<R: Real, const N: usize, const C: usize> Scaled<R, N, C> {
     /// The defect of a motion without inertia: its largest component, in these units.
     pub(super) fn defect(&self, motion: &[R; N]) -> Defect {
         let (mut coordinate, mut size) = (0, R::zero().largest());
-        for i in 0..N {
-            let candidate = (motion[i] / self.units[i]).abs();
+        for (i, (&x, &unit)) in motion.iter().zip(&self.units).enumerate() {
+            let candidate = (x / unit).abs();
             if !candidate.is_finite() {
                 return Defect::NotFinite;
             }
@@ -60,59 +56,53 @@ impl<R: Real, const N: usize, const C: usize> Scaled<R, N, C> {
 /// 1/√M\[i]\[i] where that exists in all lanes.
 #[inline(always)]
 fn units<R: Real, const N: usize, const C: usize>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> [R; N] {
-    let mut inertia = [R::zero(); N];
+    let mut units = [R::zero(); N];
     let mut all = true;
     for i in 0..N {
-        inertia[i] = mass[i][i].abs();
-        all &= inertia[i].is_positive();
+        let inertia = mass[i][i].abs();
+        all &= inertia.is_positive();
+        units[i] = inertia.sqrt().recip();
     }
-    if all { inertia.map(|m| m.sqrt().recip()) } else { completed(mass, a, &inertia) }
+    if all { units } else { completed(mass, a) }
 }
+
+/// How much larger a column of A may be for a coordinate without inertia than for others: such coordinates had better
+/// be those that are expressed by others.
+const LIGHT: f64 = 8.0;
 
 /// Units of coordinates without inertia of their own.
 ///
 /// By what ties them to coordinates whose units are known: a coupling in M of size 1, or else columns of A as large as
-/// the rows are in the others. If nothing does, the first gets the unit of its largest row, and the others follow.
+/// the rows are in the others. If nothing does, the first gets the unit of its own entries, and the others follow.
 #[cold]
 #[inline(never)]
-fn completed<R: Real, const N: usize, const C: usize>(
-    mass: &[[R; N]; N],
-    a: &[[R; N]; C],
-    inertia: &[R; N],
-) -> [R; N] {
+fn completed<R: Real, const N: usize, const C: usize>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> [R; N] {
     let zero = R::zero();
-    let usable = |x: R| x.is_positive() && x.recip().is_positive() && x.recip().is_finite();
+    let usable = |x: &R| x.is_positive() && x.recip().is_positive() && x.is_finite();
     let mut units = [zero; N];
-    let mut known = [false; N];
     for i in 0..N {
-        let unit = inertia[i].sqrt().recip();
-        if usable(unit) {
-            (units[i], known[i]) = (unit, true);
-        }
+        units[i] = Some(mass[i][i].abs().sqrt().recip()).filter(usable).unwrap_or(zero);
     }
     for _ in 0..N {
-        let before = (units, known);
-        let size = |c: usize| a[c].iter().zip(&before.0).map(|(&a, &unit)| a.abs() * unit).sum::<R>();
-        let mut progress = false;
+        let known = units;
+        let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)].abs();
+        let size = |c: usize| (0..N).map(|i| a[c][i].abs() * known[i]).sum::<R>();
+        let column = |i: usize, sizes: [R; C]| {
+            (0..C).map(|c| if usable(&sizes[c]) { a[c][i].abs() / sizes[c] } else { zero }).sum::<R>()
+        };
+        let sizes = core::array::from_fn(size);
         for i in 0..N {
-            if known[i] {
-                continue;
-            }
-            let coupling = (0..N).map(|j| mass[i][j].abs() * before.0[j]).sum::<R>();
-            let tie = (0..C).filter(|&c| usable(size(c))).map(|c| a[c][i].abs() / size(c)).sum::<R>();
-            for unit in [coupling.recip(), tie.recip()] {
-                if usable(unit) && !known[i] {
-                    (units[i], known[i], progress) = (unit, true, true);
-                }
+            if !usable(&known[i]) {
+                let coupling = (0..N).map(|j| entry(i, j) * known[j]).sum::<R>().recip();
+                let tie = R::from_f64(LIGHT) / column(i, sizes);
+                units[i] = [coupling, tie].into_iter().find(usable).unwrap_or(zero);
             }
         }
-        if let (false, Some(i)) = (progress, known.iter().position(|known| !known)) {
-            if let (Some(unit), Some(known), Some(row)) = (units.get_mut(i), known.get_mut(i), mass.get(i)) {
-                let coupling = magnitude(row).sqrt().recip();
-                let tie = a.iter().filter_map(|row| row.get(i)).map(|a| a.abs()).sum::<R>().recip();
-                let first = [coupling, tie].into_iter().find(|&unit| usable(unit));
-                (*unit, *known) = (first.unwrap_or(R::one()), true);
-            }
+        if let (true, Some(i)) = (units == known, known.iter().position(|unit| !usable(unit))) {
+            let coupling = (0..N).map(|j| entry(i, j)).sum::<R>().sqrt().recip();
+            let tie = column(i, [R::one(); C]).recip();
+            let first = [coupling, tie].into_iter().find(usable);
+            put(&mut units, i, first.unwrap_or(R::one()));
         }
     }
     units

@@ -35,12 +35,116 @@ pub(in crate::linear) fn add_scaled<R: Real, const N: usize>(sum: &mut [R; N], a
     }
 }
 
+/// Multiplies component by component.
+#[inline(always)]
+pub(in crate::linear) fn multiply<R: Real, const N: usize>(vector: &mut [R; N], factors: &[R; N]) {
+    for (x, &factor) in vector.iter_mut().zip(factors) {
+        *x *= factor;
+    }
+}
+
+/// Multiplies all components by the same.
+#[inline(always)]
+pub(in crate::linear) fn scale<R: Real, const N: usize>(vector: &mut [R; N], factor: R) {
+    for x in vector {
+        *x *= factor;
+    }
+}
+
+/// Rows become columns.
+#[inline(always)]
+pub(in crate::linear) fn transposed<R: Real, const I: usize, const J: usize>(
+    matrix: &[[R; J]; I],
+) -> [[R; I]; J] {
+    let mut transposed = [[R::zero(); I]; J];
+    for i in 0..I {
+        for j in 0..J {
+            transposed[j][i] = matrix[i][j];
+        }
+    }
+    transposed
+}
+
+/// A unit vector.
+#[inline(always)]
+pub(in crate::linear) fn unit<R: Real, const N: usize>(place: usize) -> [R; N] {
+    let mut vector = [R::zero(); N];
+    put(&mut vector, place, R::one());
+    vector
+}
+
+/// start + Σ rows\[k] · factors\[k], in two sums, so that the additions of one need not wait for those of the other.
+#[inline(always)]
+pub(in crate::linear) fn add_product<R: Real, const K: usize, const N: usize>(
+    start: &[R; N],
+    rows: &[[R; N]; K],
+    factors: &[R; K],
+) -> [R; N] {
+    let (mut even, mut odd) = (*start, [R::zero(); N]);
+    for k in 0..K / 2 {
+        add_scaled(&mut even, &rows[2 * k], factors[2 * k]);
+        add_scaled(&mut odd, &rows[2 * k + 1], factors[2 * k + 1]);
+    }
+    if K % 2 == 1 {
+        add_scaled(&mut even, &rows[K - 1], factors[K - 1]);
+    }
+    if K > 1 {
+        for i in 0..N {
+            even[i] += odd[i];
+        }
+    }
+    even
+}
+
+/// start − Σ rows\[k] · factors\[k], likewise.
+#[inline(always)]
+pub(in crate::linear) fn subtract_product<R: Real, const K: usize, const N: usize>(
+    start: &[R; N],
+    rows: &[[R; N]; K],
+    factors: &[R; K],
+) -> [R; N] {
+    add_product(start, rows, &factors.map(|x| -x))
+}
+
+/// The smallest lane.
+#[inline(always)]
+pub(in crate::linear) fn smallest<R: Real>(x: R) -> R::Lane {
+    -(-x).largest()
+}
+
+/// Where the largest of some sizes is: in its smallest lane if that is above `least`, so that all lanes can use it,
+/// else in its largest lane.
+#[inline(always)]
+pub(in crate::linear) fn best<R: Real, const C: usize>(sizes: &[R; C], least: R) -> usize {
+    let (mut common, mut any) = (0, 0);
+    for (c, &size) in sizes.iter().enumerate() {
+        if smallest(size) > smallest(sizes[common]) {
+            common = c;
+        }
+        if size.largest() > sizes[any].largest() {
+            any = c;
+        }
+    }
+    let usable = sizes.get(common).is_some_and(|&size| (size - least).is_positive());
+    if usable { common } else { any }
+}
+
+/// Makes all `numbers` NaN in the lanes where one of the `sources` is not finite.
+pub(in crate::linear) fn poison<R: Real>(numbers: &mut [R], sources: &[R]) {
+    // 0 · ∞ and 0 · NaN are NaN.
+    let poison: R = sources.iter().map(|&x| R::zero() * x).sum();
+    for x in numbers {
+        *x += poison;
+    }
+}
+
 /// `value` in the lanes where `excess` is positive, NaN in the others; `None` if it is positive nowhere.
 #[cold]
 #[inline(never)]
 pub(in crate::linear) fn where_positive<R: Real>(value: R, excess: R) -> Option<R> {
     let excess = excess.max(R::zero());
-    if excess.largest() > R::zero().largest() { Some(value * (excess / excess)) } else { None }
+    // 0 · ∞ is NaN.
+    if excess.largest() > R::zero().largest() { Some(value + R::zero() * excess.recip()) } else { None }
 }
 
 /// The entry at a place known at run time only; zero outside.
@@ -52,9 +156,9 @@ pub(in crate::linear) fn pick<R: Real, const N: usize>(row: &[R; N], place: usiz
         return row.get(place).copied().unwrap_or(R::zero());
     }
     let mut entry = R::zero();
-    for i in 0..N {
+    for (i, &x) in row.iter().enumerate() {
         if i == place {
-            entry = row[i];
+            entry = x;
         }
     }
     entry
@@ -69,9 +173,9 @@ pub(in crate::linear) fn put<T: Copy, const N: usize>(row: &mut [T; N], place: u
         }
         return;
     }
-    for i in 0..N {
+    for (i, to) in row.iter_mut().enumerate() {
         if i == place {
-            row[i] = entry;
+            *to = entry;
         }
     }
 }

@@ -1,0 +1,65 @@
+//! Constraints in the form whose series cost least.
+//!
+//! A series obeys w = 0 if it obeys s w = 0 with any factor s that does not vanish, and then the multipliers, which a motion
+//! does not show, are those of s w. A constraint on a distance, d/dt |r| = r · v / |r|, loses its root that way.
+
+use crate::calculus::pullback;
+use crate::expr::{Dependence, Graph, NodeId, Variable};
+use crate::mechanics::Conditions;
+
+/// The constraints of a series.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Restrictions {
+    /// s w.
+    pub rates: Vec<NodeId>,
+    /// Their gradients by the velocities, a row each.
+    pub gradients: Vec<Vec<NodeId>>,
+    /// What their multipliers contribute to the momentum rates, by coordinate.
+    pub reactions: Vec<NodeId>,
+}
+
+impl Restrictions {
+    /// Without the denominators of the rates, unless these are given other values than zero.
+    pub fn of(graph: &mut Graph, conditions: &Conditions, coordinates: usize) -> Restrictions {
+        let plain = Restrictions {
+            rates: conditions.rates.clone(),
+            gradients: conditions.jacobian.clone(),
+            reactions: conditions.reactions.clone(),
+        };
+        if conditions.relaxation.is_some() {
+            return plain;
+        }
+        let rates: Vec<NodeId> = plain.rates.iter().map(|&rate| numerator(graph, rate)).collect();
+        if rates == plain.rates {
+            return plain;
+        }
+        let velocities: Vec<NodeId> =
+            (0..coordinates as u32).map(|i| graph.variable(Variable::Velocity(i))).collect();
+        let one = graph.one();
+        let gradients = rates.iter().map(|&rate| pullback(graph, &[(rate, one)], &velocities)).collect();
+        let seeds: Vec<(NodeId, NodeId)> = rates
+            .iter()
+            .enumerate()
+            .map(|(c, &rate)| (rate, graph.variable(Variable::Multiplier(c as u32))))
+            .collect();
+        let reactions = pullback(graph, &seeds, &velocities);
+        Restrictions { rates, gradients, reactions }
+    }
+}
+
+/// A product without its denominators, which vanish nowhere where it has a value.
+fn numerator(graph: &mut Graph, rate: NodeId) -> NodeId {
+    let (coefficient, product) = graph.scaled(rate);
+    let denominators: Vec<_> = graph
+        .factors(product)
+        .into_iter()
+        .filter(|&(factor, exponent)| {
+            exponent.0 < 0 && !graph.dependence(factor).meets(Dependence::VELOCITIES)
+        })
+        .collect();
+    if denominators.is_empty() {
+        return rate;
+    }
+    let numerator = graph.without(product, &denominators);
+    graph.sum(crate::number::Number::ZERO, &[(numerator, coefficient)])
+}

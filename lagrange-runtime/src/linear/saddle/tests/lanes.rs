@@ -1,0 +1,77 @@
+//! Several systems in the lanes of a vector.
+
+use super::*;
+use crate::real::Lanes;
+use wide::f64x4;
+
+type R = Lanes<f64x4>;
+
+fn join<const I: usize, const J: usize>(lanes: &[[[f64; J]; I]; 4]) -> [[R; J]; I] {
+    core::array::from_fn(|i| core::array::from_fn(|j| lanes.map(|lane| lane[i][j]).into()))
+}
+
+fn lane<const I: usize>(x: &[R; I], lane: usize) -> [f64; I] {
+    x.map(|x| <[f64; 4]>::from(x)[lane])
+}
+
+/// Solutions of each lane against those of one system.
+fn check<const N: usize, const C: usize>(
+    masses: &[[[f64; N]; N]; 4],
+    rows: &[[[f64; N]; C]; 4],
+    right: &[usize],
+) {
+    let mut noise = Noise(1);
+    let (r, y): ([f64; N], [f64; C]) = (noise.vector(), noise.vector());
+    let saddle = Saddle::factor(&join(masses), &join(rows));
+    let (v, kappa) = saddle.solve(&r.map(R::splat), &y.map(R::splat));
+    for i in 0..4 {
+        let (w, lambda) = Saddle::factor(&masses[i], &rows[i]).solve(&r, &y);
+        let size = lambda.iter().fold(1.0_f64, |a, x| a.max(x.abs()));
+        let same = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12 * size);
+        let (v, kappa) = (lane(&v, i), lane(&kappa, i));
+        if right.contains(&i) {
+            assert!(same(&v, &w) && same(&kappa, &lambda), "lane {i}: {v:?} {w:?} {kappa:?} {lambda:?}");
+        } else {
+            assert!(v.iter().chain(&kappa).any(|x| x.is_nan()), "lane {i}: {v:?}");
+        }
+    }
+}
+
+#[test]
+fn lanes_are_solved_side_by_side() {
+    let mut noise = Noise(4);
+    for _ in 0..50 {
+        let masses = core::array::from_fn(|_| positive_definite::<7>(&mut noise));
+        check(&masses, &core::array::from_fn(|_| matrix::<4, 7>(&mut noise)), &[0, 1, 2, 3]);
+    }
+}
+
+#[test]
+fn lanes_that_agree_on_no_coordinate_are_solved() {
+    let unit = [[1.0, 0.0], [0.0, 2.0]];
+    check(&[unit; 4], &[[[1.0, 0.0]], [[0.0, 1.0]], [[0.6, 0.8]], [[-1.0, 1e-20]]], &[0, 1, 2, 3]);
+}
+
+#[test]
+fn a_lane_with_a_smaller_rank_than_others_is_nan_and_others_are_right() {
+    let unit = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]];
+    let regular = [[1.0, 2.0, 0.5], [0.0, 1.0, 3.0]];
+    let dependent = [[1.0, 2.0, 0.5], [2.0, 4.0, 1.0]];
+    let vanishing = [[0.0; 3], [0.0, 1.0, 3.0]];
+    check(&[unit; 4], &[regular, dependent, regular, vanishing], &[0, 2]);
+    let nan = [[1.0, 2.0, 0.5], [f64::NAN, 1.0, 3.0]];
+    check(&[unit; 4], &[regular, nan, regular, nan], &[0, 2]);
+    check(&[unit; 4], &[dependent, nan, dependent, dependent], &[0, 2, 3]);
+    // Where all have the same dependent rows, all are right.
+    check(&[unit; 4], &[dependent; 4], &[0, 1, 2, 3]);
+}
+
+#[test]
+fn a_lane_without_inertia_is_nan_and_others_are_right() {
+    let regular = [[1.0, 0.0], [0.0, 2.0]];
+    let massless = [[1.0, 0.0], [0.0, 0.0]];
+    let rows = [[[1.0, 0.0]]; 4];
+    check(&[regular, massless, regular, [[1.0, 0.0], [0.0, f64::NAN]]], &rows, &[0, 2]);
+    let saddle = Saddle::factor(&join(&[massless; 4]), &join(&rows));
+    assert_eq!(saddle.defect(), Some(Defect::Singular { coordinate: 1 }));
+}

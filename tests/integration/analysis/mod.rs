@@ -1,0 +1,7 @@
+//! What a model can tell about itself: equilibria, linear models, modes, sensitivities.
+
+mod classical;
+mod constrained;
+mod derivatives;
+mod seeds;
+mod sensitivities;

@@ -1,0 +1,24 @@
+//! Constrained systems: reactions, motions on their constraints, and what cannot be.
+//!
+//! | module | what |
+//! | --- | --- |
+//! | [`cases`] | reference digits from outside |
+//! | [`starts`] | where a motion may begin, and the projection of other starts |
+//! | [`drift`] | steps, samples and the way back stay on the constraints |
+//! | [`redundancy`] | redundant constraints: the same motion, the shortest multipliers |
+//! | [`linkages`] | four-bar linkages, flat configurations |
+//! | [`inputs`] | inputs, feedback, dissipation, constraints that move |
+//! | [`baumgarte`] | stabilisation instead of projection |
+//! | [`formulations`] | Lagrangians as a whole, Chetaev's rule |
+//! | [`scalars`], [`units`] | single precision; units of mass, length and time |
+
+mod baumgarte;
+mod cases;
+mod drift;
+mod formulations;
+mod inputs;
+mod linkages;
+mod redundancy;
+mod scalars;
+mod starts;
+mod units;
