@@ -13,4 +13,5 @@ mod hygiene;
 mod integrators;
 mod jets;
 mod order;
+mod structure_of_models;
 mod support;

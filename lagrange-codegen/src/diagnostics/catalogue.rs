@@ -38,7 +38,7 @@ messages! {
     bad_attribute(error) = "cannot read these arguments ({error}); write \
         `#[lagrangian(coordinates = [x, theta: [3]], inputs = [motor])]`";
     unknown_attribute_argument(name; near) = "unknown argument `{name}`{near}; known are `coordinates`, \
-        `inputs`, `jacobians`, `sensitivities`, `baumgarte`, `crate` and `allow`";
+        `inputs`, `jacobians`, `sensitivities`, `analysis`, `verify`, `baumgarte`, `crate` and `allow`";
     argument_with_value(name) = "`{name}` takes no value; write `{name}` alone, or leave it out";
     duplicate_argument(name) = "`{name}` is given twice; keep one of the two";
     unknown_lint(name, known; near) = "there is no lint `{name}`{near}; known are `{known}`";

@@ -1,10 +1,12 @@
 //! Tokens of the expansion, in the order they stand in it.
 
+mod analysis;
 mod block;
 mod body;
 mod constraints;
 mod docs;
 mod eliminated;
+mod equations;
 mod gather;
 mod jets;
 mod linearization;
@@ -29,6 +31,7 @@ use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
 
+pub(crate) use analysis::METHODS as ANALYSIS_METHODS;
 pub(crate) use constraints::{METHODS as CONSTRAINT_METHODS, is_force_on_place};
 pub(crate) use eliminated::METHODS as COMPLETIONS;
 pub(crate) use methods::METHODS;
@@ -76,13 +79,25 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             (system, None, after)
         }
     };
-    let mut methods = methods::methods(&mut emission);
+    let (mut methods, sides) = methods::methods(&mut emission);
     if surface.is_some() {
         methods.push_str(&constraints::methods(&mut emission));
     }
     let report = report(&emission, before, after);
     let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
     let linearization = linearization::linearization(&mut emission);
+    let certificate = emission.item.analysis.then(|| {
+        let analysis = analysis::analysis(&mut emission);
+        methods.push_str(&analysis.methods);
+        analysis.certificate
+    });
+    let written = equations::Equations::of(&mut emission, &sides);
+    methods.push_str(&written.constant(emission.model));
+    let page = emission.item.analysis.then(|| {
+        let (page, constants) = equations::page(&mut emission, &written, after);
+        methods.push_str(&constants);
+        quote!(#[doc = #page])
+    });
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
     let linearization = linearization.map(|linearization::Items { linearized, tangent, sensitive }| {
@@ -146,6 +161,17 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             fn __lengths(&self) { #lengths }
         }
     });
+    let test = analysis::test(&emission);
+    let certificate = certificate.map(|items| {
+        let items = parameters.parse(&items);
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Verifiable<#count, #inputs> for #self_ty #where_clause {
+                #items
+            }
+        }
+    });
     let smooth = smooth.map(|items| {
         quote! {
             #[automatically_derived]
@@ -162,6 +188,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
         const _: () = {
             use #crate_path::__private as lagrange;
 
+            #page
             #[automatically_derived]
             #[allow(clippy::all)]
             impl #impl_generics #self_ty #where_clause {
@@ -180,7 +207,9 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             #proofs
             #smooth
             #linearization
+            #certificate
         };
+        #test
     }
 }
 

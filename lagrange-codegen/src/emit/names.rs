@@ -10,7 +10,7 @@ use crate::schedule::{Instruction, Program, Slot};
 const LONGEST: usize = 26;
 
 /// Names that generated bodies use for something else.
-const RESERVED: [&str; 33] = [
+const RESERVED: &[&str] = &[
     "state",
     "inputs",
     "constants",

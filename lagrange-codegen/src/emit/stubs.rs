@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
-use super::{COMPLETIONS, proofs, records};
+use super::{COMPLETIONS, analysis, proofs, records};
 use crate::syntax::{Group, Item, Record, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
@@ -84,6 +84,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let mut methods = methods(item, &quote!(#scalar), count, inputs);
     methods.extend(constraint_methods(item, &held, &quote!(#scalar), count, inputs));
+    methods.extend(analysis::stubs(item, &quote!(#scalar), count, inputs));
     let completions = (declared > count).then(|| completions(item, &quote!(#scalar), count));
     Some(quote! {
         #records
@@ -100,6 +101,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 };
                 pub const STRUCTURE: lagrange::Structure =
                     lagrange::Structure { mass_matrix: "", facts: &[], skipped: &[] };
+                pub const EQUATIONS: &'static str = "";
                 #methods
                 #completions
             }

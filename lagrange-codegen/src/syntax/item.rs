@@ -33,6 +33,10 @@ pub struct Item {
     pub jacobians: bool,
     /// Parameters that derivatives are taken by.
     pub sensitivities: Vec<Expr>,
+    /// Whether what the model can tell about itself is generated.
+    pub analysis: bool,
+    /// The system that a generated test verifies.
+    pub verify: Option<syn::Expr>,
     /// Rate of Baumgarte's stabilisation, where the attribute asks for it.
     pub baumgarte: Option<Expr>,
     /// Lints switched off with `allow(…)`.

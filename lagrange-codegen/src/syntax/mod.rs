@@ -108,6 +108,8 @@ pub fn parse(
         crate_path,
         jacobians: args.jacobians || !sensitivities.is_empty(),
         sensitivities,
+        analysis: args.analysis || args.verify.is_some(),
+        verify: args.verify,
         baumgarte,
         allowed: args.allowed,
         cleaned,
