@@ -761,12 +761,15 @@ The first identity that does not hold, and by how much.*/
         ) -> ::core::option::Option<f64> {
             ::core::option::Option::Some(self.jacobi_rate(state))
         }
-        fn loads_at(
+        fn driven_at(
             &self,
             state: &lagrange::State<f64, 1>,
             u: &[f64; 0],
-        ) -> ::core::option::Option<([f64; 1], [f64; 1])> {
-            ::core::option::Option::Some((self.accelerations(state).ok()?, [0.0; 1]))
+        ) -> ::core::option::Option<lagrange::verify::Driven<f64, 1>> {
+            ::core::option::Option::Some(lagrange::verify::Driven {
+                accelerations: self.accelerations(state).ok()?,
+                loads: [0.0; 1],
+            })
         }
         fn conserved_at(&self, state: &lagrange::State<f64, 1>, index: usize) -> f64 {
             self.conserved(state).get(index).copied().unwrap_or(0.0)
