@@ -26,7 +26,7 @@ const S: [f32; 3] = [-1.666_665_5e-1, 8.332_161e-3, -1.951_529_6e-4];
 const C: [f32; 3] = [4.166_664_6e-2, -1.388_731_6e-3, 2.443_315_7e-5];
 
 /// Sine and cosine of an angle in radians.
-#[inline]
+#[inline(never)]
 pub(crate) fn sincosf(x: f32) -> (f32, f32) {
     let (quarter, rest) = if x.abs() < LARGE { reduce(x) } else { reduce_large(x) };
     let square = rest * rest;
