@@ -95,7 +95,7 @@ mass·length²·θ̈ + mass·length·g sin θ − mass·length²·rate²·sin θ
 * the mass matrix is constant: factored once per run
 * separable: no force depends on velocities
 * conservative and autonomous: the Jacobi integral is conserved
-* operations of one evaluation: 2 additions, 2 multiplications, 1 elementary functions
+* operations of one evaluation: 2 additions, 2 multiplications, 1 elementary function
 */
     #[automatically_derived]
     #[allow(clippy::all)]
