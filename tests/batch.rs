@@ -57,6 +57,41 @@ impl<R: Real> Planet<R> {
     }
 }
 
+/// A pendulum on a rod whose pivot slides down a wire: two masses in three Cartesian coordinates each, three constraints.
+struct Slider<R> {
+    length: R,
+    g: R,
+    slope: R,
+}
+
+#[lagrangian(coordinates = [pivot: [2], bob: [3]])]
+impl<R: Real> Slider<R> {
+    #[point(mass = 2.0)]
+    fn pivot(&self, q: &Coordinates<R>) -> Vector3<R> {
+        Vector3::new(q.pivot[0], R::zero(), q.pivot[1])
+    }
+
+    #[point(mass = R::one())]
+    fn bob(&self, q: &Coordinates<R>) -> Vector3<R> {
+        Vector3::from(q.bob)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates<R>) -> R {
+        self.g * (2.0 * q.pivot[1] + q.bob[2])
+    }
+
+    #[holonomic]
+    fn wire(&self, q: &Coordinates<R>) -> R {
+        q.pivot[1] - self.slope * q.pivot[0]
+    }
+
+    #[holonomic]
+    fn rod(&self, q: &Coordinates<R>) -> R {
+        (self.bob(q) - self.pivot(q)).norm() - self.length
+    }
+}
+
 const LENGTHS: [f64; 8] = [0.5, 0.7, 1.0, 1.1, 1.3, 1.7, 2.0, 3.0];
 const ANGLES: [f64; 8] = [0.0, 1e-8, 0.1, 0.5, 1.0, -1.2, 0.3, 2.0];
 const TORQUES: [f64; 8] = [0.0, 0.1, -0.3, 0.0, 0.2, 0.5, -0.1, 0.05];
@@ -179,4 +214,89 @@ fn bad_arguments_are_errors() {
     unknown[5] = f64::NAN;
     let mut batch = Batch::new(&pendulum, State::at_rest([unknown.into(), Lanes::splat(0.2)]));
     assert_eq!(cause(&mut batch, 1.0), Err(Cause::NotFinite));
+}
+
+/// Hanging at an angle in a vertical plane that differs from lane to lane, the pivot at rest.
+fn hanging(length: f64, angle: f64) -> State<f64, 5> {
+    let (sin, cos) = angle.sin_cos();
+    let rate = 0.3;
+    State::new(
+        [0.0, 0.0, 0.6 * length * sin, 0.8 * length * sin, -length * cos],
+        [0.0, 0.0, rate * 0.6 * length * cos, rate * 0.8 * length * cos, rate * length * sin],
+    )
+}
+
+fn sliders(steep: &[f64; 8]) -> (Slider<Lanes<f64x8>>, State<Lanes<f64x8>, 5>) {
+    let slider = Slider { length: LENGTHS.into(), g: Lanes::splat(9.81), slope: (*steep).into() };
+    let starts: [State<f64, 5>; 8] = std::array::from_fn(|lane| hanging(LENGTHS[lane], ANGLES[lane]));
+    let gather = |number: &dyn Fn(&State<f64, 5>) -> f64| {
+        Lanes::from(std::array::from_fn(|lane| number(&starts[lane])))
+    };
+    let start = State::new(
+        std::array::from_fn(|i| gather(&|state| state.q[i])),
+        std::array::from_fn(|i| gather(&|state| state.v[i])),
+    );
+    (slider, start)
+}
+
+/// Wires from flat to steep.
+const SLOPES: [f64; 8] = [0.0, 0.1, -0.3, 0.5, 1.0, -2.0, 0.2, 0.7];
+
+#[test]
+fn constrained_lanes_move_as_they_would_alone_and_stay_on_their_constraints() {
+    let (slider, start) = sliders(&SLOPES);
+    let mut batch = Batch::new(&slider, start).with_tolerance(1e-13);
+    for t in [0.2, 1.5, 0.7] {
+        let state = *batch.advance_to(t).expect("all lanes go on");
+        let residuals = slider.constraint_residuals(&state).map(lanes);
+        let rates = slider.constraint_rates(&state).map(lanes);
+        for lane in 0..8 {
+            let single = Slider { length: LENGTHS[lane], g: 9.81, slope: SLOPES[lane] };
+            let mut motion = single.simulate(hanging(LENGTHS[lane], ANGLES[lane])).with_tolerance(1e-14);
+            let expected = *motion.advance_to(t).expect("the motion goes on");
+            for i in 0..5 {
+                let (q, v) = (lanes(state.q[i])[lane], lanes(state.v[i])[lane]);
+                assert!((q - expected.q[i]).abs() < 1e-10, "lane {lane} at {t}: {q}, {}", expected.q[i]);
+                assert!((v - expected.v[i]).abs() < 1e-9, "lane {lane} at {t}: {v}, {}", expected.v[i]);
+            }
+            let speed = expected.v.iter().fold(1.0_f64, |speed, v| speed.max(v.abs()));
+            for c in 0..2 {
+                let (f, w) = (residuals[c][lane], rates[c][lane]);
+                assert!(f.abs() < 1e-14 && w.abs() < 1e-14 * speed, "lane {lane} at {t}: {f:e}, {w:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn reactions_come_in_lanes() {
+    let (slider, start) = sliders(&SLOPES);
+    let reactions = slider.reactions(&start).expect("regular in all lanes");
+    assert!(reactions.are_unique());
+    for lane in 0..8 {
+        let single = Slider { length: LENGTHS[lane], g: 9.81, slope: SLOPES[lane] };
+        let expected = single.reactions(&hanging(LENGTHS[lane], ANGLES[lane])).expect("regular");
+        for (found, expected) in [(reactions.wire, expected.wire), (reactions.rod, expected.rod)] {
+            assert!((lanes(found)[lane] - expected).abs() < 1e-12 * expected.abs().max(1.0), "lane {lane}");
+        }
+    }
+}
+
+#[test]
+fn one_lane_off_its_constraints_is_an_error_or_projected_when_asked_for() {
+    let (slider, start) = sliders(&SLOPES);
+    let mut places: [f64; 8] = start.q[4].into();
+    places[5] -= 1e-3;
+    let mut spoiled = start;
+    spoiled.q[4] = places.into();
+    let error = Batch::new(&slider, spoiled).advance_to(1.0).expect_err("the sixth rod is too long");
+    assert!(matches!(error.cause, Cause::PositionViolated { constraint: 1, .. }), "{error:?}");
+    let mended = slider.consistent(spoiled).expect("a near state");
+    assert!(Batch::new(&slider, mended).advance_to(0.1).is_ok());
+    for (found, expected) in mended.iter().zip(start.iter()) {
+        let (found, expected) = (lanes(found), lanes(expected));
+        for lane in (0..8).filter(|lane| *lane != 5) {
+            assert!((found[lane] - expected[lane]).abs() < 1e-15, "lane {lane}");
+        }
+    }
 }

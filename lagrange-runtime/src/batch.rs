@@ -96,7 +96,8 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
     /// Moves all lanes to exactly time `t` \[s], forward or backward.
     ///
     /// # Errors
-    /// [`Cause::InvalidTime`], `InvalidTolerance` for bad arguments; [`Cause::NotFinite`] or `SingularMassMatrix` where
+    /// [`Cause::InvalidTime`], `InvalidTolerance` for bad arguments; [`Cause::PositionViolated`] or `VelocityViolated` for a
+    /// start off the constraints in some lane; [`Cause::NotFinite`] or `SingularMassMatrix` where
     /// some lane cannot go on, [`Cause::StepTooSmall`] where its steps vanish, with the times of all lanes;
     /// [`Cause::TooManySteps`]. The state is then the last good one.
     pub fn advance_to(
@@ -118,6 +119,12 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         }
         if !self.state.is_finite() {
             return Err(Cause::NotFinite);
+        }
+        if S::CONSTRAINED && self.expansions == 0 {
+            let (constants, mut start) = (self.system.constants(), self.state);
+            self.system.check_start_at(&constants, &start)?;
+            self.system.project_at(&constants, &mut start)?;
+            self.state = start;
         }
         let target = S::Scalar::splat(t);
         let orders = orders(self.tolerance, ORDERS_PER_DIGIT);

@@ -44,6 +44,17 @@ impl<R: Real, const N: usize, const P: usize> Varied<R, N, P> {
         }
     }
 
+    #[inline(always)]
+    fn product(self, other: Self) -> Self {
+        self.with(other, self.value * other.value, |a, b| a * other.value + self.value * b)
+    }
+
+    #[inline(always)]
+    fn quotient(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        self.with(other, value, |a, b| (a - value * b) / other.value)
+    }
+
     /// All derivatives: by coordinates, velocities, parameters.
     #[inline]
     pub(super) fn slopes(&self) -> impl Iterator<Item = R> + '_ {
@@ -84,7 +95,7 @@ impl<R: Real, const N: usize, const P: usize> Mul for Varied<R, N, P> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        self.with(other, self.value * other.value, |a, b| a * other.value + self.value * b)
+        self.product(other)
     }
 }
 
@@ -92,8 +103,7 @@ impl<R: Real, const N: usize, const P: usize> Div for Varied<R, N, P> {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        self.with(other, value, |a, b| (a - value * b) / other.value)
+        self.quotient(other)
     }
 }
 

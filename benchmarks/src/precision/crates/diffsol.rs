@@ -81,7 +81,8 @@ macro_rules! method {
             while !matches!(solver.step().map_err(text)?, OdeSolverStopReason::TstopReached) {
                 steps += 1;
             }
-            Ok(Outcome { end: F::motion($t_end, solver.state().y.inner().as_slice()), steps })
+            let y = solver.state().y.inner().as_slice().try_into().expect("as many as at the start");
+            Ok(Outcome { end: F::motion($t_end, y), steps })
         })
     };
 }
