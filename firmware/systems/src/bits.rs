@@ -171,7 +171,7 @@ impl<'a> Motion<'a> {
     fn show<R: Bits>(&mut self, state: &State<R, 2>) {
         self.hash.add_state(state);
         self.shown += 1;
-        if self.shown % PRINTED == 0 {
+        if self.shown.is_multiple_of(PRINTED) {
             self.result = self.result.and_then(|()| self.line(state));
         }
     }
@@ -189,7 +189,9 @@ impl<'a> Motion<'a> {
         let Self { out, system, method, hash, shown, .. } = self;
         match motion {
             Ok(()) => writeln!(out, "{system} {method} {} all {shown} steps: {hash}", R::NAME),
-            Err(error) => writeln!(out, "{system} {method} {} failed after {shown} steps: {error:?}", R::NAME),
+            Err(error) => {
+                writeln!(out, "{system} {method} {} failed after {shown} steps: {error:?}", R::NAME)
+            }
         }
     }
 }

@@ -52,7 +52,8 @@ impl<R: Real> Experiment<1> for CartPole<R> {
     const NAME: &'static str = "cart_pole";
 
     fn new() -> Self {
-        let [cart_mass, pole_mass, length, damping, g] = [0.5, 0.1875, 0.375, 0.001953125, G].map(R::from_f64);
+        let [cart_mass, pole_mass, length, damping, g] =
+            [0.5, 0.1875, 0.375, 0.001953125, G].map(R::from_f64);
         Self { cart_mass, pole_mass, length, damping, g }
     }
 

@@ -51,7 +51,12 @@ fn positive(x: f64) -> f64 {
     1.0 + if wide < 0.0 { -wide } else { wide }
 }
 
-fn line<R: Bits>(out: &mut dyn Write, name: &str, spread: fn(f64) -> f64, function: fn(R) -> R) -> fmt::Result {
+fn line<R: Bits>(
+    out: &mut dyn Write,
+    name: &str,
+    spread: fn(f64) -> f64,
+    function: fn(R) -> R,
+) -> fmt::Result {
     let mut hash = Hash::default();
     let mut noise = 1_u32;
     for _ in 0..ARGUMENTS {
