@@ -2,7 +2,7 @@
 
 use lagrangian::prelude::*;
 
-use crate::support::close::{all_close, close};
+use crate::support::close::{all_close, close, close_on};
 use crate::support::constrained::bound;
 
 const G: f64 = 9.81;
@@ -120,7 +120,7 @@ fn scalars_may_be_generic() {
     close(f64::from(single.reactions(&state).unwrap().rod), -tension, 1e-6);
     let mut motion = single.simulate(state);
     motion.advance_to(0.1).unwrap();
-    close(f64::from(single.constraint_residuals(motion.state())[0]), 0.0, 1e-6);
+    close_on(1.5, f64::from(single.constraint_residuals(motion.state())[0]), 0.0, 1e-6);
 }
 
 /// Two loads on a rope over a pulley without mass.
