@@ -95,7 +95,7 @@ mass·length²·θ̈ + mass·length·g sin θ − mass·length²·rate²·sin θ
 * the mass matrix is constant: factored once per run
 * separable: no force depends on velocities
 * conservative and autonomous: the Jacobi integral is conserved
-* operations of one evaluation: 2 additions, 2 multiplications, 1 elementary functions
+* operations of one evaluation: 2 additions, 2 multiplications, 1 elementary function
 */
     #[automatically_derived]
     #[allow(clippy::all)]
@@ -761,12 +761,15 @@ The first identity that does not hold, and by how much.*/
         ) -> ::core::option::Option<f64> {
             ::core::option::Option::Some(self.jacobi_rate(state))
         }
-        fn loads_at(
+        fn driven_at(
             &self,
             state: &lagrange::State<f64, 1>,
             u: &[f64; 0],
-        ) -> ::core::option::Option<([f64; 1], [f64; 1])> {
-            ::core::option::Option::Some((self.accelerations(state).ok()?, [0.0; 1]))
+        ) -> ::core::option::Option<lagrange::verify::Driven<f64, 1>> {
+            ::core::option::Option::Some(lagrange::verify::Driven {
+                accelerations: self.accelerations(state).ok()?,
+                loads: [0.0; 1],
+            })
         }
         fn conserved_at(&self, state: &lagrange::State<f64, 1>, index: usize) -> f64 {
             self.conserved(state).get(index).copied().unwrap_or(0.0)

@@ -33,15 +33,8 @@ impl<R: Real, const N: usize> InertiaForces<R, N> {
 
 /// Symbols symmetric in their last two indices, of which those with j ≤ i are given.
 #[inline]
-pub fn symmetric<R: Real, const N: usize>(mut symbols: [[[R; N]; N]; N]) -> [[[R; N]; N]; N] {
-    for matrix in &mut symbols {
-        for i in 0..N {
-            for j in 0..i {
-                matrix[j][i] = matrix[i][j];
-            }
-        }
-    }
-    symbols
+pub fn symmetric<R: Real, const N: usize>(symbols: [[[R; N]; N]; N]) -> [[[R; N]; N]; N] {
+    symbols.map(|given| core::array::from_fn(|i| core::array::from_fn(|j| given[i.max(j)][i.min(j)])))
 }
 
 /// Christoffel symbols of the second kind from those of the first.

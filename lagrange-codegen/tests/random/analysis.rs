@@ -1,6 +1,8 @@
 //! What analysis derives of random systems, against identities: inertia forces add up, Christoffel symbols contract to the
 //! Coriolis matrix, the regressor gives the equations, the parts of T give the Lagrangian.
 
+#![allow(clippy::needless_range_loop, reason = "formulas with indices")]
+
 use lagrange_codegen::calculus::{pullback, pushforward};
 use lagrange_codegen::diagnostics::Diagnostics;
 use lagrange_codegen::expr::{Graph, NodeId, Variable};

@@ -6,12 +6,12 @@
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::constraint::Kind;
-use crate::expression::{Instant, Scope};
+use crate::expression::{Expr, Instant, Scope, Vector};
 use crate::number::{Dual, Number, Tracked};
-use crate::system::{Place, System};
+use crate::system::{Place, Role, System};
 
 /// The quantities of all constraints at one instant.
 #[derive(Clone, Debug)]
@@ -143,7 +143,7 @@ impl Held {
         let slope = |coordinate: usize, (place, _, k): (Place, usize, usize)| {
             system.positions(place.role, &at.by_coordinate(coordinate))[place.index][k].slope
         };
-        let coordinates: Vec<Option<usize>> = same_as_coordinates(system, at, &components);
+        let (coordinates, uncertain) = same_as_coordinates(system, at, &components);
         let mut forces: BTreeMap<usize, Vec<Vec<Tracked>>> = BTreeMap::new();
         for (number, &component) in components.iter().enumerate() {
             let rows =
@@ -160,17 +160,19 @@ impl Held {
                 row.push(self.multipliers[c] * force);
             }
         }
+        forces.retain(|role, _| !uncertain.contains(role));
         forces.into_iter().map(|(role, rows)| (role, rows.concat())).collect()
     }
 }
 
 /// For every component of a position the coordinate that it is, unless that is a component of others as well. Found at two
-/// instants that have nothing to do with the given one, where a sine is not its argument.
+/// instants that have nothing to do with the given one, where a sine is not its argument. Beside them the roles with a
+/// component that is a coordinate by its value and not by its form: whether the engine sees that is left open.
 fn same_as_coordinates(
     system: &System,
     at: &Instant<Tracked>,
     components: &[(Place, usize, usize)],
-) -> Vec<Option<usize>> {
+) -> (Vec<Option<usize>>, BTreeSet<usize>) {
     let elsewhere = |sign: f64| {
         let q = (0..system.count()).map(|i| Tracked::constant(sign * (0.7319 + 0.0473 * i as f64))).collect();
         Instant { q, t: Tracked::constant(1.2347 + sign), ..at.clone() }
@@ -182,14 +184,28 @@ fn same_as_coordinates(
             (value - at.q[i].value).abs() <= 1e-14 * at.q[i].value.abs()
         })
     };
-    let mut found = vec![None; components.len()];
+    let (mut found, mut uncertain) = (vec![None; components.len()], BTreeSet::new());
     for i in 0..system.count() {
         let same: Vec<usize> = (0..components.len()).filter(|&number| is(i, components[number])).collect();
-        if let [one] = same[..] {
+        if same.iter().any(|&number| !is_written(system, i, components[number])) {
+            uncertain.extend(same.iter().map(|&number| components[number].0.role));
+        } else if let [one] = same[..] {
             found[one] = Some(i);
         }
     }
-    found
+    (found, uncertain)
+}
+
+/// Whether a component of a position is written as nothing but a coordinate.
+fn is_written(system: &System, coordinate: usize, (place, _, k): (Place, usize, usize)) -> bool {
+    let position = match &system.roles[place.role] {
+        Role::Point { position, .. } => &position.result,
+        Role::Planar { pose, .. } => &pose.result.0,
+        Role::Spatial { pose, .. } => &pose.result.0,
+        _ => return false,
+    };
+    let Vector::New(written) = position else { return false };
+    matches!(*written[k], Expr::Coordinate(i) if i % system.count() == coordinate)
 }
 
 /// T + V, where a Lagrangian that is given as a whole contributes v·∂L/∂v − L.

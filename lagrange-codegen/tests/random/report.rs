@@ -47,7 +47,7 @@ impl Report {
         for (name, Agreement { components, cancelled, beyond, .. }) in &self.quantities {
             let limit = match *name {
                 // What is solved for is a difference of large terms more often, and may be zero.
-                "accelerations" | "reactions" | "reaction_forces" => 10,
+                "accelerations" | "reactions" | "reaction_forces" => 8,
                 // Zero in many systems, as a sum of large terms.
                 "reaction_power" | "energy_rate" => 60,
                 _ => 5,

@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::{Certificate, Described, Identity, Verifiable, Violation, derivative, double};
+use super::{Certificate, Described, Driven, Identity, Verifiable, Violation, derivative, double};
 use crate::linear::Ldlt;
 use crate::real::Real;
 use crate::state::State;
@@ -57,7 +57,8 @@ pub(super) fn at_state<S: Verifiable<N, K>, const N: usize, const K: usize>(
     let mut judge = Judge { seen: Certificate { states: 1, comparisons: 0, worst: 0.0 } };
     positive(system, state, &mut judge)?;
     let Some(state) = system.nearest_at(state) else { return Ok(None) };
-    let Some((a, loads)) = system.loads_at(&state, u) else { return Ok(None) };
+    let Some(driven) = system.driven_at(&state, u) else { return Ok(None) };
+    let Driven { accelerations: a, loads } = driven;
     let momenta = system.momenta_at(&state);
     let integral = system.integral_at(&state);
     if !momenta.iter().chain(&a).chain(&loads).chain([&integral]).all(|x| x.is_finite()) {
@@ -67,7 +68,7 @@ pub(super) fn at_state<S: Verifiable<N, K>, const N: usize, const K: usize>(
     let energy = work + integral.abs();
 
     skew(system, &state, &mut judge)?;
-    equations(system, &state, (&a, &loads, &momenta), energy, &mut judge)?;
+    equations(system, &state, &driven, energy, &mut judge)?;
     if let Some(rate) = system.integral_rate_at(&state, u) {
         let (found, doubt) = derivative(|time| system.integral_at(&along(&state, &a, time)));
         let scale = energy + rate.abs() + dot(&momenta, &a);
@@ -121,13 +122,11 @@ fn skew<S: Verifiable<N, K>, const N: usize, const K: usize>(
     let mass = system.mass_at(state);
     let size = mass.iter().flatten().fold(S::Scalar::zero(), |sum, &entry| sum + entry.abs());
     let still = [S::Scalar::zero(); N];
-    for i in 0..N {
-        for j in 0..=i {
-            let (rate, doubt) = derivative(|time| system.mass_at(&along(state, &still, time))[i][j]);
-            let sum = coriolis[i][j] + coriolis[j][i];
-            let scale = size + coriolis[i][j].abs() + coriolis[j][i].abs();
-            judge.compare(Identity::SkewCoriolis, rate, sum, scale, doubt)?;
-        }
+    for (i, j) in (0..N).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+        let (rate, doubt) = derivative(|time| system.mass_at(&along(state, &still, time))[i][j]);
+        let sum = coriolis[i][j] + coriolis[j][i];
+        let scale = size + coriolis[i][j].abs() + coriolis[j][i].abs();
+        judge.compare(Identity::SkewCoriolis, rate, sum, scale, doubt)?;
     }
     Ok(())
 }
@@ -136,10 +135,11 @@ fn skew<S: Verifiable<N, K>, const N: usize, const K: usize>(
 fn equations<S: Verifiable<N, K>, const N: usize, const K: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
-    (a, loads, momenta): (&[S::Scalar; N], &[S::Scalar; N], &[S::Scalar; N]),
+    Driven { accelerations: a, loads }: &Driven<S::Scalar, N>,
     energy: S::Scalar,
     judge: &mut Judge,
 ) -> Result<(), Violation> {
+    let momenta = system.momenta_at(state);
     let lagrangian = |state: &State<S::Scalar, N>| {
         let momenta = system.momenta_at(state);
         let work = momenta.iter().zip(&state.v).fold(S::Scalar::zero(), |sum, (&p, &v)| sum + p * v);

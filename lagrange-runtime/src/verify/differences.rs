@@ -13,7 +13,7 @@ pub fn derivative<R: Real>(f: impl Fn(R) -> R) -> (R, R) {
     let mut last = quotient(&f, h);
     let mut best: Option<(R, R)> = None;
     for _ in 1..STEPS {
-        h = h / four;
+        h /= four;
         let next = quotient(&f, h);
         let difference = (next - last).abs();
         last = next;

@@ -118,6 +118,15 @@ pub struct Described<R> {
     pub uncertainty: R,
 }
 
+/// What moves a system at a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Driven<R, const N: usize> {
+    /// a.
+    pub accelerations: [R; N],
+    /// Q − ∂D/∂v + Aᵀλ.
+    pub loads: [R; N],
+}
+
 /// A system with a certificate: one whose attribute asks for `analysis`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no certificate",
@@ -146,11 +155,11 @@ pub trait Verifiable<const N: usize, const K: usize = 0>: System<N, K> {
     fn integral_rate_at(&self, state: &State<Self::Scalar, N>, u: &[Self::Scalar; K])
     -> Option<Self::Scalar>;
     /// Accelerations, and Q − ∂D/∂v + Aᵀλ.
-    fn loads_at(
+    fn driven_at(
         &self,
         state: &State<Self::Scalar, N>,
         u: &[Self::Scalar; K],
-    ) -> Option<([Self::Scalar; N], [Self::Scalar; N])>;
+    ) -> Option<Driven<Self::Scalar, N>>;
     /// A conserved quantity.
     fn conserved_at(&self, state: &State<Self::Scalar, N>, index: usize) -> Self::Scalar;
     /// f or g of a constraint.

@@ -52,8 +52,9 @@ impl Verifiable<1> for Pendulum {
     fn integral_rate_at(&self, _: &State<f64, 1>, _: &[f64; 0]) -> Option<f64> {
         Some(self.power)
     }
-    fn loads_at(&self, state: &State<f64, 1>, u: &[f64; 0]) -> Option<([f64; 1], [f64; 1])> {
-        Some((self.accelerations_at(&(), 0.0, &state.q, &state.v, u), [0.0]))
+    fn driven_at(&self, state: &State<f64, 1>, u: &[f64; 0]) -> Option<Driven<f64, 1>> {
+        let accelerations = self.accelerations_at(&(), 0.0, &state.q, &state.v, u);
+        Some(Driven { accelerations, loads: [0.0] })
     }
     fn conserved_at(&self, state: &State<f64, 1>, _: usize) -> f64 {
         self.integral_at(state)

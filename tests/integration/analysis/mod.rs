@@ -3,5 +3,6 @@
 mod classical;
 mod constrained;
 mod derivatives;
+mod scalars;
 mod seeds;
 mod sensitivities;

@@ -91,7 +91,7 @@ struct Train {
 impl Train {
     #[point(mass = self.mass)]
     fn wagons(&self, q: &Coordinates) -> [Vector1<f64>; 3] {
-        q.x.map(|x| Vector1::new(x))
+        [Vector1::new(q.x[0]), Vector1::new(q.x[1]), Vector1::new(q.x[2])]
     }
 
     #[force(at = wagons[2])]

@@ -128,3 +128,40 @@ fn equations_read_like_a_textbook() {
         "\\begin{aligned}\n2 {\\mathrm{length}}^{2} \\, \\ddot{\\theta} + 19.62 \\mathrm{length} \\, \\sin \\theta &= 0\n\\end{aligned}"
     );
 }
+
+/// Everything that is generated under lints that deny.
+mod strict {
+    #![deny(warnings, missing_docs)]
+
+    use lagrangian::prelude::*;
+
+    /// A charge in a magnetic field.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Charge {
+        /// Strength of the field.
+        pub field: f64,
+    }
+
+    #[lagrangian(coordinates = [x, y], inputs = [push], analysis, verify = Charge { field: 1.5 })]
+    impl Charge {
+        #[lagrangian]
+        fn particle(&self, q: &Coordinates, v: &Velocities, t: f64) -> f64 {
+            0.5 * (v.x * v.x + v.y * v.y) + self.field * (1.0 + t) * (q.x * v.y - q.y * v.x)
+        }
+
+        #[force(on = x)]
+        fn pusher(&self, u: &Inputs) -> f64 {
+            u.push
+        }
+    }
+}
+
+#[test]
+fn strict_lints_are_silent() {
+    let charge = strict::Charge { field: 1.5 };
+    let state = State::new([0.1, 0.2], [0.3, 0.4]);
+    assert_eq!(strict::Charge::CONSERVED, [""; 0]);
+    // L₁ of a Lagrangian given as a whole: the magnetic part.
+    let (t2, t1, t0) = charge.kinetic_energy_parts(&state);
+    assert!((t2 - 0.125).abs() < 1e-15 && (t1 - 1.5 * (0.1 * 0.4 - 0.2 * 0.3)).abs() < 1e-15 && t0 == 0.0);
+}

@@ -83,7 +83,13 @@ pub(in crate::emit) fn implementation(emission: &mut Emission<'_>, affine: bool,
         (format!("momenta_at({place}) -> {vector}"), "self.momenta(state)".to_owned()),
         (format!("integral_at({place}) -> {scalar}"), format!("self.{integral}(state)")),
         (format!("integral_rate_at({driven}) -> {}", option(&scalar)), rate),
-        (format!("loads_at({driven}) -> {}", option(&format!("({vector}, {vector})"))), loads),
+        (
+            format!(
+                "driven_at({driven}) -> {}",
+                option(&format!("lagrange::verify::Driven<{scalar}, {count}>"))
+            ),
+            loads,
+        ),
         (
             format!("conserved_at({place}, index: usize) -> {scalar}"),
             format!("self.conserved(state).get(index).copied().unwrap_or({zero})"),
@@ -142,7 +148,10 @@ fn loads(emission: &mut Emission<'_>) -> String {
     };
     if held == 0 {
         let inputs = if given == 0 { "" } else { ", u" };
-        return format!("::core::option::Option::Some((self.accelerations(state{inputs}).ok()?, {applied}))");
+        return format!(
+            "::core::option::Option::Some(lagrange::verify::Driven {{ \
+             accelerations: self.accelerations(state{inputs}).ok()?, loads: {applied} }})"
+        );
     }
     format!(
         "let constants = <Self as lagrange::System<{count}, {given}>>::constants(self);\n\
@@ -151,7 +160,7 @@ fn loads(emission: &mut Emission<'_>) -> String {
          let mut loads = {applied};\n\
          for (load, column) in loads.iter_mut().zip(&self.constraint_jacobian(state).data.0) {{\n\
          for (&entry, &multiplier) in column.iter().zip(&balance.multipliers) {{\n*load += entry * multiplier;\n}}\n}}\n\
-         ::core::option::Option::Some((balance.accelerations, loads))"
+         ::core::option::Option::Some(lagrange::verify::Driven {{ accelerations: balance.accelerations, loads }})"
     )
 }
 

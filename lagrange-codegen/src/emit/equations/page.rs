@@ -97,7 +97,9 @@ fn findings(emission: &Emission<'_>, after: Operations) -> String {
     let counts: Vec<String> = counts
         .into_iter()
         .filter(|(count, _)| *count > 0)
-        .map(|(count, what)| format!("{count} {what}"))
+        .map(|(count, what)| {
+            format!("{count} {}", if count == 1 { what.trim_end_matches('s') } else { what })
+        })
         .collect();
     text.push_str(&format!("* operations of one evaluation: {}\n", counts.join(", ")));
     text

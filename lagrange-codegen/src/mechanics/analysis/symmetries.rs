@@ -161,7 +161,7 @@ impl Sample {
     fn draw(model: &Model, equations: &Equations, noise: &mut Noise, attempt: usize) -> Sample {
         let count = equations.mass.len();
         // Roots and logarithms may want positive coordinates.
-        let low = if attempt % 2 == 0 { -1.5 } else { 0.1 };
+        let low = if attempt.is_multiple_of(2) { -1.5 } else { 0.1 };
         let mut draw = |count: usize, low: f64, high: f64| -> Vec<f64> {
             (0..count).map(|_| noise.between(low, high)).collect()
         };

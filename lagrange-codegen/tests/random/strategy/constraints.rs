@@ -148,9 +148,9 @@ impl Row {
                 minus(Expr::Norm(dimension, Box::new(from)), plus(size, Expr::Time))
             }
             (5, Some((which, dimension))) => {
-                // The other may be the same.
-                let half = Vector::Scale(Box::new(number(0.5)), Box::new(Vector::Place(which + 1 + shape)));
-                let other = Vector::Add(Box::new(half), constants([5.0, 6.0, 4.0]));
+                // The other may be the same, or twice it.
+                let part = Vector::Scale(Box::new(number(0.37)), Box::new(Vector::Place(which + 1 + shape)));
+                let other = Vector::Add(Box::new(part), constants([5.0, 6.0, 4.0]));
                 let from = Vector::Subtract(Box::new(Vector::Place(which)), Box::new(other));
                 minus(Expr::Dot(dimension, Box::new(from.clone()), Box::new(from)), size)
             }

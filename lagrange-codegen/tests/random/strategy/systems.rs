@@ -110,7 +110,7 @@ fn coordinates() -> BoxedStrategy<Vec<Group>> {
 
 fn inputs() -> BoxedStrategy<Vec<Group>> {
     let length = prop_oneof![3 => Just(None), 1 => (1_usize..=2).prop_map(Some)];
-    (prop::collection::vec(length, 0..=2), 0_usize..if std::env::var("ANYNAME").is_ok() { 4 } else { 1 })
+    (prop::collection::vec(length, 0..=2), 0..INPUTS.len())
         .prop_map(|(lengths, start)| named(&lengths, &INPUTS, start))
         .boxed()
 }
