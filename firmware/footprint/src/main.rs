@@ -1,6 +1,7 @@
 //! The smallest program that steps one system by one method: what it links is what they take.
 //!
-//! Features choose: `--features double_pendulum,jet6,f32`. A panic anywhere would not link.
+//! Features choose: `--features double_pendulum,jet6,f32`. More of them add what is not linked unless a program calls it,
+//! and `panic` something that may not be in it: a program that can panic does not link.
 #![no_std]
 #![no_main]
 #![allow(unsafe_code, reason = "the symbol that does not exist")]
@@ -36,11 +37,31 @@ type M = Jet<6>;
 fn main() -> ! {
     // What the compiler cannot know: parameters, start and step.
     let system = black_box(<S as Experiment<K>>::new());
-    let mut motion = system.stepper::<M>(black_box(<S as Experiment<K>>::start()));
+    let start = black_box(<S as Experiment<K>>::start());
     let h = black_box(R::from_f64(1e-3));
+    #[cfg(feature = "consistent")]
+    let start = system.consistent(start).unwrap_or(start);
+    #[cfg(feature = "simulate")]
+    let mut motion = system.simulate(start);
+    #[cfg(feature = "dop853")]
+    let mut motion = system.simulate_with::<Dop853>(start);
+    #[cfg(not(any(feature = "simulate", feature = "dop853")))]
+    let mut motion = system.stepper::<M>(start);
     loop {
         let inputs = <S as Experiment<K>>::inputs(motion.state());
+        #[cfg(any(feature = "simulate", feature = "dop853"))]
+        {
+            motion.set_inputs(inputs);
+            let _ = black_box(motion.advance_to(motion.state().t + h));
+        }
+        #[cfg(not(any(feature = "simulate", feature = "dop853")))]
         let _ = black_box(motion.step(h, &inputs));
+        #[cfg(feature = "energy")]
+        black_box(motion.energy());
+        #[cfg(feature = "reactions")]
+        black_box(motion.reactions(&inputs));
+        #[cfg(feature = "panic")]
+        assert!(motion.state().t < h);
     }
 }
 

@@ -48,6 +48,7 @@ fn correct<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
+    let number = S::Scalar::from_f64;
     let none = [num_traits::Zero::zero(); N];
     let contraction = <S::Scalar as Real>::Lane::from_f64(CONTRACTION);
     let (mut saddle, mut gradients) = system.saddle_at(state.t, &state.q, &state.v);
@@ -61,7 +62,7 @@ where
                 break;
             }
             let before = residuals.relative(of_positions, &sizes);
-            let last = residuals.are_roundings_beside(of_positions, ROUNDINGS, &sizes);
+            let last = residuals.are_roundings_beside(of_positions, number(ROUNDINGS), &sizes);
             let (change, _) = saddle.solve(&none, &residuals.level(of_positions).0.map(|value| -value));
             let (q, v) = if of_positions { (&change, &none) } else { (&none, &change) };
             next = moved(&next, q, v, num_traits::One::one());
@@ -74,7 +75,8 @@ where
             let after = residuals.relative(of_positions, &sizes);
             // A correction of roundings leaves roundings, and where one makes nothing better there is no better state in
             // this arithmetic.
-            let stalled = after >= before && residuals.are_roundings_beside(of_positions, INNER, &sizes);
+            let stalled =
+                after >= before && residuals.are_roundings_beside(of_positions, number(INNER), &sizes);
             settled = last || stalled || residuals.level_is_roundings(of_positions);
             if after >= contraction * before {
                 (saddle, gradients) = system.saddle_at(next.t, &next.q, &next.v);
@@ -104,10 +106,11 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         values.iter().zip(sizes).all(|(&value, &size)| is_within(value, tolerance * size))
     }
 
-    /// Whether nothing is left of one level but so many roundings of its summands, or roundings of the state.
-    pub(crate) fn are_roundings_beside(&self, of_positions: bool, roundings: f64, by_state: &[R; C]) -> bool {
+    /// Whether nothing is left of one level but so many roundings of its summands, or roundings of the state. Their number
+    /// is a scalar, not a double that would be converted at run time.
+    pub(crate) fn are_roundings_beside(&self, of_positions: bool, roundings: R, by_state: &[R; C]) -> bool {
         let (values, sizes) = self.level(of_positions);
-        let (own, whole) = (R::from_f64(roundings) * R::epsilon(), R::from_f64(ROUNDINGS) * R::epsilon());
+        let (own, whole) = (roundings * R::epsilon(), R::from_f64(ROUNDINGS) * R::epsilon());
         let sizes = sizes.iter().zip(by_state);
         values
             .iter()

@@ -247,7 +247,7 @@ where
             }
             let there = self.system.deviations_at(self.t, &moved, &none);
             let better = there.relative(true, &by_state) < before;
-            if !better && residuals.are_roundings_beside(true, INNER, &by_state) {
+            if !better && residuals.are_roundings_beside(true, S::Scalar::from_f64(INNER), &by_state) {
                 // No better place in this arithmetic.
                 return Ok(q);
             }
@@ -348,7 +348,7 @@ where
         let residuals = self.system.deviations_at(state.t, &state.q, &state.v);
         let saddle = Saddle::factor(&self.metric, &rest.variation.gradients);
         let by_state = Extent::of(&saddle, &state.v).sizes(&saddle, &rest.variation.gradients);
-        if residuals.are_roundings_beside(false, INNER, &by_state) {
+        if residuals.are_roundings_beside(false, S::Scalar::from_f64(INNER), &by_state) {
             return Ok(());
         }
         match residuals.cause(false, &Extent::unit().sizes(&saddle, &rest.variation.gradients)) {
