@@ -1,4 +1,4 @@
-//! A heavy symmetric top: precession and nutation, and the path of its axis on the sphere.
+//! A heavy symmetric top: precession and nutation, its integrals, and the path of its axis on the sphere.
 
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -24,7 +24,7 @@ pub struct Top {
     pub g: f64,
 }
 
-#[lagrangian(coordinates = [precession, nutation, spin])]
+#[lagrangian(coordinates = [precession, nutation, spin], analysis, verify = Self::new(0.004, 0.0015, 0.25, 0.05, 9.81))]
 impl Top {
     /// Euler's angles about z, x′, z″: where the axis points, how far it leans, how far the top has turned.
     fn attitude(&self, q: &Coordinates) -> Rotation3<f64> {
@@ -80,8 +80,10 @@ fn axis_path(title: &str, top: &Top, precession: f64) -> Result<plot::Chart, Box
 
 /// Compares with elliptic integrals, then draws three tops.
 pub fn main() -> Result<(), Box<dyn Error>> {
-    println!("{}\n", Top::STRUCTURE);
+    println!("{}\n\n{}\n", Top::STRUCTURE, Top::EQUATIONS);
     let top = Top::new(0.004, 0.0015, 0.25, 0.05, 9.81);
+    let certificate = top.verify()?;
+    println!("{} identities hold at {} states\n", certificate.comparisons, certificate.states);
     let start = State::new([0.0, 0.6, 0.0], [0.0, 0.0, 150.0]);
     let mut motion = top.simulate(start).with_tolerance(1e-13);
 
@@ -94,7 +96,11 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let precession = motion.advance_to(nutation_period)?.q[0];
     let lowest = motion.advance_to(0.5 * nutation_period)?.q[1];
     let end = *motion.advance_to(0.5)?;
-    let momenta = [top.momenta(&start), top.momenta(&end)];
+    let integrals = [top.conserved(&start), top.conserved(&end)];
+    assert_eq!(Top::CYCLIC, ["precession", "spin"]);
+    // About the vertical and about the axis of the top: C ψ′ cos θ and C ψ′ as long as it does not precess.
+    let [about_vertical, about_axis] = top.cyclic_momenta(&start);
+    assert!((about_vertical / about_axis - 0.6_f64.cos()).abs() < 1e-14);
 
     // Elliptic integrals to 30 digits (Goldstein, Classical Mechanics, ch. 5), cut to the precision of f64.
     let compared = [
@@ -108,8 +114,9 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     for (name, simulated, exact) in compared {
         println!("{name:25} {simulated:20.15} {exact:20.15} {:9.1e}", simulated - exact);
     }
-    for (name, i) in [("precession", 0), ("spin", 2)] {
-        println!("momentum of {name:13} {:20.15} {:20.15} kg m²/s", momenta[1][i], momenta[0][i]);
+    println!("\n{:25} {:>20} {:>20}", "conserved", "at 0.5 s", "at the start");
+    for (i, name) in Top::CONSERVED.iter().enumerate() {
+        println!("{name:25} {:20.15} {:20.15}", integrals[1][i], integrals[0][i]);
     }
 
     let charts = [
@@ -122,9 +129,9 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     for (name, simulated, exact) in compared {
         assert!((simulated - exact).abs() < 1e-10, "{name}: {simulated}, not {exact}");
     }
-    for cyclic in [0, 2] {
-        let [before, after] = momenta.map(|momenta| momenta[cyclic]);
-        assert!((after / before - 1.0).abs() < 1e-11, "cyclic momentum {before} became {after} kg m²/s");
+    for (i, name) in Top::CONSERVED.iter().enumerate() {
+        let [before, after] = integrals.map(|integrals| integrals[i]);
+        assert!((after / before - 1.0).abs() < 1e-11, "{name}: {before} became {after}");
     }
     Ok(())
 }

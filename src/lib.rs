@@ -45,6 +45,57 @@
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! With `jacobians` in the attribute the derivatives of the equations are generated too, and with them the model can tell
+//! where it rests, how it oscillates there, and how its motion depends on the start and on parameters:
+//!
+//! ```
+//! use lagrangian::prelude::*;
+//!
+//! /// A bead on a hoop that whirls about its vertical diameter, by the angle from the top.
+//! pub struct Hoop {
+//!     /// Radius [m].
+//!     pub radius: f64,
+//!     /// Rate of the hoop [rad/s].
+//!     pub rate: f64,
+//! }
+//!
+//! #[lagrangian(coordinates = [phi], sensitivities = [self.rate])]
+//! impl Hoop {
+//!     #[kinetic]
+//!     fn kinetic(&self, q: &Coordinates, v: &Velocities) -> f64 {
+//!         0.5 * self.radius.powi(2) * (v.phi.powi(2) + (self.rate * q.phi.sin()).powi(2))
+//!     }
+//!
+//!     #[potential]
+//!     fn gravity(&self, q: &Coordinates) -> f64 {
+//!         9.81 * self.radius * q.phi.cos()
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let hoop = Hoop { radius: 0.5, rate: 6.0 };
+//! let rest = hoop.equilibrium([2.0], &[])?;
+//! assert!((rest.state.q[0] - (-9.81_f64 / (0.5 * 36.0)).acos()).abs() < 1e-14);
+//! # #[cfg(feature = "std")]
+//! let modes = hoop.modes(&rest.state, &[])?;
+//! # #[cfg(feature = "std")]
+//! assert!((modes[0].frequency() - 6.0 * rest.state.q[0].sin()).abs() < 1e-13);
+//! let model = hoop.linearize(&rest.state, &[])?;
+//! let a: SMatrix<f64, 2, 2> = model.state_matrix().expect("one coordinate, one velocity");
+//! assert!((a[(1, 0)] + (6.0 * rest.state.q[0].sin()).powi(2)).abs() < 1e-12);
+//!
+//! // How far off the bead is after a second, to first order, if the hoop turns faster by 0.0001 rad/s.
+//! let varied = hoop.variational();
+//! let mut motion = varied.motion(State::new([2.0], [0.3]))?;
+//! let end = motion.advance_to(1.0)?;
+//! let faster = Hoop { rate: 6.0001, ..hoop };
+//! let mut other = faster.simulate(State::new([2.0], [0.3]));
+//! let shift = other.advance_to(1.0)?.q[0] - end.state.q[0];
+//! assert!((shift - 0.0001 * end.q_by_p[0]).abs() < 1e-6);
+//! # Ok(())
+//! # }
+//! ```
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -65,7 +116,7 @@ pub mod prelude {
     };
     pub use lagrange_runtime::{
         BlanesMoan4, BlanesMoan6, Cause, Dop853, Gauss4, Gauss6, Gauss8, Jet, Jets, Leapfrog, Linearized,
-        MotionError, Ordered, Real, Rk4, State, System, Yoshida4, Yoshida6, Yoshida8,
+        MotionError, Ordered, Real, Rk4, Sensitive, State, System, Tangent, Yoshida4, Yoshida6, Yoshida8,
     };
 }
 

@@ -21,6 +21,7 @@ macro_rules! run {
 run! {
     cart_pole,
     cartesian_pendulum,
+    chain_modes,
     charge_in_magnetic_field,
     double_pendulum,
     heavy_top,
@@ -37,6 +38,8 @@ run! {
 mod cart_pole;
 #[path = "../examples/cartesian_pendulum.rs"]
 mod cartesian_pendulum;
+#[path = "../examples/chain_modes.rs"]
+mod chain_modes;
 #[path = "../examples/charge_in_magnetic_field.rs"]
 mod charge_in_magnetic_field;
 #[path = "../examples/double_pendulum.rs"]

@@ -1,8 +1,8 @@
 """The best equations of motion known for each system, derived by hand, as heyoka's expressions.
 
 Small systems are closed forms; chains are the tridiagonal equations for the rod tensions, which grow linearly with the
-number of links. Differences of angles are kept as arguments of sines and cosines, which costs heyoka less
-than angle sums do.
+number of links; `reduced.py` has systems whose constraints leave fewer numbers than coordinates and velocities.
+Differences of angles are kept as arguments of sines and cosines, which costs heyoka less than angle sums do.
 """
 
 from __future__ import annotations

@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 import compiled
+import implicit
 import taylor
 from problem import Failure, Integrator, Problem, Subject, problems
 
@@ -35,9 +36,11 @@ class Server:
 
     def __init__(self) -> None:
         self.problems: dict[str, Problem] = problems()
-        found = taylor.subjects() + compiled.subjects()
-        self.subjects: dict[str, Subject] = {subject.name: subject for subject in found}
-        self.versions = {"Python": platform.python_version()} | taylor.versions() | compiled.versions()
+        self.subjects: dict[str, Subject] = {}
+        self.versions = {"Python": platform.python_version()}
+        for peers in (taylor, compiled, implicit):
+            self.subjects |= {subject.name: subject for subject in peers.subjects()}
+            self.versions |= peers.versions()
         self.present: tuple[str, float] | None = None
         self.integrators: dict[str, Integrator] = {}
 

@@ -5,11 +5,18 @@ use std::error::Error;
 
 use serde::Deserialize;
 
-/// The systems in the order of all reports.
-pub const NAMES: [&str; 16] = [
+/// The systems in the order of all reports: those of free coordinates …
+const FREE: [&str; 12] = [
     "dpend", "spring", "hh", "kepler", "pleiades", "top", "sph", "cart", "nlink3", "nlink5", "nlink10",
-    "nlink20", "pendc", "slider", "andrews", "caraxis",
+    "nlink20",
 ];
+/// … and those with constraints.
+pub const CONSTRAINED: [&str; 4] = ["pendc", "slider", "andrews", "caraxis"];
+
+/// All systems.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    FREE.into_iter().chain(CONSTRAINED)
+}
 
 /// Where a motion starts and where it has to arrive; states are (q, v).
 #[derive(Clone, Debug, Deserialize)]
@@ -42,13 +49,12 @@ impl Problem {
 /// All problems, or the one that is named. The peers in Python read the same file.
 pub fn problems(only: Option<&str>) -> Result<Vec<Problem>, Box<dyn Error>> {
     let mut known: BTreeMap<String, Problem> = serde_json::from_str(include_str!("../references.json"))?;
-    let chosen: Vec<Problem> = NAMES
-        .into_iter()
+    let chosen: Vec<Problem> = names()
         .filter(|name| only.is_none_or(|only| only == *name))
         .filter_map(|name| known.remove(name).map(|problem| Problem { name, ..problem }))
         .collect();
     if chosen.is_empty() {
-        return Err(format!("no such system; there are {}", NAMES.join(", ")).into());
+        return Err(format!("no such system; there are {}", names().collect::<Vec<_>>().join(", ")).into());
     }
     Ok(chosen)
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::problem::NAMES;
+use crate::problem;
 
 /// A subject on a system at one tolerance.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -32,7 +32,7 @@ pub fn of<'a>(
 
 /// The systems that were measured, in order.
 pub fn systems(records: &[Record]) -> impl Iterator<Item = &'static str> {
-    NAMES.into_iter().filter(|name| records.iter().any(|record| record.system == *name))
+    problem::names().filter(|name| records.iter().any(|record| record.system == *name))
 }
 
 /// The cheapest run whose error is at or below `accuracy`.

@@ -132,7 +132,7 @@ const _: () = {
                 "the mass matrix is constant",
                 "constraints, each with a multiplier: rod",
                 "conservative and autonomous: the energy is conserved",
-                "smooth: a Taylor series of the motion takes 10 convolutions and the recurrences of 1 function an order",
+                "smooth: a Taylor series of the motion takes 4 convolutions and the recurrences of no functions an order",
             ],
             skipped: &[
                 "time: nothing depends on it",
@@ -439,6 +439,8 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
         > {
             lagrange::constraints::consistent::<Self, 2, 0, 1>(self, state)
         }
+        /// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
+        pub const EQUATIONS: &'static str = "mass·x\u{308} = x λ(rod)/√(x² + y²)\nmass·y\u{308} + mass·g = y λ(rod)/√(x² + y²)";
     }
     #[automatically_derived]
     #[allow(clippy::all)]
@@ -609,7 +611,7 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
     #[allow(clippy::all)]
     impl lagrange::Smooth<2usize, 0usize> for CartesianPendulum {
         type JetConstants = [f64; 2];
-        type Tables<const P: usize> = lagrange::Tables<f64, 12, P>;
+        type Tables<const P: usize> = lagrange::Tables<f64, 4, P>;
         #[inline]
         fn jet_constants(&self) -> [f64; 2] {
             {
@@ -635,7 +637,7 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
             _u: &[f64; 0],
             h: f64,
             orders: usize,
-            tables: &mut lagrange::Tables<f64, 12, P>,
+            tables: &mut lagrange::Tables<f64, 4, P>,
             series: &mut lagrange::Series<f64, 2, P>,
         ) -> bool {
             use lagrange::Real;
@@ -643,138 +645,75 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
             let [x_dot, y_dot] = *v;
             let mass_2: f64 = self.mass;
             let [minus_mass_2_g, inverse_mass_2] = *constants;
-            let x_squared: f64 = x * x;
-            let y_squared: f64 = y * y;
-            let x_squared_plus_y_squared: f64 = x_squared + y_squared;
-            let x_x_dot: f64 = x * x_dot;
-            let y_y_dot: f64 = y * y_dot;
-            let x_x_dot_plus_y_y_dot: f64 = x_x_dot + y_y_dot;
-            let w1: f64 = Real::recip(Real::sqrt(x_squared_plus_y_squared));
-            let w6 = 1.0 / Real::sqrt(x * x + y * y);
-            let rod_x: f64 = x * w6;
-            let rod_y: f64 = y * w6;
-            let rod_x_weighted: f64 = rod_x * inverse_mass_2;
-            let rod_y_weighted: f64 = rod_y * inverse_mass_2;
+            let rod_x_weighted: f64 = x * inverse_mass_2;
+            let rod_y_weighted: f64 = y * inverse_mass_2;
             let mut mass = [[0.0; 1]; 1];
-            mass[0][0] = rod_x_weighted * rod_x + rod_y_weighted * rod_y;
+            mass[0][0] = rod_x_weighted * x + rod_y_weighted * y;
             let saddle = lagrange::saddle::Schur::<f64, 1>::factor(mass);
             if !saddle.is_finite() || saddle.vanishing().is_some() {
                 return false;
             }
-            let w1_divisor: f64 = Real::recip(x_squared_plus_y_squared);
-            let w1_slope: f64 = (-0.5) * w1 * w1_divisor;
             let mut x_dot_last: f64 = x_dot;
             let mut x_force: f64 = 0.0;
             let mut y_dot_last: f64 = y_dot;
             let mut y_force: f64 = minus_mass_2_g;
             let mut x_first: f64 = 0.0;
             let mut x_last: f64 = 0.0;
-            let mut y_first: f64 = 0.0;
-            let mut y_last: f64 = 0.0;
             let mut x_dot_first: f64 = 0.0;
             let mut x_dot_last_2: f64 = 0.0;
+            let mut y_first: f64 = 0.0;
+            let mut y_last: f64 = 0.0;
             let mut y_dot_first: f64 = 0.0;
             let mut y_dot_last_2: f64 = 0.0;
-            let mut w1_first: f64 = 0.0;
-            let mut w1_last: f64 = 0.0;
-            let mut w7: f64 = 0.0;
-            let mut w8: f64 = 0.0;
-            let mut w1_ramp_first: f64 = 0.0;
-            let mut w1_ramp_last: f64 = 0.0;
             let mut rod_multiplier_first: f64 = 0.0;
             let mut rod_multiplier_last: f64 = 0.0;
-            let mut w2_first: f64 = 0.0;
-            let mut w2_last: f64 = 0.0;
-            let mut x_x_dot_plus_y_y_dot_first: f64 = 0.0;
-            let mut x_x_dot_plus_y_y_dot_last: f64 = 0.0;
             for order in 1..=orders {
                 let rate: f64 = lagrange::jets::rate(h, order);
-                let index: f64 = lagrange::jets::index(order);
                 let inner = tables.interior(order);
                 let x_k: f64 = rate * x_dot_last;
                 let y_k: f64 = rate * y_dot_last;
-                let inner_0: f64 = Real::mul_add(x_first + x_first, x_last, inner[0]);
-                let inner_1: f64 = Real::mul_add(y_first + y_first, y_last, inner[1]);
-                let inner_2: f64 = Real::mul_add(
+                let inner_0: f64 = Real::mul_add(
                     x_first,
                     x_dot_last_2,
-                    Real::mul_add(x_dot_first, x_last, inner[2]),
+                    Real::mul_add(x_dot_first, x_last, inner[0]),
+                );
+                let inner_1: f64 = Real::mul_add(
+                    y_first,
+                    y_dot_last_2,
+                    Real::mul_add(y_dot_first, y_last, inner[1]),
+                );
+                let inner_2: f64 = Real::mul_add(
+                    x_first,
+                    rod_multiplier_last,
+                    Real::mul_add(rod_multiplier_first, x_last, inner[2]),
                 );
                 let inner_3: f64 = Real::mul_add(
                     y_first,
-                    y_dot_last_2,
-                    Real::mul_add(y_dot_first, y_last, inner[3]),
-                );
-                let inner_4: f64 = Real::mul_add(
-                    w1_first,
-                    w8,
-                    Real::mul_add(w7, w1_last, inner[4]),
-                );
-                let inner_5: f64 = Real::mul_add(
-                    w1_ramp_first,
-                    w8,
-                    Real::mul_add(w7, w1_ramp_last, inner[5]),
-                );
-                let inner_6: f64 = Real::mul_add(
-                    w1_first,
                     rod_multiplier_last,
-                    Real::mul_add(rod_multiplier_first, w1_last, inner[6]),
+                    Real::mul_add(rod_multiplier_first, y_last, inner[3]),
                 );
-                let inner_7: f64 = Real::mul_add(
-                    x_first,
-                    w2_last,
-                    Real::mul_add(w2_first, x_last, inner[7]),
-                );
-                let inner_8: f64 = Real::mul_add(
-                    y_first,
-                    w2_last,
-                    Real::mul_add(w2_first, y_last, inner[8]),
-                );
-                let inner_9: f64 = Real::mul_add(
-                    x_x_dot_plus_y_y_dot_first,
-                    w1_last,
-                    Real::mul_add(w1_first, x_x_dot_plus_y_y_dot_last, inner[9]),
-                );
-                let x_squared_plus_y_squared_k: f64 = Real::mul_add(
-                    (y + y),
-                    y_k,
-                    Real::mul_add((x + x), x_k, inner_0 + inner_1),
-                );
-                let w1_k: f64 = Real::mul_add(
-                    w1_slope,
-                    x_squared_plus_y_squared_k,
-                    Real::mul_add(
-                        -(0.5 * w1_divisor / index),
-                        inner_5,
-                        -((0.5 * w1_divisor) * inner_4),
-                    ),
-                );
-                let x_x_dot_plus_y_y_dot_known: f64 = Real::mul_add(
-                    y_dot,
-                    y_k,
-                    Real::mul_add(x_dot, x_k, inner_2 + inner_3),
-                );
-                let w2_known: f64 = inner_6;
-                let x_k_free: f64 = inverse_mass_2
-                    * (rate * (x_force + Real::mul_add(x, w2_known, inner_7)));
-                let y_k_free: f64 = inverse_mass_2
-                    * (rate * (y_force + Real::mul_add(y, w2_known, inner_8)));
+                let x_k_free: f64 = inverse_mass_2 * (rate * (x_force + inner_2));
+                let y_k_free: f64 = inverse_mass_2 * (rate * (y_force + inner_3));
                 let [rod_multiplier_k_impulse] = saddle
-                    .solve([
-                        Real::mul_add(
-                            -(rod_y),
-                            y_k_free,
+                    .solve_order(
+                        order,
+                        &mass,
+                        [
                             Real::mul_add(
-                                -(rod_x),
-                                x_k_free,
+                                -(y),
+                                y_k_free,
                                 Real::mul_add(
-                                    -w1,
-                                    x_x_dot_plus_y_y_dot_known,
-                                    Real::mul_add(-x_x_dot_plus_y_y_dot, w1_k, -inner_9),
+                                    -(x),
+                                    x_k_free,
+                                    Real::mul_add(
+                                        -y_dot,
+                                        y_k,
+                                        Real::mul_add(-x_dot, x_k, (-inner_0) - inner_1),
+                                    ),
                                 ),
                             ),
-                        ),
-                    ]);
+                        ],
+                    );
                 let x_dot_k: f64 = Real::mul_add(
                     rod_x_weighted,
                     rod_multiplier_k_impulse,
@@ -793,34 +732,15 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
                 if order == orders {
                     break;
                 }
-                let x_x_dot_plus_y_y_dot_k: f64 = Real::mul_add(
-                    y,
-                    y_dot_k,
-                    Real::mul_add(x, x_dot_k, x_x_dot_plus_y_y_dot_known),
-                );
-                let w2_k: f64 = Real::mul_add(w1, rod_multiplier_k, w2_known);
-                let w1_ramp: f64 = lagrange::jets::ramp(order, w1_k);
                 if let ::core::option::Option::Some((left, right)) = tables.row(order) {
                     left[0] = x_k;
-                    right[0] = x_k;
+                    right[0] = x_dot_k;
                     left[1] = y_k;
-                    right[1] = y_k;
+                    right[1] = y_dot_k;
                     left[2] = x_k;
-                    right[2] = x_dot_k;
+                    right[2] = rod_multiplier_k;
                     left[3] = y_k;
-                    right[3] = y_dot_k;
-                    left[4] = w1_k;
-                    right[4] = x_squared_plus_y_squared_k;
-                    left[5] = w1_ramp;
-                    right[5] = x_squared_plus_y_squared_k;
-                    left[6] = w1_k;
-                    right[6] = rod_multiplier_k;
-                    left[7] = x_k;
-                    right[7] = w2_k;
-                    left[8] = y_k;
-                    right[8] = w2_k;
-                    left[9] = x_x_dot_plus_y_y_dot_k;
-                    right[9] = w1_k;
+                    right[3] = rod_multiplier_k;
                 }
                 x_dot_last = x_dot_k;
                 y_dot_last = y_dot_k;
@@ -828,32 +748,18 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
                 y_force = 0.0;
                 x_first = lagrange::jets::first(order, x_first, x_k);
                 x_last = x_k;
-                y_first = lagrange::jets::first(order, y_first, y_k);
-                y_last = y_k;
                 x_dot_first = lagrange::jets::first(order, x_dot_first, x_dot_k);
                 x_dot_last_2 = x_dot_k;
+                y_first = lagrange::jets::first(order, y_first, y_k);
+                y_last = y_k;
                 y_dot_first = lagrange::jets::first(order, y_dot_first, y_dot_k);
                 y_dot_last_2 = y_dot_k;
-                w1_first = lagrange::jets::first(order, w1_first, w1_k);
-                w1_last = w1_k;
-                w7 = lagrange::jets::first(order, w7, x_squared_plus_y_squared_k);
-                w8 = x_squared_plus_y_squared_k;
-                w1_ramp_first = lagrange::jets::first(order, w1_ramp_first, w1_ramp);
-                w1_ramp_last = w1_ramp;
                 rod_multiplier_first = lagrange::jets::first(
                     order,
                     rod_multiplier_first,
                     rod_multiplier_k,
                 );
                 rod_multiplier_last = rod_multiplier_k;
-                w2_first = lagrange::jets::first(order, w2_first, w2_k);
-                w2_last = w2_k;
-                x_x_dot_plus_y_y_dot_first = lagrange::jets::first(
-                    order,
-                    x_x_dot_plus_y_y_dot_first,
-                    x_x_dot_plus_y_y_dot_k,
-                );
-                x_x_dot_plus_y_y_dot_last = x_x_dot_plus_y_y_dot_k;
             }
             true
         }

@@ -258,6 +258,8 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
             self.kinetic_energy(state) + self.potential_energy(state)
         }
+        /// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
+        pub const EQUATIONS: &'static str = "mass·r² θ\u{308} + mass·g r sin θ + 2 mass·r θ\u{307} r\u{307} = motor\nmass·r\u{308} + stiffness·r − mass·r θ\u{307}² − mass·g cos θ − stiffness·length = 0";
     }
     #[automatically_derived]
     #[allow(clippy::all)]
@@ -624,6 +626,107 @@ A singular mass matrix, with the coordinate and the time.*/
             u: &[f64; 1],
         ) -> [[f64; 1]; 2] {
             [[1.0], [0.0]]
+        }
+    }
+    #[automatically_derived]
+    #[allow(clippy::all, unused_variables)]
+    impl lagrange::Tangent<2usize, 1usize, 0usize> for ElasticPendulum {
+        const HOLONOMIC: [bool; 0] = [];
+        #[inline]
+        fn balanced_at(
+            &self,
+            constants: &Self::Constants,
+            t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+            u: &[f64; 1],
+        ) -> lagrange::Balance<f64, 2, 0> {
+            lagrange::Balance {
+                accelerations: <Self as lagrange::System<
+                    2,
+                    1,
+                >>::accelerations_at(self, constants, t, q, v, u),
+                multipliers: [],
+                rank: 0,
+            }
+        }
+        #[inline]
+        fn deviations_at(
+            &self,
+            t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+        ) -> lagrange::Residuals<f64, 0> {
+            lagrange::Residuals {
+                positions: [],
+                position_sizes: [],
+                rates: [],
+                rate_sizes: [],
+            }
+        }
+        #[inline]
+        fn imbalance_at(
+            &self,
+            constants: &Self::Constants,
+            place: &lagrange::Place<'_, f64, 2, 1, 0>,
+        ) -> lagrange::Imbalance<f64, 2, 0> {
+            lagrange::Imbalance {
+                forces: <Self as lagrange::Linearized<
+                    2,
+                    1,
+                >>::residual_at(
+                    self,
+                    constants,
+                    place.t,
+                    place.q,
+                    place.v,
+                    place.a,
+                    place.u,
+                ),
+                conditions: [],
+            }
+        }
+        #[inline]
+        fn variation_at(
+            &self,
+            constants: &Self::Constants,
+            place: &lagrange::Place<'_, f64, 2, 1, 0>,
+        ) -> lagrange::Variation<f64, 2, 1, 0> {
+            let lagrange::Place { t, q, v, a: accelerations, multipliers, u } = *place;
+            let mut matrices = lagrange::Variation::zero();
+            let linearization = <Self as lagrange::Linearized<
+                2,
+                1,
+            >>::linearization_at(
+                self,
+                constants,
+                place.t,
+                place.q,
+                place.v,
+                place.a,
+                place.u,
+            );
+            matrices.mass = linearization.mass;
+            matrices.by_q = linearization.by_q;
+            matrices.by_v = linearization.by_v;
+            matrices.by_u = <Self as lagrange::Linearized<
+                2,
+                1,
+            >>::by_inputs_at(self, constants, place.t, place.q, place.v, place.u);
+            matrices
+        }
+    }
+    #[automatically_derived]
+    #[allow(clippy::all, unused_variables)]
+    impl lagrange::Sensitive<2usize, 1usize, 0usize, 0usize> for ElasticPendulum {
+        const PARAMETERS: [&'static str; 0] = [];
+        #[inline]
+        fn by_parameters_at(
+            &self,
+            constants: &Self::Constants,
+            place: &lagrange::Place<'_, f64, 2, 1, 0>,
+        ) -> lagrange::ByParameters<f64, 2, 0, 0> {
+            lagrange::ByParameters::zero()
         }
     }
 };

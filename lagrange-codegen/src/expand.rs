@@ -6,7 +6,9 @@ use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
 use crate::diagnostics::{Diagnostics, physics};
-use crate::emit::{COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, emit, is_force_on_place, stubs};
+use crate::emit::{
+    ANALYSIS_METHODS, COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, emit, is_force_on_place, stubs,
+};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::schedule::{Operations, plan};
@@ -78,6 +80,7 @@ fn names_are_free(item: &Item, model: &Model, equations: &Equations, diagnostics
             "applied_forces" | "power" => equations.power.is_some(),
             "jacobi_integral" => equations.jacobi_integral.is_some(),
             name if equations.conditions.count() > 0 && CONSTRAINT_METHODS.contains(&name) => true,
+            name if item.analysis && ANALYSIS_METHODS.contains(&name) => true,
             name if is_force_on_place(name, places()) => true,
             name if COMPLETIONS.contains(&name) => !model.eliminated.is_empty(),
             name => METHODS.contains(&name),

@@ -44,6 +44,8 @@ pub struct Model {
     pub eliminations: Vec<Elimination>,
     /// Coordinates that constraints have eliminated, in declaration order.
     pub eliminated: Vec<Eliminated>,
+    /// Parameters that derivatives are taken by, as indices into `parameters`.
+    pub sensitivities: Vec<u32>,
     /// Rate of Baumgarte's stabilisation \[1/s\], where it is asked for instead of projection.
     pub baumgarte: Option<NodeId>,
     /// Names that the user gave to intermediate results.

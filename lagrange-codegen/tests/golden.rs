@@ -60,3 +60,8 @@ fn elastic_pendulum_with_jacobians() {
 fn cartesian_pendulum_with_a_constraint() {
     check("cartesian_pendulum");
 }
+
+#[test]
+fn rotating_pendulum_with_analysis() {
+    check("rotating_pendulum");
+}

@@ -11,10 +11,13 @@
 //! | [`stepper`] | a motion in fixed steps, for control loops |
 //! | [`integrator`] | the methods: Taylor series, Dormand–Prince 8(5,3), RK4, symplectic splittings, Gauss collocation |
 //! | [`constraints`] | multipliers, starts on the constraints, projection back onto them |
+//! | [`analysis`] | inertia forces by origin, Christoffel symbols, Legendre's transformation |
 //! | [`proved`] | what the macro proved of a system and a method may demand |
 //! | [`linearized`] | derivatives of the equations, for implicit methods and for control |
+//! | [`tangent`] | the same with constraints, and what follows: equilibria, linear models, modes |
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
+//! | [`verify`] | the certificate of a model: identities at sampled states |
 //! | [`structure`] | operation counts and proven facts of a model |
 //! | [`error`] | why and when a motion stopped |
 //!
@@ -38,6 +41,7 @@ compile_error!(
 );
 
 pub mod algebra;
+pub mod analysis;
 pub mod batch;
 mod columns;
 pub mod constraints;
@@ -56,8 +60,11 @@ pub mod stepper;
 pub mod structure;
 pub mod system;
 mod tables;
+pub mod tangent;
+pub mod verify;
 
 pub use algebra::PrincipalMoments;
+pub use analysis::InertiaForces;
 pub use batch::Batch;
 pub use constraints::{Constrained, Reactions};
 pub use error::{Cause, Magnitude, MotionError};
@@ -77,6 +84,13 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
 pub use system::System;
+#[cfg(feature = "std")]
+pub use tangent::Mode;
+pub use tangent::{
+    Basis, ByParameters, Equilibrium, EquilibriumError, Imbalance, InverseDynamics, LinearModel, Response,
+    Sensitive, Sensitivities, Tangent, Transition, Variation, Variational, VariationalMotion, Varied,
+};
+pub use verify::{Certificate, Identity, Violation};
 #[cfg(feature = "wide")]
 pub use wide;
 
@@ -84,6 +98,7 @@ pub use wide;
 #[doc(hidden)]
 pub mod __private {
     pub use crate::algebra::{self, PrincipalMoments};
+    pub use crate::analysis::{self, InertiaForces};
     pub use crate::error::{Cause, MotionError};
     pub use crate::linear::{Ldlt, Lu};
     pub use crate::linearized::{Linearization, Linearized};
@@ -101,6 +116,7 @@ pub mod __private {
     pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
     pub use crate::tables::Tables;
+    pub use crate::tangent::{self, ByParameters, Imbalance, Place, Sensitive, Tangent, Variation};
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
         pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur};
@@ -112,5 +128,6 @@ pub mod __private {
     }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::system::System;
+    pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;
 }

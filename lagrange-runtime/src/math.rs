@@ -1,17 +1,23 @@
 //! The elementary functions of `f32` and `f64`, from one of two backends.
 //!
 //! Feature `libm` wins over `std`, because its results are the same bits on every target; `std` calls the
-//! platform's library. Each function is a plain wrapper without any correction of its own.
+//! platform's library. Each function is a plain wrapper without any correction of its own; [`single`] has those of `f32`
+//! that the `libm` crate computes in double precision.
 
-/// One wrapper per function: `name(arguments) = std method, libm function`.
+#[cfg(any(feature = "libm", test))]
+mod single;
+
+/// One wrapper per function: `name(arguments) = libm function`, or the method of the standard library.
 macro_rules! backend {
-    ($scalar:ident: $($name:ident($($arg:ident),+) -> $out:ty = $libm:ident;)*) => {
+    ($scalar:ident from $($library:ident)::+: $($name:ident($($arg:ident),+) -> $out:ty = $libm:ident;)*) => {
         pub(crate) mod $scalar {
+            #[cfg(feature = "libm")]
+            use $($library)::+ as functions;
             $(
                 #[inline]
                 pub(crate) fn $name($($arg: $scalar),+) -> $out {
                     #[cfg(feature = "libm")]
-                    return libm::$libm($($arg),+);
+                    return functions::$libm($($arg),+);
                     #[cfg(all(feature = "std", not(feature = "libm")))]
                     return $scalar::$name($($arg),+);
                     // Unreachable: the crate root refuses this choice of features with one clear message.
@@ -23,7 +29,7 @@ macro_rules! backend {
     };
 }
 
-backend! { f64:
+backend! { f64 from libm:
     sin_cos(x) -> (f64, f64) = sincos;
     sin(x) -> f64 = sin;
     cos(x) -> f64 = cos;
@@ -48,7 +54,7 @@ backend! { f64:
     hypot(x, y) -> f64 = hypot;
 }
 
-backend! { f32:
+backend! { f32 from super::single:
     sin_cos(x) -> (f32, f32) = sincosf;
     sin(x) -> f32 = sinf;
     cos(x) -> f32 = cosf;

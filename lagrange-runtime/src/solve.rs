@@ -31,10 +31,19 @@ pub fn pivot<R: Real>(value: R, scale: R) -> R {
 /// Checks a pivot of a factorisation that is written out.
 ///
 /// # Errors
-/// [`Cause::SingularMassMatrix`] with the coordinate.
+/// [`Cause::SingularMassMatrix`] with the coordinate; [`Cause::NotFinite`] for a pivot that is no number.
 #[inline]
 pub fn check<R: Real>(value: R, scale: R, coordinate: usize) -> Result<(), Cause> {
-    if carries(value, scale) { Ok(()) } else { Err(Cause::SingularMassMatrix { pivot: coordinate }) }
+    if carries(value, scale) {
+        Ok(())
+    } else {
+        Err(singular(value.is_finite() && scale.is_finite(), coordinate))
+    }
+}
+
+/// A factorisation stops at a NaN as it stops at a zero pivot; whether the numbers are finite tells them apart.
+fn singular(finite: bool, coordinate: usize) -> Cause {
+    if finite { Cause::SingularMassMatrix { pivot: coordinate } } else { Cause::NotFinite }
 }
 
 /// The accelerations if they are finite.
@@ -134,7 +143,7 @@ pub fn symmetric<R: Real, const N: usize>(lower: [[R; N]; N]) -> SMatrix<R, N, N
 /// Checks the block of a mass matrix that belongs to some coordinates.
 ///
 /// # Errors
-/// [`Cause::SingularMassMatrix`] with the coordinate.
+/// [`Cause::SingularMassMatrix`] with the coordinate; [`Cause::NotFinite`] for a matrix that has no numbers.
 #[inline]
 pub fn check_block<F: Factor<R, B>, R: Real, const N: usize, const B: usize>(
     mass: &SMatrix<R, N, N>,
@@ -143,9 +152,10 @@ pub fn check_block<F: Factor<R, B>, R: Real, const N: usize, const B: usize>(
     let entry =
         |i: usize, j: usize| mass.get((coordinates[i], coordinates[j])).copied().unwrap_or_else(R::zero);
     let lower = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
-    let singular =
-        |row: usize| Cause::SingularMassMatrix { pivot: coordinates.get(row).copied().unwrap_or(row) };
-    F::factor(lower).map(|_| ()).map_err(singular)
+    let cause = |row: usize| {
+        singular(mass.iter().all(|x| x.is_finite()), coordinates.get(row).copied().unwrap_or(row))
+    };
+    F::factor(lower).map(|_| ()).map_err(cause)
 }
 
 #[cfg(test)]
@@ -156,10 +166,12 @@ mod tests {
     fn vanishing_pivots_name_their_coordinate() {
         assert_eq!(check(1e-3, 1.0, 4), Ok(()));
         assert_eq!(pivot(1e-3, 1.0), 1e-3);
-        for value in [0.0, -1.0, 1e-16, f64::NAN] {
+        for value in [0.0, -1.0, 1e-16_f64] {
             assert_eq!(check(value, 1.0, 4), Err(Cause::SingularMassMatrix { pivot: 4 }));
             assert!(pivot(value, 1.0).is_nan());
         }
+        assert_eq!(check(f64::NAN, 1.0, 4), Err(Cause::NotFinite));
+        assert_eq!(check(1.0, f64::INFINITY, 4), Err(Cause::NotFinite));
     }
 
     #[test]

@@ -65,6 +65,14 @@ impl<R: Real, const N: usize> State<R, N> {
     }
 }
 
+impl<R: Real, const N: usize> From<[R; N]> for State<R, N> {
+    /// At rest, at time zero.
+    #[inline]
+    fn from(q: [R; N]) -> Self {
+        Self::at_rest(q)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

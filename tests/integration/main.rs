@@ -3,6 +3,7 @@
 // Descriptions index as their formulas do.
 #![allow(clippy::needless_range_loop)]
 
+mod analysis;
 mod cases;
 mod conservation;
 mod constraints;
@@ -12,4 +13,5 @@ mod hygiene;
 mod integrators;
 mod jets;
 mod order;
+mod structure_of_models;
 mod support;

@@ -9,17 +9,17 @@ use wide::{f64x4, f64x8};
 
 use super::subject::{Function, Outcome, Subject};
 use crate::problem::Problem;
-use crate::systems::described as d;
+use crate::systems::{constrained as c, described as d};
 
 /// The subjects of one described system. A macro, because it calls what a user calls, whatever its bounds.
 macro_rules! ours {
-    ($system:ident, $problem:expr) => {{
+    ($system:path, $problem:expr) => {{
         let (q, v) = $problem.start();
         let t_end = $problem.t_end;
         macro_rules! motion {
             ($name:literal, |$described:ident, $start:ident, $tolerance:ident| $begin:expr) => {{
                 let run = move |$tolerance| {
-                    let ($described, $start) = (d::$system(PhantomData::<f64>), State::new(q, v));
+                    let ($described, $start) = ($system(PhantomData::<f64>), State::new(q, v));
                     let mut motion = $begin;
                     motion.advance_to(t_end).map_err(|error| error.to_string())?;
                     Ok(Outcome { end: motion.state().iter().collect(), steps: motion.steps().accepted })
@@ -30,7 +30,7 @@ macro_rules! ours {
         macro_rules! batch {
             ($name:literal, $vector:ty, $lanes:literal) => {{
                 let run = move |tolerance| {
-                    let described = d::$system(PhantomData::<Lanes<$vector>>);
+                    let described = $system(PhantomData::<Lanes<$vector>>);
                     let start = State::new(q.map(Lanes::splat), v.map(Lanes::splat));
                     let mut batch = Batch::new(&described, start).with_tolerance(tolerance);
                     batch.advance_to(t_end).map_err(|error| error.to_string())?;
@@ -58,18 +58,22 @@ fn trajectories<const LANES: usize>(state: impl Iterator<Item = [f64; LANES]>) -
 /// Everything of ours that can do this problem.
 pub fn subjects(problem: &Problem) -> Vec<Box<dyn Subject>> {
     match problem.name {
-        "dpend" => ours!(DoublePendulum, problem),
-        "spring" => ours!(SpringPendulum, problem),
-        "hh" => ours!(HenonHeiles, problem),
-        "kepler" => ours!(Kepler, problem),
-        "pleiades" => ours!(Pleiades, problem),
-        "top" => ours!(Top, problem),
-        "sph" => ours!(SphericalPendulum, problem),
-        "cart" => ours!(CartPole, problem),
-        "nlink3" => ours!(Chain3, problem),
-        "nlink5" => ours!(Chain5, problem),
-        "nlink10" => ours!(Chain10, problem),
-        "nlink20" => ours!(Chain20, problem),
+        "dpend" => ours!(d::DoublePendulum, problem),
+        "spring" => ours!(d::SpringPendulum, problem),
+        "hh" => ours!(d::HenonHeiles, problem),
+        "kepler" => ours!(d::Kepler, problem),
+        "pleiades" => ours!(d::Pleiades, problem),
+        "top" => ours!(d::Top, problem),
+        "sph" => ours!(d::SphericalPendulum, problem),
+        "cart" => ours!(d::CartPole, problem),
+        "nlink3" => ours!(d::Chain3, problem),
+        "nlink5" => ours!(d::Chain5, problem),
+        "nlink10" => ours!(d::Chain10, problem),
+        "nlink20" => ours!(d::Chain20, problem),
+        "pendc" => ours!(c::CartesianPendulum, problem),
+        "slider" => ours!(c::SliderCrank, problem),
+        "andrews" => ours!(c::Andrews, problem),
+        "caraxis" => ours!(c::CarAxis, problem),
         _ => Vec::new(),
     }
 }

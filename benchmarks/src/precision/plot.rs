@@ -8,7 +8,7 @@ use plotters::prelude::*;
 use crate::record::{self, Record};
 
 /// Subjects that are drawn, with their colours; related ones share a hue.
-const STYLES: [(&str, RGBColor); 13] = [
+const STYLES: [(&str, RGBColor); 16] = [
     ("jets", RGBColor(0, 0, 0)),
     ("dop853", RGBColor(120, 120, 120)),
     ("heyoka-lagrangian", RGBColor(214, 39, 40)),
@@ -22,6 +22,9 @@ const STYLES: [(&str, RGBColor); 13] = [
     ("numbalsoda-lsoda", RGBColor(255, 187, 90)),
     ("diffsol-tsit45", RGBColor(148, 103, 189)),
     ("diffsol-bdf", RGBColor(197, 176, 213)),
+    ("diffsol-bdf-dae", RGBColor(227, 119, 194)),
+    ("casadi-idas", RGBColor(140, 86, 75)),
+    ("casadi-cvodes", RGBColor(196, 156, 148)),
 ];
 
 /// Errors outside are not drawn: what is not solved, and zero.

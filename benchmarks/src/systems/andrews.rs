@@ -186,10 +186,9 @@ impl FirstOrder<8> for AndrewsReduced {
         *acceleration = tree.acceleration(q[2], rates);
     }
 
-    fn motion(_t: f64, y: &[f64]) -> Vec<f64> {
-        let Some((q, &[beta])) = y.split_first_chunk() else { return Vec::new() };
-        let v = velocities(Tree::new(q).rates(beta));
-        [q.as_slice(), &v].concat()
+    fn motion(_t: f64, y: &[f64; 8]) -> Vec<f64> {
+        let [q @ .., beta] = y;
+        [*q, velocities(Tree::new(q).rates(*beta))].concat()
     }
 }
 

@@ -76,7 +76,7 @@ impl FirstOrder<4> for CarAxisReduced {
 
     fn begin(motion: &[f64]) -> [f64; 4] {
         let axle = Axle::new(0.0);
-        let &[x0, y0, x1, y1, u0, v0, u1, v1] = motion else { return [f64::NAN; 4] };
+        let [x0, y0, x1, y1, u0, v0, u1, v1] = motion.try_into().expect("coordinates and velocities");
         let [_, height] = axle.components([x0, y0]);
         let [cos, sin] = axle.components([x1 - x0, y1 - y0]);
         let [_, climb] = axle.components([u0, v0]);
@@ -84,9 +84,8 @@ impl FirstOrder<4> for CarAxisReduced {
         [height, sin.atan2(cos), climb, cos * up - sin * back - axle.rate]
     }
 
-    fn motion(t: f64, y: &[f64]) -> Vec<f64> {
+    fn motion(t: f64, &[height, lean, climb, turn]: &[f64; 4]) -> Vec<f64> {
         let axle = Axle::new(t);
-        let &[height, lean, climb, turn] = y else { return Vec::new() };
         let ((sin, cos), rate) = (lean.sin_cos(), turn + axle.rate);
         let left = axle.vector([0.0, height]);
         let right = axle.vector([cos, height + sin]);

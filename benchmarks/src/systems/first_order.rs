@@ -17,7 +17,7 @@ pub trait FirstOrder<const D: usize>: Copy + 'static {
     }
 
     /// Coordinates and velocities that belong to the numbers.
-    fn motion(_t: f64, y: &[f64]) -> Vec<f64> {
+    fn motion(_t: f64, y: &[f64; D]) -> Vec<f64> {
         y[..D - Self::ALGEBRAIC].to_vec()
     }
 }

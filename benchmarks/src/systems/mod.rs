@@ -4,6 +4,7 @@
 pub mod andrews;
 #[cfg(feature = "peers")]
 pub mod car_axis;
+pub mod constrained;
 pub mod described;
 #[cfg(feature = "peers")]
 pub mod dual;

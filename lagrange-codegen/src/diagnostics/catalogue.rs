@@ -38,7 +38,7 @@ messages! {
     bad_attribute(error) = "cannot read these arguments ({error}); write \
         `#[lagrangian(coordinates = [x, theta: [3]], inputs = [motor])]`";
     unknown_attribute_argument(name; near) = "unknown argument `{name}`{near}; known are `coordinates`, \
-        `inputs`, `jacobians`, `baumgarte`, `crate` and `allow`";
+        `inputs`, `jacobians`, `sensitivities`, `analysis`, `verify`, `baumgarte`, `crate` and `allow`";
     argument_with_value(name) = "`{name}` takes no value; write `{name}` alone, or leave it out";
     duplicate_argument(name) = "`{name}` is given twice; keep one of the two";
     unknown_lint(name, known; near) = "there is no lint `{name}`{near}; known are `{known}`";
@@ -260,5 +260,7 @@ messages! {
     idle_baumgarte() = "there is no constraint to stabilise; remove `baumgarte`, or say `allow(no_effect)`";
     bad_baumgarte() = "the rate of Baumgarte's stabilisation must be positive; write how fast an error shall decay \
         [1/s]";
+    not_a_parameter() = "derivatives are taken by single parameters: name a field as the formulas do, such as `self.mass`";
+    idle_sensitivity(path) = "no formula uses `{path}`, so nothing depends on it; remove it here";
     index_into_single(name) = "`{name}` is no array; remove the index";
 }

@@ -50,6 +50,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         places,
         eliminations: _,
         eliminated: _,
+        sensitivities: _,
         baumgarte: _,
         hints: _,
         origins: _,

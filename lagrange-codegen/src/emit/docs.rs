@@ -32,6 +32,14 @@ pub(super) fn equation(model: &Model, symbol: &str, node: NodeId) -> String {
     expression(model, node).map_or(String::new(), |text| format!("\n\n`{symbol} = {text}`"))
 }
 
+/// An equation for each of several named nodes, as a list; those that are too long are left out.
+pub(super) fn named(model: &Model, nodes: impl Iterator<Item = (String, NodeId)>) -> String {
+    let lines: String = nodes
+        .filter_map(|(name, node)| expression(model, node).map(|text| format!("\n- `{name} = {text}`")))
+        .collect();
+    format!("\n{lines}")
+}
+
 /// A short expression in the user's names.
 fn expression(model: &Model, node: NodeId) -> Option<String> {
     // Printing writes shared parts out each time, so the size is checked before.

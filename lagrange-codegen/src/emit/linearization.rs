@@ -1,32 +1,72 @@
-//! The implementation of the runtime's `Linearized`, where the attribute asks for it.
+//! The implementations of the runtime's `Linearized`, `Tangent` and `Sensitive`, where the attribute asks for them.
 
 use super::body::{self, Source};
-use super::names::name_accelerations;
-use super::{Emission, scalar};
+use super::names::{Names, name_accelerations};
+use super::{Emission, block, scalar};
 use crate::expr::NodeId;
-use crate::mechanics::Linearization;
+use crate::mechanics::{Linearization, Sensitivities};
+use crate::model::ConstraintKind;
+use crate::schedule::plan;
 use crate::simplify::simplify;
 
 /// Larger matrices are filled row by row in functions of their own.
 const OUTLINED: usize = 32;
 
-/// The trait's items as text.
-pub(super) fn linearization(emission: &mut Emission<'_>) -> Option<String> {
+/// The items of the traits as text.
+pub(super) struct Items {
+    /// Of `Linearized`.
+    pub linearized: String,
+    /// Of `Tangent`.
+    pub tangent: String,
+    /// Of `Sensitive`.
+    pub sensitive: String,
+}
+
+pub(super) fn linearization(emission: &mut Emission<'_>) -> Option<Items> {
     if !emission.item.jacobians {
         return None;
     }
     name_accelerations(emission.model);
-    let Linearization { residual, by_q, by_v, by_u } = Linearization::of(emission.model, emission.equations);
+    let derived = Linearization::of(emission.model, emission.equations);
+    let sensitive = sensitive(emission, &derived.by_p);
+    let (linearized, tangent) = if emission.equations.conditions.count() == 0 {
+        free(emission, derived)
+    } else {
+        constrained(emission, derived)
+    };
+    Some(Items { linearized, tangent, sensitive })
+}
+
+/// Argument lists that several functions share.
+struct Signature {
+    place: String,
+    given: String,
+    inputs: String,
+}
+
+impl Signature {
+    fn of(emission: &Emission<'_>) -> Signature {
+        let (scalar, vector) = (&emission.item.scalar, emission.vector_type());
+        let inputs = emission.input_type();
+        Signature {
+            place: format!("&self, _constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}"),
+            given: format!("accelerations: &{vector}, u: &{inputs}"),
+            inputs: format!("u: &{inputs}"),
+        }
+    }
+}
+
+/// Without constraints.
+fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String) {
+    let Linearization { forces, by_u, .. } = derived;
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let scalar = &emission.item.scalar.to_string();
     let vector = emission.vector_type();
-    let place = format!("&self, _constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}");
+    let Signature { place, given, inputs: inputs_only } = Signature::of(emission);
 
-    let residual = function(emission, &residual, |values| format!("[{}]", values.join(", ")));
-    let full = |i: usize| (0..count).map(move |j| (i.max(j), i.min(j)));
-    let mass: Vec<NodeId> = (0..count).flat_map(full).map(|(i, j)| emission.equations.mass[i][j]).collect();
-    let roots: Vec<NodeId> =
-        mass.into_iter().chain(by_q.into_iter().flatten()).chain(by_v.into_iter().flatten()).collect();
+    let residual = function(emission, &forces.values, |values| format!("[{}]", values.join(", ")));
+    let mut roots = mass(emission);
+    roots.extend(forces.by_q.into_iter().flatten().chain(forces.by_v.into_iter().flatten()));
     let zero = scalar::zero(&emission.item.scalar);
     let matrices = function(emission, &roots, |values| {
         let empty = format!("[[{zero}; {count}]; {count}]");
@@ -44,15 +84,187 @@ pub(super) fn linearization(emission: &mut Emission<'_>) -> Option<String> {
         let rows: Vec<String> = rows.collect();
         if inputs == 0 { format!("[[]; {count}]") } else { format!("[{}]", rows.join(", ")) }
     });
-
-    let given = format!("accelerations: &{vector}, u: &{}", emission.input_type());
-    let inputs_only = format!("u: &{}", emission.input_type());
-    Some(format!(
+    let linearized = format!(
         "#[inline]\nfn residual_at({place}, {given}) -> {vector} {{\n{residual}\n}}\n\
          #[inline]\nfn linearization_at({place}, {given}) -> lagrange::Linearization<{scalar}, {count}> \
          {{\n{matrices}\n}}\n\
          #[inline]\nfn by_inputs_at({place}, {inputs_only}) -> [[{scalar}; {inputs}]; {count}] {{\n{by_inputs}\n}}\n"
-    ))
+    );
+
+    let itself = format!("<Self as lagrange::Linearized<{count}, {inputs}>>");
+    let from_place = "place.t, place.q, place.v";
+    let by_t = at_place(emission, &forces.by_t, |values| {
+        let mut text = format!(
+            "let mut matrices = lagrange::Variation::zero();\n\
+             let linearization = {itself}::linearization_at(self, constants, {from_place}, place.a, place.u);\n\
+             matrices.mass = linearization.mass;\nmatrices.by_q = linearization.by_q;\n\
+             matrices.by_v = linearization.by_v;\n\
+             matrices.by_u = {itself}::by_inputs_at(self, constants, {from_place}, place.u);\n"
+        );
+        text.push_str(&column("by_t", &zero, values));
+        text + "matrices"
+    });
+    let imbalance = format!(
+        "lagrange::Imbalance {{ forces: {itself}::residual_at(self, constants, {from_place}, place.a, place.u), \
+         conditions: [] }}"
+    );
+    let balance = format!(
+        "lagrange::Balance {{ accelerations: \
+         <Self as lagrange::System<{count}, {inputs}>>::accelerations_at(self, constants, t, q, v, u), \
+         multipliers: [], rank: 0 }}"
+    );
+    let deviations =
+        "lagrange::Residuals { positions: [], position_sizes: [], rates: [], rate_sizes: [] }".to_owned();
+    let tangent = tangent(emission, [&balance, &deviations, &imbalance, &by_t]);
+    (linearized, tangent)
+}
+
+/// With constraints: `Linearized` is that of the accelerations with the multipliers solved for.
+fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> (String, String) {
+    let Linearization { forces, by_u, conditions, rates_by_q, by_p: _ } = derived;
+    let (count, inputs, held) =
+        (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
+    let scalar = &emission.item.scalar.to_string();
+    let vector = emission.vector_type();
+    let Signature { place, given, inputs: inputs_only } = Signature::of(emission);
+    let reduced = |name: &str, more: &str| {
+        format!(
+            "lagrange::tangent::{name}::<Self, {count}, {inputs}, {held}>(self, _constants, \
+             &lagrange::State {{ t, q: *q, v: *v }}, {more}u)"
+        )
+    };
+    let linearized = format!(
+        "#[inline]\nfn residual_at({place}, {given}) -> {vector} {{\n{}\n}}\n\
+         #[inline]\nfn linearization_at({place}, {given}) -> lagrange::Linearization<{scalar}, {count}> \
+         {{\n{}\n}}\n\
+         #[inline]\nfn by_inputs_at({place}, {inputs_only}) -> [[{scalar}; {inputs}]; {count}] {{\n{}\n}}\n",
+        reduced("reduced_residual", "accelerations, "),
+        reduced("reduced", ""),
+        reduced("reduced_by_inputs", ""),
+    );
+
+    let zero = scalar::zero(&emission.item.scalar);
+    let matrices = [
+        ("mass", count, mass(emission)),
+        ("by_q", count, flat(forces.by_q)),
+        ("by_v", count, flat(forces.by_v)),
+        ("by_u", inputs, flat(by_u)),
+        ("gradients", count, flat(emission.equations.conditions.jacobian.clone())),
+        ("rates_by_q", count, flat(rates_by_q)),
+        ("conditions_by_q", count, flat(conditions.by_q)),
+        ("conditions_by_v", count, flat(conditions.by_v)),
+    ];
+    let vectors = [("by_t", forces.by_t), ("conditions_by_t", conditions.by_t)];
+    let all = matrices.iter().map(|(.., nodes)| nodes).chain(vectors.iter().map(|(_, nodes)| nodes));
+    let roots: Vec<NodeId> = all.flatten().copied().collect();
+    let variation = at_place(emission, &roots, |values| {
+        let mut text = "let mut matrices = lagrange::Variation::zero();\n".to_owned();
+        let mut rest = values;
+        for (name, width, nodes) in &matrices {
+            let (entries, others) = rest.split_at(nodes.len());
+            if *width > 0 {
+                text.push_str(&matrix(name, &zero, *width, entries));
+            }
+            rest = others;
+        }
+        for (name, nodes) in &vectors {
+            let (entries, others) = rest.split_at(nodes.len());
+            text.push_str(&column(name, &zero, entries));
+            rest = others;
+        }
+        text + "matrices"
+    });
+    let roots: Vec<NodeId> = forces.values.into_iter().chain(conditions.values).collect();
+    let imbalance = at_place(emission, &roots, |values| {
+        let (forces, conditions) = values.split_at(count);
+        format!(
+            "lagrange::Imbalance {{ forces: [{}], conditions: [{}] }}",
+            forces.join(", "),
+            conditions.join(", ")
+        )
+    });
+    let surface = format!("<Self as lagrange::Surface<{count}, {inputs}, {held}>>");
+    let balance = format!("{surface}::balance_at(self, constants, t, q, v, u)");
+    let deviations = format!("{surface}::residuals_at(self, t, q, v)");
+    let tangent = tangent(emission, [&balance, &deviations, &imbalance, &variation]);
+    (linearized, tangent)
+}
+
+/// The items of `Tangent` from the bodies of its functions.
+fn tangent(emission: &Emission<'_>, [balance, deviations, imbalance, variation]: [&str; 4]) -> String {
+    let (count, inputs, held) =
+        (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
+    let (scalar, vector) = (&emission.item.scalar, emission.vector_type());
+    let given = emission.input_type();
+    let kinds = emission.model.constraints.iter().map(|constraint| constraint.kind);
+    let kinds: Vec<String> = kinds.map(|kind| (kind == ConstraintKind::Holonomic).to_string()).collect();
+    let state = format!("t: {scalar}, q: &{vector}, v: &{vector}");
+    let place = format!(
+        "&self, constants: &Self::Constants, place: &lagrange::Place<'_, {scalar}, {count}, {inputs}, {held}>"
+    );
+    format!(
+        "const HOLONOMIC: [bool; {held}] = [{}];\n\
+         #[inline]\nfn balanced_at(&self, constants: &Self::Constants, {state}, u: &{given}) \
+         -> lagrange::Balance<{scalar}, {count}, {held}> {{\n{balance}\n}}\n\
+         #[inline]\nfn deviations_at(&self, {state}) -> lagrange::Residuals<{scalar}, {held}> {{\n{deviations}\n}}\n\
+         #[inline]\nfn imbalance_at({place}) -> lagrange::Imbalance<{scalar}, {count}, {held}> {{\n{imbalance}\n}}\n\
+         #[inline]\nfn variation_at({place}) -> lagrange::Variation<{scalar}, {count}, {inputs}, {held}> \
+         {{\n{variation}\n}}\n",
+        kinds.join(", ")
+    )
+}
+
+/// The items of `Sensitive`.
+fn sensitive(emission: &mut Emission<'_>, by_p: &Sensitivities) -> String {
+    let (count, inputs, held, parameters) = (
+        emission.count(),
+        emission.model.inputs.len(),
+        emission.equations.conditions.count(),
+        emission.model.sensitivities.len(),
+    );
+    let zero = scalar::zero(&emission.item.scalar);
+    let matrices = [
+        ("forces", flat(by_p.forces.clone())),
+        ("conditions", flat(by_p.conditions.clone())),
+        ("positions", flat(by_p.positions.clone())),
+        ("rates", flat(by_p.rates.clone())),
+    ];
+    let roots: Vec<NodeId> = matrices.iter().flat_map(|(_, nodes)| nodes).copied().collect();
+    let body = if parameters == 0 {
+        "lagrange::ByParameters::zero()".to_owned()
+    } else {
+        at_place(emission, &roots, |values| {
+            let mut text = "let mut matrices = lagrange::ByParameters::zero();\n".to_owned();
+            let mut rest = values;
+            for (name, nodes) in &matrices {
+                let (entries, others) = rest.split_at(nodes.len());
+                text.push_str(&matrix(name, &zero, parameters, entries));
+                rest = others;
+            }
+            text + "matrices"
+        })
+    };
+    let path = |&parameter: &u32| format!("{:?}", emission.model.parameters[parameter as usize].path);
+    let paths: Vec<String> = emission.model.sensitivities.iter().map(path).collect();
+    let scalar = &emission.item.scalar;
+    format!(
+        "const PARAMETERS: [&'static str; {parameters}] = [{}];\n\
+         #[inline]\nfn by_parameters_at(&self, constants: &Self::Constants, \
+         place: &lagrange::Place<'_, {scalar}, {count}, {inputs}, {held}>) \
+         -> lagrange::ByParameters<{scalar}, {count}, {held}, {parameters}> {{\n{body}\n}}\n",
+        paths.join(", ")
+    )
+}
+
+fn flat(rows: Vec<Vec<NodeId>>) -> Vec<NodeId> {
+    rows.into_iter().flatten().collect()
+}
+
+/// The whole mass matrix, row by row.
+fn mass(emission: &Emission<'_>) -> Vec<NodeId> {
+    let count = emission.count();
+    let full = |i: usize| (0..count).map(move |j| (i.max(j), i.min(j)));
+    (0..count).flat_map(full).map(|(i, j)| emission.equations.mass[i][j]).collect()
 }
 
 /// A body that computes some nodes.
@@ -63,6 +275,32 @@ fn function(
 ) -> String {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
     body::plain(emission.model, &emission.item.scalar, &nodes, Source::Slices, result)
+}
+
+/// A body that computes some nodes at a `Place`.
+fn at_place(
+    emission: &mut Emission<'_>,
+    nodes: &[NodeId],
+    result: impl FnOnce(&[String]) -> String,
+) -> String {
+    let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
+    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let program = plan(&model.graph, &nodes);
+    let written = block::write(model, scalar, &program, &program.outputs, &[], &mut Names::new(model));
+    let mut text = "let lagrange::Place { t, q, v, a: accelerations, multipliers, u } = *place;\n".to_owned();
+    if !model.locals.multipliers.is_empty() {
+        text.push_str(&format!("let [{}] = *multipliers;\n", model.locals.multipliers.join(", ")));
+    }
+    text.push_str(&body::prologue(model, scalar, &written.reads, Source::Slices));
+    text.push_str(&body::assemble(&written));
+    text.push_str(&result(&written.outputs));
+    body::imported(text)
+}
+
+/// Statements that fill one of the vectors; what is zero stays.
+fn column(name: &str, zero: &str, entries: &[String]) -> String {
+    let filled = entries.iter().enumerate().filter(|(_, entry)| *entry != zero);
+    filled.map(|(i, entry)| format!("matrices.{name}[{i}] = {entry};\n")).collect()
 }
 
 /// Statements that fill one of the matrices; what is zero stays.

@@ -1,6 +1,7 @@
 //! The inherent methods: each is usable on its own, and what is not called is not linked.
 
 use super::body::{self, Source};
+use super::equations::Sides;
 use super::{Emission, docs, eliminated};
 use crate::expr::{Dependence, NodeId};
 use crate::simplify::simplify;
@@ -14,29 +15,29 @@ pub(super) fn method(doc: &str, signature: &str, body: &str) -> String {
     format!("#[doc = {doc:?}]\n#[inline]\npub fn {signature} {{\n{body}\n}}\n")
 }
 
-/// All inherent methods.
-pub(super) fn methods(emission: &mut Emission<'_>) -> String {
+/// All inherent methods, and what the equations consist of.
+pub(super) fn methods(emission: &mut Emission<'_>) -> (String, Sides) {
     let mut text = accelerations(emission);
     text.push_str(&mass_matrix(emission));
     let equations = emission.equations.clone();
-    text.push_str(&vector(
+    let (bias, simple_bias) = vector(
         emission,
         "bias",
         "Bias b(q, v, t) = d/dt(∂L/∂v) − ∂L/∂q at zero accelerations: inertia forces that depend on velocity, \
          and ∂V/∂q. The equations of motion are M a + b = Q − ∂D/∂v.",
         "b",
         &equations.bias,
-    ));
+    );
+    text.push_str(&bias);
+    let mut sides = Sides { bias: simple_bias, applied: equations.applied.clone() };
     if equations.power.is_some() {
-        text.push_str(&vector(
-            emission,
-            "applied_forces",
-            "Generalized applied forces Q − ∂D/∂v.",
-            "Q",
-            &equations.applied,
-        ));
+        let doc = "Generalized applied forces Q − ∂D/∂v.";
+        let (applied, simple) = vector(emission, "applied_forces", doc, "Q", &equations.applied);
+        text.push_str(&applied);
+        sides.applied = simple;
     }
-    text.push_str(&vector(emission, "momenta", "Generalized momenta p = ∂L/∂v.", "p", &equations.momenta));
+    let (momenta, _) = vector(emission, "momenta", "Generalized momenta p = ∂L/∂v.", "p", &equations.momenta);
+    text.push_str(&momenta);
     // With T and V apart the energy is their sum; the compiler shares what the two have in common.
     let whole = (!emission.model.lagrangian.is_empty()).then_some(equations.energy);
     for (name, doc, symbol, node) in [
@@ -62,7 +63,8 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> String {
         let body = "self.kinetic_energy(state) + self.potential_energy(state)";
         text.push_str(&method("Energy T + V \\[J\\].", &signature, body));
     }
-    text + &eliminated::completions(emission)
+    text.push_str(&eliminated::completions(emission));
+    (text, sides)
 }
 
 /// The parameters after `&self`, with the inputs where the nodes need them.
@@ -131,17 +133,30 @@ fn mass_matrix(emission: &mut Emission<'_>) -> String {
     )
 }
 
-fn vector(emission: &mut Emission<'_>, name: &str, doc: &str, symbol: &str, nodes: &[NodeId]) -> String {
+fn vector(
+    emission: &mut Emission<'_>,
+    name: &str,
+    doc: &str,
+    symbol: &str,
+    nodes: &[NodeId],
+) -> (String, Vec<NodeId>) {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
     let doc = format!("{doc}{}", docs::equations(emission.model, symbol, &nodes));
     let signature = format!("{name}({}) -> {}", arguments(emission, &nodes), emission.vector_type());
     let body = body::plain(emission.model, &emission.item.scalar, &nodes, Source::State, |values| {
         format!("[{}]", values.join(", "))
     });
-    method(&doc, &signature, &body)
+    (method(&doc, &signature, &body), nodes)
 }
 
-fn scalar(emission: &mut Emission<'_>, name: &str, doc: &str, symbol: &str, node: NodeId) -> String {
+/// A method on a state that returns a number.
+pub(super) fn scalar(
+    emission: &mut Emission<'_>,
+    name: &str,
+    doc: &str,
+    symbol: &str,
+    node: NodeId,
+) -> String {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &[node]);
     let doc = format!("{doc}{}", docs::equation(emission.model, symbol, nodes[0]));
     let signature = format!("{name}({}) -> {}", arguments(emission, &nodes), emission.item.scalar);

@@ -1,10 +1,12 @@
 //! Tokens of the expansion, in the order they stand in it.
 
+mod analysis;
 mod block;
 mod body;
 mod constraints;
 mod docs;
 mod eliminated;
+mod equations;
 mod gather;
 mod jets;
 mod linearization;
@@ -29,6 +31,7 @@ use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
 
+pub(crate) use analysis::METHODS as ANALYSIS_METHODS;
 pub(crate) use constraints::{METHODS as CONSTRAINT_METHODS, is_force_on_place};
 pub(crate) use eliminated::METHODS as COMPLETIONS;
 pub(crate) use methods::METHODS;
@@ -76,16 +79,30 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             (system, None, after)
         }
     };
-    let mut methods = methods::methods(&mut emission);
+    let (mut methods, sides) = methods::methods(&mut emission);
     if surface.is_some() {
         methods.push_str(&constraints::methods(&mut emission));
     }
     let report = report(&emission, before, after);
     let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
     let linearization = linearization::linearization(&mut emission);
+    let certificate = emission.item.analysis.then(|| {
+        let analysis = analysis::analysis(&mut emission);
+        methods.push_str(&analysis.methods);
+        analysis.certificate
+    });
+    let written = equations::Equations::of(&mut emission, &sides);
+    methods.push_str(&written.constant(emission.model));
+    let page = emission.item.analysis.then(|| {
+        let (page, constants) = equations::page(&mut emission, &written, after);
+        methods.push_str(&constants);
+        quote!(#[doc = #page])
+    });
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
-    let linearization = linearization.map(|text| parameters.parse(&text));
+    let linearization = linearization.map(|linearization::Items { linearized, tangent, sensitive }| {
+        [linearized, tangent, sensitive].map(|text| parameters.parse(&text))
+    });
 
     let Item { self_ty, generics, crate_path, cleaned, .. } = emission.item;
     let smooth = smooth.map(|text| parameters.parse(&text));
@@ -113,12 +130,26 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let reactions = surface
         .is_some()
         .then(|| constraints::record(emission.item, &constraints::held(&emission.model.constraints)));
-    let linearization = linearization.map(|items| {
+    let linearization = linearization.map(|[linearized, tangent, sensitive]| {
+        let held = emission.equations.conditions.count();
+        let by = emission.model.sensitivities.len();
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, unused_variables)]
             impl #impl_generics lagrange::Linearized<#count, #inputs> for #self_ty #where_clause {
-                #items
+                #linearized
+            }
+
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Tangent<#count, #inputs, #held> for #self_ty #where_clause {
+                #tangent
+            }
+
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Sensitive<#count, #inputs, #held, #by> for #self_ty #where_clause {
+                #sensitive
             }
         }
     });
@@ -128,6 +159,17 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             #[doc(hidden)]
             #[allow(dead_code)]
             fn __lengths(&self) { #lengths }
+        }
+    });
+    let test = analysis::test(&emission);
+    let certificate = certificate.map(|items| {
+        let items = parameters.parse(&items);
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Verifiable<#count, #inputs> for #self_ty #where_clause {
+                #items
+            }
         }
     });
     let smooth = smooth.map(|items| {
@@ -146,6 +188,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
         const _: () = {
             use #crate_path::__private as lagrange;
 
+            #page
             #[automatically_derived]
             #[allow(clippy::all)]
             impl #impl_generics #self_ty #where_clause {
@@ -164,7 +207,9 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             #proofs
             #smooth
             #linearization
+            #certificate
         };
+        #test
     }
 }
 

@@ -10,13 +10,19 @@ use crate::schedule::{Instruction, Program, Slot};
 const LONGEST: usize = 26;
 
 /// Names that generated bodies use for something else.
-const RESERVED: [&str; 27] = [
+const RESERVED: &[&str] = &[
     "state",
     "inputs",
     "constants",
     "accelerations",
     "matrices",
+    "place",
+    "multipliers",
+    "linearization",
     "mass",
+    "gradients",
+    "saddle",
+    "balance",
     "row",
     "factor",
     "force",
@@ -47,12 +53,13 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// With the names of all coordinates, velocities and inputs taken.
+    /// With the names of all variables taken.
     pub fn new(model: &Model) -> Names {
         let mut names = Names { taken: RESERVED.iter().map(|&name| name.to_owned()).collect(), anonymous: 0 };
-        let Locals { coordinates, velocities, accelerations, inputs, parameters, .. } = &model.locals;
+        let Locals { coordinates, velocities, accelerations, inputs, parameters, multipliers, .. } =
+            &model.locals;
         let states = coordinates.iter().chain(velocities).chain(accelerations);
-        names.taken.extend(states.chain(inputs).chain(parameters).cloned());
+        names.taken.extend(states.chain(inputs).chain(parameters).chain(multipliers).cloned());
         names
     }
 

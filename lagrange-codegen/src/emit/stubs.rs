@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
-use super::{COMPLETIONS, proofs, records};
+use super::{COMPLETIONS, analysis, proofs, records};
 use crate::syntax::{Group, Item, Record, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
@@ -25,6 +25,9 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     let total = |groups: &[Group]| groups.iter().map(|group| group.length.unwrap_or(1)).sum::<usize>();
     let (declared, inputs) = (total(&item.coordinates), total(&item.inputs));
     let count = declared.saturating_sub(item.eliminated());
+    let held = constraints::declared(item);
+    let total_held: usize = held.iter().map(|(_, length)| length.unwrap_or(1)).sum();
+    let parameters = item.sensitivities.len();
     let linearization = item.jacobians.then(|| {
         let place = quote!(
             &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
@@ -39,9 +42,33 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 ) -> lagrange::Linearization<#scalar, #count> { loop {} }
                 fn by_inputs_at(#place, _: &[#scalar; #inputs]) -> [[#scalar; #inputs]; #count] { loop {} }
             }
+
+            impl #impl_generics lagrange::Tangent<#count, #inputs, #total_held> for #self_ty #where_clause {
+                const HOLONOMIC: [bool; #total_held] = [false; #total_held];
+                fn balanced_at(
+                    #place, _: &[#scalar; #inputs]
+                ) -> lagrange::Balance<#scalar, #count, #total_held> { loop {} }
+                fn deviations_at(
+                    &self, _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
+                ) -> lagrange::Residuals<#scalar, #total_held> { loop {} }
+                fn imbalance_at(
+                    &self, _: &(), _: &lagrange::Place<'_, #scalar, #count, #inputs, #total_held>
+                ) -> lagrange::Imbalance<#scalar, #count, #total_held> { loop {} }
+                fn variation_at(
+                    &self, _: &(), _: &lagrange::Place<'_, #scalar, #count, #inputs, #total_held>
+                ) -> lagrange::Variation<#scalar, #count, #inputs, #total_held> { loop {} }
+            }
+
+            impl #impl_generics lagrange::Sensitive<#count, #inputs, #total_held, #parameters>
+                for #self_ty #where_clause
+            {
+                const PARAMETERS: [&'static str; #parameters] = [""; #parameters];
+                fn by_parameters_at(
+                    &self, _: &(), _: &lagrange::Place<'_, #scalar, #count, #inputs, #total_held>
+                ) -> lagrange::ByParameters<#scalar, #count, #total_held, #parameters> { loop {} }
+            }
         }
     });
-    let held = constraints::declared(item);
     let reactions = (!held.is_empty()).then(|| constraints::record(item, &held));
     let constrained = (!held.is_empty()).then(|| {
         let record = constraints::record_ident(item);
@@ -57,6 +84,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let mut methods = methods(item, &quote!(#scalar), count, inputs);
     methods.extend(constraint_methods(item, &held, &quote!(#scalar), count, inputs));
+    methods.extend(analysis::stubs(item, &quote!(#scalar), count, inputs));
     let completions = (declared > count).then(|| completions(item, &quote!(#scalar), count));
     Some(quote! {
         #records
@@ -73,6 +101,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 };
                 pub const STRUCTURE: lagrange::Structure =
                     lagrange::Structure { mass_matrix: "", facts: &[], skipped: &[] };
+                pub const EQUATIONS: &'static str = "";
                 #methods
                 #completions
             }

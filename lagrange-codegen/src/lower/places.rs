@@ -15,8 +15,7 @@ use crate::syntax::item::RoleKind;
 impl Interpreter<'_> {
     /// Finds the places, and the constraints as functions of them.
     pub fn places(&mut self) {
-        let holonomic = |kind: ConstraintKind| kind == ConstraintKind::Holonomic;
-        if self.reports > 0 || !self.model.constraints.iter().any(|constraint| holonomic(constraint.kind)) {
+        if self.reports > 0 || self.model.constraints.is_empty() {
             return;
         }
         let item = self.item;
@@ -52,9 +51,8 @@ impl Interpreter<'_> {
                 continue;
             }
             let count = item.components(function).unwrap_or(1);
-            if let (true, Some(value)) =
-                (holonomic(self.model.constraints[constraint].kind), self.result(index))
-            {
+            let holonomic = self.model.constraints[constraint].kind == ConstraintKind::Holonomic;
+            if let (true, Some(value)) = (holonomic, self.result(index)) {
                 for (number, node) in nodes(&value).into_iter().enumerate() {
                     self.model.constraints[constraint + number].through = Some(node);
                 }

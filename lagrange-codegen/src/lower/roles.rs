@@ -5,7 +5,7 @@ use super::interpreter::Interpreter;
 use super::shape::Shape;
 use super::value::{Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
-use crate::expr::NodeId;
+use crate::expr::{Node, NodeId, Variable};
 use crate::model::{Attitude, Body, ConstraintKind, Point, Rotation, Term};
 use crate::syntax::Record;
 use crate::syntax::body::{Expr, ExprKind};
@@ -54,6 +54,26 @@ impl<'a> Interpreter<'a> {
         if let Some(rate) = &item.baumgarte {
             self.baumgarte(rate);
         }
+        self.sensitivities();
+    }
+
+    /// The parameters that derivatives are taken by.
+    fn sensitivities(&mut self) {
+        let item = self.item;
+        for parameter in &item.sensitivities {
+            let known = self.model.parameters.len();
+            let value = self.attribute(parameter);
+            let Some(node) = self.scalar(value, parameter.origin) else { continue };
+            let Node::Variable(Variable::Parameter(index)) = *self.graph().node(node) else {
+                self.report(parameter.origin, catalogue::not_a_parameter());
+                continue;
+            };
+            if index as usize >= known {
+                let path = self.model.parameters[index as usize].path.clone();
+                self.report(parameter.origin, catalogue::idle_sensitivity(path));
+            }
+            self.model.sensitivities.push(index);
+        }
     }
 
     /// The result of a role function; `None` if its signature is wrong, which is reported.
@@ -74,7 +94,7 @@ impl<'a> Interpreter<'a> {
                 // The lack of inputs is reported.
                 Argument::Record(Record::Inputs) if self.item.inputs.is_empty() => Value::Unknown,
                 Argument::Record(record) => Value::Record(record),
-                Argument::Time => Value::Scalar(self.graph().variable(crate::expr::Variable::Time)),
+                Argument::Time => Value::Scalar(self.graph().variable(Variable::Time)),
             });
         }
         Some(arguments)

@@ -8,7 +8,7 @@ use super::angular;
 use super::constraints::Conditions;
 use super::motion::{Motion, time_direction};
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
-use crate::expr::{NodeId, Variable};
+use crate::expr::{Graph, NodeId, Variable};
 use crate::model::Model;
 use crate::number::Number;
 
@@ -80,25 +80,23 @@ pub(super) fn power(model: &mut Model, motion: &Motion, applied: &[NodeId]) -> O
     Some(model.graph.sum(Number::ZERO, &terms))
 }
 
-/// d(T + V)/dt along a constrained motion, without the large terms that cancel in v·∂E/∂q + a·∂E/∂v:
-///
-/// the Jacobi integral h = v·p − L changes by the power of the applied forces and of the reactions, less ∂L/∂t; what T + V
-/// differs from h by is differentiated as it stands.
-pub(super) fn rate(
-    model: &mut Model,
-    motion: &Motion,
+/// Summands of dh/dt along a motion, h = v·p − L: the power of the applied forces and of the reactions, less ∂L/∂t. The
+/// large terms that cancel in v·∂h/∂q + a·∂h/∂v are never formed.
+pub(super) fn balance(
+    graph: &mut Graph,
     momenta: &[NodeId],
-    energies: &Energies,
+    integral: NodeId,
     power: Option<NodeId>,
     conditions: &Conditions,
-) -> Option<NodeId> {
-    if conditions.count() == 0 {
-        return None;
-    }
-    let graph = &mut model.graph;
-    let integral = energies.jacobi.unwrap_or(energies.total);
-    let mut lagrangian: Vec<_> =
-        momenta.iter().zip(&motion.v).map(|(&p, &v)| (graph.mul(p, v), Number::ONE)).collect();
+) -> Vec<(NodeId, Number)> {
+    let mut lagrangian: Vec<_> = momenta
+        .iter()
+        .enumerate()
+        .map(|(i, &p)| {
+            let v = graph.variable(Variable::Velocity(i as u32));
+            (graph.mul(p, v), Number::ONE)
+        })
+        .collect();
     lagrangian.push((integral, Number::MINUS_ONE));
     let lagrangian = graph.sum(Number::ZERO, &lagrangian);
     let (time, one) = (graph.variable(Variable::Time), graph.one());
@@ -106,13 +104,29 @@ pub(super) fn rate(
     let mut terms = vec![(explicit, Number::MINUS_ONE)];
     terms.extend(power.map(|power| (power, Number::ONE)));
     terms.push((conditions.power(graph), Number::ONE));
-    if energies.jacobi.is_some() {
-        let mut direction = time_direction(graph, motion.q.len());
-        for (i, &v) in motion.v.iter().enumerate() {
-            direction.push((v, graph.variable(Variable::Acceleration(i as u32))));
+    terms
+}
+
+/// d(T + V)/dt along a motion, from [`balance`]: what T + V differs from the Jacobi integral by is differentiated as it
+/// stands.
+pub(super) fn rate(
+    graph: &mut Graph,
+    momenta: &[NodeId],
+    total: NodeId,
+    jacobi: Option<NodeId>,
+    power: Option<NodeId>,
+    conditions: &Conditions,
+) -> NodeId {
+    let integral = jacobi.unwrap_or(total);
+    let mut terms = balance(graph, momenta, integral, power, conditions);
+    if jacobi.is_some() {
+        let mut direction = time_direction(graph, momenta.len());
+        for i in 0..momenta.len() as u32 {
+            direction
+                .push((graph.variable(Variable::Velocity(i)), graph.variable(Variable::Acceleration(i))));
         }
-        let rest = graph.sub(energies.total, integral);
+        let rest = graph.sub(total, integral);
         terms.push((pushforward(graph, &[rest], &direction)[0], Number::ONE));
     }
-    Some(graph.sum(Number::ZERO, &terms))
+    graph.sum(Number::ZERO, &terms)
 }

@@ -1,24 +1,53 @@
-//! Derivatives of the residual r = f − M a at given accelerations.
+//! Derivatives of the residual r = f + Aᵀλ − M a and of the constraints A a − γ at given accelerations and multipliers.
 //!
-//! No inverse of M is differentiated: the derivatives of the accelerations are M⁻¹ times these.
+//! No inverse of M is differentiated: the derivatives of the accelerations are the solution of a linear system with M and
+//! A and these on the right.
 
-use super::Equations;
+use super::{Conditions, Equations};
 use crate::calculus::pushforward;
 use crate::expr::{NodeId, Variable};
 use crate::model::Model;
 use crate::number::Number;
 
-/// The residual and its derivatives, row by row.
+/// Values with their derivatives, row by row.
+#[derive(Clone, Debug)]
+pub struct Derivatives {
+    /// The values.
+    pub values: Vec<NodeId>,
+    /// ∂/∂q.
+    pub by_q: Vec<Vec<NodeId>>,
+    /// ∂/∂v.
+    pub by_v: Vec<Vec<NodeId>>,
+    /// ∂/∂t.
+    pub by_t: Vec<NodeId>,
+}
+
+/// Derivatives by parameters, a column each.
+#[derive(Clone, Debug)]
+pub struct Sensitivities {
+    /// Of r.
+    pub forces: Vec<Vec<NodeId>>,
+    /// Of A a − γ.
+    pub conditions: Vec<Vec<NodeId>>,
+    /// Of f of the holonomic constraints.
+    pub positions: Vec<Vec<NodeId>>,
+    /// Of w.
+    pub rates: Vec<Vec<NodeId>>,
+}
+
+/// The residuals and their derivatives.
 #[derive(Clone, Debug)]
 pub struct Linearization {
     /// r.
-    pub residual: Vec<NodeId>,
-    /// ∂r/∂q.
-    pub by_q: Vec<Vec<NodeId>>,
-    /// ∂r/∂v.
-    pub by_v: Vec<Vec<NodeId>>,
+    pub forces: Derivatives,
     /// ∂r/∂u.
     pub by_u: Vec<Vec<NodeId>>,
+    /// A a − γ of the constraints.
+    pub conditions: Derivatives,
+    /// ∂w/∂q, with w the constraints at the level of velocities.
+    pub rates_by_q: Vec<Vec<NodeId>>,
+    /// By the parameters that are asked for.
+    pub by_p: Sensitivities,
 }
 
 impl Linearization {
@@ -26,24 +55,57 @@ impl Linearization {
     pub fn of(model: &mut Model, equations: &Equations) -> Linearization {
         let (count, inputs) = (model.coordinates.len(), model.inputs.len());
         let residual = residual(model, equations);
-        let mut by = |variable: fn(u32) -> Variable, count: usize| {
-            let one = model.graph.one();
-            let mut rows = vec![Vec::with_capacity(count); residual.len()];
-            for column in 0..count as u32 {
-                let variable = model.graph.variable(variable(column));
-                let slopes = pushforward(&mut model.graph, &residual, &[(variable, one)]);
-                rows.iter_mut().zip(slopes).for_each(|(row, slope)| row.push(slope));
-            }
-            rows
+        let conditions = conditions(model, equations);
+        let by_u = by(model, &residual, &variables(Variable::Input, inputs));
+        let Conditions { positions, rates, .. } = &equations.conditions;
+        let rates_by_q = by(model, rates, &variables(Variable::Coordinate, count));
+        let parameters: Vec<Variable> =
+            model.sensitivities.iter().map(|&parameter| Variable::Parameter(parameter)).collect();
+        let by_p = Sensitivities {
+            forces: by(model, &residual, &parameters),
+            conditions: by(model, &conditions, &parameters),
+            positions: by(model, positions, &parameters),
+            rates: by(model, rates, &parameters),
         };
-        let by_q = by(Variable::Coordinate, count);
-        let by_v = by(Variable::Velocity, count);
-        let by_u = by(Variable::Input, inputs);
-        Linearization { residual, by_q, by_v, by_u }
+        Linearization {
+            forces: derivatives(model, residual),
+            by_u,
+            conditions: derivatives(model, conditions),
+            rates_by_q,
+            by_p,
+        }
     }
 }
 
-/// r = f − M a.
+fn derivatives(model: &mut Model, values: Vec<NodeId>) -> Derivatives {
+    let count = model.coordinates.len();
+    let (time, one) = (model.graph.variable(Variable::Time), model.graph.one());
+    Derivatives {
+        by_q: by(model, &values, &variables(Variable::Coordinate, count)),
+        by_v: by(model, &values, &variables(Variable::Velocity, count)),
+        by_t: pushforward(&mut model.graph, &values, &[(time, one)]),
+        values,
+    }
+}
+
+/// The first `count` variables of a kind.
+fn variables(kind: fn(u32) -> Variable, count: usize) -> Vec<Variable> {
+    (0..count as u32).map(kind).collect()
+}
+
+/// Derivatives by some variables, a column each.
+fn by(model: &mut Model, values: &[NodeId], variables: &[Variable]) -> Vec<Vec<NodeId>> {
+    let one = model.graph.one();
+    let mut rows = vec![Vec::with_capacity(variables.len()); values.len()];
+    for &variable in variables {
+        let variable = model.graph.variable(variable);
+        let slopes = pushforward(&mut model.graph, values, &[(variable, one)]);
+        rows.iter_mut().zip(slopes).for_each(|(row, slope)| row.push(slope));
+    }
+    rows
+}
+
+/// r = f + Aᵀλ − M a.
 fn residual(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
     let graph = &mut model.graph;
     let mass = &equations.mass;
@@ -53,6 +115,7 @@ fn residual(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
     (0..count)
         .map(|i| {
             let mut terms = vec![(equations.force[i], Number::ONE)];
+            terms.extend(equations.conditions.reactions.get(i).map(|&reaction| (reaction, Number::ONE)));
             for (j, &acceleration) in accelerations.iter().enumerate() {
                 let inertia = graph.mul(mass[i.max(j)][i.min(j)], acceleration);
                 terms.push((inertia, Number::MINUS_ONE));
@@ -60,4 +123,20 @@ fn residual(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
             graph.sum(Number::ZERO, &terms)
         })
         .collect()
+}
+
+/// A a − γ.
+fn conditions(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
+    let graph = &mut model.graph;
+    let conditions = &equations.conditions;
+    let rows = conditions.jacobian.iter().zip(&conditions.gamma);
+    rows.map(|(row, &gamma)| {
+        let mut terms = vec![(gamma, Number::MINUS_ONE)];
+        for (j, &entry) in (0..).zip(row) {
+            let acceleration = graph.variable(Variable::Acceleration(j));
+            terms.push((graph.mul(entry, acceleration), Number::ONE));
+        }
+        graph.sum(Number::ZERO, &terms)
+    })
+    .collect()
 }

@@ -5,6 +5,7 @@
 //! d'Alembert's form instead, b = Σ (∂r/∂q)ᵀ m r̈|ₐ₌₀ + Σ (∂ω/∂v)ᵀ (I ω̇|ₐ₌₀ + ω × I ω), which is
 //! the same vector without the terms that cancel between d/dt ∂T/∂v and ∂T/∂q.
 
+pub mod analysis;
 mod angular;
 mod constraints;
 mod energy;
@@ -16,7 +17,7 @@ mod places;
 mod validate;
 
 pub use constraints::Conditions;
-pub use linearization::Linearization;
+pub use linearization::{Linearization, Sensitivities};
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::NodeId;
@@ -114,7 +115,9 @@ pub fn derive(
     let conditions = Conditions::of(model, &motion, &mass);
     let energies = energy::energies(model, &motion, &momenta);
     let power = energy::power(model, &motion, &applied);
-    let energy_rate = energy::rate(model, &motion, &momenta, &energies, power, &conditions);
+    let energy_rate = (conditions.count() > 0).then(|| {
+        energy::rate(&mut model.graph, &momenta, energies.total, energies.jacobi, power, &conditions)
+    });
     (!diagnostics.has_errors()).then_some(Equations {
         mass,
         bias,

@@ -1,5 +1,5 @@
-//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, baumgarte = …,
-//! crate = …, allow(…)`.
+//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, sensitivities = […], analysis, verify = …,
+//! baumgarte = …, crate = …, allow(…)`.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::ext::IdentExt;
@@ -17,7 +17,20 @@ use crate::diagnostics::{Diagnostics, catalogue};
 /// The checks that `allow(…)` can switch off.
 pub const LINTS: [&str; 4] = ["unused_input", "no_effect", "redundant", "integrable"];
 
-const KNOWN: [&str; 6] = ["coordinates", "inputs", "jacobians", "baumgarte", "crate", "allow"];
+const KNOWN: [&str; 9] = [
+    "coordinates",
+    "inputs",
+    "jacobians",
+    "sensitivities",
+    "analysis",
+    "verify",
+    "baumgarte",
+    "crate",
+    "allow",
+];
+
+/// Arguments that are a word alone.
+const WORDS: [&str; 2] = ["jacobians", "analysis"];
 
 /// The parsed arguments.
 #[derive(Default)]
@@ -28,6 +41,12 @@ pub struct Args {
     pub inputs: Vec<Declaration>,
     /// Whether the `jacobians` argument is there.
     pub jacobians: bool,
+    /// The `sensitivities` argument.
+    pub sensitivities: Vec<syn::Expr>,
+    /// Whether the `analysis` argument is there.
+    pub analysis: bool,
+    /// The `verify` argument.
+    pub verify: Option<syn::Expr>,
     /// The `baumgarte` argument.
     pub baumgarte: Option<syn::Expr>,
     /// The `crate` argument.
@@ -62,7 +81,9 @@ impl Parse for Declaration {
 /// One argument as written.
 enum Argument {
     Names(Ident, Vec<Declaration>),
-    Jacobians(Ident),
+    Word(Ident),
+    Sensitivities(Ident, Vec<syn::Expr>),
+    Verify(Ident, syn::Expr),
     Baumgarte(Ident, syn::Expr),
     Crate(Ident, syn::Path),
     Allow(Ident, Vec<Ident>),
@@ -75,7 +96,9 @@ impl Argument {
     fn key(&self) -> &Ident {
         match self {
             Argument::Names(key, _)
-            | Argument::Jacobians(key)
+            | Argument::Word(key)
+            | Argument::Sensitivities(key, _)
+            | Argument::Verify(key, _)
             | Argument::Baumgarte(key, _)
             | Argument::Crate(key, _)
             | Argument::Allow(key, _)
@@ -96,7 +119,20 @@ impl Parse for Argument {
                 let names = Punctuated::<Declaration, Token![,]>::parse_terminated(&content)?;
                 Ok(Argument::Names(key, names.into_iter().collect()))
             }
-            "jacobians" if input.is_empty() || input.peek(Token![,]) => Ok(Argument::Jacobians(key)),
+            word if WORDS.contains(&word) && (input.is_empty() || input.peek(Token![,])) => {
+                Ok(Argument::Word(key))
+            }
+            "sensitivities" => {
+                input.parse::<Token![=]>()?;
+                let content;
+                bracketed!(content in input);
+                let parameters = Punctuated::<syn::Expr, Token![,]>::parse_terminated(&content)?;
+                Ok(Argument::Sensitivities(key, parameters.into_iter().collect()))
+            }
+            "verify" => {
+                input.parse::<Token![=]>()?;
+                Ok(Argument::Verify(key, input.parse()?))
+            }
             "baumgarte" => {
                 input.parse::<Token![=]>()?;
                 Ok(Argument::Baumgarte(key, input.parse()?))
@@ -116,7 +152,8 @@ impl Parse for Argument {
                 while !input.is_empty() && !input.peek(Token![,]) {
                     input.parse::<proc_macro2::TokenTree>()?;
                 }
-                Ok(if key == "jacobians" { Argument::Valued(key) } else { Argument::Unknown(key) })
+                let known = WORDS.iter().any(|word| key == word);
+                Ok(if known { Argument::Valued(key) } else { Argument::Unknown(key) })
             }
         }
     }
@@ -151,7 +188,10 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
                 };
                 target.extend(names);
             }
-            Argument::Jacobians(_) => args.jacobians = true,
+            Argument::Word(key) if key == "jacobians" => args.jacobians = true,
+            Argument::Word(_) => args.analysis = true,
+            Argument::Sensitivities(_, parameters) => args.sensitivities = parameters,
+            Argument::Verify(_, example) => args.verify = Some(example),
             Argument::Baumgarte(_, rate) => args.baumgarte = Some(rate),
             Argument::Crate(_, path) => args.crate_path = Some(path),
             Argument::Allow(_, names) => {

@@ -31,6 +31,12 @@ pub struct Item {
     pub crate_path: syn::Path,
     /// Whether derivatives of the equations are generated.
     pub jacobians: bool,
+    /// Parameters that derivatives are taken by.
+    pub sensitivities: Vec<Expr>,
+    /// Whether what the model can tell about itself is generated.
+    pub analysis: bool,
+    /// The system that a generated test verifies.
+    pub verify: Option<syn::Expr>,
     /// Rate of Baumgarte's stabilisation, where the attribute asks for it.
     pub baumgarte: Option<Expr>,
     /// Lints switched off with `allow(…)`.

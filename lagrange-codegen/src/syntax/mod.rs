@@ -77,6 +77,8 @@ pub fn parse(
         }
         role::refuse_on_item(item, &mut translator);
     }
+    let sensitivities: Vec<_> =
+        args.sensitivities.iter().map(|parameter| translator.expression(parameter)).collect();
     let baumgarte = args.baumgarte.map(|rate| translator.expression(&rate));
     let coordinates = args::groups(&args.coordinates, &constants, &mut translator);
     let inputs = args::groups(&args.inputs, &constants, &mut translator);
@@ -104,7 +106,10 @@ pub fn parse(
         coordinates,
         inputs,
         crate_path,
-        jacobians: args.jacobians,
+        jacobians: args.jacobians || !sensitivities.is_empty(),
+        sensitivities,
+        analysis: args.analysis || args.verify.is_some(),
+        verify: args.verify,
         baumgarte,
         allowed: args.allowed,
         cleaned,

@@ -9,6 +9,7 @@ use crate::interpreter::{Interpreter, Point, Stop, Value};
 use crate::number::{Number, Tracked};
 use crate::oracle::Quantities;
 use crate::source::PARAMETERS;
+use crate::surface;
 use crate::system::System;
 
 /// Numbers enough for the state, the inputs and the parameters of any system.
@@ -75,7 +76,8 @@ pub fn check(
     };
     let run = Interpreter { expansion, point: &point };
     let single = |value: Tracked| vec![value];
-    let quantities: [(&'static str, Vec<Tracked>); 9] = [
+    let held = &expected.held;
+    let mut quantities: Vec<(&'static str, Vec<Tracked>)> = vec![
         ("mass_matrix", expected.mass.concat()),
         ("bias", expected.bias.clone()),
         ("applied_forces", expected.applied.clone()),
@@ -86,6 +88,14 @@ pub fn check(
         ("jacobi_integral", single(expected.jacobi)),
         ("power", single(expected.power)),
     ];
+    let is_constrained = !held.rates.is_empty();
+    if is_constrained {
+        quantities.extend([
+            ("constraint_residuals", held.residuals.clone()),
+            ("constraint_rates", held.rates.clone()),
+            ("constraint_jacobian", held.jacobian.concat()),
+        ]);
+    }
     let measurable = |x: &Tracked| x.roundings == 0.0 || RANGE.contains(&x.roundings);
     if !quantities.iter().flat_map(|(_, values)| values).all(measurable) {
         return Ok(Outcome::OutsideDomain);
@@ -106,24 +116,30 @@ pub fn check(
     let found = flat("energy_at", run.of_system("energy_at").unwrap_or_else(|| absent("energy_at")))?;
     agreements.push(("energy_at", compare("energy_at", &found, &single(expected.energy))?));
 
+    if is_constrained {
+        agreements.extend(surface::unsolved(&run, expected)?);
+    }
     if expected.condition > CONDITION {
         return Ok(Outcome::IllConditioned(agreements));
     }
     let found = run.method("accelerations").unwrap_or_else(|| absent("accelerations"));
     let found = flat("accelerations", found.and_then(succeeded))?;
     agreements.push(("accelerations", compare("accelerations", &found, &expected.accelerations)?));
+    if is_constrained {
+        agreements.extend(surface::solved(&run, expected)?);
+    }
     if let Some(verdict) = run.of_system("check_at") {
         verdict.and_then(succeeded).map_err(|stop| format!("check_at: {stop:?}"))?;
     }
     Ok(Outcome::Compared(agreements))
 }
 
-fn absent(name: &str) -> Result<Value, Stop> {
+pub fn absent(name: &str) -> Result<Value, Stop> {
     Err(Stop::Unknown(format!("`{name}` is not emitted")))
 }
 
 /// The value of a result.
-fn succeeded(value: Value) -> Result<Value, Stop> {
+pub fn succeeded(value: Value) -> Result<Value, Stop> {
     match value {
         Value::Result(Ok(value)) => Ok(*value),
         Value::Result(Err(cause)) => Err(Stop::Failure(cause)),
@@ -132,7 +148,7 @@ fn succeeded(value: Value) -> Result<Value, Stop> {
 }
 
 /// All numbers of a value in order.
-fn flat(name: &str, value: Result<Value, Stop>) -> Result<Vec<f64>, String> {
+pub fn flat(name: &str, value: Result<Value, Stop>) -> Result<Vec<f64>, String> {
     match value {
         Ok(Value::Number(value)) => Ok(vec![value]),
         Ok(Value::List(elements)) => {

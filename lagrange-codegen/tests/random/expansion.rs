@@ -11,12 +11,14 @@ use crate::source::Source;
 pub type Functions = BTreeMap<String, ImplItemFn>;
 
 /// What the engine emits for one system.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct Expansion {
     /// Inherent methods.
     pub methods: Functions,
     /// The items of `impl System`.
     pub system: Functions,
+    /// The items of `impl Surface`, which systems with constraints have.
+    pub surface: Functions,
 }
 
 impl Expansion {
@@ -39,13 +41,14 @@ impl Expansion {
                 _ => {}
             }
         }
-        let mut expansion = Expansion { methods: Functions::new(), system: Functions::new() };
+        let mut expansion = Expansion::default();
         for statement in blocks {
             if let Stmt::Item(Item::Impl(block)) = statement {
                 let name = block.trait_.as_ref().map(|(path, _)| last_segment(path));
                 match name.as_deref() {
                     None => collect(block, &mut expansion.methods)?,
                     Some("System") => collect(block, &mut expansion.system)?,
+                    Some("Surface") => collect(block, &mut expansion.surface)?,
                     // Series and proofs have tests of their own.
                     Some(_) => {}
                 }

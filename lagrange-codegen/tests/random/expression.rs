@@ -128,13 +128,23 @@ pub struct Scope<'a, T> {
     pub locals: Vec<T>,
     pub arguments: [T; 2],
     pub element: T,
+    /// A place that is seen elsewhere than it is, and by how much.
+    pub shift: Option<&'a (Place, Vec<T>)>,
 }
 
 impl<'a, T: Number> Scope<'a, T> {
     /// A function of the role at `visible`, at its start.
     pub fn new(system: &'a System, instant: &'a Instant<T>, visible: usize) -> Self {
         let nothing = T::constant(0.0);
-        Scope { system, instant, visible, locals: Vec::new(), arguments: [nothing; 2], element: nothing }
+        Scope {
+            system,
+            instant,
+            visible,
+            locals: Vec::new(),
+            arguments: [nothing; 2],
+            element: nothing,
+            shift: None,
+        }
     }
 
     /// The result of a function body, by the function that evaluates results.
@@ -211,7 +221,15 @@ impl<'a, T: Number> Scope<'a, T> {
         match vector {
             Vector::New(components) => components[..dimension].iter().map(|c| self.scalar(c)).collect(),
             Vector::Place(which) => match self.system.place(*which, dimension, self.visible) {
-                Some(Place { role, index }) => self.system.positions(role, self.instant).swap_remove(index),
+                Some(place) => {
+                    let position = self.system.positions(place.role, self.instant).swap_remove(place.index);
+                    match self.shift {
+                        Some((moved, by)) if *moved == place => {
+                            position.into_iter().zip(by).map(|(x, &by)| x + by).collect()
+                        }
+                        _ => position,
+                    }
+                }
                 None => vec![T::constant(NOWHERE); dimension],
             },
             Vector::Negative(a) => self.vector(a, dimension).into_iter().map(|a| -a).collect(),

@@ -28,9 +28,8 @@ impl Fault {
 pub fn planted(expansion: &Expansion, fault: Fault, site: usize) -> Option<Expansion> {
     let mut faulty = expansion.clone();
     let mut planter = Planter { fault, left: Some(site) };
-    for (name, function) in faulty.methods.iter_mut().chain(&mut faulty.system) {
-        // What it finds is said only where the accelerations are not finite.
-        if name != "check_at" {
+    for (name, function) in faulty.methods.iter_mut().chain(&mut faulty.system).chain(&mut faulty.surface) {
+        if is_compared(name) {
             planter.visit_impl_item_fn_mut(function);
         }
     }
@@ -40,12 +39,18 @@ pub fn planted(expansion: &Expansion, fault: Fault, site: usize) -> Option<Expan
 /// The number of places for a fault.
 pub fn sites(expansion: &Expansion, fault: Fault) -> usize {
     let mut planter = Planter { fault, left: Some(usize::MAX) };
-    for (name, function) in expansion.methods.iter().chain(&expansion.system) {
-        if name != "check_at" {
+    for (name, function) in expansion.methods.iter().chain(&expansion.system).chain(&expansion.surface) {
+        if is_compared(name) {
             planter.visit_impl_item_fn_mut(&mut function.clone());
         }
     }
     usize::MAX - planter.left.unwrap_or(usize::MAX)
+}
+
+/// Whether all numbers of a function are: not those that say what is wrong where accelerations are not finite, nor the
+/// sizes that residuals are measured against.
+fn is_compared(function: &str) -> bool {
+    !matches!(function, "check_at" | "residuals_at")
 }
 
 /// Counts places down and plants the fault where it arrives at zero.

@@ -8,8 +8,11 @@
 //! `PROPTEST_CASES=10000 cargo test --release -p lagrange-codegen --test random` runs that many
 //! systems; without, it is a quick look. The cases are the same ones each time.
 
+mod analysis;
 mod check;
 mod close;
+mod constrained;
+mod constraint;
 mod expansion;
 mod expression;
 mod faults;
@@ -22,6 +25,7 @@ mod report;
 mod runner;
 mod source;
 mod strategy;
+mod surface;
 mod system;
 mod writer;
 
@@ -66,6 +70,25 @@ fn every_emitted_quantity_agrees_with_dual_numbers() {
     let report = report.into_inner().expect("a worker has failed");
     println!("{report}");
     report.assert_meaningful();
+}
+
+#[test]
+fn what_analysis_derives_obeys_identities() {
+    let total: Mutex<analysis::Counts> = Mutex::default();
+    runner::run(runner::cases(QUICK) / 8, cases, |(system, samples)| {
+        let source = Source::of(system);
+        for sample in samples {
+            let counts = analysis::check(&source, sample)
+                .map_err(|error| format!("{error}\n{source}at {sample:?}"))?;
+            let mut total = total.lock().map_err(|error| error.to_string())?;
+            total.covariant += counts.covariant;
+            total.regressors += counts.regressors;
+        }
+        Ok(())
+    });
+    let total = total.into_inner().expect("a worker has failed");
+    println!("{total:?}");
+    assert!(total.covariant > QUICK && total.regressors > QUICK / 16, "{total:?}");
 }
 
 #[test]

@@ -51,7 +51,8 @@ impl System {
             | Role::ForceOn(..)
             | Role::ForceOnAll(_)
             | Role::ForceAt(..)
-            | Role::Wrench(..) => Vec::new(),
+            | Role::Wrench(..)
+            | Role::Constraint(..) => Vec::new(),
         }
     }
 
@@ -109,7 +110,8 @@ impl System {
                 | Role::ForceOn(..)
                 | Role::ForceOnAll(_)
                 | Role::ForceAt(..)
-                | Role::Wrench(..) => {}
+                | Role::Wrench(..)
+                | Role::Constraint(..) => {}
             }
         }
         energies
@@ -144,7 +146,8 @@ impl Role {
             | Role::ForceOn(..)
             | Role::ForceOnAll(_)
             | Role::ForceAt(..)
-            | Role::Wrench(..) => None,
+            | Role::Wrench(..)
+            | Role::Constraint(..) => None,
         }
     }
 }

@@ -5,6 +5,7 @@
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 
+use crate::constrained::Held;
 use crate::expression::{Instant, Scope};
 use crate::motion::space_rate;
 use crate::number::{Number, Tracked};
@@ -23,7 +24,9 @@ pub struct Quantities {
     pub jacobi: Tracked,
     pub power: Tracked,
     pub accelerations: Vec<Tracked>,
-    /// Condition of the mass matrix in the maximum norm; infinite where it is singular.
+    /// What constraints add, one entry for each.
+    pub held: Held,
+    /// Condition of the equations in the maximum norm; infinite where they are singular.
     pub condition: f64,
 }
 
@@ -57,7 +60,12 @@ impl Quantities {
             (0..count).map(|i| system.energies(&at.by_velocity(i)).whole.slope).collect();
         let kinetic = energies.kinetic + sum(&whole_momenta) - energies.whole + at_rest.whole;
         let potential = energies.potential - at_rest.whole;
-        let (accelerations, condition) = solve(&mass, &applied, &bias);
+        let force: Vec<Tracked> = applied.iter().zip(&bias).map(|(&q, &b)| q - b).collect();
+        let mut held = Held::of(system, at);
+        let (matrix, right) = held.equations(&mass, &force);
+        let (mut accelerations, condition) = solve(&matrix, &right);
+        held.complete(system, at, &accelerations);
+        accelerations.truncate(count);
         Quantities {
             energy: kinetic + potential,
             jacobi: sum(&momenta) - energies.lagrangian(),
@@ -69,6 +77,7 @@ impl Quantities {
             kinetic,
             potential,
             accelerations,
+            held,
             condition,
         }
     }
@@ -123,18 +132,18 @@ fn applied_force(system: &System, at: &Instant<Tracked>, coordinate: usize) -> T
             | Role::Point { .. }
             | Role::Planar { .. }
             | Role::Spatial { .. }
-            | Role::Chain { .. } => {}
+            | Role::Chain { .. }
+            | Role::Constraint(..) => {}
         }
     }
     total
 }
 
-/// M a = Q − b. The uncertainty of a follows from those of M and f through |M⁻¹|.
-fn solve(mass: &[Vec<Tracked>], applied: &[Tracked], bias: &[Tracked]) -> (Vec<Tracked>, f64) {
+/// M a = f. The uncertainty of a follows from those of M and f through |M⁻¹|.
+fn solve(mass: &[Vec<Tracked>], force: &[Tracked]) -> (Vec<Tracked>, f64) {
     let count = mass.len();
     let values: Vec<Vec<f64>> =
         mass.iter().map(|row| row.iter().map(|entry| entry.value).collect()).collect();
-    let force: Vec<Tracked> = applied.iter().zip(bias).map(|(&q, &b)| q - b).collect();
     let column = |i: usize| (0..count).map(|j| f64::from(u8::from(i == j))).collect::<Vec<f64>>();
     let mut right: Vec<Vec<f64>> = (0..count).map(column).collect();
     right.push(force.iter().map(|f| f.value).collect());
@@ -148,10 +157,12 @@ fn solve(mass: &[Vec<Tracked>], applied: &[Tracked], bias: &[Tracked]) -> (Vec<T
             force[i].roundings + entries.map(|(entry, a)| entry.roundings * a.abs()).sum::<f64>()
         })
         .collect();
+    // What refinement leaves of a solution that is zero.
+    let left = f64::EPSILON * solution.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let accelerations = (0..count)
         .map(|i| Tracked {
             value: solution[i],
-            roundings: (0..count).map(|j| solved[j][i].abs() * disturbance[j]).sum(),
+            roundings: (0..count).map(|j| solved[j][i].abs() * disturbance[j]).sum::<f64>() + left,
         })
         .collect();
     let norm = |entry: &dyn Fn(usize, usize) -> f64| {

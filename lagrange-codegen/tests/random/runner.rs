@@ -10,7 +10,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, Test
 const STREAMS: usize = 16;
 
 /// How many cases are tried in looking for the smallest one that fails.
-const SHRINKING: u32 = 2000;
+const SHRINKING: u32 = 500;
 
 /// How many cases to run: `PROPTEST_CASES`, or as many as make a quick look.
 pub fn cases(quick: usize) -> usize {

@@ -26,7 +26,10 @@ impl Source {
         if !system.inputs.is_empty() {
             arguments += &format!(", inputs = [{}]", declared(&system.inputs));
         }
-        arguments += ", allow(no_effect, unused_input)";
+        if let Some(rate) = &system.baumgarte {
+            arguments += &format!(", baumgarte = {}", Writer { system, visible: 0, locals: 0 }.scalar(rate));
+        }
+        arguments += ", allow(no_effect, unused_input, redundant, integrable)";
         let header = match system.scalar {
             Scalar::F64 | Scalar::F32 => "impl Model",
             Scalar::Generic => "impl<R: Real> Model<R>",

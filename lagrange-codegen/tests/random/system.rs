@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::constraint::{Kind, Rows};
 use crate::expression::{Body, Expr, Vector};
 
 /// A mechanical system as the generator makes it.
@@ -13,6 +14,8 @@ pub struct System {
     /// Functions of (q, t, x, y) without a role; at least one.
     pub helpers: Vec<Body<Expr>>,
     pub roles: Vec<Role>,
+    /// The rate at which constraints are stabilised instead of projected onto.
+    pub baumgarte: Option<Expr>,
 }
 
 /// The type that the description is written in.
@@ -75,6 +78,8 @@ pub enum Role {
     ForceAt(usize, Body<Vector>),
     /// A force and a torque on a body; in the plane the torque is the first component.
     Wrench(usize, Body<(Vector, Vector)>),
+    /// What is to stay zero. The number picks a name.
+    Constraint(Kind, usize, Body<Rows>),
 }
 
 /// How a pose is written.
@@ -160,8 +165,14 @@ impl System {
             | Role::ForceOn(..)
             | Role::ForceOnAll(_)
             | Role::ForceAt(..)
-            | Role::Wrench(..) => None,
+            | Role::Wrench(..)
+            | Role::Constraint(..) => None,
         }
+    }
+
+    /// All particles and bodies that are declared, each with its dimension.
+    pub fn all_places(&self) -> Vec<(Place, usize)> {
+        self.places(usize::MAX, |_| true)
     }
 
     fn places(&self, visible: usize, fits: impl Fn(usize) -> bool) -> Vec<(Place, usize)> {
@@ -183,7 +194,7 @@ impl System {
 
     /// One of all places, with its dimension.
     pub fn any_place(&self, which: usize) -> Option<(Place, usize)> {
-        let places = self.places(usize::MAX, |_| true);
+        let places = self.all_places();
         (!places.is_empty()).then(|| places[which % places.len()])
     }
 
@@ -197,7 +208,11 @@ impl System {
     /// Whether there are applied forces or dissipation.
     pub fn is_driven(&self) -> bool {
         self.roles.iter().any(|role| match role {
-            Role::Point { .. } | Role::Planar { .. } | Role::Spatial { .. } | Role::Chain { .. } => false,
+            Role::Point { .. }
+            | Role::Planar { .. }
+            | Role::Spatial { .. }
+            | Role::Chain { .. }
+            | Role::Constraint(..) => false,
             Role::Energy(energy, _) => *energy == Energy::Dissipation,
             Role::ForceOn(..) | Role::ForceOnAll(_) | Role::ForceAt(..) | Role::Wrench(..) => true,
         })

@@ -1,5 +1,6 @@
 //! Expressions and functions of a random system as text.
 
+use crate::constraint::{Kind, Rows};
 use crate::expression::{Body, Expr, NOWHERE, Operator, RATIO, Vector};
 use crate::source::{COMPONENTS, PARAMETERS, quantity, scalar_type};
 use crate::system::{Energy, Form, Inertia, Place, Role, Rotation, Scalar, System, TILTED};
@@ -312,6 +313,29 @@ impl Writer<'_> {
                         format!("({}, {torque}{component})", writer.vector(force, dimension))
                     },
                 )
+            }
+            Role::Constraint(kind, _, body) => {
+                let (attribute, arguments) = match kind {
+                    Kind::Holonomic => ("#[holonomic]", Q_T),
+                    Kind::Affine => ("#[nonholonomic]", Q_V_T),
+                    Kind::Chetaev => ("#[nonholonomic(chetaev)]", Q_V_T),
+                };
+                let output = match &body.result {
+                    Rows::Scalar(_) => "f64".to_owned(),
+                    Rows::Array(rows) => format!("[f64; {}]", rows.len()),
+                    Rows::Vector(dimension, _) => format!("Vector{dimension}<f64>"),
+                };
+                let name = system.constraint_name(self.visible);
+                self.function((attribute, name, arguments, &output), body, |writer, rows| match rows {
+                    Rows::Scalar(row) => writer.scalar(row),
+                    Rows::Array(rows) => {
+                        format!(
+                            "[{}]",
+                            rows.iter().map(|row| writer.scalar(row)).collect::<Vec<_>>().join(", ")
+                        )
+                    }
+                    Rows::Vector(dimension, rows) => writer.vector(rows, *dimension),
+                })
             }
         }
     }

@@ -9,11 +9,11 @@ use crate::real::Real;
 
 /// The largest coordinate, or velocity, of a state in the units of the kinetic metric.
 #[derive(Clone, Copy)]
-pub(super) struct Extent<R>(R);
+pub(crate) struct Extent<R>(R);
 
 impl<R: Real> Extent<R> {
     /// Of the numbers `x`.
-    pub(super) fn of<const N: usize, const C: usize>(saddle: &impl SaddlePoint<R, N, C>, x: &[R; N]) -> Self {
+    pub(crate) fn of<const N: usize, const C: usize>(saddle: &impl SaddlePoint<R, N, C>, x: &[R; N]) -> Self {
         let units = saddle.units();
         let mut largest = R::zero();
         for i in 0..N {
@@ -25,17 +25,17 @@ impl<R: Real> Extent<R> {
     }
 
     /// One unit.
-    pub(super) fn unit() -> Self {
+    pub(crate) fn unit() -> Self {
         Self(R::one())
     }
 
     /// The larger of two.
-    pub(super) fn max(self, other: Self) -> Self {
+    pub(crate) fn max(self, other: Self) -> Self {
         Self(self.0.max(other.0))
     }
 
     /// How large constraints with these gradients are in such a state.
-    pub(super) fn sizes<const N: usize, const C: usize>(
+    pub(crate) fn sizes<const N: usize, const C: usize>(
         self,
         saddle: &impl SaddlePoint<R, N, C>,
         gradients: &[[R; N]; C],

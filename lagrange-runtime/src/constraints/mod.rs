@@ -17,6 +17,8 @@ use crate::linear::SaddlePoint;
 use crate::real::{Ordered, Real};
 use crate::state::State;
 use crate::system::System;
+pub(crate) use extent::Extent;
+pub(crate) use projection::INNER;
 pub use projection::project;
 pub use solution::{balance, check, finite, forces, is_singular, matrix, regular};
 pub use start::{check_start, consistent};
@@ -133,7 +135,7 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
 /// A nonnegative number in single precision, enough for a report: its binary digits one by one, since a scalar of the user's
 /// own has no conversion.
 #[cold]
-fn magnitude<R: Ordered>(value: R) -> Magnitude {
+pub(crate) fn magnitude<R: Ordered>(value: R) -> Magnitude {
     if !value.is_finite() {
         return Magnitude(f32::NAN);
     }

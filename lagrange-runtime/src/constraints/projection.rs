@@ -11,7 +11,7 @@ use crate::state::State;
 const ROUNDINGS: f64 = 4.0;
 
 /// Roundings of inner operations, in units of the summands.
-const INNER: f64 = 4096.0;
+pub(crate) const INNER: f64 = 4096.0;
 
 /// Corrections before a projection is given up.
 const CORRECTIONS: usize = 16;
@@ -48,6 +48,7 @@ fn correct<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
+    let number = S::Scalar::from_f64;
     let none = [num_traits::Zero::zero(); N];
     let contraction = <S::Scalar as Real>::Lane::from_f64(CONTRACTION);
     let (mut saddle, mut gradients) = system.saddle_at(state.t, &state.q, &state.v);
@@ -61,7 +62,7 @@ where
                 break;
             }
             let before = residuals.relative(of_positions, &sizes);
-            let last = residuals.are_roundings_beside(of_positions, ROUNDINGS, &sizes);
+            let last = residuals.are_roundings_beside(of_positions, number(ROUNDINGS), &sizes);
             let (change, _) = saddle.solve(&none, &residuals.level(of_positions).0.map(|value| -value));
             let (q, v) = if of_positions { (&change, &none) } else { (&none, &change) };
             next = moved(&next, q, v, num_traits::One::one());
@@ -74,7 +75,8 @@ where
             let after = residuals.relative(of_positions, &sizes);
             // A correction of roundings leaves roundings, and where one makes nothing better there is no better state in
             // this arithmetic.
-            let stalled = after >= before && residuals.are_roundings_beside(of_positions, INNER, &sizes);
+            let stalled =
+                after >= before && residuals.are_roundings_beside(of_positions, number(INNER), &sizes);
             settled = last || stalled || residuals.level_is_roundings(of_positions);
             if after >= contraction * before {
                 (saddle, gradients) = system.saddle_at(next.t, &next.q, &next.v);
@@ -97,22 +99,28 @@ impl<R: Real, const C: usize> Residuals<R, C> {
 
     /// Whether nothing is left of one level but roundings of its summands.
     #[inline(always)]
-    pub(super) fn level_is_roundings(&self, of_positions: bool) -> bool {
+    pub(crate) fn level_is_roundings(&self, of_positions: bool) -> bool {
         let (values, sizes) = self.level(of_positions);
         let tolerance = R::from_f64(ROUNDINGS) * R::epsilon();
-        (0..C).all(|c| is_within(values[c], tolerance * sizes[c]))
+        // By pairs: an index would be tested against its bounds, and a firmware link the panic.
+        values.iter().zip(sizes).all(|(&value, &size)| is_within(value, tolerance * size))
     }
 
-    /// Whether nothing is left of one level but so many roundings of its summands, or roundings of the state.
-    fn are_roundings_beside(&self, of_positions: bool, roundings: f64, by_state: &[R; C]) -> bool {
+    /// Whether nothing is left of one level but so many roundings of its summands, or roundings of the state. Their number
+    /// is a scalar, not a double that would be converted at run time.
+    pub(crate) fn are_roundings_beside(&self, of_positions: bool, roundings: R, by_state: &[R; C]) -> bool {
         let (values, sizes) = self.level(of_positions);
-        let (own, whole) = (R::from_f64(roundings) * R::epsilon(), R::from_f64(ROUNDINGS) * R::epsilon());
-        (0..C).all(|c| is_within(values[c], own * sizes[c] + whole * by_state[c]))
+        let (own, whole) = (roundings * R::epsilon(), R::from_f64(ROUNDINGS) * R::epsilon());
+        let sizes = sizes.iter().zip(by_state);
+        values
+            .iter()
+            .zip(sizes)
+            .all(|(&value, (&size, &by_state))| is_within(value, own * size + whole * by_state))
     }
 
     /// The constraint that the state is furthest from, in units of the kinetic metric.
     #[cold]
-    pub(super) fn cause(&self, of_positions: bool, slopes: &[R; C]) -> Cause {
+    pub(crate) fn cause(&self, of_positions: bool, slopes: &[R; C]) -> Cause {
         let (values, _) = self.level(of_positions);
         let (constraint, _) = worst::<R, C>(|c| relative(values[c], slopes[c]));
         let by = values.get(constraint).map_or(Magnitude(0.0), |value| magnitude(value.abs().largest()));
@@ -124,7 +132,7 @@ impl<R: Real, const C: usize> Residuals<R, C> {
     }
 
     /// The largest residual of one level, relative to its own size and to that of the state.
-    fn relative(&self, of_positions: bool, by_state: &[R; C]) -> R::Lane {
+    pub(crate) fn relative(&self, of_positions: bool, by_state: &[R; C]) -> R::Lane {
         let (values, sizes) = self.level(of_positions);
         worst::<R, C>(|c| relative(values[c], sizes[c] + by_state[c])).1
     }

@@ -46,7 +46,9 @@ where
         }
         let (values, sizes) = residuals.level(of_positions);
         let by_state = Extent::of(&saddle, numbers).sizes(&saddle, &gradients);
-        let good = |own: &[S::Scalar; C]| (0..C).all(|c| is_within(values[c], tolerance * own[c]));
+        let good = |own: &[S::Scalar; C]| {
+            values.iter().zip(own).all(|(&value, &size)| is_within(value, tolerance * size))
+        };
         // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic metric.
         let is_small = || {
             let (change, _) = saddle.solve(&none, values);

@@ -31,12 +31,13 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
     ) -> Result<State<S::Scalar, N>, Cause> {
         let mut slope_q = from.v;
         let mut slope_v = system.accelerations_at(constants, from.t, &from.q, &from.v, u);
-        let first = S::Scalar::from_f64(B[0]);
+        // Outside of the loop, where the compiler converts them.
+        let [first, weights @ ..] = B.map(S::Scalar::from_f64);
+        let [_, nodes @ ..] = C.map(S::Scalar::from_f64);
         let mut sum_q = slope_q.map(|x| first * x);
         let mut sum_v = slope_v.map(|x| first * x);
-        for i in 1..4 {
-            let reach = S::Scalar::from_f64(C[i]) * h;
-            let weight = S::Scalar::from_f64(B[i]);
+        for (node, weight) in nodes.into_iter().zip(weights) {
+            let reach = node * h;
             let mut q = from.q;
             let mut v = from.v;
             for n in 0..N {

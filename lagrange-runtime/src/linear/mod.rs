@@ -10,11 +10,14 @@ mod ldlt;
 mod lu;
 mod saddle;
 mod schur;
+mod singular_values;
 
 pub use ldlt::Ldlt;
 pub use lu::Lu;
+pub(crate) use saddle::TangentSpace;
 pub use saddle::{Defect, Diagonal, Saddle, SaddlePoint};
 pub use schur::Schur;
+pub(crate) use singular_values::SingularValues;
 
 #[cfg(test)]
 pub(crate) mod samples;

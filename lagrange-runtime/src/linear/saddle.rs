@@ -5,11 +5,14 @@
 //! A v        = y        A: C × N                   κ: multipliers, Aᵀ κ the forces of constraint
 //! ```
 //!
-//! Coordinates are scaled to unit mass and rows of A to unit size, so that no decision depends on units. A
-//! Householder QR of Aᵀ with column pivoting finds the independent rows, a right inverse of them, and an orthonormal
-//! basis Z of the null space of A; in that basis the equations are Zᵀ M Z t = Zᵀ (r − M v₀), where M need be regular
-//! only there: coordinates without mass are welcome if the constraints tie them to others. (Nocedal and Wright,
-//! "Numerical Optimization", 2nd ed., § 16.2; Golub and Van Loan, "Matrix Computations", 4th ed., §§ 5.4 and 6.2.)
+//! Coordinates are scaled to unit mass and rows of A to unit size, so that no decision depends on units. Then A gives
+//! velocities v₀ that meet the constraints and a basis Z of those that they leave open, in which the equations are
+//! Zᵀ M Z t = Zᵀ (r − M v₀). M need be regular only there: coordinates without mass are welcome if the constraints tie
+//! them to others. (Nocedal and Wright, "Numerical Optimization", 2nd ed., § 16.2; Golub and Van Loan, "Matrix
+//! Computations", 4th ed., §§ 5.4 and 6.2.)
+//!
+//! Where rows of A are clearly independent, Z comes from an elimination that solves them for as many coordinates;
+//! otherwise from a Householder QR of Aᵀ with column pivoting, which decides about the rank.
 //!
 //! From this the blocks of the inverse are formed explicitly, because a factorisation is used some twenty times:
 //!
@@ -18,7 +21,8 @@
 //! ```
 //!
 //! so that a solution is one product of a matrix and a vector, without divisions and without substitutions that wait
-//! for each other. The residuals are those of a factorisation times, at most, the condition of the scaled Zᵀ M Z.
+//! for each other. Solutions are as accurate as those of the factors; residuals are a few roundings where the scaled A
+//! and Zᵀ M Z are well conditioned, and grow with their condition, which those of factors would not.
 
 use crate::real::Real;
 
@@ -28,9 +32,11 @@ mod range;
 mod reduced;
 pub(super) mod redundant;
 mod scaled;
+mod tangent_space;
 pub(super) mod vectors;
 
 pub use diagonal::Diagonal;
+pub(crate) use tangent_space::TangentSpace;
 
 use partition::partition;
 use range::Range;
@@ -78,7 +84,8 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
 /// The inverse of a saddle-point system with any symmetric M.
 ///
 /// With several lanes the order of the pivots and the rank are common to all of them. A lane that has a smaller rank
-/// than another, or a singular Zᵀ M Z where another has none, gives NaN; the other lanes are right.
+/// than another, or other dependent rows, or a singular Zᵀ M Z where another has none, gives NaN; the other lanes are
+/// right. A defect of some lanes is [`Defect::NotFinite`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saddle<R, const N: usize, const C: usize> {
     /// P, symmetric up to rounding: the row of a component of r.
@@ -163,25 +170,26 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     /// The blocks of the inverse from the null space and a right inverse of A.
     #[inline(always)]
     fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, units: [R; N], rank: usize) -> Self {
-        // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
+        let Split { null, inverse } = split;
+        let Reduced { mass, inertia, solution, .. } = reduced;
         let mut drift = [[R::zero(); C]; N];
-        for (drift, inertia) in drift.iter_mut().zip(&reduced.inertia).skip(rank) {
-            *drift = add_product(drift, &split.inverse, inertia);
+        for k in rank..N {
+            drift[k] = add_product(&drift[k], inverse, &inertia[k]);
         }
-        let Reduced { solution, mass, .. } = reduced;
         let mut compliance = [[R::zero(); N]; N];
         for (i, to) in compliance.iter_mut().enumerate() {
             let mut row = [R::zero(); N];
-            for (vector, solution) in split.null.iter().zip(solution).skip(rank) {
-                add_scaled(&mut row, vector, solution[i]);
+            for k in rank..N {
+                add_scaled(&mut row, &null[k], solution[k][i]);
             }
             *to = row;
         }
-        let mut reaction = split.inverse;
+        // Y = Y₀ − Z B⁻¹ Zᵀ M Y₀.
+        let mut reaction = *inverse;
         for (i, to) in reaction.iter_mut().enumerate() {
             let mut row = *to;
-            for (drift, solution) in drift.iter().zip(solution).skip(rank) {
-                add_scaled(&mut row, drift, -solution[i]);
+            for k in rank..N {
+                add_scaled(&mut row, &drift[k], -solution[k][i]);
             }
             *to = row;
         }

@@ -10,13 +10,13 @@ use crate::real::Real;
 use super::saddle::vectors::{add_product, add_scaled, best, pick, poison, put, scale, unit, where_positive};
 use super::saddle::{redundant, symmetric};
 
-/// A pivot below 2⁶ C ε of its diagonal in S is zero.
+/// A pivot below 2⁸ C ε of its diagonal in S is zero.
 ///
 /// A pivot is the squared sine of the angle between a row of A and those before it, in the metric of the kinetic
-/// energy. S is known to some Nε, so smaller pivots are rounding errors: of a few rows those that are closer to each
-/// other than about 2⁻²² (`f64`) or 2⁻⁸ (`f32`) count as dependent. [`Saddle`](super::Saddle), which never squares A,
-/// tells them apart.
-const ROUNDINGS: f64 = 64.0;
+/// energy. S is known to some Cε, so what is above has two digits, and rows that are closer to each other than about
+/// 2⁻²² √C (`f64`) or 2⁻⁷ √C (`f32`) count as dependent. [`Saddle`](super::Saddle), which never squares A, tells them
+/// apart.
+const ROUNDINGS: f64 = 256.0;
 
 /// A pivot below this part of its diagonal is left to the pivoted way: after it, and without an order by size, rounding
 /// errors may look like pivots.
@@ -87,6 +87,10 @@ impl<R: Real, const C: usize> Schur<R, C> {
                 column[i] = factor[i][k];
             }
             for i in k + 1..C {
+                // The links of a long chain make a band, which stays one.
+                if C > SMALL && column[i].is_zero() {
+                    continue;
+                }
                 let l = column[i] * inverse[k];
                 factor[i][k] = l;
                 for j in k + 1..=i {
@@ -243,8 +247,10 @@ impl<R: Real, const C: usize> Schur<R, C> {
         }
         if this.rank < C {
             this.shorten(&s, &kept);
-            // A row that is not a number is not a pivot, but it does not depend on others either.
+            // A row that is not a number is not a pivot, but it does not depend on others either. Nor does one whose
+            // square is negative, which no positive masses can make.
             poison(this.factor.as_flattened_mut(), s.as_flattened());
+            poison(this.factor.as_flattened_mut(), &core::array::from_fn::<_, C, _>(|i| lower[i][i].sqrt()));
         }
         this
     }
@@ -386,6 +392,7 @@ mod tests {
 
     #[test]
     fn what_is_not_a_number_stays_so() {
+        assert!(!Schur::factor([[1.0, 0.0], [0.0, -1.0]]).is_finite());
         for s in
             [[[f64::NAN, 0.0], [0.0, 1.0]], [[1.0, 0.0], [0.0, f64::NAN]], [[1.0, 0.0], [f64::INFINITY, 1.0]]]
         {

@@ -1,4 +1,5 @@
-//! Integrators from crates, on the best accelerations known by hand: closed forms, for chains the rod tensions.
+//! Integrators from crates, on the best equations known by hand: closed forms, for chains the rod tensions, for systems with
+//! constraints reduced ones; diffsol also with the multipliers.
 
 mod differential_equations;
 mod diffsol;
@@ -70,12 +71,12 @@ pub fn subjects(problem: &Problem) -> Vec<Box<dyn Subject>> {
 
 #[cfg(test)]
 mod tests {
-    use crate::problem::problems;
+    use crate::problem::{CONSTRAINED, problems};
 
     /// Reduced equations and those with multipliers are the systems that the references belong to.
     #[test]
     fn equations_reach_the_references() {
-        for name in ["pendc", "slider", "andrews", "caraxis"] {
+        for name in CONSTRAINED {
             for problem in problems(Some(name)).expect("the table of references") {
                 for mut subject in super::subjects(&problem) {
                     let sample = subject.sample(&problem, 1e-8, 0.0).expect("a motion");

@@ -1,7 +1,7 @@
 //! The crate `ode_solvers`: Dormand–Prince 8(5,3).
 //!
 //! Version 0.6.2 evaluates one stage at the wrong time, so its order is lost where the equations depend on time:
-//! the figures for `cart` are what a user gets.
+//! the figures for `cart` and `caraxis` are what a user gets.
 
 use std::marker::PhantomData;
 
@@ -42,7 +42,7 @@ pub fn subjects<F: FirstOrder<D>, const D: usize>(start: [f64; D], t_end: f64) -
             OutputType::Sparse,
         );
         let counts = solver.integrate().map_err(|error| format!("{error:?}"))?;
-        let end = F::motion(t_end, solver.y_out().last().ok_or("no solution")?.as_slice());
+        let end = F::motion(t_end, &solver.y_out().last().ok_or("no solution")?.data.0[0]);
         Ok(Outcome { end, steps: u64::from(counts.accepted_steps) })
     })]
 }

@@ -27,14 +27,9 @@ pub(in crate::emit) fn methods(emission: &mut Emission<'_>) -> String {
     let (count, given) = (emission.count(), emission.model.inputs.len());
     let (scalar, state) = (emission.item.scalar.to_string(), emission.state_type());
     let record = record_ident(emission.item).to_string();
-    let (parameter, argument) = given_inputs(emission);
+    let (parameter, _) = given_inputs(emission);
     let error = format!("lagrange::MotionError<{scalar}>");
-    let surface = format!("<Self as lagrange::Surface<{count}, {given}, {held}>>");
-    let system = format!("<Self as lagrange::System<{count}, {given}>>");
-    let balance = format!(
-        "let balance = {surface}::balance_at(self, &{system}::constants(self), state.t, &state.q, &state.v, {argument});\n\
-         lagrange::constraints::finite::<Self, {count}, {given}, {held}>(self, state, &balance)?;\n"
-    );
+    let balance = balance_at(emission);
     let result = |ty: &str| format!("::core::result::Result<{ty}, {error}>");
     let mut text = method(
         "Multipliers λ of the constraints, by name: the generalized force of a constraint f is λ ∂f/∂q, of a constraint g on \
@@ -94,6 +89,19 @@ pub(in crate::emit) fn methods(emission: &mut Emission<'_>) -> String {
     text
 }
 
+/// Statements that bind `balance`, the accelerations and multipliers at `state`, or return an error.
+pub(in crate::emit) fn balance_at(emission: &Emission<'_>) -> String {
+    let held = emission.equations.conditions.count();
+    let (count, given) = (emission.count(), emission.model.inputs.len());
+    let (_, argument) = given_inputs(emission);
+    let surface = format!("<Self as lagrange::Surface<{count}, {given}, {held}>>");
+    let system = format!("<Self as lagrange::System<{count}, {given}>>");
+    format!(
+        "let balance = {surface}::balance_at(self, &{system}::constants(self), state.t, &state.q, &state.v, {argument});\n\
+         lagrange::constraints::finite::<Self, {count}, {given}, {held}>(self, state, &balance)?;\n"
+    )
+}
+
 fn given_inputs(emission: &Emission<'_>) -> (String, &'static str) {
     if emission.model.inputs.is_empty() {
         (String::new(), "&[]")
@@ -103,7 +111,7 @@ fn given_inputs(emission: &Emission<'_>) -> (String, &'static str) {
 }
 
 /// A body that computes nodes from a state with its accelerations and multipliers.
-pub(super) fn of_balance(
+pub(in crate::emit) fn of_balance(
     emission: &mut Emission<'_>,
     balance: &str,
     nodes: &[NodeId],

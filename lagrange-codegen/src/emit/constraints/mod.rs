@@ -13,7 +13,7 @@ mod record;
 mod surface;
 
 pub(crate) use methods::METHODS;
-pub(super) use methods::methods;
+pub(super) use methods::{balance_at, methods, of_balance};
 pub(crate) use places::is_generated as is_force_on_place;
 pub(super) use record::{Held, declared, held, record, record_ident};
 pub(super) use surface::{implementations, system};

@@ -4,6 +4,7 @@
 //! run as [`Stop::Unknown`], which is a failure of the test and never skipped. Factorisations of the
 //! runtime are replaced by an elimination of its own.
 
+mod constrained;
 mod patterns;
 mod value;
 
@@ -51,14 +52,32 @@ impl Interpreter<'_> {
         Some(self.call(function, arguments))
     }
 
-    /// A function of the `System` implementation that takes the state.
+    /// A function of the `System` or `Surface` implementation that takes the state, after the constants and before the
+    /// inputs if it asks for them.
     pub fn of_system(&self, name: &str) -> Option<Run<Value>> {
-        let function = self.expansion.system.get(name)?;
-        let Point { t, q, v, .. } = self.point;
-        let arguments = |constants| {
-            vec![Value::Model, constants, Value::Number(*t), Value::numbers(q), Value::numbers(v)]
+        let Expansion { system, surface, .. } = self.expansion;
+        let function = system.get(name).or_else(|| surface.get(name))?;
+        let names = match patterns::parameters(function) {
+            Ok(names) => names,
+            Err(stop) => return Some(Err(stop)),
         };
-        Some(self.constants().and_then(|constants| self.call(function, arguments(constants))))
+        let Point { t, q, v, u, .. } = self.point;
+        let argument = |name: &String| match name.as_str() {
+            "self" => Ok(Value::Model),
+            "constants" | "_constants" => self.constants(),
+            "t" | "_t" => Ok(Value::Number(*t)),
+            "q" | "_q" => Ok(Value::numbers(q)),
+            "v" | "_v" => Ok(Value::numbers(v)),
+            "u" | "_u" => Ok(Value::numbers(u)),
+            other => unknown(format!("the parameter `{other}`")),
+        };
+        Some(
+            names
+                .iter()
+                .map(argument)
+                .collect::<Run<_>>()
+                .and_then(|arguments| self.call(function, arguments)),
+        )
     }
 
     fn constants(&self) -> Run<Value> {
@@ -135,6 +154,12 @@ impl Interpreter<'_> {
                 UnOp::Deref(_) => self.expression(&unary.expr, locals),
                 _ => unknown(text(unary)),
             },
+            Expr::Binary(binary) if matches!(binary.op, BinOp::Eq(_)) => {
+                match (self.expression(&binary.left, locals)?, self.expression(&binary.right, locals)?) {
+                    (Value::Integer(left), Value::Integer(right)) => Ok(Value::Truth(left == right)),
+                    _ => unknown(text(binary)),
+                }
+            }
             Expr::Binary(binary) => {
                 let (left, right) = (self.number(&binary.left, locals)?, self.number(&binary.right, locals)?);
                 match binary.op {
@@ -164,6 +189,7 @@ impl Interpreter<'_> {
                         _ => unknown(text(field)),
                     }
                 }
+                (record @ Value::Record(_), Member::Named(name)) => record.field(&name.to_string()).cloned(),
                 (mut list @ Value::List(_), Member::Unnamed(index)) => {
                     list.at(&[index.index as usize]).cloned()
                 }
@@ -178,10 +204,13 @@ impl Interpreter<'_> {
                 *self.place(&assign.left, locals)? = value;
                 Ok(Value::Unit)
             }
-            Expr::Struct(state) if text(&state.path) == "lagrange::State" => {
+            Expr::Struct(state) => {
                 let mut fields = BTreeMap::new();
                 for field in &state.fields {
                     fields.insert(text(&field.member), self.expression(&field.expr, locals)?);
+                }
+                if text(&state.path) == "lagrange::Residuals" {
+                    return Ok(Value::Record(fields));
                 }
                 match (fields.remove("t"), fields.remove("q"), fields.remove("v")) {
                     (Some(t), Some(q), Some(v)) => Ok(Value::State(Box::new([t, q, v]))),
@@ -203,7 +232,7 @@ impl Interpreter<'_> {
             },
             Expr::Call(call) => {
                 let arguments = self.expressions(&call.args, locals)?;
-                self.call_path(&text(&call.func), arguments)
+                self.call_path(&path_of(&call.func), arguments)
             }
             Expr::MethodCall(call) => {
                 let receiver = self.expression(&call.receiver, locals)?;
@@ -224,8 +253,10 @@ impl Interpreter<'_> {
     /// A call of a function by its path.
     fn call_path(&self, path: &str, arguments: Vec<Value>) -> Run<Value> {
         let numbers = |arguments: &[Value]| arguments.iter().map(Value::number).collect::<Run<Vec<f64>>>();
-        let function = path.split("::<").next().unwrap_or(path);
-        match (function, arguments.as_slice()) {
+        if let Some(value) = self.of_constraints(path, &arguments) {
+            return value;
+        }
+        match (path, arguments.as_slice()) {
             ("lagrange::solve::pivot", [value, scale]) => {
                 let (value, scale) = (value.number()?, scale.number()?);
                 Ok(Value::Number(if carries(value, scale) { value } else { f64::NAN }))
@@ -252,7 +283,7 @@ impl Interpreter<'_> {
                 let accelerations = Box::new(accelerations.clone());
                 Ok(Value::Result(if finite { Ok(accelerations) } else { Err("not finite".to_owned()) }))
             }
-            ("::core::result::Result::Ok", [value]) => Ok(Value::Result(Ok(Box::new(value.clone())))),
+            ("core::result::Result::Ok", [value]) => Ok(Value::Result(Ok(Box::new(value.clone())))),
             ("lagrange::System::constants", [Value::Model]) => self.constants(),
             ("lagrange::System::accelerations_at", _) => {
                 self.call(find(&self.expansion.system, "accelerations_at")?, arguments)
@@ -328,6 +359,16 @@ fn literal_value(literal: &Lit) -> Run<Value> {
             Err(error) => unknown(error.to_string()),
         },
         _ => unknown(text(literal)),
+    }
+}
+
+/// The segments of a path without the arguments of types.
+fn path_of(function: &Expr) -> String {
+    match function {
+        Expr::Path(path) => {
+            path.path.segments.iter().map(|segment| segment.ident.to_string()).collect::<Vec<_>>().join("::")
+        }
+        other => text(other),
     }
 }
 

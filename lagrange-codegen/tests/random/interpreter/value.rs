@@ -1,5 +1,7 @@
 //! Values of emitted code, and why a run of it can end.
 
+use std::collections::BTreeMap;
+
 use crate::oracle::gauss;
 
 /// A value of emitted code.
@@ -7,6 +9,7 @@ use crate::oracle::gauss;
 pub enum Value {
     Number(f64),
     Integer(usize),
+    Truth(bool),
     Unit,
     /// An array, a tuple, a vector, or a matrix as an array of rows.
     List(Vec<Value>),
@@ -16,6 +19,8 @@ pub enum Value {
     State(Box<[Value; 3]>),
     /// A symmetric matrix that the runtime has factored.
     Factored(Vec<Vec<f64>>),
+    /// Any other struct, by field.
+    Record(BTreeMap<String, Value>),
     Result(Result<Box<Value>, String>),
 }
 
@@ -60,6 +65,16 @@ impl Value {
         match self {
             Value::List(elements) => Ok(elements),
             other => unknown(format!("a list expected, not {other:?}")),
+        }
+    }
+
+    /// A field of a record.
+    pub fn field(&self, name: &str) -> Run<&Value> {
+        match self {
+            Value::Record(fields) => {
+                fields.get(name).ok_or_else(|| Stop::Unknown(format!("no field `{name}` in {self:?}")))
+            }
+            other => unknown(format!("no field `{name}` in {other:?}")),
         }
     }
 

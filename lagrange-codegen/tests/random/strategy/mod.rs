@@ -4,6 +4,7 @@
 //! so that almost every system is regular at almost every state. No strategy depends on the value
 //! of another one: indices are resolved by the system, and shrinking is free to take parts away.
 
+mod constraints;
 mod expressions;
 mod roles;
 mod systems;

@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 
-use super::expressions::{Reach, body, index, scalar};
+use super::constraints::{Carrier, Restraint, restraints};
+use super::expressions::{Reach, body, fixed, index, scalar};
 use super::roles::{Base, base, role};
 use crate::check::Sample;
 use crate::source::PARAMETERS;
@@ -29,15 +30,26 @@ fn of_inertia(quadratic: bool) -> BoxedStrategy<System> {
     let helpers = prop::collection::vec(body(Reach::Helper, scalar(Reach::Helper)), 1..=2);
     let bases = prop::collection::vec(base(quadratic), MOST);
     let roles = prop::collection::vec(role(quadratic), 0..=4);
-    (scalar_type, coordinates(), inputs(), helpers, bases, roles, 0_usize..12)
-        .prop_map(|(scalar, coordinates, inputs, helpers, bases, roles, one_base)| {
-            let mut system = System { scalar, coordinates, inputs, helpers, roles: Vec::new() };
+    let held = (restraints(), index(), prop::bool::weighted(0.2), prop::option::weighted(0.15, fixed()));
+    (scalar_type, coordinates(), inputs(), helpers, bases, roles, 0_usize..12, held)
+        .prop_map(|(scalar, coordinates, inputs, helpers, bases, roles, one_base, held)| {
+            let (restraints, first, massless, baumgarte) = held;
+            let mut system = System { scalar, coordinates, inputs, helpers, roles: Vec::new(), baumgarte };
             let count = system.count();
             let bases: Vec<Base> =
                 bases.into_iter().cycle().take(if one_base == 0 { 1 } else { count }).collect();
-            system.roles =
-                bases.into_iter().cycle().take(count).enumerate().map(|(i, base)| base.role(i)).collect();
+            let first = first % count;
+            // A constraint may stand in for the inertia of its coordinate.
+            let massless = massless && count > 1 && !restraints.is_empty();
+            let mut based = vec![None; count];
+            for (i, base) in bases.into_iter().cycle().take(count).enumerate() {
+                if !(massless && i == first) {
+                    based[i] = Some(system.roles.len());
+                    system.roles.push(base.role(i));
+                }
+            }
             system.roles.extend(roles);
+            restrain(&mut system, restraints, first, &based);
             let (has_places, has_bodies) = (system.any_place(0).is_some(), system.any_body(0).is_some());
             system.roles.retain(|role| match role {
                 Role::ForceAt(..) => has_places,
@@ -47,6 +59,32 @@ fn of_inertia(quadratic: bool) -> BoxedStrategy<System> {
             system
         })
         .boxed()
+}
+
+/// Adds constraints as long as there are coordinates for them, from a first one on. `based` has the roles that give
+/// coordinates their inertia.
+fn restrain(system: &mut System, restraints: Vec<Restraint>, first: usize, based: &[Option<usize>]) {
+    let (count, mut held, mut functions) = (system.count(), 0, [0; 2]);
+    for restraint in restraints {
+        let of_kind = &mut functions[usize::from(restraint.is_holonomic())];
+        if held + restraint.count() > count || *of_kind == 2 {
+            continue;
+        }
+        *of_kind += 1;
+        let start = first + held;
+        held += restraint.count();
+        let role = restraint.role(start, |i| carrier(system, based[i % count]?));
+        system.roles.push(role);
+    }
+}
+
+/// A particle as a constraint names it.
+fn carrier(system: &System, role: usize) -> Option<Carrier> {
+    let Role::Point { dimension, .. } = system.roles[role] else { return None };
+    let visible = system.roles.len();
+    let names =
+        |which: &usize| system.place(*which, dimension, visible).is_some_and(|place| place.role == role);
+    (0..120).find(names).map(|which| (which, dimension))
 }
 
 fn lengths() -> BoxedStrategy<Vec<Option<usize>>> {
@@ -72,7 +110,7 @@ fn coordinates() -> BoxedStrategy<Vec<Group>> {
 
 fn inputs() -> BoxedStrategy<Vec<Group>> {
     let length = prop_oneof![3 => Just(None), 1 => (1_usize..=2).prop_map(Some)];
-    (prop::collection::vec(length, 0..=2), 0_usize..if std::env::var("ANYNAME").is_ok() { 4 } else { 1 })
+    (prop::collection::vec(length, 0..=2), 0..INPUTS.len())
         .prop_map(|(lengths, start)| named(&lengths, &INPUTS, start))
         .boxed()
 }

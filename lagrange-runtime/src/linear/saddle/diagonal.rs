@@ -21,7 +21,10 @@ pub struct Diagonal<R, const N: usize, const C: usize> {
 }
 
 impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
-    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves.
+    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves; a negative one gives NaN where it
+    /// makes a row of A negative.
+    ///
+    /// A row that reaches only coordinates that nothing moves counts as [vanishing](SaddlePoint::vanishing).
     #[inline]
     #[must_use]
     pub fn factor(inverse_masses: [R; N], a: &[[R; N]; C]) -> Self {
@@ -33,12 +36,7 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
                 lower[c][d] = dot(&rows[c], &a[d]);
             }
         }
-        let mut drift = [[R::zero(); C]; N];
-        if C <= SMALL {
-            drift = transposed(&rows);
-        } else {
-            rows = *a;
-        }
+        let drift = transposed(&rows);
         let schur = Schur::factor_with(&lower, &mut rows);
         Self { inverse_masses, drift, rows, schur }
     }
@@ -47,20 +45,11 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<R, N, C> {
     #[inline]
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
+        let lack = subtract_product(y, &self.drift, r);
+        let kappa = self.schur.solve(lack);
         let mut free = *r;
         multiply(&mut free, &self.inverse_masses);
-        if C <= SMALL {
-            let lack = subtract_product(y, &self.drift, r);
-            return (add_product(&free, &self.rows, &lack), self.schur.solve(lack));
-        }
-        let mut lack = *y;
-        for (lack, row) in lack.iter_mut().zip(&self.rows) {
-            *lack -= dot(row, &free);
-        }
-        let kappa = self.schur.solve(lack);
-        let mut v = add_product(r, &self.rows, &kappa);
-        multiply(&mut v, &self.inverse_masses);
-        (v, kappa)
+        (add_product(&free, &self.rows, if C <= SMALL { &lack } else { &kappa }), kappa)
     }
 
     #[inline]

@@ -14,8 +14,9 @@ use super::vectors::{add_scaled, best, dot, multiply, pick, put, scale, unit, wh
 
 /// A row whose distance from the span of the rows before is less than 2¹² ε of its size depends on them.
 ///
-/// A distance is known to some Nε, amplified by how close to each other the rows before are, and a gradient is often
-/// itself a difference of larger numbers. What is above the tolerance has three digits in `f64` and `f32` alike.
+/// The distance of a row that depends on others is 1ε by rounding alone, but a gradient is often itself a difference of
+/// larger numbers, which brings their roundings. What is above the tolerance has three digits in `f64` and `f32` alike,
+/// as long as it is not more uncertain than that.
 const ROUNDINGS: f64 = 4096.0;
 
 /// The independent rows of A and the reflectors that make them triangular.

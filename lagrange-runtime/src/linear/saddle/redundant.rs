@@ -7,7 +7,7 @@
 
 use crate::real::Real;
 
-use super::vectors::{add_scaled, dot, magnitude};
+use super::vectors::{add_scaled, dot, magnitude, scale};
 
 /// Orthonormal vectors that span the first `rank` of `combinations`.
 pub(in crate::linear) fn basis<R: Real, const C: usize>(
@@ -21,18 +21,14 @@ pub(in crate::linear) fn basis<R: Real, const C: usize>(
         for _ in 0..2 {
             // Sizes before squares, which could overflow. Nothing is zero here: an independent row is 1 in its own.
             let size = magnitude(vector).recip();
-            for x in vector.iter_mut() {
-                *x *= size;
-            }
+            scale(vector, size);
             for other in before.iter() {
                 let along = dot(other, vector);
                 add_scaled(vector, other, -along);
             }
         }
         let norm = dot(vector, vector).sqrt().recip();
-        for x in vector.iter_mut() {
-            *x *= norm;
-        }
+        scale(vector, norm);
     }
     basis
 }

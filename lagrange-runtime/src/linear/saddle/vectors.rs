@@ -57,9 +57,9 @@ pub(in crate::linear) fn transposed<R: Real, const I: usize, const J: usize>(
     matrix: &[[R; J]; I],
 ) -> [[R; I]; J] {
     let mut transposed = [[R::zero(); I]; J];
-    for (i, row) in matrix.iter().enumerate() {
-        for (to, &from) in transposed.iter_mut().zip(row) {
-            to[i] = from;
+    for i in 0..I {
+        for j in 0..J {
+            transposed[j][i] = matrix[i][j];
         }
     }
     transposed

@@ -1,14 +1,18 @@
 //! Recurrences of whole descriptions: how many convolutions they take, and the coefficients they give.
 
+mod constrained;
+mod expansion;
+
 use lagrange_codegen::diagnostics::Diagnostics;
 use lagrange_codegen::expr::Variable;
-use lagrange_codegen::jets::{self, Jets, Relation, Value};
+use lagrange_codegen::jets::{self, Jets};
 use lagrange_codegen::mechanics::{self, Equations};
 use lagrange_codegen::model::Model;
-use lagrange_codegen::schedule::{Instruction, Slot};
 use lagrange_codegen::{lower, syntax};
 use proc_macro2::TokenStream;
 use quote::quote;
+
+use expansion::{solved, unknowns};
 
 fn derived(args: TokenStream, item: TokenStream) -> (Model, Equations, Option<Jets>) {
     let mut diagnostics = Diagnostics::new();
@@ -41,140 +45,6 @@ fn chain(links: usize) -> (Model, Equations, Option<Jets>) {
     )
 }
 
-/// Coefficients by the definition: every order evaluated for N + 1 trial velocities and solved.
-struct Expansion<'a> {
-    jets: &'a Jets,
-    /// By order, then by slot.
-    series: Vec<Vec<f64>>,
-    start: &'a dyn Fn(Variable) -> f64,
-}
-
-impl Expansion<'_> {
-    fn convolution(&self, a: Slot, b: Slot, order: usize, now: &[f64]) -> f64 {
-        let of =
-            |slot: Slot, k: usize| if k == order { now[slot.index()] } else { self.series[k][slot.index()] };
-        (0..=order).map(|j| of(a, j) * of(b, order - j)).sum()
-    }
-
-    /// All coefficients of an order for given coefficients of the velocities.
-    fn order(&self, order: usize, velocities: &[f64]) -> Vec<f64> {
-        let (program, k) = (&self.jets.program, order as f64);
-        let mut now = vec![0.0; program.len()];
-        for &slot in &self.jets.order {
-            let held = if order == 0 { 1.0 } else { 0.0 };
-            now[slot.index()] = match (self.jets.auxiliary(slot), program.instruction(slot)) {
-                (Some(series), _) if order == 0 => match series.value {
-                    Value::Unary(function, x) => function.evaluate(now[x.index()]),
-                    Value::Binary(function, x, y) => function.evaluate(now[x.index()], now[y.index()]),
-                    Value::Power(x, exponent) => now[x.index()].powf(0.5 * f64::from(exponent.0)),
-                    Value::Same(x) => now[x.index()],
-                },
-                (Some(series), _) => match &series.relation {
-                    Relation::Flow(rate) => self.series[order - 1][rate.index()] / k,
-                    Relation::Same(x) => now[x.index()],
-                    Relation::Chain(terms) => {
-                        let term = |&(slope, x): &(Slot, Slot)| -> f64 {
-                            let of = |j: usize| {
-                                if j == order { now[x.index()] } else { self.series[j][x.index()] }
-                            };
-                            (1..=order)
-                                .map(|j| j as f64 * of(j) * self.series[order - j][slope.index()])
-                                .sum()
-                        };
-                        terms.iter().map(term).sum::<f64>() / k
-                    }
-                    Relation::Power(x, exponent) => {
-                        let (e, y) = (exponent.value(), series.slot.index());
-                        let of =
-                            |j: usize| if j == order { now[x.index()] } else { self.series[j][x.index()] };
-                        let term =
-                            |j: usize| (e * (k - j as f64) - j as f64) * self.series[j][y] * of(order - j);
-                        (0..order).map(term).sum::<f64>() / (k * self.series[0][x.index()])
-                    }
-                },
-                (None, Instruction::Variable(Variable::Velocity(i))) => velocities[i as usize],
-                (None, Instruction::Variable(Variable::Coordinate(i))) if order > 0 => {
-                    self.velocity(order - 1, i) / k
-                }
-                (None, Instruction::Variable(Variable::Time)) if order > 0 => {
-                    if order == 1 {
-                        1.0
-                    } else {
-                        0.0
-                    }
-                }
-                (None, Instruction::Variable(variable)) => held * (self.start)(variable),
-                (None, Instruction::Literal(number)) => held * number.value(),
-                (None, Instruction::Add(a, b)) => now[a.index()] + now[b.index()],
-                (None, Instruction::Sub(a, b)) => now[a.index()] - now[b.index()],
-                (None, Instruction::Neg(a)) => -now[a.index()],
-                (None, Instruction::Mul(a, b)) => self.convolution(a, b, order, &now),
-                (None, other) => unreachable!("{other:?}"),
-            };
-        }
-        now
-    }
-
-    fn velocity(&self, order: usize, i: u32) -> f64 {
-        let program = &self.jets.program;
-        let slot = self
-            .jets
-            .order
-            .iter()
-            .find(|&&slot| program.instruction(slot) == Instruction::Variable(Variable::Velocity(i)));
-        self.series[order][slot.expect("every velocity is read").index()]
-    }
-}
-
-/// Coefficients of the velocities of the orders 1 to `orders`.
-fn velocities(jets: &Jets, count: usize, orders: usize, start: &dyn Fn(Variable) -> f64) -> Vec<Vec<f64>> {
-    let mut expansion = Expansion { jets, series: Vec::new(), start };
-    let first: Vec<f64> = (0..count as u32).map(|i| start(Variable::Velocity(i))).collect();
-    expansion.series.push(expansion.order(0, &first));
-    let mut found = Vec::new();
-    for order in 1..=orders {
-        let momenta = |trial: &[f64]| -> Vec<f64> {
-            let now = expansion.order(order, trial);
-            jets.momenta.iter().map(|slot| now[slot.index()]).collect()
-        };
-        let known = momenta(&vec![0.0; count]);
-        let columns: Vec<Vec<f64>> = (0..count)
-            .map(|i| {
-                let mut unit = vec![0.0; count];
-                unit[i] = 1.0;
-                momenta(&unit).iter().zip(&known).map(|(a, b)| a - b).collect()
-            })
-            .collect();
-        let last = &expansion.series[order - 1];
-        let right: Vec<f64> =
-            (0..count).map(|i| last[jets.rates[i].index()] / order as f64 - known[i]).collect();
-        let solution = solved(columns, right);
-        let now = expansion.order(order, &solution);
-        expansion.series.push(now);
-        found.push(solution);
-    }
-    found
-}
-
-/// Σ columns\[j] x\[j] = right, by elimination.
-fn solved(columns: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
-    let count = right.len();
-    let mut a: Vec<Vec<f64>> = (0..count).map(|i| (0..count).map(|j| columns[j][i]).collect()).collect();
-    for k in 0..count {
-        for i in k + 1..count {
-            let factor = a[i][k] / a[k][k];
-            let pivot = a[k].clone();
-            a[i].iter_mut().zip(&pivot).skip(k).for_each(|(entry, pivot)| *entry -= factor * pivot);
-            right[i] -= factor * right[k];
-        }
-    }
-    for i in (0..count).rev() {
-        let known: f64 = (i + 1..count).map(|j| a[i][j] * right[j]).sum();
-        right[i] = (right[i] - known) / a[i][i];
-    }
-    right
-}
-
 /// Accelerations from M a = f, the equations that the other methods use.
 fn accelerations(model: &Model, equations: &Equations, at: &dyn Fn(Variable) -> f64) -> Vec<f64> {
     let count = equations.force.len();
@@ -195,7 +65,7 @@ fn check((model, equations, jets): (Model, Equations, Option<Jets>)) {
         Variable::Time => 0.9,
         _ => 1.3,
     };
-    let series = velocities(&jets, count, 2, &start);
+    let series = unknowns(&jets, count, 2, &start);
     let a = accelerations(&model, &equations, &start);
     let moved = |h: f64| {
         accelerations(&model, &equations, &|variable: Variable| match variable {

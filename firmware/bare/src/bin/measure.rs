@@ -1,0 +1,150 @@
+//! Prints how many instructions a step takes and how much stack it uses, for all systems and methods.
+//!
+//! QEMU counts: with `-icount shift=6` an instruction takes 64 ns of virtual time, and SysTick, which runs on that time, is
+//! read before and after each step. How many ticks an instruction has is found by a loop of known length, so that no
+//! clock of the emulated board needs to be known.
+#![no_std]
+#![no_main]
+#![allow(unsafe_code, reason = "the stack is painted, and the loop of known length is written in assembly")]
+
+use core::fmt::{self, Write};
+use core::hint::black_box;
+use core::ptr;
+
+use bare::Console;
+use cortex_m::peripheral::{SYST, syst::SystClkSource};
+use lagrangian::FixedStep;
+use lagrangian::prelude::*;
+use systems::{Bits, Experiment, Visitor, each};
+
+/// Steps whose instructions are counted.
+const STEPS: u32 = 64;
+
+/// Iterations of the loop of known length; each is two instructions.
+const ITERATIONS: u32 = 100_000;
+
+/// What the stack is painted with.
+const PAINT: u32 = 0xcccc_cccc;
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    bare::run(|out| {
+        let Some(core) = cortex_m::Peripherals::take() else { return Err(fmt::Error) };
+        let mut timer = core.SYST;
+        timer.set_clock_source(SystClkSource::Core);
+        timer.set_reload(0x00ff_ffff);
+        timer.clear_current();
+        timer.enable_counter();
+        let nothing = ticks(|| ());
+        let calibration = ticks(known_loop) - nothing;
+        writeln!(out, "# {} instructions take {calibration} ticks", 2 * ITERATIONS)?;
+        let mut table = Table { out, nothing, calibration };
+        each::<f32, _>(&mut table)?;
+        each::<f64, _>(&mut table)
+    })
+}
+
+/// Ticks that something takes, less than 2²⁴.
+#[inline(always)]
+fn ticks<T>(what: impl FnOnce() -> T) -> u32 {
+    let before = SYST::get_current();
+    black_box(what());
+    let after = SYST::get_current();
+    before.wrapping_sub(after) & 0x00ff_ffff
+}
+
+/// Takes 2 · ITERATIONS instructions and a few.
+fn known_loop() {
+    // SAFETY: counts a register down.
+    unsafe {
+        core::arch::asm!("2:", "subs {left}, #1", "bne 2b", left = inout(reg) ITERATIONS => _, options(nomem, nostack));
+    }
+}
+
+struct Table<'a> {
+    out: &'a mut Console,
+    /// Ticks of measuring nothing.
+    nothing: u32,
+    /// Ticks of the loop of known length.
+    calibration: u32,
+}
+
+impl<R: Bits> Visitor<R> for Table<'_> {
+    type Error = fmt::Error;
+
+    fn visit<S, M, const K: usize>(&mut self, method: &'static str) -> fmt::Result
+    where
+        S: Experiment<K, Scalar = R>,
+        M: FixedStep<S, 2, K>,
+    {
+        let paint = Paint::new();
+        let total = steps::<S, M, K>(self.nothing);
+        let stack = paint.used();
+        let Some(total) = total else { return Err(fmt::Error) };
+        let instructions = total * u64::from(2 * ITERATIONS) / u64::from(self.calibration) / u64::from(STEPS);
+        writeln!(self.out, "{} {method} {} {instructions} {stack}", S::NAME, R::NAME)
+    }
+}
+
+/// Ticks of all steps.
+#[inline(never)]
+fn steps<S, M, const K: usize>(nothing: u32) -> Option<u64>
+where
+    S: Experiment<K>,
+    M: FixedStep<S, 2, K>,
+{
+    let system = black_box(S::new());
+    let mut motion = system.stepper::<M>(black_box(S::start()));
+    let h = black_box(S::Scalar::from_f64(1.0 / 128.0));
+    let mut total = 0;
+    for _ in 0..STEPS {
+        let inputs = black_box(S::inputs(motion.state()));
+        let mut good = false;
+        let ticks = ticks(|| good = motion.step(h, &inputs).is_ok());
+        total += u64::from(ticks - nothing);
+        if !good {
+            return None;
+        }
+    }
+    Some(total)
+}
+
+/// A painted stack.
+struct Paint {
+    top: *mut u32,
+}
+
+unsafe extern "C" {
+    /// From the linker script: the lowest word that the stack may use.
+    static mut _stack_end: u32;
+}
+
+impl Paint {
+    /// Paints what lies below the frame of the caller.
+    #[inline(always)]
+    fn new() -> Self {
+        let top = ptr::with_exposed_provenance_mut::<u32>(cortex_m::register::msp::read() as usize);
+        // SAFETY: the words from the end of the stack to its pointer are free, and no interrupt is on.
+        unsafe {
+            let mut word = &raw mut _stack_end;
+            while word < top {
+                word.write_volatile(PAINT);
+                word = word.add(1);
+            }
+        }
+        Self { top }
+    }
+
+    /// Bytes that were used since.
+    #[inline(always)]
+    fn used(&self) -> usize {
+        // SAFETY: reads the same words.
+        unsafe {
+            let mut word = &raw mut _stack_end;
+            while word < self.top && word.read_volatile() == PAINT {
+                word = word.add(1);
+            }
+            self.top.byte_offset_from_unsigned(word)
+        }
+    }
+}

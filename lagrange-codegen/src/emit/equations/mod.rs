@@ -1,0 +1,200 @@
+//! The model as a page of a textbook: `EQUATIONS`, `EQUATIONS_LATEX`, and the documentation of the generated block.
+//!
+//! The equations stand as M a + b = Q − ∂D/∂v + Aᵀλ, a row for each coordinate. What several rows share gets a name where the
+//! rows would be long otherwise, and of large systems only the first rows are written.
+
+mod formula;
+mod page;
+mod readable;
+mod symbols;
+
+use crate::collections::Lookup;
+use crate::emit::Emission;
+use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
+use crate::model::Model;
+use crate::number::Number;
+use formula::{Writer, join};
+pub(super) use page::page;
+use symbols::Notation;
+
+/// Rows are written while their expressions have at most this many nodes together.
+const MOST: usize = 260;
+
+/// Longer rows, in nodes written out, are shortened by names for what they share.
+const LONG: u64 = 160;
+
+/// Parts below this many nodes need no name.
+const SHORT: u64 = 7;
+
+/// The vectors of the equations as the methods compute them.
+pub(super) struct Sides {
+    /// b.
+    pub bias: Vec<NodeId>,
+    /// Q − ∂D/∂v.
+    pub applied: Vec<NodeId>,
+}
+
+/// The equations of motion, ready to be written.
+pub(super) struct Equations {
+    /// By coordinate: the summands of the left-hand side, and of the right-hand side.
+    rows: Vec<(Vec<NodeId>, Vec<NodeId>)>,
+    /// Parts that have names, operands first.
+    shared: Vec<NodeId>,
+    /// Rows that are left out.
+    omitted: usize,
+}
+
+impl Equations {
+    /// Gathers the rows that are to be written.
+    pub fn of(emission: &mut Emission<'_>, sides: &Sides) -> Equations {
+        let equations = emission.equations;
+        let count = emission.count();
+        let mut rows = Vec::new();
+        for i in 0..count {
+            let row = row(emission.model, equations, sides, i);
+            let nodes = rows
+                .iter()
+                .chain([&row])
+                .flat_map(|(left, right): &(Vec<NodeId>, Vec<NodeId>)| left.iter().chain(right).copied());
+            if emission.model.graph.cone(nodes).len() > MOST {
+                break;
+            }
+            rows.push(row);
+        }
+        let sizes: Vec<usize> = rows.iter().map(|(left, right)| left.len() + right.len()).collect();
+        let nodes: Vec<NodeId> =
+            rows.iter().flat_map(|(left, right)| left.iter().chain(right).copied()).collect();
+        let graph = &mut emission.model.graph;
+        let mut simpler = readable::with_angles(graph, &nodes).into_iter();
+        for ((left, right), size) in rows.iter_mut().zip(sizes) {
+            let (of_left, of_right) = (left.len(), size - left.len());
+            *left = simpler.by_ref().take(of_left).collect();
+            *right = simpler.by_ref().take(of_right).collect();
+            for side in [left, right] {
+                // Coefficients of accelerations stay together.
+                let open = |&node: &NodeId| {
+                    let inertial = graph.dependence(node).meets(Dependence::ACCELERATIONS);
+                    let short = graph.tree_size(node) < LONG;
+                    if short && !inertial { readable::summands(graph, node) } else { vec![node] }
+                };
+                *side = side.iter().flat_map(open).collect();
+            }
+        }
+        let graph = &emission.model.graph;
+        let nodes: Vec<NodeId> =
+            rows.iter().flat_map(|(left, right)| left.iter().chain(right).copied()).collect();
+        let shared = shared(graph, &nodes);
+        Equations { omitted: count - rows.len(), rows, shared }
+    }
+
+    /// The constant `EQUATIONS` as text.
+    pub fn constant(&self, model: &Model) -> String {
+        let plain = self.written(model, Notation::Unicode);
+        format!(
+            "/// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.\n\
+             pub const EQUATIONS: &'static str = {plain:?};\n"
+        )
+    }
+
+    /// The equations as text.
+    fn written(&self, model: &Model, notation: Notation) -> String {
+        let mut writer = Writer { model, notation, names: Lookup::default() };
+        let mut definitions = Vec::new();
+        for (number, &node) in (1..).zip(&self.shared) {
+            let right = writer.definition(node);
+            let name = symbols::symbol(notation, "w", &number.to_string(), 0).text;
+            definitions.push((name.clone(), right));
+            writer.names.insert(node, name);
+        }
+        let side = |nodes: &[NodeId]| {
+            join(
+                nodes
+                    .iter()
+                    .flat_map(|&node| writer.terms(node, false))
+                    .filter(|(_, text)| text != "0")
+                    .collect(),
+            )
+        };
+        let rows: Vec<(String, String)> =
+            self.rows.iter().map(|(left, right)| (side(left), side(right))).collect();
+        let more = match self.omitted {
+            0 => None,
+            1 => Some("and one more equation".to_owned()),
+            n if self.rows.is_empty() => Some(format!("{n} equations, too long to be written")),
+            n => Some(format!("and {n} more equations")),
+        };
+        match notation {
+            Notation::Unicode => {
+                let mut lines: Vec<String> =
+                    rows.into_iter().map(|(left, right)| format!("{left} = {right}")).collect();
+                lines.extend(more.map(|more| format!("… {more}")));
+                if !definitions.is_empty() {
+                    lines.push("where".to_owned());
+                    lines.extend(definitions.into_iter().map(|(name, right)| format!("{name} = {right}")));
+                }
+                lines.join("\n")
+            }
+            Notation::Latex => {
+                let lines: Vec<String> = rows
+                    .into_iter()
+                    .chain(definitions)
+                    .map(|(left, right)| format!("{left} &= {right}"))
+                    .chain(more.map(|more| format!("&\\text{{{more}}}")))
+                    .collect();
+                format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n")).replace('−', "-")
+            }
+        }
+    }
+}
+
+/// An expression in plain text.
+pub(super) fn expression(model: &Model, node: NodeId) -> String {
+    Writer { model, notation: Notation::Unicode, names: Lookup::default() }.expression(node)
+}
+
+/// Σ M_ij a_j + b_i and Q_i + Σ A_ci λ_c.
+fn row(
+    model: &mut Model,
+    equations: &crate::mechanics::Equations,
+    sides: &Sides,
+    i: usize,
+) -> (Vec<NodeId>, Vec<NodeId>) {
+    let graph = &mut model.graph;
+    let count = equations.mass.len();
+    let mut left: Vec<NodeId> = (0..count)
+        .map(|j| {
+            let a = graph.variable(Variable::Acceleration(j as u32));
+            graph.mul(equations.mass[i.max(j)][i.min(j)], a)
+        })
+        .collect();
+    left.push(sides.bias[i]);
+    let mut right = vec![sides.applied[i]];
+    right.extend(equations.conditions.reactions.get(i));
+    left.retain(|&node| !graph.is_zero(node));
+    right.retain(|&node| !graph.is_zero(node));
+    (left, right)
+}
+
+/// Parts that several places share, where the whole would be long without names for them.
+fn shared(graph: &Graph, roots: &[NodeId]) -> Vec<NodeId> {
+    let total = roots.iter().fold(0_u64, |total, &root| total.saturating_add(graph.tree_size(root)));
+    if total <= LONG * roots.len().max(1) as u64 / 4 || total <= LONG {
+        return Vec::new();
+    }
+    let cone = graph.cone(roots.iter().copied());
+    let mut uses: Lookup<NodeId, u32> = Lookup::default();
+    let mut count = |node: NodeId| {
+        let so_far = uses.get(&node).copied().unwrap_or(0);
+        uses.insert(node, so_far + 1);
+    };
+    for &id in &cone {
+        graph.operands(id, &mut count);
+    }
+    roots.iter().for_each(|&root| count(root));
+    cone.into_iter()
+        .filter(|node| {
+            let scaled = matches!(graph.node(*node), Node::Sum { offset, terms } if terms.len() == 1 && *offset == Number::ZERO);
+            uses.get(node).is_some_and(|&uses| uses > 1) && !scaled && graph.tree_size(*node) >= SHORT
+        })
+        .collect()
+}

@@ -1,0 +1,131 @@
+//! Rewritings for a reader: products of sines and cosines that belong to one angle, and products multiplied out.
+//!
+//! What is cheap to compute (sin a sin b + cos a cos b, where the four are at hand) is not what a textbook prints.
+
+use crate::calculus::rebuild;
+use crate::collections::Lookup;
+use crate::expr::{Exponent, Graph, Node, NodeId, Unary};
+use crate::number::Number;
+
+/// Longer sums stay as they are.
+const MOST: usize = 24;
+
+/// Expressions with cos a cos b + sin a sin b as cos(a − b), and its kind.
+pub(super) fn with_angles(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
+    let mut images: Lookup<NodeId, NodeId> = Lookup::default();
+    for id in graph.cone(roots.iter().copied()) {
+        let image = rebuild(graph, id, |operand| images.get(&operand).copied().unwrap_or(operand));
+        let image = joined(graph, image);
+        images.insert(id, image);
+    }
+    roots.iter().map(|root| images.get(root).copied().unwrap_or(*root)).collect()
+}
+
+fn joined(graph: &mut Graph, id: NodeId) -> NodeId {
+    let Node::Sum { offset, terms } = graph.node(id).clone() else { return id };
+    if terms.len() < 2 || terms.len() > MOST {
+        return id;
+    }
+    for (place, &term) in terms.iter().enumerate() {
+        for (other, &partner) in terms.iter().enumerate().skip(place + 1) {
+            if let Some(merged) = merged(graph, term, partner) {
+                let mut rest = terms.clone();
+                rest.remove(other);
+                rest[place] = merged;
+                let sum = graph.sum(offset, &rest);
+                return joined(graph, sum);
+            }
+        }
+    }
+    id
+}
+
+/// Two terms that are one by an addition theorem.
+fn merged(graph: &mut Graph, left: (NodeId, Number), right: (NodeId, Number)) -> Option<(NodeId, Number)> {
+    if left.1.abs() != right.1.abs() {
+        return None;
+    }
+    let Node::Product(factors) = graph.node(left.0).clone() else { return None };
+    let waves: Vec<(usize, Unary, NodeId)> = factors
+        .iter()
+        .enumerate()
+        .filter(|(_, (_, exponent))| *exponent == Exponent(2))
+        .filter_map(|(place, (factor, _))| match *graph.node(*factor) {
+            Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => Some((place, function, angle)),
+            _ => None,
+        })
+        .collect();
+    for (number, &(first, one, a)) in waves.iter().enumerate() {
+        for &(second, two, b) in &waves[number + 1..] {
+            let rest: Vec<(NodeId, Exponent)> = factors
+                .iter()
+                .enumerate()
+                .filter(|&(place, _)| place != first && place != second)
+                .map(|(_, &factor)| factor)
+                .collect();
+            let (of_a, of_b) = (graph.unary(other(one), a), graph.unary(other(two), b));
+            let mut partner = rest.clone();
+            partner.extend([(of_a, Exponent(2)), (of_b, Exponent(2))]);
+            if graph.product(&partner) != right.0 {
+                continue;
+            }
+            let same = left.1 == right.1;
+            let (function, angle, scale) = match (one, two) {
+                (Unary::Sin, Unary::Sin) => (Unary::Cos, combined(graph, a, b, !same), right.1),
+                (Unary::Cos, Unary::Cos) => (Unary::Cos, combined(graph, a, b, !same), left.1),
+                // sin a cos b is the term that keeps its sign.
+                (Unary::Sin, _) => (Unary::Sin, combined(graph, a, b, same), left.1),
+                _ => (Unary::Sin, combined(graph, b, a, same), left.1),
+            };
+            let wave = graph.unary(function, angle);
+            // An odd function may have brought its sign out.
+            let mut product = rest;
+            product.push((wave, Exponent(2)));
+            return Some((graph.product(&product), scale));
+        }
+    }
+    None
+}
+
+fn other(function: Unary) -> Unary {
+    if function == Unary::Sin { Unary::Cos } else { Unary::Sin }
+}
+
+/// a + b or a − b.
+fn combined(graph: &mut Graph, a: NodeId, b: NodeId, add: bool) -> NodeId {
+    if add { graph.add(a, b) } else { graph.sub(a, b) }
+}
+
+/// The summands of an expression, products with one sum among their factors multiplied out; sums of parameters are kept.
+pub(super) fn summands(graph: &mut Graph, id: NodeId) -> Vec<NodeId> {
+    match graph.node(id).clone() {
+        Node::Sum { offset, terms } if terms.len() <= MOST && !graph.dependence(id).is_fixed() => {
+            let mut parts = Vec::new();
+            for (term, coefficient) in terms {
+                for part in summands(graph, term) {
+                    parts.push(graph.scale(part, coefficient));
+                }
+            }
+            if !offset.is_zero() {
+                parts.push(graph.constant(offset));
+            }
+            parts
+        }
+        Node::Product(factors) => {
+            let is_open = |&(factor, exponent): &(NodeId, Exponent)| {
+                exponent == Exponent(2)
+                    && matches!(graph.node(factor), Node::Sum { terms, .. } if terms.len() <= MOST)
+                    && !graph.dependence(factor).is_fixed()
+            };
+            let mut open = factors.iter().copied().filter(is_open);
+            let (Some((sum, _)), None) = (open.next(), open.next()) else { return vec![id] };
+            let rest: Vec<_> = factors.iter().copied().filter(|&(factor, _)| factor != sum).collect();
+            let rest = graph.product(&rest);
+            let parts = summands(graph, sum);
+            parts.into_iter().map(|part| graph.mul(rest, part)).collect()
+        }
+        Node::Sum { .. } | Node::Constant(_) | Node::Variable(_) | Node::Unary(..) | Node::Binary(..) => {
+            vec![id]
+        }
+    }
+}

@@ -1,0 +1,283 @@
+//! Integrals of the motion by Noether's theorem, found by search.
+//!
+//! A shift q → q + ε ξ with ξ = S q + s takes I = p·ξ along: dI/dt = f·ξ + p·S v with f = ∂L/∂q + Q − ∂D/∂v, plus λᵀ A ξ where
+//! there are constraints. Both must vanish for all q, v, t, u and all values of the parameters (Arnold, *Mathematical Methods
+//! of Classical Mechanics*, section 20). They are linear in S and s: random samples give a linear system, its null space the
+//! candidates, and each candidate is then confirmed at points of its own. Integrals that are not linear in the momenta, or
+//! whose ξ depends on parameters, are not found.
+
+use super::nullspace::{Noise, null_space};
+use crate::expr::{Graph, NodeId, Variable};
+use crate::mechanics::Equations;
+use crate::model::Model;
+use crate::number::Number;
+
+/// More unknowns than this are too many for an elimination in an unoptimised macro.
+const MOST: usize = 280;
+
+/// Samples beyond the number of unknowns.
+const SPARE: usize = 16;
+
+/// Points at which a candidate is confirmed.
+const CONFIRMED: usize = 40;
+
+/// dI/dt may be this share of the sum of its absolute terms and of the momenta.
+const ROUNDING: f64 = 1e-12;
+
+/// Largest denominator of an entry of S and s.
+const DENOMINATOR: i128 = 12;
+
+/// ξ = S q + s.
+#[derive(Clone, Debug, Default)]
+pub struct Generator {
+    /// Entries of S: `(row, column, value)`.
+    pub linear: Vec<(usize, usize, Number)>,
+    /// Entries of s.
+    pub shift: Vec<(usize, Number)>,
+}
+
+/// A conserved quantity.
+#[derive(Clone, Debug)]
+pub struct Integral {
+    /// What makes it one.
+    pub generator: Generator,
+    /// p·ξ.
+    pub value: NodeId,
+}
+
+/// One degree of freedom of the search.
+#[derive(Clone, Copy, Debug)]
+enum Unknown {
+    /// S_ij.
+    Entry(usize, usize),
+    /// A rotation: S_ij = −1 and S_ji = 1.
+    Plane(usize, usize),
+    /// s_i.
+    Shift(usize),
+}
+
+impl Unknown {
+    /// The coordinate that it moves.
+    fn row(self) -> usize {
+        match self {
+            Unknown::Entry(i, _) | Unknown::Plane(i, _) | Unknown::Shift(i) => i,
+        }
+    }
+
+    /// The entries of S, and of s, that it stands for.
+    fn parts(self) -> (Vec<(usize, usize, i128)>, Option<usize>) {
+        match self {
+            Unknown::Entry(i, j) => (vec![(i, j, 1)], None),
+            Unknown::Plane(i, j) => (vec![(i, j, -1), (j, i, 1)], None),
+            Unknown::Shift(i) => (Vec::new(), Some(i)),
+        }
+    }
+}
+
+/// All integrals p·(S q + s), a basis of them.
+pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
+    let unknowns = unknowns(model, equations);
+    let mut noise = Noise(0);
+    let Some(samples) = samples(model, equations, &mut noise, unknowns.len() + SPARE) else {
+        return Vec::new();
+    };
+    // Momenta say how large a force on a coordinate must be to count: masses may differ by many orders.
+    let weights: Vec<f64> = (0..equations.mass.len())
+        .map(|i| {
+            let largest =
+                samples.iter().fold(0.0, |largest: f64, sample| largest.max(sample.momenta[i].abs()));
+            if largest > 0.0 { largest.recip() } else { 1.0 }
+        })
+        .collect();
+    let scales: Vec<f64> = unknowns.iter().map(|unknown| weights[unknown.row()]).collect();
+    let rows = samples
+        .iter()
+        .flat_map(|sample| sample.conditions(&unknowns))
+        .map(|row| row.iter().zip(&scales).map(|(entry, scale)| entry * scale).collect());
+    let candidates: Vec<Generator> = null_space(rows.collect(), unknowns.len())
+        .iter()
+        .filter_map(|vector| {
+            let free = vector.iter().rposition(|&entry| entry == 1.0)?;
+            let unscaled: Vec<f64> =
+                vector.iter().zip(&scales).map(|(entry, scale)| entry * scale / scales[free]).collect();
+            Generator::rational(&unscaled, &unknowns)
+        })
+        .collect();
+    let Some(others) = self::samples(model, equations, &mut noise, CONFIRMED) else { return Vec::new() };
+    let is_confirmed = |candidate: &Generator| others.iter().all(|sample| sample.confirms(candidate));
+    let mut confirmed: Vec<Generator> = candidates.into_iter().filter(is_confirmed).collect();
+    // Translations first, as they stand in the coordinates.
+    confirmed.sort_by_key(|generator| !generator.linear.is_empty());
+    confirmed
+        .into_iter()
+        .map(|generator| Integral {
+            value: generator.momentum(&mut model.graph, &equations.momenta),
+            generator,
+        })
+        .collect()
+}
+
+/// What to search: all of S where there are few coordinates, rotations where M is diagonal, else translations alone.
+fn unknowns(model: &Model, equations: &Equations) -> Vec<Unknown> {
+    let graph = &model.graph;
+    let mass = &equations.mass;
+    let count = mass.len();
+    let shifts = (0..count).map(Unknown::Shift);
+    let constant = mass.iter().flatten().all(|&entry| graph.dependence(entry).is_fixed());
+    let diagonal =
+        (0..count).all(|i| (0..i).all(|j| graph.is_zero(mass[i][j])) && !graph.is_zero(mass[i][i]));
+    let mut searched: Vec<Unknown> = if constant && diagonal {
+        // M S must be skew.
+        let pairs = (0..count).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let equal = pairs.filter(|&(i, j)| mass[i][i] == mass[j][j]);
+        let mut planes: Vec<(usize, usize)> = equal.collect();
+        if planes.len() + count > MOST {
+            let quantity = |i: usize| &model.coordinates[i];
+            planes.retain(|&(i, j)| {
+                quantity(i).name != quantity(j).name && quantity(i).index == quantity(j).index
+            });
+        }
+        planes.into_iter().map(|(i, j)| Unknown::Plane(i, j)).collect()
+    } else {
+        (0..count).flat_map(|i| (0..count).map(move |j| Unknown::Entry(i, j))).collect()
+    };
+    if searched.len() + count > MOST {
+        searched.clear();
+    }
+    searched.extend(shifts);
+    searched
+}
+
+/// The equations at one point.
+struct Sample {
+    q: Vec<f64>,
+    v: Vec<f64>,
+    momenta: Vec<f64>,
+    rates: Vec<f64>,
+    jacobian: Vec<Vec<f64>>,
+}
+
+impl Sample {
+    fn draw(model: &Model, equations: &Equations, noise: &mut Noise, attempt: usize) -> Sample {
+        let count = equations.mass.len();
+        // Roots and logarithms may want positive coordinates.
+        let low = if attempt.is_multiple_of(2) { -1.5 } else { 0.1 };
+        let mut draw = |count: usize, low: f64, high: f64| -> Vec<f64> {
+            (0..count).map(|_| noise.between(low, high)).collect()
+        };
+        let (q, v) = (draw(count, low, 1.5), draw(count, -1.0, 1.0));
+        let parameters = draw(model.parameters.len(), 0.5, 2.0);
+        let inputs = draw(model.inputs.len(), -1.0, 1.0);
+        let time = draw(1, -1.0, 1.0)[0];
+        let value = |variable: Variable| match variable {
+            Variable::Coordinate(i) => q[i as usize],
+            Variable::Velocity(i) => v[i as usize],
+            Variable::Parameter(i) => parameters[i as usize],
+            Variable::Input(i) => inputs[i as usize],
+            Variable::Time => time,
+            Variable::Acceleration(_)
+            | Variable::Auxiliary(_)
+            | Variable::Multiplier(_)
+            | Variable::Position(_) => f64::NAN,
+        };
+        let conditions = &equations.conditions;
+        let mut roots = equations.momenta.clone();
+        roots.extend(&equations.momentum_rates);
+        roots.extend(conditions.jacobian.iter().flatten());
+        let mut values = model.graph.evaluate(&roots, value).into_iter();
+        let mut take = || values.by_ref().take(count).collect::<Vec<_>>();
+        let (momenta, rates) = (take(), take());
+        let jacobian = (0..conditions.count()).map(|_| take()).collect();
+        Sample { q, v, momenta, rates, jacobian }
+    }
+
+    fn is_finite(&self) -> bool {
+        let numbers = self.momenta.iter().chain(&self.rates).chain(self.jacobian.iter().flatten());
+        numbers.into_iter().all(|number| number.is_finite())
+    }
+
+    /// Rows of the linear system: dI/dt, then A ξ.
+    fn conditions(&self, unknowns: &[Unknown]) -> Vec<Vec<f64>> {
+        let row = |force: &[f64], momenta: Option<&[f64]>| {
+            unknowns
+                .iter()
+                .map(|unknown| {
+                    let (linear, shift) = unknown.parts();
+                    let turned = linear.iter().map(|&(i, j, sign)| {
+                        let carried = momenta.map_or(0.0, |momenta| momenta[i] * self.v[j]);
+                        sign as f64 * (force[i] * self.q[j] + carried)
+                    });
+                    turned.sum::<f64>() + shift.map_or(0.0, |i| force[i])
+                })
+                .collect()
+        };
+        let mut rows = vec![row(&self.rates, Some(&self.momenta))];
+        rows.extend(self.jacobian.iter().map(|gradient| row(gradient, None)));
+        rows
+    }
+
+    /// Whether dI/dt and A ξ vanish up to rounding.
+    fn confirms(&self, generator: &Generator) -> bool {
+        let vanishes = |force: &[f64], momenta: Option<&[f64]>| {
+            let (mut sum, mut size) = (0.0, 0.0);
+            let mut add = |term: f64, scale: f64| {
+                sum += term;
+                size += term.abs() + scale.abs();
+            };
+            for &(i, j, value) in &generator.linear {
+                let value = value.value();
+                add(value * force[i] * self.q[j], value * self.momenta[i]);
+                add(momenta.map_or(0.0, |momenta| value * momenta[i] * self.v[j]), 0.0);
+            }
+            for &(i, value) in &generator.shift {
+                add(value.value() * force[i], value.value() * self.momenta[i]);
+            }
+            sum.abs() <= ROUNDING * size
+        };
+        vanishes(&self.rates, Some(&self.momenta))
+            && self.jacobian.iter().all(|gradient| vanishes(gradient, None))
+    }
+}
+
+/// So many points at which everything is a number; `None` where there are hardly any.
+fn samples(model: &Model, equations: &Equations, noise: &mut Noise, wanted: usize) -> Option<Vec<Sample>> {
+    let drawn = (0..4 * wanted).map(|attempt| Sample::draw(model, equations, noise, attempt));
+    let samples: Vec<Sample> = drawn.filter(Sample::is_finite).take(wanted).collect();
+    (samples.len() == wanted).then_some(samples)
+}
+
+impl Generator {
+    /// The rational vector that a numerical one stands for.
+    fn rational(vector: &[f64], unknowns: &[Unknown]) -> Option<Generator> {
+        let mut generator = Generator::default();
+        for (&entry, unknown) in vector.iter().zip(unknowns) {
+            let value = (1..=DENOMINATOR).find_map(|denominator| {
+                let scaled = entry * denominator as f64;
+                let near = scaled.abs() < 1e6 && (scaled - scaled.round()).abs() < 1e-6;
+                near.then(|| Number::ratio(scaled.round() as i128, denominator)).flatten()
+            })?;
+            if !value.is_zero() {
+                let (linear, shift) = unknown.parts();
+                generator
+                    .linear
+                    .extend(linear.into_iter().map(|(i, j, sign)| (i, j, Number::integer(sign) * value)));
+                generator.shift.extend(shift.map(|i| (i, value)));
+            }
+        }
+        Some(generator)
+    }
+
+    /// p·ξ.
+    fn momentum(&self, graph: &mut Graph, momenta: &[NodeId]) -> NodeId {
+        let mut terms: Vec<(NodeId, Number)> = self
+            .linear
+            .iter()
+            .map(|&(i, j, value)| {
+                let q = graph.variable(Variable::Coordinate(j as u32));
+                (graph.mul(momenta[i], q), value)
+            })
+            .collect();
+        terms.extend(self.shift.iter().map(|&(i, value)| (momenta[i], value)));
+        graph.sum(Number::ZERO, &terms)
+    }
+}

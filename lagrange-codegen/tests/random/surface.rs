@@ -1,0 +1,98 @@
+//! The emitted quantities of a system with constraints against the oracle.
+
+use crate::check::{Agreements, absent, flat, succeeded};
+use crate::close::compare;
+use crate::interpreter::{Interpreter, Run, Value};
+use crate::number::Tracked;
+use crate::oracle::Quantities;
+
+/// What the solver is given, whether or not it can solve it: `balance_at`, `saddle_at`, `residuals_at`.
+pub fn unsolved(run: &Interpreter<'_>, expected: &Quantities) -> Result<Agreements, String> {
+    let held = &expected.held;
+    let force: Vec<Tracked> =
+        expected.applied.iter().zip(&expected.bias).map(|(&applied, &bias)| applied - bias).collect();
+    let mut agreements = Agreements::new();
+    let balance = of_system(run, "balance_at")?;
+    for (name, part, wanted) in [
+        ("mass of balance", "mass", expected.mass.concat()),
+        ("gradients of balance", "gradients", held.jacobian.concat()),
+        ("force of balance", "force", force),
+        ("gamma of balance", "gamma", held.gamma.clone()),
+    ] {
+        agreements.push((name, compare(name, &field(&balance, part)?, &wanted)?));
+    }
+    let saddle = of_system(run, "saddle_at")?;
+    let [factors, gradients] = saddle.list().map_err(|stop| format!("saddle_at: {stop:?}"))? else {
+        return Err(format!("saddle_at: {saddle:?}"));
+    };
+    for (name, found, wanted) in [
+        ("mass of saddle", field(factors, "mass")?, expected.mass.concat()),
+        ("gradients of saddle", field(factors, "gradients")?, held.jacobian.concat()),
+        ("gradients beside saddle", flat("saddle_at", Ok(gradients.clone()))?, held.jacobian.concat()),
+    ] {
+        agreements.push((name, compare(name, &found, &wanted)?));
+    }
+    let residuals = of_system(run, "residuals_at")?;
+    for (name, part, sizes, wanted) in [
+        ("positions", "positions", "position_sizes", &held.positions),
+        ("rates", "rates", "rate_sizes", &held.rates),
+    ] {
+        let (found, sizes) = (field(&residuals, part)?, field(&residuals, sizes)?);
+        agreements.push((name, compare(name, &found, wanted)?));
+        // A size is that of all summands together.
+        let bounds = found.iter().zip(&sizes).all(|(value, size)| value.abs() <= size * (1.0 + 1e-9));
+        if sizes.len() != found.len() || !bounds {
+            return Err(format!("{name}: {found:?} beside sizes {sizes:?}"));
+        }
+    }
+    Ok(agreements)
+}
+
+/// What follows from the solution.
+pub fn solved(run: &Interpreter<'_>, expected: &Quantities) -> Result<Agreements, String> {
+    let held = &expected.held;
+    let mut agreements = Agreements::new();
+    let reactions = match method(run, "reactions")? {
+        Value::List(parts) => match <[Value; 2]>::try_from(parts) {
+            Ok([multipliers, Value::Truth(true)]) => flat("reactions", Ok(multipliers))?,
+            other => return Err(format!("reactions: {other:?}")),
+        },
+        other => return Err(format!("reactions: {other:?}")),
+    };
+    let numbers = |name: &'static str| flat(name, method_value(run, name));
+    for (name, found, wanted) in [
+        ("reactions", reactions, held.multipliers.clone()),
+        ("reaction_forces", numbers("reaction_forces")?, held.forces.concat()),
+        ("reaction_power", numbers("reaction_power")?, vec![held.power]),
+        ("energy_rate", numbers("energy_rate")?, vec![held.energy_rate]),
+    ] {
+        agreements.push((name, compare(name, &found, &wanted)?));
+    }
+    for (role, wanted) in &held.on_places {
+        let name = format!("reactions_on_place_{role}");
+        // Where no constraint is written through a place, there is no method for it.
+        let found = match run.method(&name) {
+            Some(value) => flat(&name, value.and_then(succeeded))?,
+            None => vec![0.0; wanted.len()],
+        };
+        agreements.push(("reactions_on", compare(&name, &found, wanted)?));
+    }
+    Ok(agreements)
+}
+
+fn method_value(run: &Interpreter<'_>, name: &str) -> Run<Value> {
+    run.method(name).unwrap_or_else(|| absent(name)).and_then(succeeded)
+}
+
+fn method(run: &Interpreter<'_>, name: &str) -> Result<Value, String> {
+    method_value(run, name).map_err(|stop| format!("{name}: {stop:?}"))
+}
+
+fn of_system(run: &Interpreter<'_>, name: &str) -> Result<Value, String> {
+    run.of_system(name).unwrap_or_else(|| absent(name)).map_err(|stop| format!("{name}: {stop:?}"))
+}
+
+/// The numbers of a field of a record.
+fn field(record: &Value, name: &str) -> Result<Vec<f64>, String> {
+    flat(name, record.field(name).cloned())
+}

@@ -1,0 +1,252 @@
+//! [`Tangent`]: the derivatives of the equations of motion with their constraints, and what follows from them.
+//!
+//! With r = f + Aᵀλ − M a the equations of motion are r = 0 and A a − γ = 0. Generated code has the derivatives of both
+//! at any given accelerations and multipliers, so that no inverse is differentiated; everything else is here:
+//!
+//! | method | what it gives |
+//! | --- | --- |
+//! | [`Tangent::response`] | derivatives of accelerations and multipliers |
+//! | [`Tangent::equilibrium`] | where the system can rest |
+//! | [`Tangent::linearize`] | M, C, G, K and ẋ = A x + B u about a state |
+//! | [`Tangent::modes`] | frequencies, damping ratios and shapes of small oscillations |
+//! | [`Tangent::inverse_dynamics`] | forces that a given motion needs |
+//! | [`Sensitive::sensitivities`] | derivatives of accelerations and multipliers by parameters |
+//! | [`Sensitive::variational`] | the motion with its derivatives by the start and by parameters |
+//!
+mod equilibrium;
+mod inverse_dynamics;
+mod linear_model;
+#[cfg(feature = "std")]
+mod modes;
+mod reduced;
+mod response;
+mod sensitive;
+mod variational;
+mod varied;
+
+use crate::constraints::{Balance, Residuals};
+use crate::error::MotionError;
+use crate::linearized::Linearized;
+use crate::real::{Ordered, Real};
+use crate::state::State;
+pub use equilibrium::{Equilibrium, EquilibriumError};
+pub use inverse_dynamics::InverseDynamics;
+pub use linear_model::{Basis, LinearModel};
+#[cfg(feature = "std")]
+pub use modes::Mode;
+pub use reduced::{reduced, reduced_by_inputs, reduced_residual};
+pub use response::Response;
+pub use sensitive::{ByParameters, Sensitive, Sensitivities};
+pub use variational::{Transition, Variational, VariationalMotion};
+pub use varied::Varied;
+
+/// r = f + Aᵀλ − M a, and A a − γ of the constraints: both zero on the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Imbalance<R, const N: usize, const C: usize> {
+    /// r.
+    pub forces: [R; N],
+    /// A a − γ.
+    pub conditions: [R; C],
+}
+
+/// M, A, and the derivatives of r = f + Aᵀλ − M a and of the constraints at given accelerations and multipliers; rows are
+/// equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Variation<R, const N: usize, const K: usize, const C: usize> {
+    /// M = −∂r/∂a.
+    pub mass: [[R; N]; N],
+    /// ∂r/∂q.
+    pub by_q: [[R; N]; N],
+    /// ∂r/∂v.
+    pub by_v: [[R; N]; N],
+    /// ∂r/∂t.
+    pub by_t: [R; N],
+    /// ∂r/∂u.
+    pub by_u: [[R; K]; N],
+    /// A, so that ∂r/∂λ = Aᵀ.
+    pub gradients: [[R; N]; C],
+    /// ∂w/∂q, where w = df/dt of the holonomic constraints and g of the others; ∂w/∂v is A.
+    pub rates_by_q: [[R; N]; C],
+    /// ∂(A a − γ)/∂q.
+    pub conditions_by_q: [[R; N]; C],
+    /// ∂(A a − γ)/∂v.
+    pub conditions_by_v: [[R; N]; C],
+    /// ∂(A a − γ)/∂t.
+    pub conditions_by_t: [R; C],
+}
+
+impl<R: Real, const N: usize, const K: usize, const C: usize> Variation<R, N, K, C> {
+    /// Zeros, for generated code to fill in.
+    #[inline]
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            mass: [[R::zero(); N]; N],
+            by_q: [[R::zero(); N]; N],
+            by_v: [[R::zero(); N]; N],
+            by_t: [R::zero(); N],
+            by_u: [[R::zero(); K]; N],
+            gradients: [[R::zero(); N]; C],
+            rates_by_q: [[R::zero(); N]; C],
+            conditions_by_q: [[R::zero(); N]; C],
+            conditions_by_v: [[R::zero(); N]; C],
+            conditions_by_t: [R::zero(); C],
+        }
+    }
+}
+
+/// Where a body of generated code is evaluated: a state with accelerations `a`, multipliers and inputs.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<'a, R, const N: usize, const K: usize, const C: usize> {
+    /// Time \[s].
+    pub t: R,
+    /// Coordinates.
+    pub q: &'a [R; N],
+    /// Velocities.
+    pub v: &'a [R; N],
+    /// Accelerations.
+    pub a: &'a [R; N],
+    /// Multipliers λ.
+    pub multipliers: &'a [R; C],
+    /// Inputs.
+    pub u: &'a [R; K],
+}
+
+/// A system of `N` coordinates, `K` inputs and `C` scalar constraints whose attribute asks for `jacobians`.
+#[diagnostic::on_unimplemented(
+    message = "the derivatives of the equations of `{Self}` are not generated",
+    label = "this needs `jacobians`",
+    note = "say so in the attribute: `#[lagrangian(coordinates = […], jacobians)]`"
+)]
+pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linearized<N, K> {
+    /// Which constraints are holonomic.
+    const HOLONOMIC: [bool; C];
+
+    /// Accelerations and multipliers; not finite where there are none.
+    fn balanced_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> Balance<Self::Scalar, N, C>;
+
+    /// How far a state is off the constraints.
+    fn deviations_at(
+        &self,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+    ) -> Residuals<Self::Scalar, C>;
+
+    /// r and A a − γ.
+    fn imbalance_at(
+        &self,
+        constants: &Self::Constants,
+        place: &Place<'_, Self::Scalar, N, K, C>,
+    ) -> Imbalance<Self::Scalar, N, C>;
+
+    /// M, A, and the derivatives of r and of A a − γ.
+    fn variation_at(
+        &self,
+        constants: &Self::Constants,
+        place: &Place<'_, Self::Scalar, N, K, C>,
+    ) -> Variation<Self::Scalar, N, K, C>;
+
+    /// Derivatives of accelerations and multipliers by coordinates, velocities, time and inputs.
+    ///
+    /// # Errors
+    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite.
+    #[inline]
+    fn response(
+        &self,
+        state: &State<Self::Scalar, N>,
+        u: &[Self::Scalar; K],
+    ) -> Result<Response<Self::Scalar, N, K, C>, MotionError<Self::Scalar>>
+    where
+        Self: Sized,
+    {
+        response::response(self, state, u)
+    }
+
+    /// The equilibrium near a guess, under steady inputs: coordinates q with f(t, q, 0, u) + Aᵀλ = 0 on the constraints.
+    ///
+    /// By the principle of virtual work, f(t, q, 0, u) · δq = 0 for all δq that the constraints allow (Lanczos, *The
+    /// Variational Principles of Mechanics*, chapter III). Nonholonomic constraints restrict δq by G δq = 0 but not
+    /// the positions: with them equilibria come in families, and the one found is near the guess. In rotating
+    /// coordinates f contains the gradient of T₀, so that relative equilibria (stationary points of V − T₀) come out.
+    ///
+    /// The guess is a state, whose velocities do not count, or coordinates alone. It need not obey the constraints.
+    /// Levenberg–Marquardt steps in the null space of A with exact derivatives; singular stiffness (a family of
+    /// equilibria, a bifurcation) and redundant constraints do no harm.
+    ///
+    /// # Errors
+    /// [`EquilibriumError`]: constraints that cannot be met or that move, or no equilibrium in reach.
+    #[inline]
+    fn equilibrium(
+        &self,
+        guess: impl Into<State<Self::Scalar, N>>,
+        u: &[Self::Scalar; K],
+    ) -> Result<Equilibrium<Self::Scalar, N, C>, EquilibriumError>
+    where
+        Self: Sized,
+        Self::Scalar: Ordered,
+    {
+        equilibrium::equilibrium(self, guess.into(), u)
+    }
+
+    /// The linear equations of small deviations from a state, or from the motion through it: mass, damping, gyroscopic
+    /// and stiffness matrices, and ẋ = A x + B u + drift on the tangent space of the constraints.
+    ///
+    /// # Errors
+    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite.
+    #[inline]
+    fn linearize(
+        &self,
+        state: &State<Self::Scalar, N>,
+        u: &[Self::Scalar; K],
+    ) -> Result<LinearModel<Self::Scalar, N, K>, MotionError<Self::Scalar>>
+    where
+        Self: Sized,
+        Self::Scalar: Ordered,
+    {
+        linear_model::linearize(self, state, u)
+    }
+
+    /// Natural frequencies, damping ratios and shapes of small oscillations about a state, in the order of frequencies.
+    ///
+    /// # Errors
+    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite; eigenvalues
+    /// that the iteration does not find.
+    #[cfg(feature = "std")]
+    #[inline]
+    fn modes(
+        &self,
+        state: &State<Self::Scalar, N>,
+        u: &[Self::Scalar; K],
+    ) -> Result<std::vec::Vec<Mode<N>>, MotionError<Self::Scalar>>
+    where
+        Self: Sized,
+        Self::Scalar: Ordered + Into<f64>,
+    {
+        modes::modes(&self.linearize(state, u)?).map_err(|cause| MotionError { cause, t: state.t })
+    }
+
+    /// The generalized forces that a motion with accelerations `a` needs, with all inputs at zero: M a − f, and the part of
+    /// them that the constraints cannot bear.
+    ///
+    /// # Errors
+    /// Constraints without a solution, with the time; a value that is not finite.
+    #[inline]
+    fn inverse_dynamics(
+        &self,
+        state: &State<Self::Scalar, N>,
+        a: &[Self::Scalar; N],
+    ) -> Result<InverseDynamics<Self::Scalar, N, C>, MotionError<Self::Scalar>>
+    where
+        Self: Sized,
+    {
+        inverse_dynamics::inverse_dynamics(self, state, a)
+    }
+}

@@ -1,0 +1,8 @@
+//! What a model can tell about itself: equilibria, linear models, modes, sensitivities.
+
+mod classical;
+mod constrained;
+mod derivatives;
+mod scalars;
+mod seeds;
+mod sensitivities;
