@@ -13,7 +13,8 @@ usage: scripts/check.sh NAME …
   bare-metal  the runtime and a generated system for Cortex-M without an allocator
   benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
   lanes       several motions in the lanes of SIMD vectors
-  long        energy over millions of steps
+  long        energy and constraints over millions of steps
+  firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators)
   all         everything above
 EOF
 }
@@ -46,14 +47,16 @@ benchmarks() { cargo build --release -p benchmarks; }
 
 lanes() { cargo test --features wide --test batch; }
 
-long() { cargo test --release --test integration jets::long -- --ignored --nocapture; }
+long() { cargo test --release --test integration long -- --ignored --nocapture; }
+
+firmware() { scripts/firmware.sh all; }
 
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
-        fmt | clippy | docs | random | benchmarks | lanes | long) "$name" ;;
+        fmt | clippy | docs | random | benchmarks | lanes | long | firmware) "$name" ;;
         bare-metal) bare_metal ;;
-        all) fmt; clippy; docs; random; bare_metal; benchmarks; lanes; long ;;
+        all) fmt; clippy; docs; random; bare_metal; benchmarks; lanes; long; firmware ;;
         *) usage; exit 2 ;;
     esac
 done
