@@ -196,24 +196,24 @@ fn energy_and_closure_stay() {
 
 #[test]
 fn a_parallelogram_passes_its_flat_configurations() {
-    // Flat, the constraints lose a rank and two branches of motions meet. The Taylor series about a state before is that of
-    // the branch it is on, and a step goes across. Where one ends at a distance δ from flat, rounding makes ε/δ² of the
-    // accelerations: of eight passages none ends nearer than a thousandth.
+    // Flat, the constraints lose a rank and two branches of motions meet. Accelerations are those of the branch that the
+    // state is on however near to flat it is, so a method that evaluates them goes across.
     let (angles, wheel) = (Angles(PARALLELOGRAM), Wheel(PARALLELOGRAM));
     let start = State::new([0.3, 0.0, 0.3], [12.0, 0.0, 12.0]);
     let energy = angles.energy(&start);
-    let mut jets = angles.simulate(start).with_tolerance(TIGHT);
+    let mut rk4 = angles.stepper::<Rk4>(start);
     let mut single = wheel.simulate(State::new([0.3], [12.0])).with_tolerance(TIGHT);
-    for k in 1..=40 {
-        let t = 0.05 * f64::from(k);
-        let State { q: [angle], v: [rate], .. } = *single.advance_to(t).unwrap();
-        let state = *jets.advance_to(t).unwrap();
-        close(angles.energy(&state), energy, 1e-8);
-        all_close(state.q, [angle, 0.0, angle], 1e-7);
-        all_close(state.v, [rate, 0.0, rate], 1e-7);
-        for residual in angles.constraint_residuals(&state) {
-            close_on(1.0, residual, 0.0, 1e-14);
+    for step in 1..=10_000 {
+        let state = *rk4.step(5e-4, &[]).unwrap();
+        if step % 100 == 0 {
+            let State { q: [angle], v: [rate], .. } = *single.advance_to(state.t).unwrap();
+            close(angles.energy(&state), energy, 1e-10);
+            all_close(state.q, [angle, 0.0, angle], 1e-8);
+            all_close(state.v, [rate, 0.0, rate], 1e-8);
+            for residual in angles.constraint_residuals(&state) {
+                close_on(1.0, residual, 0.0, 1e-14);
+            }
         }
     }
-    assert!(jets.state().q[0] > 8.0 * std::f64::consts::PI);
+    assert!(rk4.state().q[0] > 18.0 * std::f64::consts::PI);
 }
