@@ -13,10 +13,11 @@ usage: scripts/check.sh NAME …
   bare-metal  the runtime and a generated system for Cortex-M without an allocator
   benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
   lanes       several motions in the lanes of SIMD vectors
-  long        energy and constraints over millions of steps
+  long        energy over millions of steps
+  drift       constraints and their energy over millions of steps
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators)
   all         everything above
-  ci          all of it but the firmware
+  ci          all of it but drift and firmware
 EOF
 }
 
@@ -48,16 +49,18 @@ benchmarks() { cargo build --release -p benchmarks; }
 
 lanes() { cargo test --features wide --test batch; }
 
-long() { cargo test --release --test integration long -- --ignored --nocapture; }
+long() { cargo test --release --test integration jets::long:: -- --ignored --nocapture; }
+
+drift() { cargo test --release --test integration jets::long_constrained:: -- --ignored --nocapture; }
 
 firmware() { scripts/firmware.sh all; }
 
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
-        fmt | clippy | docs | random | benchmarks | lanes | long | firmware) "$name" ;;
+        fmt | clippy | docs | random | benchmarks | lanes | long | drift | firmware) "$name" ;;
         bare-metal) bare_metal ;;
-        all) fmt; clippy; docs; random; bare_metal; benchmarks; lanes; long; firmware ;;
+        all) fmt; clippy; docs; random; bare_metal; benchmarks; lanes; long; drift; firmware ;;
         ci) fmt; clippy; docs; random; bare_metal; benchmarks; lanes; long ;;
         *) usage; exit 2 ;;
     esac
