@@ -104,13 +104,35 @@ fn the_energy_of_a_spherical_pendulum_walks_at_random() {
     between(0.0, errors[9], 5e-13);
 }
 
+/// One walk ends anywhere: twenty planets tell its width, and whether it has a drift.
 #[test]
-#[ignore = "a million steps and more"]
-fn the_energy_of_a_planet_walks_at_random() {
-    let start = State::new([0.4, 0.0], [0.0, 2.0]);
-    let period = std::f64::consts::TAU;
-    let errors = growth("Kepler, e = 0.6", &Kepler, start, 0.618 * period, 200, 10);
-    between(0.0, errors[9], 2e-13);
+#[ignore = "millions of steps"]
+fn the_energy_of_planets_walks_at_random() {
+    const PLANETS: usize = 20;
+    let chunk = 0.618 * std::f64::consts::TAU * 1600.0;
+    let mut walks = [[0.0; PLANETS]; 6];
+    for planet in 0..PLANETS {
+        let nudge = planet as f64;
+        let start = State::new([0.4 + 0.0007 * nudge, 0.0], [0.0, 2.0 - 0.0013 * nudge]);
+        let mut motion = Kepler.simulate(start).with_tolerance(0.0);
+        let energy = motion.energy();
+        for (doublings, errors) in walks.iter_mut().enumerate() {
+            motion.advance_to(chunk * f64::from(2_u32 << doublings)).unwrap();
+            errors[planet] = motion.energy() / energy - 1.0;
+        }
+    }
+    let count = PLANETS as f64;
+    let width = |errors: &[f64; PLANETS]| (errors.iter().map(|e| e * e).sum::<f64>() / count).sqrt();
+    let mean = walks[5].iter().sum::<f64>() / count;
+    for (doublings, errors) in walks.iter().enumerate() {
+        println!("planets: t = {:.0}, energy {:.1e}", chunk * f64::from(2_u32 << doublings), width(errors));
+    }
+    let exponent = (width(&walks[5]) / width(&walks[0])).log2() / 5.0;
+    println!("planets: exponent {exponent:.2}, mean {mean:.1e}");
+    between(0.0, width(&walks[5]), 2.5e-13);
+    between(0.0, exponent, 0.75);
+    // Three standard deviations of a mean without drift.
+    between(0.0, mean.abs(), 3.0 * width(&walks[5]) / count.sqrt());
 }
 
 #[test]
