@@ -25,6 +25,7 @@ run! {
     charge_in_magnetic_field,
     double_pendulum,
     heavy_top,
+    own_math,
     pleiades,
     rolling_disc,
     rotating_frame,
@@ -46,6 +47,8 @@ mod charge_in_magnetic_field;
 mod double_pendulum;
 #[path = "../examples/heavy_top.rs"]
 mod heavy_top;
+#[path = "../examples/own_math.rs"]
+mod own_math;
 #[path = "../examples/pleiades.rs"]
 mod pleiades;
 #[path = "../examples/rolling_disc.rs"]

@@ -453,124 +453,133 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut theta_dot_sin_theta_2_last: R = R::zero();
             let mut sin_theta_flow: R = theta_dot_cos_theta;
             let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
-            for order in 1..=orders {
-                let rate: R = lagrange::jets::rate(h, order);
-                let inner = tables.interior(order);
-                let x_k: R = rate * x_dot_last;
-                let theta_k: R = rate * theta_dot_last;
-                let inner_0: R = Real::mul_add(
-                    theta_dot_first,
-                    sin_theta_last,
-                    Real::mul_add(sin_theta_first, theta_dot_last_2, inner[0]),
-                );
-                let inner_1: R = Real::mul_add(
-                    x_dot_first,
-                    cos_theta_last,
-                    Real::mul_add(cos_theta_first, x_dot_last_2, inner[1]),
-                );
-                let inner_2: R = Real::mul_add(
-                    theta_dot_first,
-                    cos_theta_last,
-                    Real::mul_add(cos_theta_first, theta_dot_last_2, inner[2]),
-                );
-                let inner_3: R = Real::mul_add(
-                    x_dot_first,
-                    theta_dot_sin_theta_2_last,
-                    Real::mul_add(w10, x_dot_last_2, inner[3]),
-                );
-                let sin_theta_k: R = rate * sin_theta_flow;
-                let cos_theta_k: R = rate * cos_theta_flow;
-                let w1_known: R = Real::mul_add(x_dot, cos_theta_k, inner_1);
-                let theta_dot_cos_theta_known: R = Real::mul_add(
-                    theta_dot,
-                    cos_theta_k,
-                    inner_2,
-                );
-                let [x_dot_k, theta_dot_k] = x_factors
-                    .solve([
+            lagrange::jets::in_line::<
+                P,
+            >(
+                orders,
+                #[inline(always)]
+                |order| {
+                    let rate: R = lagrange::jets::rate(h, order);
+                    let inner = tables.interior(order);
+                    let x_k: R = rate * x_dot_last;
+                    let theta_k: R = rate * theta_dot_last;
+                    let inner_0: R = Real::mul_add(
+                        theta_dot_first,
+                        sin_theta_last,
+                        Real::mul_add(sin_theta_first, theta_dot_last_2, inner[0]),
+                    );
+                    let inner_1: R = Real::mul_add(
+                        x_dot_first,
+                        cos_theta_last,
+                        Real::mul_add(cos_theta_first, x_dot_last_2, inner[1]),
+                    );
+                    let inner_2: R = Real::mul_add(
+                        theta_dot_first,
+                        cos_theta_last,
+                        Real::mul_add(cos_theta_first, theta_dot_last_2, inner[2]),
+                    );
+                    let inner_3: R = Real::mul_add(
+                        x_dot_first,
+                        theta_dot_sin_theta_2_last,
+                        Real::mul_add(w10, x_dot_last_2, inner[3]),
+                    );
+                    let sin_theta_k: R = rate * sin_theta_flow;
+                    let cos_theta_k: R = rate * cos_theta_flow;
+                    let w1_known: R = Real::mul_add(x_dot, cos_theta_k, inner_1);
+                    let theta_dot_cos_theta_known: R = Real::mul_add(
+                        theta_dot,
+                        cos_theta_k,
+                        inner_2,
+                    );
+                    let [x_dot_k, theta_dot_k] = x_factors
+                        .solve([
+                            Real::mul_add(
+                                rate,
+                                x_force,
+                                (-(pole_mass_length * theta_dot_cos_theta_known)),
+                            ),
+                            Real::mul_add(
+                                rate,
+                                theta_force,
+                                (-(pole_mass_length * w1_known)),
+                            ),
+                        ]);
+                    series.set(order, [x_k, theta_k], [x_dot_k, theta_dot_k]);
+                    if order == orders {
+                        return false;
+                    }
+                    let theta_dot_sin_theta_k: R = Real::mul_add(
+                        sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, sin_theta_k, inner_0),
+                    );
+                    let theta_dot_sin_theta_2_k: R = theta_dot_sin_theta_k;
+                    let w1_k: R = Real::mul_add(
+                        cos_theta,
+                        x_dot_k,
+                        Real::mul_add(length, theta_dot_k, w1_known),
+                    );
+                    let theta_dot_cos_theta_k: R = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        theta_dot_cos_theta_known,
+                    );
+                    let w5_k: R = Real::mul_add(
+                        -theta_dot_sin_theta_2,
+                        x_dot_k,
                         Real::mul_add(
-                            rate,
-                            x_force,
-                            (-(pole_mass_length * theta_dot_cos_theta_known)),
+                            -x_dot,
+                            theta_dot_sin_theta_2_k,
+                            Real::mul_add(g, sin_theta_k, -inner_3),
                         ),
-                        Real::mul_add(
-                            rate,
-                            theta_force,
-                            (-(pole_mass_length * w1_known)),
-                        ),
-                    ]);
-                series.set(order, [x_k, theta_k], [x_dot_k, theta_dot_k]);
-                if order == orders {
-                    break;
-                }
-                let theta_dot_sin_theta_k: R = Real::mul_add(
-                    sin_theta,
-                    theta_dot_k,
-                    Real::mul_add(theta_dot, sin_theta_k, inner_0),
-                );
-                let theta_dot_sin_theta_2_k: R = theta_dot_sin_theta_k;
-                let w1_k: R = Real::mul_add(
-                    cos_theta,
-                    x_dot_k,
-                    Real::mul_add(length, theta_dot_k, w1_known),
-                );
-                let theta_dot_cos_theta_k: R = Real::mul_add(
-                    cos_theta,
-                    theta_dot_k,
-                    theta_dot_cos_theta_known,
-                );
-                let w5_k: R = Real::mul_add(
-                    -theta_dot_sin_theta_2,
-                    x_dot_k,
-                    Real::mul_add(
-                        -x_dot,
-                        theta_dot_sin_theta_2_k,
-                        Real::mul_add(g, sin_theta_k, -inner_3),
-                    ),
-                );
-                if let ::core::option::Option::Some((left, right)) = tables.row(order) {
-                    left[0] = theta_dot_k;
-                    right[0] = sin_theta_k;
-                    left[1] = x_dot_k;
-                    right[1] = cos_theta_k;
-                    left[2] = theta_dot_k;
-                    right[2] = cos_theta_k;
-                    left[3] = x_dot_k;
-                    right[3] = theta_dot_sin_theta_2_k;
-                }
-                x_dot_last = x_dot_k;
-                theta_dot_last = theta_dot_k;
-                sin_theta_flow = theta_dot_cos_theta_k;
-                cos_theta_flow = -theta_dot_sin_theta_k;
-                x_force = R::zero();
-                theta_force = Real::mul_add(
-                    -damping,
-                    theta_dot_k,
-                    pole_mass_length * w5_k,
-                );
-                theta_dot_first = lagrange::jets::first(
-                    order,
-                    theta_dot_first,
-                    theta_dot_k,
-                );
-                theta_dot_last_2 = theta_dot_k;
-                sin_theta_first = lagrange::jets::first(
-                    order,
-                    sin_theta_first,
-                    sin_theta_k,
-                );
-                sin_theta_last = sin_theta_k;
-                x_dot_first = lagrange::jets::first(order, x_dot_first, x_dot_k);
-                x_dot_last_2 = x_dot_k;
-                cos_theta_first = lagrange::jets::first(
-                    order,
-                    cos_theta_first,
-                    cos_theta_k,
-                );
-                cos_theta_last = cos_theta_k;
-                w10 = lagrange::jets::first(order, w10, theta_dot_sin_theta_2_k);
-                theta_dot_sin_theta_2_last = theta_dot_sin_theta_2_k;
-            }
+                    );
+                    if let ::core::option::Option::Some((left, right)) = tables
+                        .row(order)
+                    {
+                        left[0] = theta_dot_k;
+                        right[0] = sin_theta_k;
+                        left[1] = x_dot_k;
+                        right[1] = cos_theta_k;
+                        left[2] = theta_dot_k;
+                        right[2] = cos_theta_k;
+                        left[3] = x_dot_k;
+                        right[3] = theta_dot_sin_theta_2_k;
+                    }
+                    x_dot_last = x_dot_k;
+                    theta_dot_last = theta_dot_k;
+                    sin_theta_flow = theta_dot_cos_theta_k;
+                    cos_theta_flow = -theta_dot_sin_theta_k;
+                    x_force = R::zero();
+                    theta_force = Real::mul_add(
+                        -damping,
+                        theta_dot_k,
+                        pole_mass_length * w5_k,
+                    );
+                    theta_dot_first = lagrange::jets::first(
+                        order,
+                        theta_dot_first,
+                        theta_dot_k,
+                    );
+                    theta_dot_last_2 = theta_dot_k;
+                    sin_theta_first = lagrange::jets::first(
+                        order,
+                        sin_theta_first,
+                        sin_theta_k,
+                    );
+                    sin_theta_last = sin_theta_k;
+                    x_dot_first = lagrange::jets::first(order, x_dot_first, x_dot_k);
+                    x_dot_last_2 = x_dot_k;
+                    cos_theta_first = lagrange::jets::first(
+                        order,
+                        cos_theta_first,
+                        cos_theta_k,
+                    );
+                    cos_theta_last = cos_theta_k;
+                    w10 = lagrange::jets::first(order, w10, theta_dot_sin_theta_2_k);
+                    theta_dot_sin_theta_2_last = theta_dot_sin_theta_2_k;
+                    true
+                },
+            );
             true
         }
     }

@@ -667,100 +667,109 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
             let mut y_dot_last_2: f64 = 0.0;
             let mut rod_multiplier_first: f64 = 0.0;
             let mut rod_multiplier_last: f64 = 0.0;
-            for order in 1..=orders {
-                let rate: f64 = lagrange::jets::rate(h, order);
-                let inner = tables.interior(order);
-                let x_k: f64 = rate * x_dot_last;
-                let y_k: f64 = rate * y_dot_last;
-                let inner_0: f64 = Real::mul_add(
-                    x_first,
-                    x_dot_last_2,
-                    Real::mul_add(x_dot_first, x_last, inner[0]),
-                );
-                let inner_1: f64 = Real::mul_add(
-                    y_first,
-                    y_dot_last_2,
-                    Real::mul_add(y_dot_first, y_last, inner[1]),
-                );
-                let inner_2: f64 = Real::mul_add(
-                    x_first,
-                    rod_multiplier_last,
-                    Real::mul_add(rod_multiplier_first, x_last, inner[2]),
-                );
-                let inner_3: f64 = Real::mul_add(
-                    y_first,
-                    rod_multiplier_last,
-                    Real::mul_add(rod_multiplier_first, y_last, inner[3]),
-                );
-                let x_k_free: f64 = inverse_mass_2 * (rate * (x_force + inner_2));
-                let y_k_free: f64 = inverse_mass_2 * (rate * (y_force + inner_3));
-                let [rod_multiplier_k_impulse] = saddle
-                    .solve_order(
-                        order,
-                        &mass,
-                        [
-                            Real::mul_add(
-                                -(y),
-                                y_k_free,
+            lagrange::jets::in_line::<
+                P,
+            >(
+                orders,
+                #[inline(always)]
+                |order| {
+                    let rate: f64 = lagrange::jets::rate(h, order);
+                    let inner = tables.interior(order);
+                    let x_k: f64 = rate * x_dot_last;
+                    let y_k: f64 = rate * y_dot_last;
+                    let inner_0: f64 = Real::mul_add(
+                        x_first,
+                        x_dot_last_2,
+                        Real::mul_add(x_dot_first, x_last, inner[0]),
+                    );
+                    let inner_1: f64 = Real::mul_add(
+                        y_first,
+                        y_dot_last_2,
+                        Real::mul_add(y_dot_first, y_last, inner[1]),
+                    );
+                    let inner_2: f64 = Real::mul_add(
+                        x_first,
+                        rod_multiplier_last,
+                        Real::mul_add(rod_multiplier_first, x_last, inner[2]),
+                    );
+                    let inner_3: f64 = Real::mul_add(
+                        y_first,
+                        rod_multiplier_last,
+                        Real::mul_add(rod_multiplier_first, y_last, inner[3]),
+                    );
+                    let x_k_free: f64 = inverse_mass_2 * (rate * (x_force + inner_2));
+                    let y_k_free: f64 = inverse_mass_2 * (rate * (y_force + inner_3));
+                    let [rod_multiplier_k_impulse] = saddle
+                        .solve_order(
+                            order,
+                            &mass,
+                            [
                                 Real::mul_add(
-                                    -(x),
-                                    x_k_free,
+                                    -(y),
+                                    y_k_free,
                                     Real::mul_add(
-                                        -y_dot,
-                                        y_k,
-                                        Real::mul_add(-x_dot, x_k, (-inner_0) - inner_1),
+                                        -(x),
+                                        x_k_free,
+                                        Real::mul_add(
+                                            -y_dot,
+                                            y_k,
+                                            Real::mul_add(-x_dot, x_k, (-inner_0) - inner_1),
+                                        ),
                                     ),
                                 ),
-                            ),
-                        ],
+                            ],
+                        );
+                    let x_dot_k: f64 = Real::mul_add(
+                        rod_x_weighted,
+                        rod_multiplier_k_impulse,
+                        x_k_free,
                     );
-                let x_dot_k: f64 = Real::mul_add(
-                    rod_x_weighted,
-                    rod_multiplier_k_impulse,
-                    x_k_free,
-                );
-                let y_dot_k: f64 = Real::mul_add(
-                    rod_y_weighted,
-                    rod_multiplier_k_impulse,
-                    y_k_free,
-                );
-                let rod_multiplier_k: f64 = lagrange::jets::multiplier(
-                    rod_multiplier_k_impulse,
-                    rate,
-                );
-                series.set(order, [x_k, y_k], [x_dot_k, y_dot_k]);
-                if order == orders {
-                    break;
-                }
-                if let ::core::option::Option::Some((left, right)) = tables.row(order) {
-                    left[0] = x_k;
-                    right[0] = x_dot_k;
-                    left[1] = y_k;
-                    right[1] = y_dot_k;
-                    left[2] = x_k;
-                    right[2] = rod_multiplier_k;
-                    left[3] = y_k;
-                    right[3] = rod_multiplier_k;
-                }
-                x_dot_last = x_dot_k;
-                y_dot_last = y_dot_k;
-                x_force = 0.0;
-                y_force = 0.0;
-                x_first = lagrange::jets::first(order, x_first, x_k);
-                x_last = x_k;
-                x_dot_first = lagrange::jets::first(order, x_dot_first, x_dot_k);
-                x_dot_last_2 = x_dot_k;
-                y_first = lagrange::jets::first(order, y_first, y_k);
-                y_last = y_k;
-                y_dot_first = lagrange::jets::first(order, y_dot_first, y_dot_k);
-                y_dot_last_2 = y_dot_k;
-                rod_multiplier_first = lagrange::jets::first(
-                    order,
-                    rod_multiplier_first,
-                    rod_multiplier_k,
-                );
-                rod_multiplier_last = rod_multiplier_k;
-            }
+                    let y_dot_k: f64 = Real::mul_add(
+                        rod_y_weighted,
+                        rod_multiplier_k_impulse,
+                        y_k_free,
+                    );
+                    let rod_multiplier_k: f64 = lagrange::jets::multiplier(
+                        rod_multiplier_k_impulse,
+                        rate,
+                    );
+                    series.set(order, [x_k, y_k], [x_dot_k, y_dot_k]);
+                    if order == orders {
+                        return false;
+                    }
+                    if let ::core::option::Option::Some((left, right)) = tables
+                        .row(order)
+                    {
+                        left[0] = x_k;
+                        right[0] = x_dot_k;
+                        left[1] = y_k;
+                        right[1] = y_dot_k;
+                        left[2] = x_k;
+                        right[2] = rod_multiplier_k;
+                        left[3] = y_k;
+                        right[3] = rod_multiplier_k;
+                    }
+                    x_dot_last = x_dot_k;
+                    y_dot_last = y_dot_k;
+                    x_force = 0.0;
+                    y_force = 0.0;
+                    x_first = lagrange::jets::first(order, x_first, x_k);
+                    x_last = x_k;
+                    x_dot_first = lagrange::jets::first(order, x_dot_first, x_dot_k);
+                    x_dot_last_2 = x_dot_k;
+                    y_first = lagrange::jets::first(order, y_first, y_k);
+                    y_last = y_k;
+                    y_dot_first = lagrange::jets::first(order, y_dot_first, y_dot_k);
+                    y_dot_last_2 = y_dot_k;
+                    rod_multiplier_first = lagrange::jets::first(
+                        order,
+                        rod_multiplier_first,
+                        rod_multiplier_k,
+                    );
+                    rod_multiplier_last = rod_multiplier_k;
+                    true
+                },
+            );
             true
         }
     }

@@ -447,215 +447,228 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut cos_theta_1_flow: f64 = w21;
             let mut w31: f64 = w23;
             let mut w33: f64 = w24;
-            for order in 1..=orders {
-                let rate: f64 = lagrange::jets::rate(h, order);
-                let inner = tables.interior(order);
-                let theta_0_k: f64 = rate * theta_0_dot_last;
-                let theta_1_k: f64 = rate * theta_1_dot_last;
-                let inner_0: f64 = Real::mul_add(
-                    theta_0_dot_first,
-                    w26,
-                    Real::mul_add(w25, theta_0_dot_last_2, inner[0]),
-                );
-                let inner_1: f64 = Real::mul_add(
-                    theta_1_dot_first,
-                    w26,
-                    Real::mul_add(w25, theta_1_dot_last_2, inner[1]),
-                );
-                let inner_2: f64 = Real::mul_add(
-                    theta_1_dot_first,
-                    theta_0_dot_last_2,
-                    Real::mul_add(theta_0_dot_first, theta_1_dot_last_2, inner[2]),
-                );
-                let inner_3: f64 = Real::mul_add(
-                    w27,
-                    w30,
-                    Real::mul_add(w29, w28, inner[3]),
-                );
-                let inner_4: f64 = Real::mul_add(
-                    theta_0_dot_first,
-                    cos_theta_0_last,
-                    Real::mul_add(cos_theta_0_first, theta_0_dot_last_2, inner[4]),
-                );
-                let inner_5: f64 = Real::mul_add(
-                    theta_0_dot_first,
-                    sin_theta_0_last,
-                    Real::mul_add(sin_theta_0_first, theta_0_dot_last_2, inner[5]),
-                );
-                let inner_6: f64 = Real::mul_add(
-                    theta_1_dot_first,
-                    cos_theta_1_last,
-                    Real::mul_add(cos_theta_1_first, theta_1_dot_last_2, inner[6]),
-                );
-                let inner_7: f64 = Real::mul_add(
-                    theta_1_dot_first,
-                    sin_theta_1_last,
-                    Real::mul_add(sin_theta_1_first, theta_1_dot_last_2, inner[7]),
-                );
-                let inner_8: f64 = Real::mul_add(
-                    w27,
-                    w1_last,
-                    Real::mul_add(w1_first, w28, inner[8]),
-                );
-                let inner_9: f64 = Real::mul_add(
-                    w25,
-                    w1_last,
-                    Real::mul_add(w1_first, w26, inner[9]),
-                );
-                let sin_theta_0_k: f64 = rate * sin_theta_0_flow;
-                let cos_theta_0_k: f64 = rate * cos_theta_0_flow;
-                let sin_theta_1_k: f64 = rate * sin_theta_1_flow;
-                let cos_theta_1_k: f64 = rate * cos_theta_1_flow;
-                let w32: f64 = rate * w31;
-                let w34: f64 = rate * w33;
-                let w2_known: f64 = Real::mul_add(theta_0_dot, w32, inner_0);
-                let w4_partial: f64 = l_0 * w2_known;
-                let w5_known: f64 = Real::mul_add(theta_1_dot, w32, inner_1);
-                let w8_partial: f64 = m_1_l_1 * w5_known;
-                let [theta_0_dot_k, theta_1_dot_k] = theta_0_factors
-                    .solve([
-                        Real::mul_add(rate, theta_0_force, (-(l_0 * w8_partial))),
-                        Real::mul_add(rate, theta_1_force, (-(m_1_l_1 * w4_partial))),
-                    ]);
-                series
-                    .set(order, [theta_0_k, theta_1_k], [theta_0_dot_k, theta_1_dot_k]);
-                if order == orders {
-                    break;
-                }
-                let w1_k: f64 = theta_0_dot_k - theta_1_dot_k;
-                let w2_k: f64 = Real::mul_add(
-                    cos_theta_0_minus_theta_1,
-                    theta_0_dot_k,
-                    w2_known,
-                );
-                let w4_k: f64 = Real::mul_add(l_0, w2_k, l_1 * theta_1_dot_k);
-                let w5_k: f64 = Real::mul_add(
-                    cos_theta_0_minus_theta_1,
-                    theta_1_dot_k,
-                    w5_known,
-                );
-                let w8_k: f64 = Real::mul_add(
-                    m_1_l_1,
-                    w5_k,
-                    l_0_m_0_plus_m_1 * theta_0_dot_k,
-                );
-                let theta_1_dot_theta_0_dot_k: f64 = Real::mul_add(
-                    theta_0_dot,
-                    theta_1_dot_k,
-                    Real::mul_add(theta_1_dot, theta_0_dot_k, inner_2),
-                );
-                let w9_k: f64 = Real::mul_add(
-                    sin_theta_0_minus_theta_1,
-                    theta_1_dot_theta_0_dot_k,
-                    Real::mul_add(theta_1_dot_theta_0_dot, w34, inner_3),
-                );
-                let w11_k: f64 = Real::mul_add(-l_0, w9_k, g * sin_theta_1_k);
-                let w13_k: f64 = Real::mul_add(
-                    m_1_l_1,
-                    w9_k,
-                    g_m_0_plus_m_1 * sin_theta_0_k,
-                );
-                if let ::core::option::Option::Some((left, right)) = tables.row(order) {
-                    left[0] = theta_0_dot_k;
-                    right[0] = w32;
-                    left[1] = theta_1_dot_k;
-                    right[1] = w32;
-                    left[2] = theta_1_dot_k;
-                    right[2] = theta_0_dot_k;
-                    left[3] = w34;
-                    right[3] = theta_1_dot_theta_0_dot_k;
-                    left[4] = theta_0_dot_k;
-                    right[4] = cos_theta_0_k;
-                    left[5] = theta_0_dot_k;
-                    right[5] = sin_theta_0_k;
-                    left[6] = theta_1_dot_k;
-                    right[6] = cos_theta_1_k;
-                    left[7] = theta_1_dot_k;
-                    right[7] = sin_theta_1_k;
-                    left[8] = w34;
-                    right[8] = w1_k;
-                    left[9] = w32;
-                    right[9] = w1_k;
-                }
-                theta_0_dot_last = theta_0_dot_k;
-                theta_1_dot_last = theta_1_dot_k;
-                sin_theta_0_flow = Real::mul_add(
-                    cos_theta_0,
-                    theta_0_dot_k,
-                    Real::mul_add(theta_0_dot, cos_theta_0_k, inner_4),
-                );
-                cos_theta_0_flow = Real::mul_add(
-                    -sin_theta_0,
-                    theta_0_dot_k,
-                    Real::mul_add(-theta_0_dot, sin_theta_0_k, -inner_5),
-                );
-                sin_theta_1_flow = Real::mul_add(
-                    cos_theta_1,
-                    theta_1_dot_k,
-                    Real::mul_add(theta_1_dot, cos_theta_1_k, inner_6),
-                );
-                cos_theta_1_flow = Real::mul_add(
-                    -sin_theta_1,
-                    theta_1_dot_k,
-                    Real::mul_add(-theta_1_dot, sin_theta_1_k, -inner_7),
-                );
-                w31 = Real::mul_add(
-                    -sin_theta_0_minus_theta_1,
-                    w1_k,
-                    Real::mul_add(-w1, w34, -inner_8),
-                );
-                w33 = Real::mul_add(
-                    cos_theta_0_minus_theta_1,
-                    w1_k,
-                    Real::mul_add(w1, w32, inner_9),
-                );
-                theta_0_force = -(l_0 * w13_k);
-                theta_1_force = -(m_1_l_1 * w11_k);
-                theta_0_dot_first = lagrange::jets::first(
-                    order,
-                    theta_0_dot_first,
-                    theta_0_dot_k,
-                );
-                theta_0_dot_last_2 = theta_0_dot_k;
-                w25 = lagrange::jets::first(order, w25, w32);
-                w26 = w32;
-                theta_1_dot_first = lagrange::jets::first(
-                    order,
-                    theta_1_dot_first,
-                    theta_1_dot_k,
-                );
-                theta_1_dot_last_2 = theta_1_dot_k;
-                w27 = lagrange::jets::first(order, w27, w34);
-                w28 = w34;
-                w29 = lagrange::jets::first(order, w29, theta_1_dot_theta_0_dot_k);
-                w30 = theta_1_dot_theta_0_dot_k;
-                cos_theta_0_first = lagrange::jets::first(
-                    order,
-                    cos_theta_0_first,
-                    cos_theta_0_k,
-                );
-                cos_theta_0_last = cos_theta_0_k;
-                sin_theta_0_first = lagrange::jets::first(
-                    order,
-                    sin_theta_0_first,
-                    sin_theta_0_k,
-                );
-                sin_theta_0_last = sin_theta_0_k;
-                cos_theta_1_first = lagrange::jets::first(
-                    order,
-                    cos_theta_1_first,
-                    cos_theta_1_k,
-                );
-                cos_theta_1_last = cos_theta_1_k;
-                sin_theta_1_first = lagrange::jets::first(
-                    order,
-                    sin_theta_1_first,
-                    sin_theta_1_k,
-                );
-                sin_theta_1_last = sin_theta_1_k;
-                w1_first = lagrange::jets::first(order, w1_first, w1_k);
-                w1_last = w1_k;
-            }
+            lagrange::jets::in_line::<
+                P,
+            >(
+                orders,
+                #[inline(always)]
+                |order| {
+                    let rate: f64 = lagrange::jets::rate(h, order);
+                    let inner = tables.interior(order);
+                    let theta_0_k: f64 = rate * theta_0_dot_last;
+                    let theta_1_k: f64 = rate * theta_1_dot_last;
+                    let inner_0: f64 = Real::mul_add(
+                        theta_0_dot_first,
+                        w26,
+                        Real::mul_add(w25, theta_0_dot_last_2, inner[0]),
+                    );
+                    let inner_1: f64 = Real::mul_add(
+                        theta_1_dot_first,
+                        w26,
+                        Real::mul_add(w25, theta_1_dot_last_2, inner[1]),
+                    );
+                    let inner_2: f64 = Real::mul_add(
+                        theta_1_dot_first,
+                        theta_0_dot_last_2,
+                        Real::mul_add(theta_0_dot_first, theta_1_dot_last_2, inner[2]),
+                    );
+                    let inner_3: f64 = Real::mul_add(
+                        w27,
+                        w30,
+                        Real::mul_add(w29, w28, inner[3]),
+                    );
+                    let inner_4: f64 = Real::mul_add(
+                        theta_0_dot_first,
+                        cos_theta_0_last,
+                        Real::mul_add(cos_theta_0_first, theta_0_dot_last_2, inner[4]),
+                    );
+                    let inner_5: f64 = Real::mul_add(
+                        theta_0_dot_first,
+                        sin_theta_0_last,
+                        Real::mul_add(sin_theta_0_first, theta_0_dot_last_2, inner[5]),
+                    );
+                    let inner_6: f64 = Real::mul_add(
+                        theta_1_dot_first,
+                        cos_theta_1_last,
+                        Real::mul_add(cos_theta_1_first, theta_1_dot_last_2, inner[6]),
+                    );
+                    let inner_7: f64 = Real::mul_add(
+                        theta_1_dot_first,
+                        sin_theta_1_last,
+                        Real::mul_add(sin_theta_1_first, theta_1_dot_last_2, inner[7]),
+                    );
+                    let inner_8: f64 = Real::mul_add(
+                        w27,
+                        w1_last,
+                        Real::mul_add(w1_first, w28, inner[8]),
+                    );
+                    let inner_9: f64 = Real::mul_add(
+                        w25,
+                        w1_last,
+                        Real::mul_add(w1_first, w26, inner[9]),
+                    );
+                    let sin_theta_0_k: f64 = rate * sin_theta_0_flow;
+                    let cos_theta_0_k: f64 = rate * cos_theta_0_flow;
+                    let sin_theta_1_k: f64 = rate * sin_theta_1_flow;
+                    let cos_theta_1_k: f64 = rate * cos_theta_1_flow;
+                    let w32: f64 = rate * w31;
+                    let w34: f64 = rate * w33;
+                    let w2_known: f64 = Real::mul_add(theta_0_dot, w32, inner_0);
+                    let w4_partial: f64 = l_0 * w2_known;
+                    let w5_known: f64 = Real::mul_add(theta_1_dot, w32, inner_1);
+                    let w8_partial: f64 = m_1_l_1 * w5_known;
+                    let [theta_0_dot_k, theta_1_dot_k] = theta_0_factors
+                        .solve([
+                            Real::mul_add(rate, theta_0_force, (-(l_0 * w8_partial))),
+                            Real::mul_add(rate, theta_1_force, (-(m_1_l_1 * w4_partial))),
+                        ]);
+                    series
+                        .set(
+                            order,
+                            [theta_0_k, theta_1_k],
+                            [theta_0_dot_k, theta_1_dot_k],
+                        );
+                    if order == orders {
+                        return false;
+                    }
+                    let w1_k: f64 = theta_0_dot_k - theta_1_dot_k;
+                    let w2_k: f64 = Real::mul_add(
+                        cos_theta_0_minus_theta_1,
+                        theta_0_dot_k,
+                        w2_known,
+                    );
+                    let w4_k: f64 = Real::mul_add(l_0, w2_k, l_1 * theta_1_dot_k);
+                    let w5_k: f64 = Real::mul_add(
+                        cos_theta_0_minus_theta_1,
+                        theta_1_dot_k,
+                        w5_known,
+                    );
+                    let w8_k: f64 = Real::mul_add(
+                        m_1_l_1,
+                        w5_k,
+                        l_0_m_0_plus_m_1 * theta_0_dot_k,
+                    );
+                    let theta_1_dot_theta_0_dot_k: f64 = Real::mul_add(
+                        theta_0_dot,
+                        theta_1_dot_k,
+                        Real::mul_add(theta_1_dot, theta_0_dot_k, inner_2),
+                    );
+                    let w9_k: f64 = Real::mul_add(
+                        sin_theta_0_minus_theta_1,
+                        theta_1_dot_theta_0_dot_k,
+                        Real::mul_add(theta_1_dot_theta_0_dot, w34, inner_3),
+                    );
+                    let w11_k: f64 = Real::mul_add(-l_0, w9_k, g * sin_theta_1_k);
+                    let w13_k: f64 = Real::mul_add(
+                        m_1_l_1,
+                        w9_k,
+                        g_m_0_plus_m_1 * sin_theta_0_k,
+                    );
+                    if let ::core::option::Option::Some((left, right)) = tables
+                        .row(order)
+                    {
+                        left[0] = theta_0_dot_k;
+                        right[0] = w32;
+                        left[1] = theta_1_dot_k;
+                        right[1] = w32;
+                        left[2] = theta_1_dot_k;
+                        right[2] = theta_0_dot_k;
+                        left[3] = w34;
+                        right[3] = theta_1_dot_theta_0_dot_k;
+                        left[4] = theta_0_dot_k;
+                        right[4] = cos_theta_0_k;
+                        left[5] = theta_0_dot_k;
+                        right[5] = sin_theta_0_k;
+                        left[6] = theta_1_dot_k;
+                        right[6] = cos_theta_1_k;
+                        left[7] = theta_1_dot_k;
+                        right[7] = sin_theta_1_k;
+                        left[8] = w34;
+                        right[8] = w1_k;
+                        left[9] = w32;
+                        right[9] = w1_k;
+                    }
+                    theta_0_dot_last = theta_0_dot_k;
+                    theta_1_dot_last = theta_1_dot_k;
+                    sin_theta_0_flow = Real::mul_add(
+                        cos_theta_0,
+                        theta_0_dot_k,
+                        Real::mul_add(theta_0_dot, cos_theta_0_k, inner_4),
+                    );
+                    cos_theta_0_flow = Real::mul_add(
+                        -sin_theta_0,
+                        theta_0_dot_k,
+                        Real::mul_add(-theta_0_dot, sin_theta_0_k, -inner_5),
+                    );
+                    sin_theta_1_flow = Real::mul_add(
+                        cos_theta_1,
+                        theta_1_dot_k,
+                        Real::mul_add(theta_1_dot, cos_theta_1_k, inner_6),
+                    );
+                    cos_theta_1_flow = Real::mul_add(
+                        -sin_theta_1,
+                        theta_1_dot_k,
+                        Real::mul_add(-theta_1_dot, sin_theta_1_k, -inner_7),
+                    );
+                    w31 = Real::mul_add(
+                        -sin_theta_0_minus_theta_1,
+                        w1_k,
+                        Real::mul_add(-w1, w34, -inner_8),
+                    );
+                    w33 = Real::mul_add(
+                        cos_theta_0_minus_theta_1,
+                        w1_k,
+                        Real::mul_add(w1, w32, inner_9),
+                    );
+                    theta_0_force = -(l_0 * w13_k);
+                    theta_1_force = -(m_1_l_1 * w11_k);
+                    theta_0_dot_first = lagrange::jets::first(
+                        order,
+                        theta_0_dot_first,
+                        theta_0_dot_k,
+                    );
+                    theta_0_dot_last_2 = theta_0_dot_k;
+                    w25 = lagrange::jets::first(order, w25, w32);
+                    w26 = w32;
+                    theta_1_dot_first = lagrange::jets::first(
+                        order,
+                        theta_1_dot_first,
+                        theta_1_dot_k,
+                    );
+                    theta_1_dot_last_2 = theta_1_dot_k;
+                    w27 = lagrange::jets::first(order, w27, w34);
+                    w28 = w34;
+                    w29 = lagrange::jets::first(order, w29, theta_1_dot_theta_0_dot_k);
+                    w30 = theta_1_dot_theta_0_dot_k;
+                    cos_theta_0_first = lagrange::jets::first(
+                        order,
+                        cos_theta_0_first,
+                        cos_theta_0_k,
+                    );
+                    cos_theta_0_last = cos_theta_0_k;
+                    sin_theta_0_first = lagrange::jets::first(
+                        order,
+                        sin_theta_0_first,
+                        sin_theta_0_k,
+                    );
+                    sin_theta_0_last = sin_theta_0_k;
+                    cos_theta_1_first = lagrange::jets::first(
+                        order,
+                        cos_theta_1_first,
+                        cos_theta_1_k,
+                    );
+                    cos_theta_1_last = cos_theta_1_k;
+                    sin_theta_1_first = lagrange::jets::first(
+                        order,
+                        sin_theta_1_first,
+                        sin_theta_1_k,
+                    );
+                    sin_theta_1_last = sin_theta_1_k;
+                    w1_first = lagrange::jets::first(order, w1_first, w1_k);
+                    w1_last = w1_k;
+                    true
+                },
+            );
             true
         }
     }

@@ -403,143 +403,156 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut cos_theta_last: f64 = 0.0;
             let mut sin_theta_flow: f64 = theta_dot_cos_theta;
             let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
-            for order in 1..=orders {
-                let rate: f64 = lagrange::jets::rate(h, order);
-                let inner = tables.interior(order);
-                let theta_k: f64 = rate * theta_dot_last;
-                let r_k: f64 = rate * r_dot_last;
-                let inner_0: f64 = Real::mul_add(
-                    theta_dot_first + theta_dot_first,
-                    theta_dot_last_2,
-                    inner[0],
-                );
-                let inner_1: f64 = Real::mul_add(
-                    r_first,
-                    w1_last,
-                    Real::mul_add(w1_first, r_last, inner[1]),
-                );
-                let inner_2: f64 = Real::mul_add(
-                    r_first,
-                    sin_theta_last,
-                    Real::mul_add(sin_theta_first, r_last, inner[2]),
-                );
-                let inner_3: f64 = Real::mul_add(r_first + r_first, r_last, inner[3]);
-                let inner_4: f64 = Real::mul_add(
-                    r_squared_first,
-                    theta_dot_last_2,
-                    Real::mul_add(theta_dot_first, r_squared_last, inner[4]),
-                );
-                let inner_5: f64 = Real::mul_add(
-                    theta_dot_first,
-                    cos_theta_last,
-                    Real::mul_add(cos_theta_first, theta_dot_last_2, inner[5]),
-                );
-                let inner_6: f64 = Real::mul_add(
-                    theta_dot_first,
-                    sin_theta_last,
-                    Real::mul_add(sin_theta_first, theta_dot_last_2, inner[6]),
-                );
-                let sin_theta_k: f64 = rate * sin_theta_flow;
-                let cos_theta_k: f64 = rate * cos_theta_flow;
-                let r_sin_theta_k: f64 = Real::mul_add(
-                    sin_theta,
-                    r_k,
-                    Real::mul_add(r, sin_theta_k, inner_2),
-                );
-                let r_squared_k: f64 = Real::mul_add((r + r), r_k, inner_3);
-                let r_squared_theta_dot_known: f64 = Real::mul_add(
-                    theta_dot,
-                    r_squared_k,
-                    inner_4,
-                );
-                let theta_dot_k: f64 = Real::mul_add(
-                    rate,
-                    theta_force,
-                    (-(mass_2 * r_squared_theta_dot_known)),
-                ) * theta_inverse_mass;
-                let r_dot_k: f64 = (rate * r_force) * r_inverse_mass;
-                series.set(order, [theta_k, r_k], [theta_dot_k, r_dot_k]);
-                if order == orders {
-                    break;
-                }
-                let theta_dot_squared_k: f64 = Real::mul_add(
-                    (theta_dot + theta_dot),
-                    theta_dot_k,
-                    inner_0,
-                );
-                let w1_k: f64 = -(mass_2 * theta_dot_squared_k);
-                let r_squared_theta_dot_k: f64 = Real::mul_add(
-                    r_squared,
-                    theta_dot_k,
-                    r_squared_theta_dot_known,
-                );
-                if let ::core::option::Option::Some((left, right)) = tables.row(order) {
-                    left[0] = theta_dot_k;
-                    right[0] = theta_dot_k;
-                    left[1] = r_k;
-                    right[1] = w1_k;
-                    left[2] = r_k;
-                    right[2] = sin_theta_k;
-                    left[3] = r_k;
-                    right[3] = r_k;
-                    left[4] = r_squared_k;
-                    right[4] = theta_dot_k;
-                    left[5] = theta_dot_k;
-                    right[5] = cos_theta_k;
-                    left[6] = theta_dot_k;
-                    right[6] = sin_theta_k;
-                }
-                theta_dot_last = theta_dot_k;
-                r_dot_last = r_dot_k;
-                sin_theta_flow = Real::mul_add(
-                    cos_theta,
-                    theta_dot_k,
-                    Real::mul_add(theta_dot, cos_theta_k, inner_5),
-                );
-                cos_theta_flow = Real::mul_add(
-                    -sin_theta,
-                    theta_dot_k,
-                    Real::mul_add(-theta_dot, sin_theta_k, -inner_6),
-                );
-                theta_force = -(mass_2_g * r_sin_theta_k);
-                r_force = Real::mul_add(
-                    -r,
-                    w1_k,
-                    Real::mul_add(
-                        mass_2_g,
+            lagrange::jets::in_line::<
+                P,
+            >(
+                orders,
+                #[inline(always)]
+                |order| {
+                    let rate: f64 = lagrange::jets::rate(h, order);
+                    let inner = tables.interior(order);
+                    let theta_k: f64 = rate * theta_dot_last;
+                    let r_k: f64 = rate * r_dot_last;
+                    let inner_0: f64 = Real::mul_add(
+                        theta_dot_first + theta_dot_first,
+                        theta_dot_last_2,
+                        inner[0],
+                    );
+                    let inner_1: f64 = Real::mul_add(
+                        r_first,
+                        w1_last,
+                        Real::mul_add(w1_first, r_last, inner[1]),
+                    );
+                    let inner_2: f64 = Real::mul_add(
+                        r_first,
+                        sin_theta_last,
+                        Real::mul_add(sin_theta_first, r_last, inner[2]),
+                    );
+                    let inner_3: f64 = Real::mul_add(
+                        r_first + r_first,
+                        r_last,
+                        inner[3],
+                    );
+                    let inner_4: f64 = Real::mul_add(
+                        r_squared_first,
+                        theta_dot_last_2,
+                        Real::mul_add(theta_dot_first, r_squared_last, inner[4]),
+                    );
+                    let inner_5: f64 = Real::mul_add(
+                        theta_dot_first,
+                        cos_theta_last,
+                        Real::mul_add(cos_theta_first, theta_dot_last_2, inner[5]),
+                    );
+                    let inner_6: f64 = Real::mul_add(
+                        theta_dot_first,
+                        sin_theta_last,
+                        Real::mul_add(sin_theta_first, theta_dot_last_2, inner[6]),
+                    );
+                    let sin_theta_k: f64 = rate * sin_theta_flow;
+                    let cos_theta_k: f64 = rate * cos_theta_flow;
+                    let r_sin_theta_k: f64 = Real::mul_add(
+                        sin_theta,
+                        r_k,
+                        Real::mul_add(r, sin_theta_k, inner_2),
+                    );
+                    let r_squared_k: f64 = Real::mul_add((r + r), r_k, inner_3);
+                    let r_squared_theta_dot_known: f64 = Real::mul_add(
+                        theta_dot,
+                        r_squared_k,
+                        inner_4,
+                    );
+                    let theta_dot_k: f64 = Real::mul_add(
+                        rate,
+                        theta_force,
+                        (-(mass_2 * r_squared_theta_dot_known)),
+                    ) * theta_inverse_mass;
+                    let r_dot_k: f64 = (rate * r_force) * r_inverse_mass;
+                    series.set(order, [theta_k, r_k], [theta_dot_k, r_dot_k]);
+                    if order == orders {
+                        return false;
+                    }
+                    let theta_dot_squared_k: f64 = Real::mul_add(
+                        (theta_dot + theta_dot),
+                        theta_dot_k,
+                        inner_0,
+                    );
+                    let w1_k: f64 = -(mass_2 * theta_dot_squared_k);
+                    let r_squared_theta_dot_k: f64 = Real::mul_add(
+                        r_squared,
+                        theta_dot_k,
+                        r_squared_theta_dot_known,
+                    );
+                    if let ::core::option::Option::Some((left, right)) = tables
+                        .row(order)
+                    {
+                        left[0] = theta_dot_k;
+                        right[0] = theta_dot_k;
+                        left[1] = r_k;
+                        right[1] = w1_k;
+                        left[2] = r_k;
+                        right[2] = sin_theta_k;
+                        left[3] = r_k;
+                        right[3] = r_k;
+                        left[4] = r_squared_k;
+                        right[4] = theta_dot_k;
+                        left[5] = theta_dot_k;
+                        right[5] = cos_theta_k;
+                        left[6] = theta_dot_k;
+                        right[6] = sin_theta_k;
+                    }
+                    theta_dot_last = theta_dot_k;
+                    r_dot_last = r_dot_k;
+                    sin_theta_flow = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner_5),
+                    );
+                    cos_theta_flow = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner_6),
+                    );
+                    theta_force = -(mass_2_g * r_sin_theta_k);
+                    r_force = Real::mul_add(
+                        -r,
+                        w1_k,
+                        Real::mul_add(
+                            mass_2_g,
+                            cos_theta_k,
+                            Real::mul_add(-w1, r_k, -inner_1),
+                        ),
+                    );
+                    theta_dot_first = lagrange::jets::first(
+                        order,
+                        theta_dot_first,
+                        theta_dot_k,
+                    );
+                    theta_dot_last_2 = theta_dot_k;
+                    r_first = lagrange::jets::first(order, r_first, r_k);
+                    r_last = r_k;
+                    w1_first = lagrange::jets::first(order, w1_first, w1_k);
+                    w1_last = w1_k;
+                    sin_theta_first = lagrange::jets::first(
+                        order,
+                        sin_theta_first,
+                        sin_theta_k,
+                    );
+                    sin_theta_last = sin_theta_k;
+                    r_squared_first = lagrange::jets::first(
+                        order,
+                        r_squared_first,
+                        r_squared_k,
+                    );
+                    r_squared_last = r_squared_k;
+                    cos_theta_first = lagrange::jets::first(
+                        order,
+                        cos_theta_first,
                         cos_theta_k,
-                        Real::mul_add(-w1, r_k, -inner_1),
-                    ),
-                );
-                theta_dot_first = lagrange::jets::first(
-                    order,
-                    theta_dot_first,
-                    theta_dot_k,
-                );
-                theta_dot_last_2 = theta_dot_k;
-                r_first = lagrange::jets::first(order, r_first, r_k);
-                r_last = r_k;
-                w1_first = lagrange::jets::first(order, w1_first, w1_k);
-                w1_last = w1_k;
-                sin_theta_first = lagrange::jets::first(
-                    order,
-                    sin_theta_first,
-                    sin_theta_k,
-                );
-                sin_theta_last = sin_theta_k;
-                r_squared_first = lagrange::jets::first(
-                    order,
-                    r_squared_first,
-                    r_squared_k,
-                );
-                r_squared_last = r_squared_k;
-                cos_theta_first = lagrange::jets::first(
-                    order,
-                    cos_theta_first,
-                    cos_theta_k,
-                );
-                cos_theta_last = cos_theta_k;
-            }
+                    );
+                    cos_theta_last = cos_theta_k;
+                    true
+                },
+            );
             true
         }
     }

@@ -450,196 +450,217 @@ A singular mass matrix, with the coordinate and the time.*/
             let mut theta_dot_last_2: f64 = 0.0;
             let mut sin_theta_flow: f64 = theta_dot_cos_theta;
             let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
-            for order in 1..=orders {
-                let rate: f64 = lagrange::jets::rate(h, order);
-                let inner = tables.interior(order);
-                let phi_k: f64 = rate * phi_dot_last;
-                let theta_k: f64 = rate * theta_dot_last;
-                let psi_k: f64 = rate * psi_dot_last;
-                let inner_0: f64 = Real::mul_add(
-                    phi_dot_first,
-                    psi_dot_last_2,
-                    Real::mul_add(psi_dot_first, phi_dot_last_2, inner[0]),
-                );
-                let inner_1: f64 = Real::mul_add(
-                    phi_dot_first,
-                    cos_theta_last,
-                    Real::mul_add(cos_theta_first, phi_dot_last_2, inner[1]),
-                );
-                let inner_2: f64 = Real::mul_add(
-                    cos_theta_first,
-                    w4_last,
-                    Real::mul_add(w4_first, cos_theta_last, inner[2]),
-                );
-                let inner_3: f64 = Real::mul_add(
-                    sin_theta_first + sin_theta_first,
-                    sin_theta_last,
-                    inner[3],
-                );
-                let inner_4: f64 = Real::mul_add(
-                    phi_dot_first,
-                    sin_theta_squared_last,
-                    Real::mul_add(sin_theta_squared_first, phi_dot_last_2, inner[4]),
-                );
-                let inner_5: f64 = Real::mul_add(
-                    phi_dot_first + phi_dot_first,
-                    phi_dot_last_2,
-                    inner[5],
-                );
-                let inner_6: f64 = Real::mul_add(
-                    phi_dot_squared_first,
-                    cos_theta_last,
-                    Real::mul_add(cos_theta_first, phi_dot_squared_last, inner[6]),
-                );
-                let inner_7: f64 = Real::mul_add(
-                    sin_theta_first,
-                    w10_last,
-                    Real::mul_add(w10_first, sin_theta_last, inner[7]),
-                );
-                let inner_8: f64 = Real::mul_add(
-                    theta_dot_first,
-                    cos_theta_last,
-                    Real::mul_add(cos_theta_first, theta_dot_last_2, inner[8]),
-                );
-                let inner_9: f64 = Real::mul_add(
-                    theta_dot_first,
-                    sin_theta_last,
-                    Real::mul_add(sin_theta_first, theta_dot_last_2, inner[9]),
-                );
-                let sin_theta_k: f64 = rate * sin_theta_flow;
-                let cos_theta_k: f64 = rate * cos_theta_flow;
-                let sin_theta_squared_k: f64 = Real::mul_add(
-                    (sin_theta + sin_theta),
-                    sin_theta_k,
-                    inner_3,
-                );
-                let w4_known: f64 = Real::mul_add(phi_dot, cos_theta_k, inner_1);
-                let w5_known: f64 = Real::mul_add(w4, cos_theta_k, inner_2);
-                let w5_partial: f64 = Real::mul_add(cos_theta, w4_known, w5_known);
-                let w15: f64 = Real::mul_add(phi_dot, sin_theta_squared_k, inner_4);
-                let [phi_dot_k, psi_dot_k] = phi_factors
-                    .solve([
-                        Real::mul_add(
-                            rate,
-                            phi_force,
-                            Real::mul_add(-w1, w15, -(along * w5_partial)),
-                        ),
-                        Real::mul_add(rate, psi_force, (-(along * w4_known))),
-                    ]);
-                let theta_dot_k: f64 = (rate * theta_force) * theta_inverse_mass;
-                series
-                    .set(
-                        order,
-                        [phi_k, theta_k, psi_k],
-                        [phi_dot_k, theta_dot_k, psi_dot_k],
+            lagrange::jets::in_line::<
+                P,
+            >(
+                orders,
+                #[inline(always)]
+                |order| {
+                    let rate: f64 = lagrange::jets::rate(h, order);
+                    let inner = tables.interior(order);
+                    let phi_k: f64 = rate * phi_dot_last;
+                    let theta_k: f64 = rate * theta_dot_last;
+                    let psi_k: f64 = rate * psi_dot_last;
+                    let inner_0: f64 = Real::mul_add(
+                        phi_dot_first,
+                        psi_dot_last_2,
+                        Real::mul_add(psi_dot_first, phi_dot_last_2, inner[0]),
                     );
-                if order == orders {
-                    break;
-                }
-                let phi_dot_psi_dot_k: f64 = Real::mul_add(
-                    psi_dot,
-                    phi_dot_k,
-                    Real::mul_add(phi_dot, psi_dot_k, inner_0),
-                );
-                let w4_k: f64 = Real::mul_add(
-                    cos_theta,
-                    phi_dot_k,
-                    w4_known + psi_dot_k,
-                );
-                let w5_k: f64 = Real::mul_add(cos_theta, w4_k, w5_known);
-                let w16: f64 = Real::mul_add(sin_theta_squared, phi_dot_k, w15);
-                let phi_dot_squared_k: f64 = Real::mul_add(
-                    (phi_dot + phi_dot),
-                    phi_dot_k,
-                    inner_5,
-                );
-                let w17: f64 = Real::mul_add(
-                    cos_theta,
-                    phi_dot_squared_k,
-                    Real::mul_add(phi_dot_squared, cos_theta_k, inner_6),
-                );
-                let w10_k: f64 = Real::mul_add(-w2, w17, -(along * phi_dot_psi_dot_k));
-                if let ::core::option::Option::Some((left, right)) = tables.row(order) {
-                    left[0] = phi_dot_k;
-                    right[0] = psi_dot_k;
-                    left[1] = phi_dot_k;
-                    right[1] = cos_theta_k;
-                    left[2] = cos_theta_k;
-                    right[2] = w4_k;
-                    left[3] = sin_theta_k;
-                    right[3] = sin_theta_k;
-                    left[4] = phi_dot_k;
-                    right[4] = sin_theta_squared_k;
-                    left[5] = phi_dot_k;
-                    right[5] = phi_dot_k;
-                    left[6] = phi_dot_squared_k;
-                    right[6] = cos_theta_k;
-                    left[7] = sin_theta_k;
-                    right[7] = w10_k;
-                    left[8] = theta_dot_k;
-                    right[8] = cos_theta_k;
-                    left[9] = theta_dot_k;
-                    right[9] = sin_theta_k;
-                }
-                phi_dot_last = phi_dot_k;
-                theta_dot_last = theta_dot_k;
-                psi_dot_last = psi_dot_k;
-                sin_theta_flow = Real::mul_add(
-                    cos_theta,
-                    theta_dot_k,
-                    Real::mul_add(theta_dot, cos_theta_k, inner_8),
-                );
-                cos_theta_flow = Real::mul_add(
-                    -sin_theta,
-                    theta_dot_k,
-                    Real::mul_add(-theta_dot, sin_theta_k, -inner_9),
-                );
-                phi_force = 0.0;
-                theta_force = Real::mul_add(
-                    sin_theta,
-                    w10_k,
-                    Real::mul_add(w10, sin_theta_k, inner_7),
-                );
-                psi_force = 0.0;
-                phi_dot_first = lagrange::jets::first(order, phi_dot_first, phi_dot_k);
-                phi_dot_last_2 = phi_dot_k;
-                psi_dot_first = lagrange::jets::first(order, psi_dot_first, psi_dot_k);
-                psi_dot_last_2 = psi_dot_k;
-                cos_theta_first = lagrange::jets::first(
-                    order,
-                    cos_theta_first,
-                    cos_theta_k,
-                );
-                cos_theta_last = cos_theta_k;
-                w4_first = lagrange::jets::first(order, w4_first, w4_k);
-                w4_last = w4_k;
-                sin_theta_first = lagrange::jets::first(
-                    order,
-                    sin_theta_first,
-                    sin_theta_k,
-                );
-                sin_theta_last = sin_theta_k;
-                sin_theta_squared_first = lagrange::jets::first(
-                    order,
-                    sin_theta_squared_first,
-                    sin_theta_squared_k,
-                );
-                sin_theta_squared_last = sin_theta_squared_k;
-                phi_dot_squared_first = lagrange::jets::first(
-                    order,
-                    phi_dot_squared_first,
-                    phi_dot_squared_k,
-                );
-                phi_dot_squared_last = phi_dot_squared_k;
-                w10_first = lagrange::jets::first(order, w10_first, w10_k);
-                w10_last = w10_k;
-                theta_dot_first = lagrange::jets::first(
-                    order,
-                    theta_dot_first,
-                    theta_dot_k,
-                );
-                theta_dot_last_2 = theta_dot_k;
-            }
+                    let inner_1: f64 = Real::mul_add(
+                        phi_dot_first,
+                        cos_theta_last,
+                        Real::mul_add(cos_theta_first, phi_dot_last_2, inner[1]),
+                    );
+                    let inner_2: f64 = Real::mul_add(
+                        cos_theta_first,
+                        w4_last,
+                        Real::mul_add(w4_first, cos_theta_last, inner[2]),
+                    );
+                    let inner_3: f64 = Real::mul_add(
+                        sin_theta_first + sin_theta_first,
+                        sin_theta_last,
+                        inner[3],
+                    );
+                    let inner_4: f64 = Real::mul_add(
+                        phi_dot_first,
+                        sin_theta_squared_last,
+                        Real::mul_add(sin_theta_squared_first, phi_dot_last_2, inner[4]),
+                    );
+                    let inner_5: f64 = Real::mul_add(
+                        phi_dot_first + phi_dot_first,
+                        phi_dot_last_2,
+                        inner[5],
+                    );
+                    let inner_6: f64 = Real::mul_add(
+                        phi_dot_squared_first,
+                        cos_theta_last,
+                        Real::mul_add(cos_theta_first, phi_dot_squared_last, inner[6]),
+                    );
+                    let inner_7: f64 = Real::mul_add(
+                        sin_theta_first,
+                        w10_last,
+                        Real::mul_add(w10_first, sin_theta_last, inner[7]),
+                    );
+                    let inner_8: f64 = Real::mul_add(
+                        theta_dot_first,
+                        cos_theta_last,
+                        Real::mul_add(cos_theta_first, theta_dot_last_2, inner[8]),
+                    );
+                    let inner_9: f64 = Real::mul_add(
+                        theta_dot_first,
+                        sin_theta_last,
+                        Real::mul_add(sin_theta_first, theta_dot_last_2, inner[9]),
+                    );
+                    let sin_theta_k: f64 = rate * sin_theta_flow;
+                    let cos_theta_k: f64 = rate * cos_theta_flow;
+                    let sin_theta_squared_k: f64 = Real::mul_add(
+                        (sin_theta + sin_theta),
+                        sin_theta_k,
+                        inner_3,
+                    );
+                    let w4_known: f64 = Real::mul_add(phi_dot, cos_theta_k, inner_1);
+                    let w5_known: f64 = Real::mul_add(w4, cos_theta_k, inner_2);
+                    let w5_partial: f64 = Real::mul_add(cos_theta, w4_known, w5_known);
+                    let w15: f64 = Real::mul_add(phi_dot, sin_theta_squared_k, inner_4);
+                    let [phi_dot_k, psi_dot_k] = phi_factors
+                        .solve([
+                            Real::mul_add(
+                                rate,
+                                phi_force,
+                                Real::mul_add(-w1, w15, -(along * w5_partial)),
+                            ),
+                            Real::mul_add(rate, psi_force, (-(along * w4_known))),
+                        ]);
+                    let theta_dot_k: f64 = (rate * theta_force) * theta_inverse_mass;
+                    series
+                        .set(
+                            order,
+                            [phi_k, theta_k, psi_k],
+                            [phi_dot_k, theta_dot_k, psi_dot_k],
+                        );
+                    if order == orders {
+                        return false;
+                    }
+                    let phi_dot_psi_dot_k: f64 = Real::mul_add(
+                        psi_dot,
+                        phi_dot_k,
+                        Real::mul_add(phi_dot, psi_dot_k, inner_0),
+                    );
+                    let w4_k: f64 = Real::mul_add(
+                        cos_theta,
+                        phi_dot_k,
+                        w4_known + psi_dot_k,
+                    );
+                    let w5_k: f64 = Real::mul_add(cos_theta, w4_k, w5_known);
+                    let w16: f64 = Real::mul_add(sin_theta_squared, phi_dot_k, w15);
+                    let phi_dot_squared_k: f64 = Real::mul_add(
+                        (phi_dot + phi_dot),
+                        phi_dot_k,
+                        inner_5,
+                    );
+                    let w17: f64 = Real::mul_add(
+                        cos_theta,
+                        phi_dot_squared_k,
+                        Real::mul_add(phi_dot_squared, cos_theta_k, inner_6),
+                    );
+                    let w10_k: f64 = Real::mul_add(
+                        -w2,
+                        w17,
+                        -(along * phi_dot_psi_dot_k),
+                    );
+                    if let ::core::option::Option::Some((left, right)) = tables
+                        .row(order)
+                    {
+                        left[0] = phi_dot_k;
+                        right[0] = psi_dot_k;
+                        left[1] = phi_dot_k;
+                        right[1] = cos_theta_k;
+                        left[2] = cos_theta_k;
+                        right[2] = w4_k;
+                        left[3] = sin_theta_k;
+                        right[3] = sin_theta_k;
+                        left[4] = phi_dot_k;
+                        right[4] = sin_theta_squared_k;
+                        left[5] = phi_dot_k;
+                        right[5] = phi_dot_k;
+                        left[6] = phi_dot_squared_k;
+                        right[6] = cos_theta_k;
+                        left[7] = sin_theta_k;
+                        right[7] = w10_k;
+                        left[8] = theta_dot_k;
+                        right[8] = cos_theta_k;
+                        left[9] = theta_dot_k;
+                        right[9] = sin_theta_k;
+                    }
+                    phi_dot_last = phi_dot_k;
+                    theta_dot_last = theta_dot_k;
+                    psi_dot_last = psi_dot_k;
+                    sin_theta_flow = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner_8),
+                    );
+                    cos_theta_flow = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner_9),
+                    );
+                    phi_force = 0.0;
+                    theta_force = Real::mul_add(
+                        sin_theta,
+                        w10_k,
+                        Real::mul_add(w10, sin_theta_k, inner_7),
+                    );
+                    psi_force = 0.0;
+                    phi_dot_first = lagrange::jets::first(
+                        order,
+                        phi_dot_first,
+                        phi_dot_k,
+                    );
+                    phi_dot_last_2 = phi_dot_k;
+                    psi_dot_first = lagrange::jets::first(
+                        order,
+                        psi_dot_first,
+                        psi_dot_k,
+                    );
+                    psi_dot_last_2 = psi_dot_k;
+                    cos_theta_first = lagrange::jets::first(
+                        order,
+                        cos_theta_first,
+                        cos_theta_k,
+                    );
+                    cos_theta_last = cos_theta_k;
+                    w4_first = lagrange::jets::first(order, w4_first, w4_k);
+                    w4_last = w4_k;
+                    sin_theta_first = lagrange::jets::first(
+                        order,
+                        sin_theta_first,
+                        sin_theta_k,
+                    );
+                    sin_theta_last = sin_theta_k;
+                    sin_theta_squared_first = lagrange::jets::first(
+                        order,
+                        sin_theta_squared_first,
+                        sin_theta_squared_k,
+                    );
+                    sin_theta_squared_last = sin_theta_squared_k;
+                    phi_dot_squared_first = lagrange::jets::first(
+                        order,
+                        phi_dot_squared_first,
+                        phi_dot_squared_k,
+                    );
+                    phi_dot_squared_last = phi_dot_squared_k;
+                    w10_first = lagrange::jets::first(order, w10_first, w10_k);
+                    w10_last = w10_k;
+                    theta_dot_first = lagrange::jets::first(
+                        order,
+                        theta_dot_first,
+                        theta_dot_k,
+                    );
+                    theta_dot_last_2 = theta_dot_k;
+                    true
+                },
+            );
             true
         }
     }

@@ -651,79 +651,88 @@ The first identity that does not hold, and by how much.*/
             let mut cos_theta_last: f64 = 0.0;
             let mut sin_theta_flow: f64 = theta_dot_cos_theta;
             let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
-            for order in 1..=orders {
-                let rate: f64 = lagrange::jets::rate(h, order);
-                let inner = tables.interior(order);
-                let theta_k: f64 = rate * theta_dot_last;
-                let inner_0: f64 = Real::mul_add(
-                    sin_theta_first,
-                    w2_last,
-                    Real::mul_add(w2_first, sin_theta_last, inner[0]),
-                );
-                let inner_1: f64 = Real::mul_add(
-                    theta_dot_first,
-                    cos_theta_last,
-                    Real::mul_add(cos_theta_first, theta_dot_last_2, inner[1]),
-                );
-                let inner_2: f64 = Real::mul_add(
-                    theta_dot_first,
-                    sin_theta_last,
-                    Real::mul_add(sin_theta_first, theta_dot_last_2, inner[2]),
-                );
-                let sin_theta_k: f64 = rate * sin_theta_flow;
-                let cos_theta_k: f64 = rate * cos_theta_flow;
-                let w2_k: f64 = -(length_rate_2_squared * cos_theta_k);
-                let w4_k: f64 = Real::mul_add(
-                    w2,
-                    sin_theta_k,
-                    Real::mul_add(sin_theta, w2_k, inner_0),
-                );
-                let theta_dot_k: f64 = (rate * theta_force) * theta_inverse_mass;
-                series.set(order, [theta_k], [theta_dot_k]);
-                if order == orders {
-                    break;
-                }
-                if let ::core::option::Option::Some((left, right)) = tables.row(order) {
-                    left[0] = sin_theta_k;
-                    right[0] = w2_k;
-                    left[1] = theta_dot_k;
-                    right[1] = cos_theta_k;
-                    left[2] = theta_dot_k;
-                    right[2] = sin_theta_k;
-                }
-                theta_dot_last = theta_dot_k;
-                sin_theta_flow = Real::mul_add(
-                    cos_theta,
-                    theta_dot_k,
-                    Real::mul_add(theta_dot, cos_theta_k, inner_1),
-                );
-                cos_theta_flow = Real::mul_add(
-                    -sin_theta,
-                    theta_dot_k,
-                    Real::mul_add(-theta_dot, sin_theta_k, -inner_2),
-                );
-                theta_force = -(mass_2_length * w4_k);
-                sin_theta_first = lagrange::jets::first(
-                    order,
-                    sin_theta_first,
-                    sin_theta_k,
-                );
-                sin_theta_last = sin_theta_k;
-                w2_first = lagrange::jets::first(order, w2_first, w2_k);
-                w2_last = w2_k;
-                theta_dot_first = lagrange::jets::first(
-                    order,
-                    theta_dot_first,
-                    theta_dot_k,
-                );
-                theta_dot_last_2 = theta_dot_k;
-                cos_theta_first = lagrange::jets::first(
-                    order,
-                    cos_theta_first,
-                    cos_theta_k,
-                );
-                cos_theta_last = cos_theta_k;
-            }
+            lagrange::jets::in_line::<
+                P,
+            >(
+                orders,
+                #[inline(always)]
+                |order| {
+                    let rate: f64 = lagrange::jets::rate(h, order);
+                    let inner = tables.interior(order);
+                    let theta_k: f64 = rate * theta_dot_last;
+                    let inner_0: f64 = Real::mul_add(
+                        sin_theta_first,
+                        w2_last,
+                        Real::mul_add(w2_first, sin_theta_last, inner[0]),
+                    );
+                    let inner_1: f64 = Real::mul_add(
+                        theta_dot_first,
+                        cos_theta_last,
+                        Real::mul_add(cos_theta_first, theta_dot_last_2, inner[1]),
+                    );
+                    let inner_2: f64 = Real::mul_add(
+                        theta_dot_first,
+                        sin_theta_last,
+                        Real::mul_add(sin_theta_first, theta_dot_last_2, inner[2]),
+                    );
+                    let sin_theta_k: f64 = rate * sin_theta_flow;
+                    let cos_theta_k: f64 = rate * cos_theta_flow;
+                    let w2_k: f64 = -(length_rate_2_squared * cos_theta_k);
+                    let w4_k: f64 = Real::mul_add(
+                        w2,
+                        sin_theta_k,
+                        Real::mul_add(sin_theta, w2_k, inner_0),
+                    );
+                    let theta_dot_k: f64 = (rate * theta_force) * theta_inverse_mass;
+                    series.set(order, [theta_k], [theta_dot_k]);
+                    if order == orders {
+                        return false;
+                    }
+                    if let ::core::option::Option::Some((left, right)) = tables
+                        .row(order)
+                    {
+                        left[0] = sin_theta_k;
+                        right[0] = w2_k;
+                        left[1] = theta_dot_k;
+                        right[1] = cos_theta_k;
+                        left[2] = theta_dot_k;
+                        right[2] = sin_theta_k;
+                    }
+                    theta_dot_last = theta_dot_k;
+                    sin_theta_flow = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner_1),
+                    );
+                    cos_theta_flow = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner_2),
+                    );
+                    theta_force = -(mass_2_length * w4_k);
+                    sin_theta_first = lagrange::jets::first(
+                        order,
+                        sin_theta_first,
+                        sin_theta_k,
+                    );
+                    sin_theta_last = sin_theta_k;
+                    w2_first = lagrange::jets::first(order, w2_first, w2_k);
+                    w2_last = w2_k;
+                    theta_dot_first = lagrange::jets::first(
+                        order,
+                        theta_dot_first,
+                        theta_dot_k,
+                    );
+                    theta_dot_last_2 = theta_dot_k;
+                    cos_theta_first = lagrange::jets::first(
+                        order,
+                        cos_theta_first,
+                        cos_theta_k,
+                    );
+                    cos_theta_last = cos_theta_k;
+                    true
+                },
+            );
             true
         }
     }

@@ -74,6 +74,34 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     }
 }
 
+/// One order after another, until one says that it was the last.
+#[inline(always)]
+pub fn in_turn(orders: usize, mut expand: impl FnMut(usize) -> bool) {
+    for order in 1..=orders {
+        if !expand(order) {
+            break;
+        }
+    }
+}
+
+/// The same, written out for expansions to a low order `P`, those of fixed steps: the compiler then knows each order,
+/// keeps in registers what the next one needs, and leaves out what the first ones lack. A loop takes twice as long.
+#[inline(always)]
+pub fn in_line<const P: usize>(orders: usize, mut expand: impl FnMut(usize) -> bool) {
+    macro_rules! each {
+        ($($order:literal)*) => {$(
+            if $order > P || !expand($order) {
+                return;
+            }
+        )*};
+    }
+    if P <= 8 {
+        each!(1 2 3 4 5 6 7 8);
+    } else {
+        in_turn(orders, expand);
+    }
+}
+
 /// h / order. Not h · (1 / order): the rounding of 1/3 would have the same sign in every step, and the energy would
 /// drift with the number of steps instead of its root.
 #[inline(always)]

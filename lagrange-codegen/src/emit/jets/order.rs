@@ -135,8 +135,7 @@ pub(super) struct Writer<'a, 'b> {
 impl Writer<'_, '_> {
     fn write(mut self, mass: &AtStart) -> String {
         let scalar = &self.emission.item.scalar;
-        let count = self.emission.count();
-        let model = &*self.emission.model;
+        let (count, model) = (self.emission.count(), &*self.emission.model);
         let under = self.jets.under_balances();
 
         let mut velocities = Vec::with_capacity(count);
@@ -181,7 +180,7 @@ impl Writer<'_, '_> {
             velocities.iter().map(|pair| pick(pair).clone()).collect::<Vec<_>>().join(", ")
         };
         self.body.push_str(&format!("series.set(order, [{}], [{}]);\n", join(|p| &p.0), join(|p| &p.1)));
-        self.body.push_str("if order == orders {\nbreak;\n}\n");
+        self.body.push_str("if order == orders {\nreturn false;\n}\n");
         self.late(&under);
         self.store();
         let mut fraction = format!("let rate: {scalar} = lagrange::jets::rate(h, order);\n");
@@ -189,9 +188,10 @@ impl Writer<'_, '_> {
             fraction.push_str(&format!("let index: {scalar} = lagrange::jets::index(order);\n"));
         }
         let inner = self.sweep();
+        let walk = if self.wide.is_some() { "in_turn" } else { "in_line::<P>" };
+        let Self { before, body, after, .. } = self;
         format!(
-            "{}for order in 1..=orders {{\n{fraction}{inner}{}{}}}\ntrue",
-            self.before, self.body, self.after
+            "{before}lagrange::jets::{walk}(orders, #[inline(always)] |order| {{\n{fraction}{inner}{body}{after}true\n}});\ntrue"
         )
     }
 
