@@ -463,25 +463,41 @@ A singular mass matrix, with the coordinate and the time.*/
                     let inner = tables.interior(order);
                     let x_k: R = rate * x_dot_last;
                     let theta_k: R = rate * theta_dot_last;
-                    let inner_0: R = Real::mul_add(
-                        theta_dot_first,
-                        sin_theta_last,
-                        Real::mul_add(sin_theta_first, theta_dot_last_2, inner[0]),
+                    let inner_0: R = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [sin_theta_first, sin_theta_last],
+                        inner[0],
                     );
-                    let inner_1: R = Real::mul_add(
-                        x_dot_first,
-                        cos_theta_last,
-                        Real::mul_add(cos_theta_first, x_dot_last_2, inner[1]),
+                    let inner_1: R = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [x_dot_first, x_dot_last_2],
+                        [cos_theta_first, cos_theta_last],
+                        inner[1],
                     );
-                    let inner_2: R = Real::mul_add(
-                        theta_dot_first,
-                        cos_theta_last,
-                        Real::mul_add(cos_theta_first, theta_dot_last_2, inner[2]),
+                    let inner_2: R = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [cos_theta_first, cos_theta_last],
+                        inner[2],
                     );
-                    let inner_3: R = Real::mul_add(
-                        x_dot_first,
-                        theta_dot_sin_theta_2_last,
-                        Real::mul_add(w10, x_dot_last_2, inner[3]),
+                    let inner_3: R = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [x_dot_first, x_dot_last_2],
+                        [w10, theta_dot_sin_theta_2_last],
+                        inner[3],
                     );
                     let sin_theta_k: R = rate * sin_theta_flow;
                     let cos_theta_k: R = rate * cos_theta_flow;
@@ -555,27 +571,30 @@ A singular mass matrix, with the coordinate and the time.*/
                         theta_dot_k,
                         pole_mass_length * w5_k,
                     );
-                    theta_dot_first = lagrange::jets::first(
-                        order,
-                        theta_dot_first,
-                        theta_dot_k,
-                    );
+                    theta_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, theta_dot_first, theta_dot_k);
                     theta_dot_last_2 = theta_dot_k;
-                    sin_theta_first = lagrange::jets::first(
-                        order,
-                        sin_theta_first,
-                        sin_theta_k,
-                    );
+                    sin_theta_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, sin_theta_first, sin_theta_k);
                     sin_theta_last = sin_theta_k;
-                    x_dot_first = lagrange::jets::first(order, x_dot_first, x_dot_k);
+                    x_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, x_dot_first, x_dot_k);
                     x_dot_last_2 = x_dot_k;
-                    cos_theta_first = lagrange::jets::first(
-                        order,
-                        cos_theta_first,
-                        cos_theta_k,
-                    );
+                    cos_theta_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, cos_theta_first, cos_theta_k);
                     cos_theta_last = cos_theta_k;
-                    w10 = lagrange::jets::first(order, w10, theta_dot_sin_theta_2_k);
+                    w10 = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, w10, theta_dot_sin_theta_2_k);
                     theta_dot_sin_theta_2_last = theta_dot_sin_theta_2_k;
                     true
                 },

@@ -677,25 +677,31 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
                     let inner = tables.interior(order);
                     let x_k: f64 = rate * x_dot_last;
                     let y_k: f64 = rate * y_dot_last;
-                    let inner_0: f64 = Real::mul_add(
-                        x_first,
-                        x_dot_last_2,
-                        Real::mul_add(x_dot_first, x_last, inner[0]),
+                    let inner_0: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(order, [x_first, x_last], [x_dot_first, x_dot_last_2], inner[0]);
+                    let inner_1: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(order, [y_first, y_last], [y_dot_first, y_dot_last_2], inner[1]);
+                    let inner_2: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [x_first, x_last],
+                        [rod_multiplier_first, rod_multiplier_last],
+                        inner[2],
                     );
-                    let inner_1: f64 = Real::mul_add(
-                        y_first,
-                        y_dot_last_2,
-                        Real::mul_add(y_dot_first, y_last, inner[1]),
-                    );
-                    let inner_2: f64 = Real::mul_add(
-                        x_first,
-                        rod_multiplier_last,
-                        Real::mul_add(rod_multiplier_first, x_last, inner[2]),
-                    );
-                    let inner_3: f64 = Real::mul_add(
-                        y_first,
-                        rod_multiplier_last,
-                        Real::mul_add(rod_multiplier_first, y_last, inner[3]),
+                    let inner_3: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [y_first, y_last],
+                        [rod_multiplier_first, rod_multiplier_last],
+                        inner[3],
                     );
                     let x_k_free: f64 = inverse_mass_2 * (rate * (x_force + inner_2));
                     let y_k_free: f64 = inverse_mass_2 * (rate * (y_force + inner_3));
@@ -753,19 +759,24 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
                     y_dot_last = y_dot_k;
                     x_force = 0.0;
                     y_force = 0.0;
-                    x_first = lagrange::jets::first(order, x_first, x_k);
+                    x_first = lagrange::jets::first::<P, _>(order, x_first, x_k);
                     x_last = x_k;
-                    x_dot_first = lagrange::jets::first(order, x_dot_first, x_dot_k);
+                    x_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, x_dot_first, x_dot_k);
                     x_dot_last_2 = x_dot_k;
-                    y_first = lagrange::jets::first(order, y_first, y_k);
+                    y_first = lagrange::jets::first::<P, _>(order, y_first, y_k);
                     y_last = y_k;
-                    y_dot_first = lagrange::jets::first(order, y_dot_first, y_dot_k);
+                    y_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, y_dot_first, y_dot_k);
                     y_dot_last_2 = y_dot_k;
-                    rod_multiplier_first = lagrange::jets::first(
-                        order,
-                        rod_multiplier_first,
-                        rod_multiplier_k,
-                    );
+                    rod_multiplier_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, rod_multiplier_first, rod_multiplier_k);
                     rod_multiplier_last = rod_multiplier_k;
                     true
                 },

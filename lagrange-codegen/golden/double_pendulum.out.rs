@@ -457,56 +457,81 @@ A singular mass matrix, with the coordinate and the time.*/
                     let inner = tables.interior(order);
                     let theta_0_k: f64 = rate * theta_0_dot_last;
                     let theta_1_k: f64 = rate * theta_1_dot_last;
-                    let inner_0: f64 = Real::mul_add(
-                        theta_0_dot_first,
-                        w26,
-                        Real::mul_add(w25, theta_0_dot_last_2, inner[0]),
+                    let inner_0: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_0_dot_first, theta_0_dot_last_2],
+                        [w25, w26],
+                        inner[0],
                     );
-                    let inner_1: f64 = Real::mul_add(
-                        theta_1_dot_first,
-                        w26,
-                        Real::mul_add(w25, theta_1_dot_last_2, inner[1]),
+                    let inner_1: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_1_dot_first, theta_1_dot_last_2],
+                        [w25, w26],
+                        inner[1],
                     );
-                    let inner_2: f64 = Real::mul_add(
-                        theta_1_dot_first,
-                        theta_0_dot_last_2,
-                        Real::mul_add(theta_0_dot_first, theta_1_dot_last_2, inner[2]),
+                    let inner_2: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_1_dot_first, theta_1_dot_last_2],
+                        [theta_0_dot_first, theta_0_dot_last_2],
+                        inner[2],
                     );
-                    let inner_3: f64 = Real::mul_add(
-                        w27,
-                        w30,
-                        Real::mul_add(w29, w28, inner[3]),
+                    let inner_3: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(order, [w27, w28], [w29, w30], inner[3]);
+                    let inner_4: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_0_dot_first, theta_0_dot_last_2],
+                        [cos_theta_0_first, cos_theta_0_last],
+                        inner[4],
                     );
-                    let inner_4: f64 = Real::mul_add(
-                        theta_0_dot_first,
-                        cos_theta_0_last,
-                        Real::mul_add(cos_theta_0_first, theta_0_dot_last_2, inner[4]),
+                    let inner_5: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_0_dot_first, theta_0_dot_last_2],
+                        [sin_theta_0_first, sin_theta_0_last],
+                        inner[5],
                     );
-                    let inner_5: f64 = Real::mul_add(
-                        theta_0_dot_first,
-                        sin_theta_0_last,
-                        Real::mul_add(sin_theta_0_first, theta_0_dot_last_2, inner[5]),
+                    let inner_6: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_1_dot_first, theta_1_dot_last_2],
+                        [cos_theta_1_first, cos_theta_1_last],
+                        inner[6],
                     );
-                    let inner_6: f64 = Real::mul_add(
-                        theta_1_dot_first,
-                        cos_theta_1_last,
-                        Real::mul_add(cos_theta_1_first, theta_1_dot_last_2, inner[6]),
+                    let inner_7: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_1_dot_first, theta_1_dot_last_2],
+                        [sin_theta_1_first, sin_theta_1_last],
+                        inner[7],
                     );
-                    let inner_7: f64 = Real::mul_add(
-                        theta_1_dot_first,
-                        sin_theta_1_last,
-                        Real::mul_add(sin_theta_1_first, theta_1_dot_last_2, inner[7]),
-                    );
-                    let inner_8: f64 = Real::mul_add(
-                        w27,
-                        w1_last,
-                        Real::mul_add(w1_first, w28, inner[8]),
-                    );
-                    let inner_9: f64 = Real::mul_add(
-                        w25,
-                        w1_last,
-                        Real::mul_add(w1_first, w26, inner[9]),
-                    );
+                    let inner_8: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(order, [w27, w28], [w1_first, w1_last], inner[8]);
+                    let inner_9: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(order, [w25, w26], [w1_first, w1_last], inner[9]);
                     let sin_theta_0_k: f64 = rate * sin_theta_0_flow;
                     let cos_theta_0_k: f64 = rate * cos_theta_0_flow;
                     let sin_theta_1_k: f64 = rate * sin_theta_1_flow;
@@ -622,49 +647,46 @@ A singular mass matrix, with the coordinate and the time.*/
                     );
                     theta_0_force = -(l_0 * w13_k);
                     theta_1_force = -(m_1_l_1 * w11_k);
-                    theta_0_dot_first = lagrange::jets::first(
-                        order,
-                        theta_0_dot_first,
-                        theta_0_dot_k,
-                    );
+                    theta_0_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, theta_0_dot_first, theta_0_dot_k);
                     theta_0_dot_last_2 = theta_0_dot_k;
-                    w25 = lagrange::jets::first(order, w25, w32);
+                    w25 = lagrange::jets::first::<P, _>(order, w25, w32);
                     w26 = w32;
-                    theta_1_dot_first = lagrange::jets::first(
-                        order,
-                        theta_1_dot_first,
-                        theta_1_dot_k,
-                    );
+                    theta_1_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, theta_1_dot_first, theta_1_dot_k);
                     theta_1_dot_last_2 = theta_1_dot_k;
-                    w27 = lagrange::jets::first(order, w27, w34);
+                    w27 = lagrange::jets::first::<P, _>(order, w27, w34);
                     w28 = w34;
-                    w29 = lagrange::jets::first(order, w29, theta_1_dot_theta_0_dot_k);
+                    w29 = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, w29, theta_1_dot_theta_0_dot_k);
                     w30 = theta_1_dot_theta_0_dot_k;
-                    cos_theta_0_first = lagrange::jets::first(
-                        order,
-                        cos_theta_0_first,
-                        cos_theta_0_k,
-                    );
+                    cos_theta_0_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, cos_theta_0_first, cos_theta_0_k);
                     cos_theta_0_last = cos_theta_0_k;
-                    sin_theta_0_first = lagrange::jets::first(
-                        order,
-                        sin_theta_0_first,
-                        sin_theta_0_k,
-                    );
+                    sin_theta_0_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, sin_theta_0_first, sin_theta_0_k);
                     sin_theta_0_last = sin_theta_0_k;
-                    cos_theta_1_first = lagrange::jets::first(
-                        order,
-                        cos_theta_1_first,
-                        cos_theta_1_k,
-                    );
+                    cos_theta_1_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, cos_theta_1_first, cos_theta_1_k);
                     cos_theta_1_last = cos_theta_1_k;
-                    sin_theta_1_first = lagrange::jets::first(
-                        order,
-                        sin_theta_1_first,
-                        sin_theta_1_k,
-                    );
+                    sin_theta_1_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, sin_theta_1_first, sin_theta_1_k);
                     sin_theta_1_last = sin_theta_1_k;
-                    w1_first = lagrange::jets::first(order, w1_first, w1_k);
+                    w1_first = lagrange::jets::first::<P, _>(order, w1_first, w1_k);
                     w1_last = w1_k;
                     true
                 },

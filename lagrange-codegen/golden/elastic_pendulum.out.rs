@@ -413,40 +413,53 @@ A singular mass matrix, with the coordinate and the time.*/
                     let inner = tables.interior(order);
                     let theta_k: f64 = rate * theta_dot_last;
                     let r_k: f64 = rate * r_dot_last;
-                    let inner_0: f64 = Real::mul_add(
-                        theta_dot_first + theta_dot_first,
-                        theta_dot_last_2,
-                        inner[0],
+                    let inner_0: f64 = lagrange::jets::squared::<
+                        P,
+                        _,
+                    >(order, [theta_dot_first, theta_dot_last_2], inner[0]);
+                    let inner_1: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(order, [r_first, r_last], [w1_first, w1_last], inner[1]);
+                    let inner_2: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [r_first, r_last],
+                        [sin_theta_first, sin_theta_last],
+                        inner[2],
                     );
-                    let inner_1: f64 = Real::mul_add(
-                        r_first,
-                        w1_last,
-                        Real::mul_add(w1_first, r_last, inner[1]),
+                    let inner_3: f64 = lagrange::jets::squared::<
+                        P,
+                        _,
+                    >(order, [r_first, r_last], inner[3]);
+                    let inner_4: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [r_squared_first, r_squared_last],
+                        [theta_dot_first, theta_dot_last_2],
+                        inner[4],
                     );
-                    let inner_2: f64 = Real::mul_add(
-                        r_first,
-                        sin_theta_last,
-                        Real::mul_add(sin_theta_first, r_last, inner[2]),
+                    let inner_5: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [cos_theta_first, cos_theta_last],
+                        inner[5],
                     );
-                    let inner_3: f64 = Real::mul_add(
-                        r_first + r_first,
-                        r_last,
-                        inner[3],
-                    );
-                    let inner_4: f64 = Real::mul_add(
-                        r_squared_first,
-                        theta_dot_last_2,
-                        Real::mul_add(theta_dot_first, r_squared_last, inner[4]),
-                    );
-                    let inner_5: f64 = Real::mul_add(
-                        theta_dot_first,
-                        cos_theta_last,
-                        Real::mul_add(cos_theta_first, theta_dot_last_2, inner[5]),
-                    );
-                    let inner_6: f64 = Real::mul_add(
-                        theta_dot_first,
-                        sin_theta_last,
-                        Real::mul_add(sin_theta_first, theta_dot_last_2, inner[6]),
+                    let inner_6: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [sin_theta_first, sin_theta_last],
+                        inner[6],
                     );
                     let sin_theta_k: f64 = rate * sin_theta_flow;
                     let cos_theta_k: f64 = rate * cos_theta_flow;
@@ -522,33 +535,29 @@ A singular mass matrix, with the coordinate and the time.*/
                             Real::mul_add(-w1, r_k, -inner_1),
                         ),
                     );
-                    theta_dot_first = lagrange::jets::first(
-                        order,
-                        theta_dot_first,
-                        theta_dot_k,
-                    );
+                    theta_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, theta_dot_first, theta_dot_k);
                     theta_dot_last_2 = theta_dot_k;
-                    r_first = lagrange::jets::first(order, r_first, r_k);
+                    r_first = lagrange::jets::first::<P, _>(order, r_first, r_k);
                     r_last = r_k;
-                    w1_first = lagrange::jets::first(order, w1_first, w1_k);
+                    w1_first = lagrange::jets::first::<P, _>(order, w1_first, w1_k);
                     w1_last = w1_k;
-                    sin_theta_first = lagrange::jets::first(
-                        order,
-                        sin_theta_first,
-                        sin_theta_k,
-                    );
+                    sin_theta_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, sin_theta_first, sin_theta_k);
                     sin_theta_last = sin_theta_k;
-                    r_squared_first = lagrange::jets::first(
-                        order,
-                        r_squared_first,
-                        r_squared_k,
-                    );
+                    r_squared_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, r_squared_first, r_squared_k);
                     r_squared_last = r_squared_k;
-                    cos_theta_first = lagrange::jets::first(
-                        order,
-                        cos_theta_first,
-                        cos_theta_k,
-                    );
+                    cos_theta_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, cos_theta_first, cos_theta_k);
                     cos_theta_last = cos_theta_k;
                     true
                 },

@@ -461,55 +461,85 @@ A singular mass matrix, with the coordinate and the time.*/
                     let phi_k: f64 = rate * phi_dot_last;
                     let theta_k: f64 = rate * theta_dot_last;
                     let psi_k: f64 = rate * psi_dot_last;
-                    let inner_0: f64 = Real::mul_add(
-                        phi_dot_first,
-                        psi_dot_last_2,
-                        Real::mul_add(psi_dot_first, phi_dot_last_2, inner[0]),
+                    let inner_0: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [phi_dot_first, phi_dot_last_2],
+                        [psi_dot_first, psi_dot_last_2],
+                        inner[0],
                     );
-                    let inner_1: f64 = Real::mul_add(
-                        phi_dot_first,
-                        cos_theta_last,
-                        Real::mul_add(cos_theta_first, phi_dot_last_2, inner[1]),
+                    let inner_1: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [phi_dot_first, phi_dot_last_2],
+                        [cos_theta_first, cos_theta_last],
+                        inner[1],
                     );
-                    let inner_2: f64 = Real::mul_add(
-                        cos_theta_first,
-                        w4_last,
-                        Real::mul_add(w4_first, cos_theta_last, inner[2]),
+                    let inner_2: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [cos_theta_first, cos_theta_last],
+                        [w4_first, w4_last],
+                        inner[2],
                     );
-                    let inner_3: f64 = Real::mul_add(
-                        sin_theta_first + sin_theta_first,
-                        sin_theta_last,
-                        inner[3],
+                    let inner_3: f64 = lagrange::jets::squared::<
+                        P,
+                        _,
+                    >(order, [sin_theta_first, sin_theta_last], inner[3]);
+                    let inner_4: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [phi_dot_first, phi_dot_last_2],
+                        [sin_theta_squared_first, sin_theta_squared_last],
+                        inner[4],
                     );
-                    let inner_4: f64 = Real::mul_add(
-                        phi_dot_first,
-                        sin_theta_squared_last,
-                        Real::mul_add(sin_theta_squared_first, phi_dot_last_2, inner[4]),
+                    let inner_5: f64 = lagrange::jets::squared::<
+                        P,
+                        _,
+                    >(order, [phi_dot_first, phi_dot_last_2], inner[5]);
+                    let inner_6: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [phi_dot_squared_first, phi_dot_squared_last],
+                        [cos_theta_first, cos_theta_last],
+                        inner[6],
                     );
-                    let inner_5: f64 = Real::mul_add(
-                        phi_dot_first + phi_dot_first,
-                        phi_dot_last_2,
-                        inner[5],
+                    let inner_7: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [sin_theta_first, sin_theta_last],
+                        [w10_first, w10_last],
+                        inner[7],
                     );
-                    let inner_6: f64 = Real::mul_add(
-                        phi_dot_squared_first,
-                        cos_theta_last,
-                        Real::mul_add(cos_theta_first, phi_dot_squared_last, inner[6]),
+                    let inner_8: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [cos_theta_first, cos_theta_last],
+                        inner[8],
                     );
-                    let inner_7: f64 = Real::mul_add(
-                        sin_theta_first,
-                        w10_last,
-                        Real::mul_add(w10_first, sin_theta_last, inner[7]),
-                    );
-                    let inner_8: f64 = Real::mul_add(
-                        theta_dot_first,
-                        cos_theta_last,
-                        Real::mul_add(cos_theta_first, theta_dot_last_2, inner[8]),
-                    );
-                    let inner_9: f64 = Real::mul_add(
-                        theta_dot_first,
-                        sin_theta_last,
-                        Real::mul_add(sin_theta_first, theta_dot_last_2, inner[9]),
+                    let inner_9: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [sin_theta_first, sin_theta_last],
+                        inner[9],
                     );
                     let sin_theta_k: f64 = rate * sin_theta_flow;
                     let cos_theta_k: f64 = rate * cos_theta_flow;
@@ -612,51 +642,44 @@ A singular mass matrix, with the coordinate and the time.*/
                         Real::mul_add(w10, sin_theta_k, inner_7),
                     );
                     psi_force = 0.0;
-                    phi_dot_first = lagrange::jets::first(
-                        order,
-                        phi_dot_first,
-                        phi_dot_k,
-                    );
+                    phi_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, phi_dot_first, phi_dot_k);
                     phi_dot_last_2 = phi_dot_k;
-                    psi_dot_first = lagrange::jets::first(
-                        order,
-                        psi_dot_first,
-                        psi_dot_k,
-                    );
+                    psi_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, psi_dot_first, psi_dot_k);
                     psi_dot_last_2 = psi_dot_k;
-                    cos_theta_first = lagrange::jets::first(
-                        order,
-                        cos_theta_first,
-                        cos_theta_k,
-                    );
+                    cos_theta_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, cos_theta_first, cos_theta_k);
                     cos_theta_last = cos_theta_k;
-                    w4_first = lagrange::jets::first(order, w4_first, w4_k);
+                    w4_first = lagrange::jets::first::<P, _>(order, w4_first, w4_k);
                     w4_last = w4_k;
-                    sin_theta_first = lagrange::jets::first(
-                        order,
-                        sin_theta_first,
-                        sin_theta_k,
-                    );
+                    sin_theta_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, sin_theta_first, sin_theta_k);
                     sin_theta_last = sin_theta_k;
-                    sin_theta_squared_first = lagrange::jets::first(
-                        order,
-                        sin_theta_squared_first,
-                        sin_theta_squared_k,
-                    );
+                    sin_theta_squared_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, sin_theta_squared_first, sin_theta_squared_k);
                     sin_theta_squared_last = sin_theta_squared_k;
-                    phi_dot_squared_first = lagrange::jets::first(
-                        order,
-                        phi_dot_squared_first,
-                        phi_dot_squared_k,
-                    );
+                    phi_dot_squared_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, phi_dot_squared_first, phi_dot_squared_k);
                     phi_dot_squared_last = phi_dot_squared_k;
-                    w10_first = lagrange::jets::first(order, w10_first, w10_k);
+                    w10_first = lagrange::jets::first::<P, _>(order, w10_first, w10_k);
                     w10_last = w10_k;
-                    theta_dot_first = lagrange::jets::first(
-                        order,
-                        theta_dot_first,
-                        theta_dot_k,
-                    );
+                    theta_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, theta_dot_first, theta_dot_k);
                     theta_dot_last_2 = theta_dot_k;
                     true
                 },

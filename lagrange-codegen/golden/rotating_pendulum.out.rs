@@ -660,20 +660,32 @@ The first identity that does not hold, and by how much.*/
                     let rate: f64 = lagrange::jets::rate(h, order);
                     let inner = tables.interior(order);
                     let theta_k: f64 = rate * theta_dot_last;
-                    let inner_0: f64 = Real::mul_add(
-                        sin_theta_first,
-                        w2_last,
-                        Real::mul_add(w2_first, sin_theta_last, inner[0]),
+                    let inner_0: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [sin_theta_first, sin_theta_last],
+                        [w2_first, w2_last],
+                        inner[0],
                     );
-                    let inner_1: f64 = Real::mul_add(
-                        theta_dot_first,
-                        cos_theta_last,
-                        Real::mul_add(cos_theta_first, theta_dot_last_2, inner[1]),
+                    let inner_1: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [cos_theta_first, cos_theta_last],
+                        inner[1],
                     );
-                    let inner_2: f64 = Real::mul_add(
-                        theta_dot_first,
-                        sin_theta_last,
-                        Real::mul_add(sin_theta_first, theta_dot_last_2, inner[2]),
+                    let inner_2: f64 = lagrange::jets::convolution::<
+                        P,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [sin_theta_first, sin_theta_last],
+                        inner[2],
                     );
                     let sin_theta_k: f64 = rate * sin_theta_flow;
                     let cos_theta_k: f64 = rate * cos_theta_flow;
@@ -710,25 +722,22 @@ The first identity that does not hold, and by how much.*/
                         Real::mul_add(-theta_dot, sin_theta_k, -inner_2),
                     );
                     theta_force = -(mass_2_length * w4_k);
-                    sin_theta_first = lagrange::jets::first(
-                        order,
-                        sin_theta_first,
-                        sin_theta_k,
-                    );
+                    sin_theta_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, sin_theta_first, sin_theta_k);
                     sin_theta_last = sin_theta_k;
-                    w2_first = lagrange::jets::first(order, w2_first, w2_k);
+                    w2_first = lagrange::jets::first::<P, _>(order, w2_first, w2_k);
                     w2_last = w2_k;
-                    theta_dot_first = lagrange::jets::first(
-                        order,
-                        theta_dot_first,
-                        theta_dot_k,
-                    );
+                    theta_dot_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, theta_dot_first, theta_dot_k);
                     theta_dot_last_2 = theta_dot_k;
-                    cos_theta_first = lagrange::jets::first(
-                        order,
-                        cos_theta_first,
-                        cos_theta_k,
-                    );
+                    cos_theta_first = lagrange::jets::first::<
+                        P,
+                        _,
+                    >(order, cos_theta_first, cos_theta_k);
                     cos_theta_last = cos_theta_k;
                     true
                 },

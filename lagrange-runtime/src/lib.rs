@@ -124,7 +124,9 @@ pub mod __private {
     pub mod jets {
         //! Recurrences of Taylor coefficients.
         pub use crate::columns::{Products, column, product, square, tile};
-        pub use crate::tables::{first, in_line, in_turn, index, multiplier, ramp, rate};
+        pub use crate::tables::{
+            convolution, first, in_line, in_turn, index, multiplier, ramp, rate, squared,
+        };
     }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::system::System;

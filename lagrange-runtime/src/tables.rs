@@ -10,6 +10,9 @@ use crate::real::Real;
 /// So many lanes are summed in the middle of the code that uses them.
 const INLINE: usize = 12;
 
+/// Expansions to no higher order, those of fixed steps, are written out order by order.
+const LOW: usize = 8;
+
 /// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
@@ -37,6 +40,9 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     #[inline(always)]
     pub fn interior(&self, order: usize) -> [R; L] {
         let rows = order.saturating_sub(2);
+        if P <= LOW {
+            return self.few(rows);
+        }
         if L <= INLINE { self.sweep(rows) } else { self.outlined(rows) }
     }
 
@@ -44,6 +50,19 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     #[inline(never)]
     fn outlined(&self, rows: usize) -> [R; L] {
         self.sweep(rows)
+    }
+
+    /// The same sums where their number of terms is known: nothing is added to zero.
+    #[inline(always)]
+    fn few(&self, rows: usize) -> [R; L] {
+        let mut sum = [R::zero(); L];
+        for row in 1..rows.min(P) {
+            for i in 0..L {
+                let (left, right) = (self.left[row][i], self.right[rows - row][i]);
+                sum[i] = if row == 1 { left * right } else { Real::mul_add(left, right, sum[i]) };
+            }
+        }
+        sum
     }
 
     /// The sums over the indices 1 to `rows` − 1 and back.
@@ -95,7 +114,7 @@ pub fn in_line<const P: usize>(orders: usize, mut expand: impl FnMut(usize) -> b
             }
         )*};
     }
-    if P <= 8 {
+    if P <= LOW {
         each!(1 2 3 4 5 6 7 8);
     } else {
         in_turn(orders, expand);
@@ -127,12 +146,37 @@ pub fn multiplier<R: Real>(impulse: R, rate: R) -> R {
     if rate == R::zero() { rate } else { impulse / rate }
 }
 
-/// The coefficient of order 1 from order 3 on; in order 2, where both ends of the interior are the same term, half of it.
+/// Σ left\[j] right\[order − j] over 0 < j < order. Of each factor the coefficients of the orders 1 and order − 1 are
+/// given, the former as [`first`] keeps it.
 #[inline(always)]
-pub fn first<R: Real>(order: usize, first: R, coefficient: R) -> R {
+pub fn convolution<const P: usize, R: Real>(order: usize, left: [R; 2], right: [R; 2], interior: R) -> R {
     match order {
+        1 if P <= LOW => R::zero(),
+        2 if P <= LOW => left[1] * right[1],
+        3 if P <= LOW => Real::mul_add(left[0], right[1], right[0] * left[1]),
+        _ => Real::mul_add(left[0], right[1], Real::mul_add(right[0], left[1], interior)),
+    }
+}
+
+/// [`convolution`] of a factor with itself.
+#[inline(always)]
+pub fn squared<const P: usize, R: Real>(order: usize, factor: [R; 2], interior: R) -> R {
+    match order {
+        1 if P <= LOW => R::zero(),
+        2 if P <= LOW => factor[1] * factor[1],
+        3 if P <= LOW => (factor[0] + factor[0]) * factor[1],
+        _ => Real::mul_add(factor[0] + factor[0], factor[1], interior),
+    }
+}
+
+/// The coefficient of order 1 for the orders after 3. Where an order is not known to the compiler, both outermost terms
+/// are added in order 2 as well, where they are the same term: it is kept as half of itself there.
+#[inline(always)]
+pub fn first<const P: usize, R: Real>(order: usize, first: R, coefficient: R) -> R {
+    match order {
+        1 if P <= LOW => coefficient,
         1 => R::from_f64(0.5) * coefficient,
-        2 => first + first,
+        2 if P > LOW => first + first,
         _ => first,
     }
 }

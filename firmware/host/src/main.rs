@@ -15,13 +15,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             print!("{text}");
         }
         ["errors"] => print!("{}", table::errors()?),
-        ["figures", readme] => {
-            let mut measurements = String::new();
-            std::io::stdin().read_to_string(&mut measurements)?;
-            let text = std::fs::read_to_string(readme)?;
-            std::fs::write(readme, table::into_readme(&text, &table::figures(&measurements)?)?)?;
+        ["figures", all, summary] => {
+            let mut text = String::new();
+            std::io::stdin().read_to_string(&mut text)?;
+            let measurements = table::Measurements::parse(&text)?;
+            table::write(all, &measurements.whole()?)?;
+            table::write(summary, &measurements.summary())?;
         }
-        _ => return Err("usage: host bits | host errors | host figures README < MEASUREMENTS".into()),
+        _ => return Err("usage: host bits | host errors | host figures README SUMMARY < MEASUREMENTS".into()),
     }
     Ok(())
 }

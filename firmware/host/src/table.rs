@@ -8,6 +8,9 @@ use crate::errors::{self, Record};
 /// Steps per second of the column of errors beside the costs.
 const RATE: u32 = 128;
 
+/// The target with hardware for `f32`.
+const FPU: &str = "thumbv7em-none-eabihf";
+
 /// Between these lines of a file stand the figures.
 const MARKS: [&str; 2] = ["<!-- figures: scripts/firmware.sh figures -->", "<!-- end of figures -->"];
 
@@ -19,7 +22,24 @@ struct Line<'a> {
     numbers: Vec<u64>,
 }
 
-fn parse(text: &str) -> Result<Vec<Line<'_>>, Box<dyn Error>> {
+/// One system and method on one target.
+struct Program<'a> {
+    /// Target, system, method, scalar.
+    of: [&'a str; 4],
+    code: u64,
+    constants: u64,
+    /// RAM that is reserved before the program runs.
+    fixed: u64,
+    vectors: u64,
+    instructions: u64,
+    stack: u64,
+    error: f64,
+}
+
+/// What was measured of all programs.
+pub struct Measurements<'a>(Vec<Program<'a>>);
+
+fn lines(text: &str) -> Result<Vec<Line<'_>>, Box<dyn Error>> {
     let line = |text| -> Result<_, Box<dyn Error>> {
         let words: Vec<&str> = str::split_whitespace(text).collect();
         let [kind, target, system, method, scalar, ref numbers @ ..] = words[..] else {
@@ -31,44 +51,88 @@ fn parse(text: &str) -> Result<Vec<Line<'_>>, Box<dyn Error>> {
     text.lines().map(line).collect()
 }
 
-/// Costs of all programs that were measured, and errors by the length of the step.
-pub fn figures(measurements: &str) -> Result<String, Box<dyn Error>> {
-    let lines = parse(measurements)?;
-    let records = errors::after_a_second(RATE)?;
-    let mut text = String::new();
-    let mut last = None;
-    for size in lines.iter().filter(|line| line.kind == "size") {
-        let [target, system, method, scalar] = size.of;
-        let step = lines.iter().find(|line| line.kind == "step" && line.of == size.of);
-        let [code, constants, data, zeroed, vectors] = size.numbers[..] else {
-            return Err(format!("five sizes of {system} {method} {scalar} on {target}").into());
+impl<'a> Measurements<'a> {
+    /// Sizes and steps from text; errors are computed here.
+    pub fn parse(text: &'a str) -> Result<Self, Box<dyn Error>> {
+        let lines = lines(text)?;
+        let records = errors::after_a_second(RATE)?;
+        let program = |size: &Line<'a>| -> Result<_, Box<dyn Error>> {
+            let [_, system, method, scalar] = size.of;
+            let step = lines.iter().find(|line| line.kind == "step" && line.of == size.of);
+            let error = records.iter().find(|r| [r.system, r.method, r.scalar] == [system, method, scalar]);
+            let (Some(step), Some(&Record { error, .. })) = (step, error) else {
+                return Err(format!("no measurement of a step of {:?}", size.of).into());
+            };
+            let ([code, rodata, data, zeroed, vectors], [instructions, stack]) =
+                (&size.numbers[..], &step.numbers[..])
+            else {
+                return Err(format!("five sizes and two figures of a step of {:?}", size.of).into());
+            };
+            Ok(Program {
+                of: size.of,
+                code: *code,
+                constants: rodata + data,
+                fixed: data + zeroed,
+                vectors: *vectors,
+                instructions: *instructions,
+                stack: *stack,
+                error,
+            })
         };
-        let [instructions, stack] = step.ok_or("no measurement of a step")?.numbers[..] else {
-            return Err(format!("two figures of a step of {system} {method} {scalar} on {target}").into());
-        };
-        if last != Some((target, scalar)) {
-            last = Some((target, scalar));
-            let _ = write!(
+        let sizes = lines.iter().filter(|line| line.kind == "size");
+        sizes.map(program).collect::<Result<_, _>>().map(Self)
+    }
+
+    /// Everything, and errors by the length of the step.
+    pub fn whole(&self) -> Result<String, Box<dyn Error>> {
+        let mut text = String::new();
+        let mut last = None;
+        for program in &self.0 {
+            let [target, system, method, scalar] = program.of;
+            if last != Some((target, scalar)) {
+                last = Some((target, scalar));
+                let _ = write!(
+                    text,
+                    "\n### `{scalar}` on `{target}`\n\nThe vector table, not counted, has {} bytes.\n\n\
+                     | system | method | flash: code | constants | RAM: static | stack | instructions a step | error |\n\
+                     | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+                    program.vectors
+                );
+            }
+            let Program { code, constants, fixed, stack, instructions, error, .. } = program;
+            let _ = writeln!(
                 text,
-                "\n### `{scalar}` on `{target}`\n\nThe vector table, not counted, has {vectors} bytes.\n\n\
-                 | system | method | flash: code | constants | RAM: static | stack | instructions a step | error |\n\
-                 | --- | --- | --- | --- | --- | --- | --- | --- |\n"
+                "| {system} | {method} | {code} | {constants} | {fixed} | {stack} | {instructions} | {error:.1e} |"
             );
         }
-        let error = records
-            .iter()
-            .find(|Record { system: s, method: m, scalar: r, .. }| [*s, *m, *r] == [system, method, scalar])
-            .ok_or("no such run")?
-            .error;
-        let _ = writeln!(
-            text,
-            "| {system} | {method} | {code} | {} | {} | {stack} | {instructions} | {error:.1e} |",
-            constants + data,
-            data + zeroed
-        );
+        let _ = write!(text, "\n### Errors by the length of the step\n\n{}", errors()?);
+        Ok(text)
     }
-    let _ = write!(text, "\n### Errors by the length of the step\n\n{}", errors()?);
-    Ok(text)
+
+    /// A line for each system and method in `f32`.
+    pub fn summary(&self) -> String {
+        let mut text = String::from(
+            "\n| system | method | M4F: flash | stack | instructions a step | M0: flash | stack | instructions a step | error |\n\
+             | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        );
+        for program in self.0.iter().filter(|program| program.of[0] == FPU && program.of[3] == "f32") {
+            let [_, system, method, scalar] = program.of;
+            let costs = |program: &Program<'_>| {
+                let Program { code, constants, stack, instructions, .. } = program;
+                format!("{} | {stack} | {instructions}", code + constants)
+            };
+            let soft =
+                self.0.iter().find(|other| other.of[0] != FPU && other.of[1..] == [system, method, scalar]);
+            let soft = soft.map_or("| |".to_owned(), costs);
+            let _ = writeln!(
+                text,
+                "| {system} | {method} | {} | {soft} | {:.1e} |",
+                costs(program),
+                program.error
+            );
+        }
+        text
+    }
 }
 
 /// Errors after one second by steps of several lengths; those of the jets also as a share of those of RK4.
@@ -98,10 +162,12 @@ pub fn errors() -> Result<String, Box<dyn Error>> {
     Ok(text)
 }
 
-/// The text of a file with the figures between its marks.
-pub fn into_readme(readme: &str, figures: &str) -> Result<String, Box<dyn Error>> {
+/// Replaces the figures between the marks in a file.
+pub fn write(path: &str, figures: &str) -> Result<(), Box<dyn Error>> {
     let [begin, end] = MARKS;
-    let (before, rest) = readme.split_once(begin).ok_or("the file has no mark where figures begin")?;
+    let text = std::fs::read_to_string(path)?;
+    let (before, rest) = text.split_once(begin).ok_or("the file has no mark where figures begin")?;
     let (_, after) = rest.split_once(end).ok_or("the file has no mark where figures end")?;
-    Ok(format!("{before}{begin}\n{figures}\n{end}{after}"))
+    std::fs::write(path, format!("{before}{begin}\n{figures}\n{end}{after}"))?;
+    Ok(())
 }

@@ -7,9 +7,9 @@ fn entry(order: usize, lane: usize, side: usize) -> f64 {
     ((order * 7 + lane * 13 + side * 5) % 23) as f64 - 11.0
 }
 
-fn filled<const L: usize>() -> Tables<f64, L, 9> {
+fn filled<const L: usize, const P: usize>() -> Tables<f64, L, P> {
     let mut tables = Tables::default();
-    for order in 1..=9 {
+    for order in 1..=P {
         let (left, right) = tables.row(order).unwrap();
         for lane in 0..L {
             (left[lane], right[lane]) = (entry(order, lane, 0), entry(order, lane, 1));
@@ -18,9 +18,9 @@ fn filled<const L: usize>() -> Tables<f64, L, 9> {
     tables
 }
 
-fn sweeps<const L: usize>() {
-    let tables = filled::<L>();
-    for order in 1..=10 {
+fn sweeps<const L: usize, const P: usize>() {
+    let tables = filled::<L, P>();
+    for order in 1..=P + 1 {
         let found = tables.interior(order);
         for (lane, found) in found.iter().enumerate() {
             let inner = 2..order.saturating_sub(1);
@@ -32,33 +32,44 @@ fn sweeps<const L: usize>() {
 
 #[test]
 fn the_sweep_is_the_convolution() {
-    sweeps::<4>();
-    sweeps::<12>();
-    sweeps::<16>();
+    sweeps::<4, 9>();
+    sweeps::<12, 9>();
+    sweeps::<16, 9>();
+    sweeps::<4, LOW>();
+    sweeps::<16, 3>();
 }
 
-#[test]
-fn the_outermost_terms_complete_the_sum() {
-    let tables = filled::<4>();
+fn completes<const P: usize>() {
+    let tables = filled::<4, P>();
     let (mut firsts, mut lasts) = ([[0.0; 2]; 4], [[0.0; 2]; 4]);
-    for order in 1..=9 {
+    for order in 1..=P {
         let inner = tables.interior(order);
         for lane in 0..4 {
-            let [first, last] = [firsts[lane], lasts[lane]];
+            let [left, right] = [0, 1].map(|side| [firsts[lane][side], lasts[lane][side]]);
             let whole: f64 = (1..order).map(|j| entry(j, lane, 0) * entry(order - j, lane, 1)).sum();
-            assert_eq!(first[0] * last[1] + first[1] * last[0] + inner[lane], whole, "order {order}");
+            assert_eq!(convolution::<P, _>(order, left, right, inner[lane]), whole, "{P}, order {order}");
+            let inner = (2..order.saturating_sub(1)).map(|j| entry(j, lane, 0) * entry(order - j, lane, 0));
+            let whole: f64 = (1..order).map(|j| entry(j, lane, 0) * entry(order - j, lane, 0)).sum();
+            assert_eq!(squared::<P, _>(order, left, inner.sum()), whole, "{P}, order {order}");
             for side in 0..2 {
                 let coefficient = entry(order, lane, side);
                 (firsts[lane][side], lasts[lane][side]) =
-                    (super::first(order, first[side], coefficient), coefficient);
+                    (first::<P, _>(order, firsts[lane][side], coefficient), coefficient);
             }
         }
     }
 }
 
 #[test]
+fn the_outermost_terms_complete_the_sum() {
+    completes::<9>();
+    completes::<LOW>();
+    completes::<5>();
+}
+
+#[test]
 fn there_is_no_row_beyond_the_last() {
-    assert!(filled::<4>().row(10).is_none());
+    assert!(filled::<4, 9>().row(10).is_none());
 }
 
 #[test]
