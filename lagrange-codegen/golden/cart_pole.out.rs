@@ -365,6 +365,8 @@ A singular mass matrix, with the coordinate and the time.*/
         }
     }
     impl<R: Real> lagrange::Autonomous<2usize, 1usize> for CartPole<R> {}
+    impl<R: Real> lagrange::Holonomic<2usize, 1usize> for CartPole<R> {}
+    impl<R: Real> lagrange::Scleronomic<2usize, 1usize> for CartPole<R> {}
     #[automatically_derived]
     #[allow(clippy::all)]
     impl<R: Real> lagrange::Smooth<2usize, 1usize> for CartPole<R> {

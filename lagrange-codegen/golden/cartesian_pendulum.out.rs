@@ -607,6 +607,8 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
     impl lagrange::ConstantMass<2usize, 0usize> for CartesianPendulum {}
     impl lagrange::Autonomous<2usize, 0usize> for CartesianPendulum {}
     impl lagrange::Conservative<2usize, 0usize> for CartesianPendulum {}
+    impl lagrange::Holonomic<2usize, 0usize> for CartesianPendulum {}
+    impl lagrange::Scleronomic<2usize, 0usize> for CartesianPendulum {}
     #[automatically_derived]
     #[allow(clippy::all)]
     impl lagrange::Smooth<2usize, 0usize> for CartesianPendulum {

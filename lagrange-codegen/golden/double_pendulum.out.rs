@@ -328,6 +328,8 @@ A singular mass matrix, with the coordinate and the time.*/
     }
     impl lagrange::Autonomous<2usize, 0usize> for DoublePendulum {}
     impl lagrange::Conservative<2usize, 0usize> for DoublePendulum {}
+    impl lagrange::Holonomic<2usize, 0usize> for DoublePendulum {}
+    impl lagrange::Scleronomic<2usize, 0usize> for DoublePendulum {}
     #[automatically_derived]
     #[allow(clippy::all)]
     impl lagrange::Smooth<2usize, 0usize> for DoublePendulum {

@@ -325,6 +325,8 @@ A singular mass matrix, with the coordinate and the time.*/
         }
     }
     impl lagrange::Autonomous<2usize, 1usize> for ElasticPendulum {}
+    impl lagrange::Holonomic<2usize, 1usize> for ElasticPendulum {}
+    impl lagrange::Scleronomic<2usize, 1usize> for ElasticPendulum {}
     #[automatically_derived]
     #[allow(clippy::all)]
     impl lagrange::Smooth<2usize, 1usize> for ElasticPendulum {

@@ -347,6 +347,9 @@ A singular mass matrix, with the coordinate and the time.*/
     }
     impl lagrange::Autonomous<3usize, 0usize> for Top {}
     impl lagrange::Conservative<3usize, 0usize> for Top {}
+    impl lagrange::Holonomic<3usize, 0usize> for Top {}
+    impl lagrange::Scleronomic<3usize, 0usize> for Top {}
+    impl lagrange::Cyclic<3usize, 0usize> for Top {}
     #[automatically_derived]
     #[allow(clippy::all)]
     impl lagrange::Smooth<3usize, 0usize> for Top {

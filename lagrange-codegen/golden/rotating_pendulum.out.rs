@@ -584,6 +584,7 @@ The first identity that does not hold, and by how much.*/
     impl lagrange::Separable<1usize, 0usize> for RotatingPendulum {}
     impl lagrange::Autonomous<1usize, 0usize> for RotatingPendulum {}
     impl lagrange::Conservative<1usize, 0usize> for RotatingPendulum {}
+    impl lagrange::Holonomic<1usize, 0usize> for RotatingPendulum {}
     #[automatically_derived]
     #[allow(clippy::all)]
     impl lagrange::Smooth<1usize, 0usize> for RotatingPendulum {

@@ -74,7 +74,7 @@ pub use integrator::{
 };
 pub use linearized::{Jacobians, Linearization, Linearized};
 pub use num_traits::{One, Zero};
-pub use proved::{Autonomous, Conservative, ConstantMass, Separable};
+pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};
 #[cfg(feature = "wide")]
 pub use real::Lanes;
 pub use real::{Ordered, Real};
@@ -102,7 +102,9 @@ pub mod __private {
     pub use crate::error::{Cause, MotionError};
     pub use crate::linear::{Ldlt, Lu};
     pub use crate::linearized::{Linearization, Linearized};
-    pub use crate::proved::{Autonomous, Conservative, ConstantMass, Separable};
+    pub use crate::proved::{
+        Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
+    };
     pub use crate::real::Real;
     pub mod solve {
         //! Solving for the accelerations.

@@ -41,3 +41,29 @@ pub trait Autonomous<const N: usize, const K: usize = 0>: System<N, K> {}
     note = "a `#[force]` or `#[dissipation]` function does work on it, or its Lagrangian depends on time"
 )]
 pub trait Conservative<const N: usize, const K: usize = 0>: Autonomous<N, K> {}
+
+/// No constraint on velocities that is not one on positions: every position that the constraints allow can be reached.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not holonomic",
+    label = "this needs a holonomic system",
+    note = "a function with the role `nonholonomic` constrains its velocities"
+)]
+pub trait Holonomic<const N: usize, const K: usize = 0>: System<N, K> {}
+
+/// Nothing is moved from outside: T is a quadratic form in the velocities, T = ½ v·M v with p = M v, and neither energies nor
+/// constraints depend on time.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not scleronomic: something moves as a function of time, or T is no quadratic form in the velocities",
+    label = "this needs a scleronomic system",
+    note = "a position or a constraint takes `t`, or an energy has terms linear in the velocities or of a moving frame"
+)]
+pub trait Scleronomic<const N: usize, const K: usize = 0>: System<N, K> {}
+
+/// At least one cyclic coordinate: L does not depend on it and no force acts along it, so that its momentum is conserved.
+/// `STRUCTURE` names them, and `analysis` in the attribute gives their momenta.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no cyclic coordinate",
+    label = "this needs a cyclic coordinate",
+    note = "all coordinates appear in the Lagrangian, or forces or constraints act along them"
+)]
+pub trait Cyclic<const N: usize, const K: usize = 0>: System<N, K> {}

@@ -7,12 +7,20 @@ use crate::structure::Facts;
 use crate::syntax::Item;
 
 /// All traits of the runtime's module `proved`.
-pub(super) const ALL: [&str; 4] = ["ConstantMass", "Separable", "Autonomous", "Conservative"];
+pub(super) const ALL: [&str; 7] =
+    ["ConstantMass", "Separable", "Autonomous", "Conservative", "Holonomic", "Scleronomic", "Cyclic"];
 
-/// The traits whose property follows from the equations.
+/// Those whose property follows from the equations.
 pub(super) fn proved(facts: &Facts) -> Vec<&'static str> {
-    let holds =
-        [facts.constant_mass, facts.separable, facts.autonomous, facts.autonomous && facts.conservative];
+    let holds = [
+        facts.constant_mass,
+        facts.separable,
+        facts.autonomous,
+        facts.autonomous && facts.conservative,
+        facts.holonomic,
+        facts.scleronomic,
+        !facts.cyclic.is_empty(),
+    ];
     ALL.into_iter().zip(holds).filter_map(|(name, holds)| holds.then_some(name)).collect()
 }
 

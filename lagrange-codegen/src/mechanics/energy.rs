@@ -16,6 +16,8 @@ use crate::number::Number;
 pub(super) struct Energies {
     pub kinetic: NodeId,
     pub potential: NodeId,
+    /// The Lagrangians that are given whole.
+    pub whole: NodeId,
     pub total: NodeId,
     pub jacobi: Option<NodeId>,
 }
@@ -67,7 +69,9 @@ pub(super) fn energies(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
     let potential = graph.sum(Number::ZERO, &potential);
     let total = graph.add(kinetic, potential);
     let jacobi = (!homogeneous).then(|| graph.sum(Number::ZERO, &jacobi_terms));
-    Energies { kinetic, potential, total, jacobi: jacobi.filter(|&integral| integral != total) }
+    let whole: Vec<_> = model.lagrangian.iter().map(|term| (term.value, Number::ONE)).collect();
+    let whole = graph.sum(Number::ZERO, &whole);
+    Energies { kinetic, potential, whole, total, jacobi: jacobi.filter(|&integral| integral != total) }
 }
 
 /// v·(Q − ∂D/∂v), if any force is applied.

@@ -45,6 +45,8 @@ pub struct Equations {
     pub kinetic_energy: NodeId,
     /// V.
     pub potential_energy: NodeId,
+    /// The sum of the Lagrangians that are given whole.
+    pub whole: NodeId,
     /// T + V.
     pub energy: NodeId,
     /// The Jacobi integral v·∂L/∂v − L, where it differs from T + V.
@@ -76,7 +78,7 @@ impl Equations {
         let mut conditions = self.conditions.clone();
         conditions.jacobian.iter_mut().for_each(|row| *row = take(row.len()));
         conditions.gamma = take(conditions.gamma.len());
-        let energies = [self.kinetic_energy, self.potential_energy];
+        let energies = [self.kinetic_energy, self.potential_energy, self.whole];
         let energies = simplify(&mut model.graph, &mut model.hints, &energies);
         Equations {
             mass,
@@ -84,6 +86,7 @@ impl Equations {
             conditions,
             kinetic_energy: energies[0],
             potential_energy: energies[1],
+            whole: energies[2],
             ..self.clone()
         }
     }
@@ -127,6 +130,7 @@ pub fn derive(
         momentum_rates,
         kinetic_energy: energies.kinetic,
         potential_energy: energies.potential,
+        whole: energies.whole,
         energy: energies.total,
         jacobi_integral: energies.jacobi,
         power,

@@ -1,8 +1,9 @@
 //! Facts about the equations of motion, and the report of what was found and left out.
 
+use crate::calculus::velocity_degrees;
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::mechanics::Equations;
-use crate::model::Model;
+use crate::model::{ConstraintKind, Model};
 
 /// What was found.
 #[derive(Clone, Debug)]
@@ -19,6 +20,10 @@ pub struct Facts {
     pub has_jacobi_integral: bool,
     /// No applied forces: neither `force` nor `dissipation`.
     pub conservative: bool,
+    /// No constraint is one on velocities alone.
+    pub holonomic: bool,
+    /// T = ½ v·M v, and neither energies nor constraints depend on time.
+    pub scleronomic: bool,
     /// Coordinates that L does not depend on, so that their momentum is conserved where no
     /// force is applied.
     pub cyclic: Vec<usize>,
@@ -35,12 +40,15 @@ impl Facts {
         let energies = [equations.kinetic_energy, equations.potential_energy];
         let mut roots = equations.roots();
         roots.extend(energies);
-        roots.extend(equations.conditions.positions.iter().chain(&equations.conditions.rates));
+        let held = || equations.conditions.positions.iter().chain(&equations.conditions.rates).copied();
+        roots.extend(held());
         let uses = |kind: Dependence| roots.iter().any(|&root| graph.dependence(root).meets(kind));
         let fixed = |root: NodeId| graph.dependence(root).is_fixed();
         let lossless = equations.conditions.losses.iter().all(|&loss| graph.is_zero(loss));
         let conservative = model.forces.is_empty() && model.dissipation.is_empty() && lossless;
-        let appearing = appearing_coordinates(graph, &energies, count);
+        // The energies of a Lagrangian that is given whole lack its terms linear in the velocities.
+        let lagrangian = [energies[0], energies[1], equations.whole];
+        let appearing = appearing_coordinates(graph, &lagrangian, count);
         let conditions = &equations.conditions;
         let idle = |i: usize| {
             graph.is_zero(equations.applied[i]) && conditions.jacobian.iter().all(|row| graph.is_zero(row[i]))
@@ -54,6 +62,12 @@ impl Facts {
             autonomous: !uses(Dependence::TIME),
             has_jacobi_integral: equations.jacobi_integral.is_some(),
             conservative,
+            holonomic: model
+                .constraints
+                .iter()
+                .all(|constraint| constraint.kind == ConstraintKind::Holonomic),
+            scleronomic: is_quadratic(graph, equations)
+                && !held().chain(energies).any(|root| graph.dependence(root).meets(Dependence::TIME)),
             cyclic: (0..count).filter(|&i| !appearing[i] && idle(i)).collect(),
             blocks: blocks(graph, &equations.mass),
         }
@@ -121,6 +135,15 @@ impl Facts {
         skip(unconstrained, "constraints and multipliers");
         skipped
     }
+}
+
+/// Whether T = ½ v·M v and the momenta are M v.
+fn is_quadratic(graph: &Graph, equations: &Equations) -> bool {
+    let homogeneous = |root: NodeId, degree: u32| {
+        graph.is_zero(root) || velocity_degrees(graph, root).is_homogeneous(degree)
+    };
+    homogeneous(equations.kinetic_energy, 2)
+        && equations.momenta.iter().all(|&momentum| homogeneous(momentum, 1))
 }
 
 /// Coordinates that appear in any of the roots.

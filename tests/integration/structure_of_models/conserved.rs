@@ -306,3 +306,26 @@ fn certificates_are_given() {
     Satellite { inertia: 0.3 }.verify().unwrap();
     Skate { inertia: 0.3 }.verify().unwrap();
 }
+
+/// A charge in a uniform magnetic field: L depends on both coordinates, T + V and M on neither.
+struct Charge;
+
+#[lagrangian(coordinates = [x, y], analysis)]
+impl Charge {
+    #[lagrangian]
+    fn whole(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        0.5 * (v.x.powi(2) + v.y.powi(2)) + 0.25 * (q.x * v.y - q.y * v.x)
+    }
+}
+
+#[test]
+fn a_coordinate_in_a_term_linear_in_the_velocities_is_not_cyclic() {
+    assert!(
+        Charge::CYCLIC.is_empty() && !Charge::CONSERVED.contains(&"momentum of x"),
+        "{:?}",
+        Charge::CONSERVED
+    );
+    let mut motion = Charge.simulate(State::new([1.0, 0.0], [0.0, 1.0])).with_tolerance(1e-13);
+    let start = Charge.conserved(motion.state());
+    all_close(Charge.conserved(motion.advance_to(3.0).unwrap()), start, 1e-11);
+}

@@ -6,6 +6,7 @@ mod conserved;
 mod covariant;
 mod energy;
 mod hamilton;
+mod proofs;
 mod regressor;
 
 /// Tolerance of closed forms.
