@@ -57,9 +57,9 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     fn few(&self, rows: usize) -> [R; L] {
         let mut sum = [R::zero(); L];
         for row in 1..rows.min(P) {
-            for i in 0..L {
-                let (left, right) = (self.left[row][i], self.right[rows - row][i]);
-                sum[i] = if row == 1 { left * right } else { Real::mul_add(left, right, sum[i]) };
+            let factors = self.left[row].iter().zip(&self.right[rows - row]);
+            for (sum, (&left, &right)) in sum.iter_mut().zip(factors) {
+                *sum = if row == 1 { left * right } else { Real::mul_add(left, right, *sum) };
             }
         }
         sum
