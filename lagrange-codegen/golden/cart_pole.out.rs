@@ -271,8 +271,18 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn energy(&self, state: &lagrange::State<R, 2>) -> R {
             self.kinetic_energy(state) + self.potential_energy(state)
         }
-        /// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
-        pub const EQUATIONS: &'static str = "(cart_mass + pole_mass) x\u{308} + pole_mass·length·θ\u{308} cos θ − pole_mass·length·θ\u{307}² sin θ = motor\npole_mass·length·x\u{308} cos θ + pole_mass·length²·θ\u{308} − pole_mass·length·g sin θ = −damping·θ\u{307}";
+        /**The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
+
+```text
+(cart_mass + pole_mass) ẍ + pole_mass·length·θ̈ cos θ
+      − pole_mass·length·θ̇² sin θ = motor
+pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
+      − pole_mass·length·g sin θ = −damping·θ̇
+```*/
+        pub const EQUATIONS: &'static str = {
+            let text = "(cart_mass + pole_mass) x\u{308} + pole_mass·length·θ\u{308} cos θ − pole_mass·length·θ\u{307}² sin θ = motor\npole_mass·length·x\u{308} cos θ + pole_mass·length²·θ\u{308} − pole_mass·length·g sin θ = −damping·θ\u{307}";
+            text
+        };
     }
     #[automatically_derived]
     #[allow(clippy::all)]

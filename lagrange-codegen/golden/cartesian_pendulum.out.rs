@@ -439,8 +439,16 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
         > {
             lagrange::constraints::consistent::<Self, 2, 0, 1>(self, state)
         }
-        /// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
-        pub const EQUATIONS: &'static str = "mass·x\u{308} = x λ(rod)/√(x² + y²)\nmass·y\u{308} + mass·g = y λ(rod)/√(x² + y²)";
+        /**The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
+
+```text
+mass·ẍ = x λ(rod)/√(x² + y²)
+mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
+```*/
+        pub const EQUATIONS: &'static str = {
+            let text = "mass·x\u{308} = x λ(rod)/√(x² + y²)\nmass·y\u{308} + mass·g = y λ(rod)/√(x² + y²)";
+            text
+        };
     }
     #[automatically_derived]
     #[allow(clippy::all)]

@@ -229,8 +229,18 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
             self.kinetic_energy(state) + self.potential_energy(state)
         }
-        /// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
-        pub const EQUATIONS: &'static str = "l₀² (m₀ + m₁) θ\u{308}₀ + l₀ m₁ l₁ θ\u{308}₁ cos(θ₀ − θ₁) + l₀ g (m₀ + m₁) sin θ₀ + l₀ m₁ l₁ θ\u{307}₁² sin(θ₀ − θ₁) = 0\nl₀ m₁ l₁ θ\u{308}₀ cos(θ₀ − θ₁) + m₁ l₁² θ\u{308}₁ + m₁ l₁ g sin θ₁ − l₀ m₁ l₁ θ\u{307}₀² sin(θ₀ − θ₁) = 0";
+        /**The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
+
+```text
+l₀² (m₀ + m₁) θ̈₀ + l₀ m₁ l₁ θ̈₁ cos(θ₀ − θ₁) + l₀ g (m₀ + m₁) sin θ₀
+      + l₀ m₁ l₁ θ̇₁² sin(θ₀ − θ₁) = 0
+l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g sin θ₁
+      − l₀ m₁ l₁ θ̇₀² sin(θ₀ − θ₁) = 0
+```*/
+        pub const EQUATIONS: &'static str = {
+            let text = "l₀² (m₀ + m₁) θ\u{308}₀ + l₀ m₁ l₁ θ\u{308}₁ cos(θ₀ − θ₁) + l₀ g (m₀ + m₁) sin θ₀ + l₀ m₁ l₁ θ\u{307}₁² sin(θ₀ − θ₁) = 0\nl₀ m₁ l₁ θ\u{308}₀ cos(θ₀ − θ₁) + m₁ l₁² θ\u{308}₁ + m₁ l₁ g sin θ₁ − l₀ m₁ l₁ θ\u{307}₀² sin(θ₀ − θ₁) = 0";
+            text
+        };
     }
     #[automatically_derived]
     #[allow(clippy::all)]

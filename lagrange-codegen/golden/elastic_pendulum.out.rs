@@ -258,8 +258,17 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn energy(&self, state: &lagrange::State<f64, 2>) -> f64 {
             self.kinetic_energy(state) + self.potential_energy(state)
         }
-        /// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
-        pub const EQUATIONS: &'static str = "mass·r² θ\u{308} + mass·g r sin θ + 2 mass·r θ\u{307} r\u{307} = motor\nmass·r\u{308} + stiffness·r − mass·r θ\u{307}² − mass·g cos θ − stiffness·length = 0";
+        /**The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
+
+```text
+mass·r² θ̈ + mass·g r sin θ + 2 mass·r θ̇ ṙ = motor
+mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·length
+      = 0
+```*/
+        pub const EQUATIONS: &'static str = {
+            let text = "mass·r² θ\u{308} + mass·g r sin θ + 2 mass·r θ\u{307} r\u{307} = motor\nmass·r\u{308} + stiffness·r − mass·r θ\u{307}² − mass·g cos θ − stiffness·length = 0";
+            text
+        };
     }
     #[automatically_derived]
     #[allow(clippy::all)]

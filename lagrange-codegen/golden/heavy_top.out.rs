@@ -261,8 +261,20 @@ A singular mass matrix, with the coordinate and the time.*/
         pub fn energy(&self, state: &lagrange::State<f64, 3>) -> f64 {
             self.kinetic_energy(state) + self.potential_energy(state)
         }
-        /// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
-        pub const EQUATIONS: &'static str = "(along·cos² θ + (across + mass·arm²) sin² θ) φ\u{308} + along·ψ\u{308} cos θ − along·θ\u{307} ψ\u{307} sin θ + 2 (across − along + mass·arm²) φ\u{307} θ\u{307} sin θ cos θ = 0\n(across + mass·arm²) θ\u{308} − mass·arm·g sin θ + along·φ\u{307} ψ\u{307} sin θ − (mass·arm² + across − along) φ\u{307}² sin θ cos θ = 0\nalong·φ\u{308} cos θ + along·ψ\u{308} − along·φ\u{307} θ\u{307} sin θ = 0";
+        /**The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
+
+```text
+(along·cos² θ + (across + mass·arm²) sin² θ) φ̈ + along·ψ̈ cos θ
+      − along·θ̇ ψ̇ sin θ
+      + 2 (across − along + mass·arm²) φ̇ θ̇ sin θ cos θ = 0
+(across + mass·arm²) θ̈ − mass·arm·g sin θ + along·φ̇ ψ̇ sin θ
+      − (mass·arm² + across − along) φ̇² sin θ cos θ = 0
+along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
+```*/
+        pub const EQUATIONS: &'static str = {
+            let text = "(along·cos² θ + (across + mass·arm²) sin² θ) φ\u{308} + along·ψ\u{308} cos θ − along·θ\u{307} ψ\u{307} sin θ + 2 (across − along + mass·arm²) φ\u{307} θ\u{307} sin θ cos θ = 0\n(across + mass·arm²) θ\u{308} − mass·arm·g sin θ + along·φ\u{307} ψ\u{307} sin θ − (mass·arm² + across − along) φ\u{307}² sin θ cos θ = 0\nalong·φ\u{308} cos θ + along·ψ\u{308} − along·φ\u{307} θ\u{307} sin θ = 0";
+            text
+        };
     }
     #[automatically_derived]
     #[allow(clippy::all)]

@@ -88,7 +88,8 @@ V = −mass·length·g cos θ
 Equations of motion:
 
 ```text
-mass·length²·θ̈ + mass·length·g sin θ − mass·length²·rate²·sin θ cos θ = 0
+mass·length²·θ̈ + mass·length·g sin θ − mass·length²·rate²·sin θ cos θ
+      = 0
 ```
 
 * mass matrix: constant and diagonal, solved by divisions
@@ -523,10 +524,16 @@ The first identity that does not hold, and by how much.*/
         ) -> ::core::result::Result<lagrange::Certificate, lagrange::Violation> {
             lagrange::verify::verify_at::<Self, 1, 0>(self, states)
         }
-        /// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
-        pub const EQUATIONS: &'static str = "mass·length²·θ\u{308} + mass·length·g sin θ − mass·length²·rate²·sin θ cos θ = 0";
+        ///The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
+        pub const EQUATIONS: &'static str = {
+            let text = "mass·length²·θ\u{308} + mass·length·g sin θ − mass·length²·rate²·sin θ cos θ = 0";
+            text
+        };
         /// `EQUATIONS` in LaTeX, an `aligned` environment.
-        pub const EQUATIONS_LATEX: &'static str = "\\begin{aligned}\n\\mathrm{mass} \\, {\\mathrm{length}}^{2} \\, \\ddot{\\theta} + \\mathrm{mass} \\, \\mathrm{length} \\, g \\sin \\theta - \\mathrm{mass} \\, {\\mathrm{length}}^{2} \\, {\\mathrm{rate}}^{2} \\, \\sin \\theta \\cos \\theta &= 0\n\\end{aligned}";
+        pub const EQUATIONS_LATEX: &'static str = {
+            let text = "\\begin{aligned}\n\\mathrm{mass} \\, {\\mathrm{length}}^{2} \\, \\ddot{\\theta} + \\mathrm{mass} \\, \\mathrm{length} \\, g \\sin \\theta - \\mathrm{mass} \\, {\\mathrm{length}}^{2} \\, {\\mathrm{rate}}^{2} \\, \\sin \\theta \\cos \\theta &= 0\n\\end{aligned}";
+            text
+        };
     }
     #[automatically_derived]
     #[allow(clippy::all)]

@@ -240,7 +240,7 @@ impl fmt::Display for Number {
             Number::Ratio(numerator, denominator) => {
                 // A decimal where it is short and exact, as the user would have written it.
                 let short = format!("{}", self.value());
-                if short.len() < 12 && Number::parse(&short) == Some(*self) {
+                if short.len() < 17 && Number::parse(&short) == Some(*self) {
                     f.write_str(&short)
                 } else {
                     write!(f, "{numerator}/{denominator}")

@@ -92,7 +92,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
         analysis.certificate
     });
     let written = equations::Equations::of(&mut emission, &sides);
-    methods.push_str(&written.constant(emission.model));
+    methods.push_str(&written.constant(emission.model, emission.item.analysis));
     let page = emission.item.analysis.then(|| {
         let (page, constants) = equations::page(&mut emission, &written, after);
         methods.push_str(&constants);

@@ -3,6 +3,7 @@
 //! The equations stand as M a + b = Q − ∂D/∂v + Aᵀλ, a row for each coordinate. What several rows share gets a name where the
 //! rows would be long otherwise, and of large systems only the first rows are written.
 
+mod fold;
 mod formula;
 mod page;
 mod readable;
@@ -87,13 +88,16 @@ impl Equations {
         Equations { omitted: count - rows.len(), rows, shared }
     }
 
-    /// The constant `EQUATIONS` as text.
-    pub fn constant(&self, model: &Model) -> String {
+    /// The constant `EQUATIONS` as text; its documentation shows them where no page does.
+    pub fn constant(&self, model: &Model, has_page: bool) -> String {
         let plain = self.written(model, Notation::Unicode);
-        format!(
-            "/// The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.\n\
-             pub const EQUATIONS: &'static str = {plain:?};\n"
-        )
+        let shown =
+            if has_page { String::new() } else { format!("\n\n```text\n{}```", fold::folded(&plain)) };
+        let doc = format!(
+            "The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.{shown}"
+        );
+        // Of a bare literal rustdoc would show every character beyond ASCII as an escape.
+        format!("#[doc = {doc:?}]\npub const EQUATIONS: &'static str = {{ let text = {plain:?}; text }};\n")
     }
 
     /// The equations as text.

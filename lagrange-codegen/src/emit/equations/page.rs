@@ -1,5 +1,6 @@
 //! The documentation of the generated block: what a teacher would print.
 
+use super::fold::folded;
 use super::symbols::Notation;
 use super::{Equations, Writer, readable, symbols};
 use crate::collections::Lookup;
@@ -20,11 +21,11 @@ pub(in crate::emit) fn page(
     let formulas = equations.written(emission.model, Notation::Latex);
     let constants = format!(
         "/// `EQUATIONS` in LaTeX, an `aligned` environment.\n\
-         pub const EQUATIONS_LATEX: &'static str = {formulas:?};\n"
+         pub const EQUATIONS_LATEX: &'static str = {{ let text = {formulas:?}; text }};\n"
     );
     let mut text = format!("# Model\n\n{}", states(emission));
     text.push_str(&energies(emission));
-    text.push_str(&format!("\nEquations of motion:\n\n```text\n{plain}\n```\n"));
+    text.push_str(&format!("\nEquations of motion:\n\n```text\n{}```\n", folded(&plain)));
     text.push_str(&findings(emission, after));
     (text, constants)
 }
@@ -37,8 +38,9 @@ fn states(emission: &Emission<'_>) -> String {
     for (i, quantity) in model.coordinates.iter().enumerate().take(MOST) {
         let symbol = |dots| symbols::coordinate(model, Notation::Unicode, i as u32, dots).text;
         let cyclic = if emission.facts.cyclic.contains(&i) { "cyclic" } else { "" };
-        let row = format!("| {i} | {} `{}` | {} | {cyclic} |\n", symbol(0), quantity.written(), symbol(1));
-        text.push_str(&row);
+        let (symbol, velocity, written) = (symbol(0), symbol(1), quantity.written());
+        let code = if symbol == written { String::new() } else { format!(" `{written}`") };
+        text.push_str(&format!("| {i} | {symbol}{code} | {velocity} | {cyclic} |\n"));
     }
     if emission.count() > MOST {
         text.push_str(&format!("| … | {} in all | | |\n", emission.count()));
@@ -76,7 +78,11 @@ fn energies(emission: &mut Emission<'_>) -> String {
     for constraint in &model.constraints {
         lines.extend(written(&format!("0 = {}", constraint.written()), constraint.value));
     }
-    if lines.is_empty() { lines } else { format!("\nEnergies and constraints:\n\n```text\n{lines}```\n") }
+    if lines.is_empty() {
+        lines
+    } else {
+        format!("\nEnergies and constraints:\n\n```text\n{}```\n", folded(&lines))
+    }
 }
 
 /// Structure and operation counts.

@@ -1,0 +1,61 @@
+//! Formulas in lines that fit on paper.
+
+/// Characters of a line of formulas.
+const WIDTH: usize = 70;
+
+/// Lines of a width that can be printed: a longer one goes on below, indented, from one of its outermost signs.
+pub(super) fn folded(text: &str) -> String {
+    text.lines().flat_map(fold).map(|line| line + "\n").collect()
+}
+
+fn fold(line: &str) -> Vec<String> {
+    const INDENT: &str = "      ";
+    let mut lines = Vec::new();
+    let mut rest: Vec<char> = line.chars().collect();
+    while rest.len() > WIDTH {
+        // The sign outside most parentheses, and of several the last; where there is none, the first beyond the width.
+        let (mut depth, mut best) = (0, None);
+        for (place, window) in rest.windows(3).enumerate() {
+            if place > WIDTH && best.is_some() {
+                break;
+            }
+            match window {
+                ['(', ..] => depth += 1,
+                [')', ..] => depth -= 1,
+                [' ', '+' | '−' | '=', ' ']
+                    if place > WIDTH / 4 && best.is_none_or(|(least, _)| depth <= least) =>
+                {
+                    best = Some((depth, place));
+                }
+                _ => {}
+            }
+        }
+        let Some((_, place)) = best else { break };
+        let after: Vec<char> = INDENT.chars().chain(rest.drain(place..).skip(1)).collect();
+        lines.push(std::mem::replace(&mut rest, after).into_iter().collect());
+    }
+    lines.push(rest.into_iter().collect());
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lines_go_on_from_an_outer_sign() {
+        let late = format!("{} + y", "x·".repeat(40));
+        assert_eq!(fold(&late)[1], "      + y");
+        let short = "a·x″ + b·x = 0";
+        assert_eq!(fold(short), [short]);
+        let group = format!("({} + y)", "x·".repeat(24));
+        let long = format!("z·{group} + c·{group} = {group}");
+        let lines = fold(&long);
+        assert!(lines.len() == 3 && lines.iter().all(|line| line.chars().count() <= WIDTH), "{lines:#?}");
+        assert!(lines[1].starts_with("      + c·(") && lines[2].starts_with("      = ("), "{lines:#?}");
+        let whole: String = lines.iter().map(|line| line.trim_start().to_owned() + " ").collect();
+        assert_eq!(whole.trim_end(), long);
+        // Nothing to break at.
+        assert_eq!(fold(&"x".repeat(200)).len(), 1);
+    }
+}
