@@ -21,35 +21,6 @@ impl Driven {
 
 fn stays_at_its_energy(_: &impl lagrangian::Conservative<1>) {}
 
-fn rests_in_its_frame(_: &impl lagrangian::Scleronomic<1>) {}
-
-fn turns_freely(_: &impl lagrangian::Cyclic<1>) {}
-
-pub struct Skate;
-
-#[lagrangian(coordinates = [x, y, heading])]
-impl Skate {
-    #[point(mass = 1.0)]
-    fn blade(&self, q: &Coordinates) -> Vector2<f64> {
-        Vector2::new(q.x, q.y)
-    }
-
-    #[kinetic]
-    fn turning(&self, v: &Velocities) -> f64 {
-        0.5 * v.heading.powi(2)
-    }
-
-    #[nonholonomic]
-    fn no_slip(&self, q: &Coordinates, v: &Velocities) -> f64 {
-        v.y * q.heading.cos() - v.x * q.heading.sin()
-    }
-}
-
-fn goes_everywhere(_: &impl lagrangian::Holonomic<3>) {}
-
 fn main() {
-    rests_in_its_frame(&Driven { amplitude: 0.1 });
-    turns_freely(&Driven { amplitude: 0.1 });
-    goes_everywhere(&Skate);
     stays_at_its_energy(&Driven { amplitude: 0.1 });
 }
