@@ -1,4 +1,5 @@
-//! A bead on a whirling hoop in Cartesian coordinates: a sphere and a turning plane as constraints. The plane does work.
+//! A bead on a whirling hoop: in Cartesian coordinates, where a turning plane is a constraint that does work, and by its angle
+//! in the hoop, where it rests as the hoop turns. Where it can rest, and whether that is stable, changes with the rate.
 
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -64,11 +65,32 @@ impl WhirlingHoop {
         let angle = outward.atan2(state.q[2]).rem_euclid(2.0 * PI);
         (angle, (speed * state.q[2] - outward * state.v[2]) / self.radius.powi(2))
     }
+}
 
-    /// The relative equilibria \[rad] between the bottom and the top.
-    fn raised(&self) -> Option<f64> {
-        let cos = -self.g / (self.radius * self.rate.powi(2));
-        (cos > -1.0).then(|| cos.acos())
+/// The same bead by its angle in the hoop. The hoop's motion enters T: its part without velocities, T₀, lifts the bead.
+#[derive(Clone, Copy, Debug)]
+pub struct InHoop(pub WhirlingHoop);
+
+#[lagrangian(coordinates = [phi], jacobians)]
+impl InHoop {
+    #[kinetic]
+    fn kinetic(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        0.5 * self.0.mass * self.0.radius.powi(2) * (v.phi.powi(2) + (self.0.rate * q.phi.sin()).powi(2))
+    }
+
+    /// The angle is measured from the upward vertical.
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        self.0.mass * self.0.g * self.0.radius * q.phi.cos()
+    }
+}
+
+impl InHoop {
+    /// The relative equilibrium \[rad] near a guess, and whether a small disturbance stays small.
+    fn rest(&self, guess: f64) -> Result<(f64, bool), Box<dyn Error>> {
+        let rest = self.equilibrium([guess], &[])?.state;
+        let modes = self.modes(&rest, &[])?;
+        Ok((rest.q[0], modes.iter().all(|mode| mode.eigenvalue.re <= 0.0)))
     }
 }
 
@@ -111,14 +133,29 @@ pub fn main() -> Result<(), Box<dyn Error>> {
             let states = motion.every(0.01).take(500).collect::<Result<Vec<_>, _>>()?;
             chart = chart.line("", states.iter().map(|state| hoop.angle(state)));
         }
-        let mut rest = vec![(PI, 0.0)];
-        rest.extend(hoop.raised().into_iter().flat_map(|phi| [(phi, 0.0), (2.0 * PI - phi, 0.0)]));
-        Ok(chart.dots(rest))
+        let rests = [0.3, 2.2, PI].map(|guess| InHoop(hoop).rest(guess));
+        let rests = rests.into_iter().collect::<Result<Vec<_>, _>>()?;
+        Ok(chart.dots(rests.into_iter().flat_map(|(phi, _)| [(phi, 0.0), (2.0 * PI - phi, 0.0)])))
     };
     let critical = (hoop.g / hoop.radius).sqrt();
-    // The rate at which the bead rests at an angle from the bottom.
-    let branch: Vec<_> =
-        (0..=145).map(|k| 0.01 * f64::from(k)).map(|phi| (critical / phi.cos().sqrt(), phi)).collect();
+    println!("\n  rate [rad/s]   rest [rad from the bottom]   stable   bottom stable");
+    let (mut raised, mut stable, mut unstable) = (Vec::new(), Vec::new(), Vec::new());
+    let mut off = 0.0_f64;
+    for tenths in 1_i32..=130 {
+        let rate = 0.1 * f64::from(tenths);
+        let frame = InHoop(WhirlingHoop { rate, ..hoop });
+        let ((bottom, bottom_is_stable), (phi, is_stable)) = (frame.rest(PI)?, frame.rest(2.0)?);
+        if bottom_is_stable { &mut stable } else { &mut unstable }.push((rate, bottom - PI));
+        if rate > critical {
+            raised.push((rate, PI - phi));
+            off = off.max((phi.cos() + (critical / rate).powi(2)).abs());
+        }
+        if tenths % 26 == 0 {
+            println!("{rate:14.1} {:28.9} {is_stable:>8} {bottom_is_stable:>15}", PI - phi);
+        }
+        // Bead and bottom part at the critical rate, and stability goes with the bead.
+        assert!(is_stable && bottom_is_stable == (rate < critical), "{rate} rad/s");
+    }
     let charts = [
         portrait("Slow, 3 rad/s: the bottom is stable", WhirlingHoop { rate: 3.0, ..hoop })?,
         portrait("Fast, 6 rad/s: the bottom is a saddle", hoop)?,
@@ -127,13 +164,14 @@ pub fn main() -> Result<(), Box<dyn Error>> {
             "rate of the hoop [rad/s]",
             "angle from the bottom [rad]",
         )
-        .line("raised", branch.iter().copied())
-        .line("raised, other side", branch.iter().map(|&(rate, phi)| (rate, -phi)))
-        .line("bottom, stable", [(0.0, 0.0), (critical, 0.0)])
-        .line("bottom, unstable", [(critical, 0.0), (3.0 * critical, 0.0)]),
+        .line("raised, stable", raised.iter().copied())
+        .line("raised, other side", raised.iter().map(|&(rate, phi)| (rate, -phi)))
+        .line("bottom, stable", stable)
+        .line("bottom, unstable", unstable),
     ];
     plot::save("whirling_hoop", &charts)?;
 
+    assert!(off < 1e-14, "relative equilibria are off by {off:e}");
     assert!(worst < 1e-11, "books of energy or constraints are off by {worst:e}");
     assert!((phi - exact.0).abs() < 1e-11 && (phi_dot - exact.1).abs() < 1e-10, "{phi}, {phi_dot}");
     Ok(())

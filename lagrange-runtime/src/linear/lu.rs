@@ -112,6 +112,7 @@ mod tests {
     }
 
     #[test]
+    #[cfg_attr(miri, ignore = "takes minutes there")]
     fn solves_random_matrices_to_a_small_backward_error() {
         check::<1>();
         check::<2>();

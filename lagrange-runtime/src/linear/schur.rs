@@ -329,6 +329,7 @@ mod tests {
     }
 
     #[test]
+    #[cfg_attr(miri, ignore = "takes minutes there")]
     fn regular_matrices_are_solved() {
         check::<1>();
         check::<2>();
@@ -367,6 +368,7 @@ mod tests {
     }
 
     #[test]
+    #[cfg_attr(miri, ignore = "takes minutes there")]
     fn ranks_are_found_in_any_units() {
         fn check<const C: usize>(rank: usize) {
             let mut noise = Noise(3 * C as u64);

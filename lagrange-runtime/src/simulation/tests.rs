@@ -23,6 +23,7 @@ fn one_kepler_period_closes() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn energy_drifts_by_rounding_alone_over_a_thousand_periods() {
     let mut motion = Kepler.simulate(pericentre(0.1)).with_tolerance(1e-15);
     let before = motion.energy();
@@ -198,6 +199,7 @@ fn a_stepper_keeps_its_last_good_state() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn a_stepper_counts_time_without_drift() {
     let mut motion = Oscillator.stepper::<Rk4>(State::at_rest([1.0]));
     for _ in 0..1_000_000 {

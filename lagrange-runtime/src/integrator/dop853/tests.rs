@@ -71,6 +71,7 @@ fn samples_at_the_ends_are_the_ends_and_cost_nothing() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn compensation_keeps_what_rounding_takes() {
     let (mut sum, mut residue, mut plain) = (1.0, 0.0, 1.0);
     for _ in 0..1_000_000 {

@@ -72,6 +72,7 @@ fn methods_have_their_order() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn where_steps_resolve_the_motion_the_energy_does_not_drift() {
     let mut motion = Kepler.stepper::<Gauss8>(pericentre(0.4));
     let energy = motion.energy();

@@ -138,6 +138,7 @@ fn energy_errors<M: FixedStep<Kepler, 2, 0>>(evaluations: u32, stages: u32) -> [
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn the_error_of_the_energy_does_not_grow() {
     fn check<M: FixedStep<Kepler, 2, 0>>(stages: u32, least: f64, most: f64) {
         let [first, last] = energy_errors::<M>(420, stages);
@@ -153,6 +154,7 @@ fn the_error_of_the_energy_does_not_grow() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn roundings_do_not_add_up() {
     // Steps so short that the method's own error is below rounding.
     let mut motion = Kepler.stepper::<Yoshida8>(pericentre(0.3));

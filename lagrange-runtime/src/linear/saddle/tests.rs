@@ -89,6 +89,7 @@ fn check<const N: usize, const C: usize>() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn random_systems_are_solved_to_a_few_roundings() {
     check::<1, 0>();
     check::<2, 1>();
@@ -125,6 +126,7 @@ fn as_many_constraints_as_coordinates_leave_nothing_to_the_masses() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn single_precision_is_used_to_the_end() {
     let mut noise = Noise(32);
     for _ in 0..200 {
@@ -148,6 +150,7 @@ fn single_precision_is_used_to_the_end() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn units_of_coordinates_and_constraints_change_nothing_but_units() {
     let mut noise = Noise(77);
     for _ in 0..200 {
@@ -199,6 +202,7 @@ fn light_and_heavy_coordinates_are_solved_in_one_system() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn a_symmetric_matrix_of_any_signature_is_solved_where_asked() {
     let mut noise = Noise(3);
     for _ in 0..200 {
@@ -220,6 +224,7 @@ fn a_symmetric_matrix_of_any_signature_is_solved_where_asked() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn a_diagonal_mass_matrix_has_the_same_solution_both_ways() {
     fn check<const N: usize, const C: usize>() {
         let mut noise = Noise((N + C) as u64);

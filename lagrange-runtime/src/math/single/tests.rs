@@ -26,6 +26,7 @@ fn worst(function: fn(f32) -> f32, exact: fn(f64) -> f64, low: f32, high: f32) -
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn circular_functions() {
     for (low, high) in [(1e-38, 0.8), (0.8, 2048.0), (2048.0, 1e6), (1e6, f32::MAX)] {
         assert!((0.5..2.7).contains(&worst(sinf, f64::sin, low, high)));
@@ -55,6 +56,7 @@ fn what_is_not_finite_has_no_sine() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn cube_roots() {
     assert!((0.5..1.0).contains(&worst(cbrtf, f64::cbrt, f32::from_bits(1), f32::MAX)));
     assert_eq!((cbrtf(27.0), cbrtf(-8.0), cbrtf(0.0)), (3.0, -2.0, 0.0));

@@ -77,6 +77,7 @@ fn check<const N: usize, const C: usize>(rank: usize, scale: f64) {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn dependent_rows_are_dropped_and_multipliers_are_the_shortest() {
     check::<2, 2>(1, 1.0);
     check::<4, 3>(2, 1.0);
@@ -123,6 +124,7 @@ fn rows_of_zeros_are_named_and_dropped() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "takes minutes there")]
 fn redundant_rows_of_a_diagonal_system_have_the_same_solution() {
     fn check<const N: usize, const C: usize>(rank: usize) {
         let mut noise = Noise(C as u64);
