@@ -13,10 +13,10 @@ use crate::state::State;
 
 /// Fewer than for a single motion: where lanes fill the vectors, the work of a step does grow with the square of
 /// the order.
-const ORDERS_PER_DIGIT: f64 = 0.6;
+const ORDERS_PER_DIGIT: f64 = 0.7;
 
 /// exp(−1 / `ORDERS_PER_DIGIT`).
-const DECAY: f64 = 0.19;
+const DECAY: f64 = 0.24;
 
 /// Motions of `system` in the lanes of its scalar, by Taylor series.
 #[derive(Clone, Copy, Debug)]

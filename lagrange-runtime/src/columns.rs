@@ -4,7 +4,8 @@
 //! As in [`crate::tables`], one sweep sums the interiors of all products at once. Here each factor is stored once, as a
 //! column, and the sweep runs over rows from both ends at once: a\[j] b\[k − j] + a\[k − j] b\[j] for all products of a tile.
 //! A tile is a set of instances of one pattern of products (the links of a chain, the pairs of bodies), side by side:
-//! every vector of a column is loaded once for all products of the pattern, and squares need one term for two.
+//! every vector of a column is loaded once for all products of the pattern, and squares need one term for two. Where a number
+//! is a vector itself, the instances of a tile come one after the other, each with all its rows: their sums stay in registers.
 
 use crate::real::Real;
 
@@ -12,6 +13,13 @@ use crate::real::Real;
 pub trait Products<const C: usize, const L: usize> {
     /// The interior sums over rows that hold the coefficients of the orders below.
     fn sum<R: Real>(rows: &[[R; C]], sums: &mut [R; L]);
+}
+
+/// A pattern of `M` products over columns that are `width` apart.
+pub trait Pattern<const C: usize, const M: usize> {
+    /// Adds the terms of two rows at the same distance from the ends, for `W` instances whose first column starts at
+    /// `place`.
+    fn add<R: Real, const W: usize>(low: &[R; C], high: &[R; C], place: usize, sum: &mut [[R; W]; M]);
 }
 
 /// Factors of products, coefficients of the orders 1 to `P` (at the index before). Rows start on lines of the cache: a
@@ -51,35 +59,58 @@ fn outlined<S: Products<C, L>, R: Real, const C: usize, const L: usize>(rows: &[
     S::sum(rows, sums);
 }
 
-/// The sums of one tile, `W` instances of `M` products, to the places from `first` on. `products` adds the terms of two
-/// rows at the same distance from the ends.
+/// The sums of one tile, `used` of `W` instances of `M` products, to the places from `first` on. Its columns start at
+/// `base`.
 #[inline(always)]
-pub fn tile<R: Real, const C: usize, const L: usize, const W: usize, const M: usize>(
+pub fn tile<T, R, const C: usize, const L: usize, const W: usize, const M: usize>(
     rows: &[[R; C]],
     sums: &mut [R; L],
-    first: usize,
-    products: impl Fn(&[R; C], &[R; C], &mut [[R; W]; M]),
-) {
+    (base, first, used): (usize, usize, usize),
+) where
+    T: Pattern<C, M>,
+    R: Real,
+{
+    let Some(sums) = sums.get_mut(first..) else { return };
+    if size_of::<R>() == size_of::<R::Lane>() {
+        let sum = part::<T, R, C, W, M>(rows, base);
+        for (to, from) in sums.iter_mut().zip(sum.as_flattened()) {
+            *to = *from;
+        }
+    } else {
+        for instance in 0..used {
+            let sum = part::<T, R, C, 1, M>(rows, base + instance);
+            for (to, [from]) in sums.iter_mut().skip(instance).step_by(W).zip(sum) {
+                *to = from;
+            }
+        }
+    }
+}
+
+/// The sums of `W` instances whose first column starts at `place`.
+#[inline(always)]
+fn part<T, R, const C: usize, const W: usize, const M: usize>(rows: &[[R; C]], place: usize) -> [[R; W]; M]
+where
+    T: Pattern<C, M>,
+    R: Real,
+{
     let mut sum = [[R::zero(); W]; M];
     let half = rows.len() / 2;
-    let (Some(low), Some(high)) = (rows.get(..half), rows.get(half..)) else { return };
+    let (Some(low), Some(high)) = (rows.get(..half), rows.get(half..)) else { return sum };
     let mut high = high.iter();
     if rows.len() % 2 == 1
         && let Some(middle) = high.next()
     {
         // Both terms are the same one.
-        products(middle, middle, &mut sum);
+        T::add(middle, middle, place, &mut sum);
         for x in sum.as_flattened_mut() {
             *x *= R::from_f64(0.5);
         }
     }
     // From the middle outwards: the row that was just written comes last.
     for (low, high) in low.iter().rev().zip(high) {
-        products(low, high, &mut sum);
+        T::add(low, high, place, &mut sum);
     }
-    for (to, from) in sums.iter_mut().skip(first).zip(sum.as_flattened()) {
-        *to = *from;
-    }
+    sum
 }
 
 /// The column at `place` of two rows.
@@ -118,16 +149,22 @@ mod tests {
     use super::*;
 
     /// Two instances of the pattern a b, a a, b c in a row of three columns of two.
-    struct Pattern;
+    struct Patterns;
 
-    impl Products<6, 6> for Pattern {
+    impl Products<6, 6> for Patterns {
         fn sum<R: Real>(rows: &[[R; 6]], sums: &mut [R; 6]) {
-            tile::<R, 6, 6, 2, 3>(rows, sums, 0, |low, high, sum| {
-                let [a, b, c] = [0, 2, 4].map(|place| column::<_, _, 2>(low, high, place));
-                product(&mut sum[0], a, b);
-                square(&mut sum[1], a);
-                product(&mut sum[2], b, c);
-            });
+            tile::<Three, _, _, _, 2, 3>(rows, sums, (0, 0, 2));
+        }
+    }
+
+    struct Three;
+
+    impl Pattern<6, 3> for Three {
+        fn add<R: Real, const W: usize>(low: &[R; 6], high: &[R; 6], place: usize, sum: &mut [[R; W]; 3]) {
+            let [a, b, c] = [0, 2, 4].map(|column| super::column::<_, _, W>(low, high, place + column));
+            product(&mut sum[0], a, b);
+            square(&mut sum[1], a);
+            product(&mut sum[2], b, c);
         }
     }
 
@@ -138,7 +175,7 @@ mod tests {
         let mut columns = Columns::<f64, 6, ORDERS>::default();
         let mut sums = [f64::NAN; 6];
         for order in 1..=ORDERS {
-            columns.interior::<Pattern, 6>(order, &mut sums);
+            columns.interior::<Patterns, 6>(order, &mut sums);
             for instance in 0..2 {
                 for (product, (a, b)) in [(0, 2), (0, 0), (2, 4)].into_iter().enumerate() {
                     let expected: f64 = (1..order)

@@ -125,7 +125,7 @@ pub mod __private {
     }
     pub mod jets {
         //! Recurrences of Taylor coefficients.
-        pub use crate::columns::{Products, column, product, square, tile};
+        pub use crate::columns::{Pattern, Products, column, product, square, tile};
         pub use crate::tables::{
             convolution, first, in_line, in_turn, index, multiplier, ramp, rate, squared,
         };

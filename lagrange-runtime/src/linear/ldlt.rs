@@ -55,10 +55,12 @@ impl<R: Real, const N: usize> Ldlt<R, N> {
     #[must_use]
     pub fn solve(&self, b: [R; N]) -> [R; N] {
         let mut x = b;
-        for i in 0..N {
-            for k in 0..i {
-                x[i] = R::mul_add(-self.factor[i][k], x[k], x[i]);
+        for (i, row) in self.factor.iter().enumerate() {
+            let mut value = x[i];
+            for (&l, &known) in row.iter().zip(&x).take(i) {
+                value = R::mul_add(-l, known, value);
             }
+            x[i] = value;
         }
         for (x, &inverse) in x.iter_mut().zip(&self.inverse) {
             *x *= inverse;

@@ -30,6 +30,8 @@ pub(super) struct Wide {
     pub factors: Vec<(usize, Operand)>,
     /// The calls that sum all tiles.
     calls: String,
+    /// What the tiles are made of: products and width, by the body of the function that adds their terms.
+    patterns: Vec<(usize, String)>,
 }
 
 impl Wide {
@@ -71,25 +73,30 @@ impl Wide {
                         self.lanes[lane] = self.sums + place * width + i;
                     }
                 }
-                let text = self.tile(model, start, bundle, products, (base, first, width));
-                self.calls.push_str(&text);
+                let pattern = self.pattern(model, start, bundle, products, (first, width));
+                let used = width.min(left);
+                self.calls.push_str(&format!(
+                    "lagrange::jets::tile::<Pattern{pattern}, _, _, _, {width}, {}>(rows, sums, ({base}, {}, {used}));\n",
+                    products.len(),
+                    self.sums
+                ));
                 self.sums += products.len() * width;
             }
             first += width;
         }
     }
 
-    /// The call that sums some products of a tile.
-    fn tile(
-        &self,
+    /// The place in the list of patterns of some products of a tile.
+    fn pattern(
+        &mut self,
         model: &Model,
         start: &Start<'_>,
         bundle: &Bundle,
         products: &[(usize, usize)],
-        (base, first, width): (usize, usize, usize),
-    ) -> String {
+        (first, width): (usize, usize),
+    ) -> usize {
         let mut names = Names::new(model);
-        for name in ["rows", "sums", "low", "high", "sum"] {
+        for name in ["low", "high", "place", "sum"] {
             names.claim(Some(name.to_owned()));
         }
         let mut columns = vec![String::new(); bundle.columns.len()];
@@ -103,8 +110,8 @@ impl Wide {
             let ramp = if factor.ramp { "_ramp" } else { "" };
             *name = names.claim(Some(format!("{label}{ramp}")).filter(|_| !label.is_empty()));
             text.push_str(&format!(
-                "let {name} = lagrange::jets::column::<_, _, {width}>(low, high, {});\n",
-                base + place * width
+                "let {name} = lagrange::jets::column::<_, _, W>(low, high, place + {});\n",
+                place * width
             ));
         }
         for (place, &(a, b)) in products.iter().enumerate() {
@@ -115,21 +122,31 @@ impl Wide {
                 format!("lagrange::jets::product(&mut sum[{place}], {a}, {b});\n")
             });
         }
-        format!(
-            "lagrange::jets::tile::<_, _, _, {width}, {}>(rows, sums, {}, #[inline(always)] |low, high, sum| {{\n{text}}});\n",
-            products.len(),
-            self.sums
-        )
+        let pattern = (products.len(), text);
+        self.patterns.iter().position(|known| *known == pattern).unwrap_or_else(|| {
+            self.patterns.push(pattern);
+            self.patterns.len() - 1
+        })
     }
 
     /// The items that tell the runtime what to sum.
     pub fn items(&self) -> String {
-        let Wide { columns, sums, calls, .. } = self;
-        format!(
+        let Wide { columns, sums, calls, patterns, .. } = self;
+        let mut text = format!(
             "struct Products;\n\
              impl lagrange::jets::Products<{columns}, {sums}> for Products {{\n\
              #[inline(always)]\n\
              fn sum<R: lagrange::Real>(rows: &[[R; {columns}]], sums: &mut [R; {sums}]) {{\n{calls}}}\n}}\n"
-        )
+        );
+        for (place, (products, body)) in patterns.iter().enumerate() {
+            text.push_str(&format!(
+                "struct Pattern{place};\n\
+                 impl lagrange::jets::Pattern<{columns}, {products}> for Pattern{place} {{\n\
+                 #[inline(always)]\n\
+                 fn add<R: lagrange::Real, const W: usize>(low: &[R; {columns}], high: &[R; {columns}], \
+                 place: usize, sum: &mut [[R; W]; {products}]) {{\n{body}}}\n}}\n"
+            ));
+        }
+        text
     }
 }
