@@ -78,6 +78,13 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
                 sum[i] = Real::mul_add(left[i], right[i], sum[i]);
             }
         };
+        if size_of::<R>() > size_of::<R::Lane>() {
+            // Numbers that are vectors have few registers, and the lanes of the tables are chains enough.
+            for (left, right) in left.iter().zip(right.iter().rev()) {
+                add(&mut sum, left, right);
+            }
+            return sum;
+        }
         let ((pairs, rest), (before, back)) = (left.as_chunks::<2>(), right.as_rchunks::<2>());
         for ([left, next], [previous, right]) in pairs.iter().zip(back.iter().rev()) {
             add(&mut sum, left, right);
