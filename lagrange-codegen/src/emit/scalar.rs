@@ -5,12 +5,13 @@ use crate::syntax::Scalar;
 
 /// A nonnegative constant as an expression of the scalar type, exact to the last bit. With `typed`
 /// nothing is left to inference, which the compiler takes quadratic time for in long functions.
+/// Zero is the same text either way, because what is zero is told from that.
 pub(super) fn literal(scalar: &Scalar, number: Number, typed: bool) -> String {
     let value = number.value();
     match scalar {
         Scalar::F64 if value.is_infinite() => "f64::INFINITY".to_owned(),
         Scalar::F32 if value.is_infinite() => "f32::INFINITY".to_owned(),
-        Scalar::F64 if typed => format!("{value:?}_f64"),
+        Scalar::F64 if typed && !number.is_zero() => format!("{value:?}_f64"),
         Scalar::F64 => format!("{value:?}"),
         // The suffix keeps inference from meeting an open float type in a trait call.
         Scalar::F32 => format!("{value:?}_f32"),
@@ -24,4 +25,19 @@ pub(super) fn literal(scalar: &Scalar, number: Number, typed: bool) -> String {
 /// Zero of the scalar type.
 pub(super) fn zero(scalar: &Scalar) -> String {
     literal(scalar, Number::ZERO, false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zero_is_known_by_its_text() {
+        let generic = Scalar::Generic(proc_macro2::Ident::new("R", proc_macro2::Span::call_site()));
+        for scalar in [Scalar::F64, Scalar::F32, generic] {
+            for typed in [false, true] {
+                assert_eq!(literal(&scalar, Number::ZERO, typed), zero(&scalar));
+            }
+        }
+    }
 }

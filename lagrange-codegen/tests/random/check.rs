@@ -23,7 +23,7 @@ pub struct Sample {
 }
 
 /// Mass matrices of a larger condition are not solved: the accelerations have too few digits.
-const CONDITION: f64 = 1e6;
+pub const CONDITION: f64 = 1e6;
 
 /// Sizes whose products and quotients neither overflow nor underflow; NaN is not in it.
 const RANGE: std::ops::Range<f64> = 1e-60..1e60;
@@ -42,20 +42,42 @@ pub enum Outcome {
     OutsideDomain,
 }
 
-/// The expected quantities of a system at a sample.
-pub fn expected(system: &System, sample: &Sample) -> Quantities {
+/// A sample for the oracle.
+pub fn instant(system: &System, sample: &Sample) -> Instant<Tracked> {
     let tracked =
         |values: &[f64], count: usize| values[..count].iter().map(|&x| Tracked::constant(x)).collect();
-    Quantities::of(
-        system,
-        &Instant {
-            q: tracked(&sample.q, system.count()),
-            v: tracked(&sample.v, system.count()),
-            t: Tracked::constant(sample.t),
-            u: tracked(&sample.u, system.input_count()),
-            parameters: tracked(&sample.parameters, PARAMETERS.len()),
-        },
-    )
+    Instant {
+        q: tracked(&sample.q, system.count()),
+        v: tracked(&sample.v, system.count()),
+        t: Tracked::constant(sample.t),
+        u: tracked(&sample.u, system.input_count()),
+        parameters: tracked(&sample.parameters, PARAMETERS.len()),
+    }
+}
+
+/// A sample for emitted code.
+pub fn point(system: &System, sample: &Sample) -> Point {
+    let parameters: BTreeMap<String, f64> =
+        PARAMETERS.iter().map(|name| (*name).to_owned()).zip(sample.parameters.iter().copied()).collect();
+    Point {
+        t: sample.t,
+        q: sample.q[..system.count()].to_vec(),
+        v: sample.v[..system.count()].to_vec(),
+        u: sample.u[..system.input_count()].to_vec(),
+        accelerations: Vec::new(),
+        multipliers: Vec::new(),
+        parameters,
+    }
+}
+
+/// The expected quantities of a system at a sample.
+pub fn expected(system: &System, sample: &Sample) -> Quantities {
+    Quantities::of(system, &instant(system, sample))
+}
+
+/// Whether a number of the oracle is one that a comparison means something for.
+pub fn is_measurable(x: &Tracked) -> bool {
+    x.roundings == 0.0 || RANGE.contains(&x.roundings)
 }
 
 /// Compares an expansion with what is expected.
@@ -65,15 +87,7 @@ pub fn check(
     sample: &Sample,
     expected: &Quantities,
 ) -> Result<Outcome, String> {
-    let parameters: BTreeMap<String, f64> =
-        PARAMETERS.iter().map(|name| (*name).to_owned()).zip(sample.parameters.iter().copied()).collect();
-    let point = Point {
-        t: sample.t,
-        q: sample.q[..system.count()].to_vec(),
-        v: sample.v[..system.count()].to_vec(),
-        u: sample.u[..system.input_count()].to_vec(),
-        parameters,
-    };
+    let point = point(system, sample);
     let run = Interpreter { expansion, point: &point };
     let single = |value: Tracked| vec![value];
     let held = &expected.held;
@@ -96,8 +110,7 @@ pub fn check(
             ("constraint_jacobian", held.jacobian.concat()),
         ]);
     }
-    let measurable = |x: &Tracked| x.roundings == 0.0 || RANGE.contains(&x.roundings);
-    if !quantities.iter().flat_map(|(_, values)| values).all(measurable) {
+    if !quantities.iter().flat_map(|(_, values)| values).all(is_measurable) {
         return Ok(Outcome::OutsideDomain);
     }
     let mut agreements = Agreements::new();

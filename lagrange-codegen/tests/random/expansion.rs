@@ -19,6 +19,10 @@ pub struct Expansion {
     pub system: Functions,
     /// The items of `impl Surface`, which systems with constraints have.
     pub surface: Functions,
+    /// The functions of `impl Linearized`, `Tangent` and `Sensitive`, where they are asked for.
+    pub derivatives: Functions,
+    /// The constants of these.
+    pub constants: BTreeMap<String, Expr>,
 }
 
 impl Expansion {
@@ -49,6 +53,10 @@ impl Expansion {
                     None => collect(block, &mut expansion.methods)?,
                     Some("System") => collect(block, &mut expansion.system)?,
                     Some("Surface") => collect(block, &mut expansion.surface)?,
+                    Some("Linearized" | "Tangent" | "Sensitive") => {
+                        expansion.constants.extend(constants(&block));
+                        collect(block, &mut expansion.derivatives)?;
+                    }
                     // Series and proofs have tests of their own.
                     Some(_) => {}
                 }
@@ -80,4 +88,11 @@ fn collect(block: ItemImpl, target: &mut Functions) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+fn constants(block: &ItemImpl) -> impl Iterator<Item = (String, Expr)> + '_ {
+    block.items.iter().filter_map(|item| match item {
+        ImplItem::Const(constant) => Some((constant.ident.to_string(), constant.expr.clone())),
+        _ => None,
+    })
 }

@@ -24,26 +24,27 @@ impl Fault {
     pub const ALL: [Fault; 4] = [Fault::Sign, Fault::Term, Fault::Digit, Fault::Order];
 }
 
+/// Where in an expansion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// What every system has.
+    Quantities,
+    /// The derivatives of its equations.
+    Derivatives,
+}
+
 /// The expansion with a fault planted at its `site`-th place for one; `None` beyond the last place.
-pub fn planted(expansion: &Expansion, fault: Fault, site: usize) -> Option<Expansion> {
+pub fn planted(expansion: &Expansion, part: Part, fault: Fault, site: usize) -> Option<Expansion> {
     let mut faulty = expansion.clone();
     let mut planter = Planter { fault, left: Some(site) };
-    for (name, function) in faulty.methods.iter_mut().chain(&mut faulty.system).chain(&mut faulty.surface) {
-        if is_compared(name) {
-            planter.visit_impl_item_fn_mut(function);
-        }
-    }
+    planter.visit(&mut faulty, part);
     planter.left.is_none().then_some(faulty)
 }
 
 /// The number of places for a fault.
-pub fn sites(expansion: &Expansion, fault: Fault) -> usize {
+pub fn sites(expansion: &Expansion, part: Part, fault: Fault) -> usize {
     let mut planter = Planter { fault, left: Some(usize::MAX) };
-    for (name, function) in expansion.methods.iter().chain(&expansion.system).chain(&expansion.surface) {
-        if is_compared(name) {
-            planter.visit_impl_item_fn_mut(&mut function.clone());
-        }
-    }
+    planter.visit(&mut expansion.clone(), part);
     usize::MAX - planter.left.unwrap_or(usize::MAX)
 }
 
@@ -60,6 +61,19 @@ struct Planter {
 }
 
 impl Planter {
+    fn visit(&mut self, expansion: &mut Expansion, part: Part) {
+        let Expansion { methods, system, surface, derivatives, .. } = expansion;
+        let functions: Vec<_> = match part {
+            Part::Quantities => methods.iter_mut().chain(system).chain(surface).collect(),
+            Part::Derivatives => derivatives.iter_mut().collect(),
+        };
+        for (name, function) in functions {
+            if is_compared(name) {
+                self.visit_impl_item_fn_mut(function);
+            }
+        }
+    }
+
     /// Whether this place is the one.
     fn arrives(&mut self) -> bool {
         match self.left {

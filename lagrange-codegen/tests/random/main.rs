@@ -3,7 +3,8 @@
 //! A system is generated as a tree ([`system`], [`expression`]) that can print itself as a user's
 //! description ([`source`]) and evaluate itself in any number ([`motion`]). The engine expands the
 //! description, [`interpreter`] runs the emitted code, and [`check`] compares every quantity with
-//! [`oracle`], which knows definitions and dual numbers only.
+//! [`oracle`], which knows definitions and dual numbers only. [`derivatives`] does so with the derivatives of the
+//! equations of motion and [`variation`].
 //!
 //! `PROPTEST_CASES=10000 cargo test --release -p lagrange-codegen --test random` runs that many
 //! systems; without, it is a quick look. The cases are the same ones each time.
@@ -13,6 +14,7 @@ mod check;
 mod close;
 mod constrained;
 mod constraint;
+mod derivatives;
 mod expansion;
 mod expression;
 mod faults;
@@ -27,6 +29,7 @@ mod source;
 mod strategy;
 mod surface;
 mod system;
+mod variation;
 mod writer;
 
 use std::collections::BTreeMap;
@@ -35,14 +38,18 @@ use std::sync::Mutex;
 use proptest::strategy::{BoxedStrategy, Strategy};
 
 use check::{Outcome, Sample, check, expected};
+use derivatives::{Asked, Expected};
 use expansion::{Expansion, tokens};
-use faults::{Fault, planted, sites};
+use faults::{Fault, Part, planted, sites};
 use report::Report;
 use source::Source;
 use system::System;
 
 /// Systems in a run without `PROPTEST_CASES`.
 const QUICK: usize = 256;
+
+/// Systems whose derivatives are compared in such a run. They take several times as long to expand.
+const DERIVED: usize = 12;
 
 fn cases() -> BoxedStrategy<(System, [Sample; 2])> {
     (strategy::system(), [strategy::sample(), strategy::sample()]).boxed()
@@ -102,31 +109,87 @@ fn the_same_description_gives_the_same_tokens() {
 
 #[test]
 fn planted_faults_in_random_systems_are_caught() {
-    let caught: Mutex<BTreeMap<Fault, (usize, usize)>> = Mutex::default();
+    let caught = Caught::default();
     runner::run(runner::cases(QUICK) / 8, cases, |(system, samples)| {
-        let source = Source::of(system);
-        let expansion = Expansion::of(&source)?;
+        let expansion = Expansion::of(&Source::of(system))?;
         let wanted: Vec<_> = samples.iter().map(|sample| expected(system, sample)).collect();
+        caught.plant(&expansion, Part::Quantities, |faulty| {
+            let mut pairs = samples.iter().zip(&wanted);
+            pairs.any(|(sample, wanted)| check(system, faulty, sample, wanted).is_err())
+        })
+    });
+    caught.assert_most();
+}
+
+#[test]
+fn every_emitted_derivative_agrees_with_dual_numbers() {
+    let report = Mutex::new(Report::default());
+    runner::run(runner::cases(DERIVED), cases, |(system, samples)| {
+        let asked = Asked::of(system)?;
+        let source = &asked.source;
+        let expansion = Expansion::of(source).map_err(|error| format!("{error}\n{source}"))?;
+        let at_sample = |sample: &Sample| {
+            let wanted = Expected::of(system, &asked.parameters, sample);
+            derivatives::check(system, &asked, &expansion, sample, &wanted)
+                .map_err(|error| format!("{error}\n{source}at {sample:?}"))
+        };
+        let outcomes = samples.iter().map(at_sample).collect::<Result<Vec<_>, String>>()?;
+        report.lock().map_err(|error| error.to_string())?.add(outcomes);
+        Ok(())
+    });
+    let report = report.into_inner().expect("a worker has failed");
+    println!("{report}");
+    report.assert_meaningful();
+}
+
+#[test]
+fn planted_faults_in_derivatives_are_caught() {
+    let caught = Caught::default();
+    runner::run(runner::cases(QUICK / 4) / 8, cases, |(system, samples)| {
+        let asked = Asked::of(system)?;
+        let expansion = Expansion::of(&asked.source)?;
+        let expected = |sample: &Sample| Expected::of(system, &asked.parameters, sample);
+        let wanted: Vec<_> = samples.iter().map(expected).collect();
+        caught.plant(&expansion, Part::Derivatives, |faulty| {
+            let mut pairs = samples.iter().zip(&wanted);
+            pairs.any(|(sample, wanted)| derivatives::check(system, &asked, faulty, sample, wanted).is_err())
+        })
+    });
+    caught.assert_most();
+}
+
+/// Of planted faults, how many were noticed, and how many there were.
+#[derive(Default)]
+struct Caught(Mutex<BTreeMap<Fault, (usize, usize)>>);
+
+impl Caught {
+    /// Plants some faults of every kind, one at a time.
+    fn plant(
+        &self,
+        expansion: &Expansion,
+        part: Part,
+        notices: impl Fn(&Expansion) -> bool,
+    ) -> Result<(), String> {
         for fault in Fault::ALL {
-            let count = sites(&expansion, fault);
+            let count = sites(expansion, part, fault);
             for site in (0..count).step_by(count / 4 + 1) {
-                let Some(faulty) = planted(&expansion, fault, site) else { continue };
-                let noticed = samples
-                    .iter()
-                    .zip(&wanted)
-                    .any(|(sample, wanted)| check(system, &faulty, sample, wanted).is_err());
-                let mut caught = caught.lock().map_err(|error| error.to_string())?;
+                let Some(faulty) = planted(expansion, part, fault, site) else { continue };
+                let noticed = notices(&faulty);
+                let mut caught = self.0.lock().map_err(|error| error.to_string())?;
                 let (noticed_ones, all) = caught.entry(fault).or_default();
                 *noticed_ones += usize::from(noticed);
                 *all += 1;
             }
         }
         Ok(())
-    });
-    // Some faults are none: a term that is zero, a digit of what is added to something far larger.
-    for (fault, (noticed, all)) in caught.into_inner().expect("a worker has failed") {
-        println!("{fault:?}: {noticed} of {all} are noticed");
-        let least = if matches!(fault, Fault::Digit) { 5 } else { 8 };
-        assert!(10 * noticed >= least * all, "{fault:?}: only {noticed} of {all} are noticed");
+    }
+
+    /// Some faults are none: a term that is zero, a digit of what is added to something far larger.
+    fn assert_most(self) {
+        for (fault, (noticed, all)) in self.0.into_inner().expect("a worker has failed") {
+            println!("{fault:?}: {noticed} of {all} are noticed");
+            let least = if matches!(fault, Fault::Digit) { 5 } else { 8 };
+            assert!(10 * noticed >= least * all, "{fault:?}: only {noticed} of {all} are noticed");
+        }
     }
 }

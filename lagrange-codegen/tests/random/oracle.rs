@@ -84,13 +84,13 @@ impl Quantities {
 }
 
 /// Qᵢ − ∂D/∂vᵢ: the virtual power of all forces per unit of the velocity i.
-fn applied_force(system: &System, at: &Instant<Tracked>, coordinate: usize) -> Tracked {
+pub fn applied_force<T: Number>(system: &System, at: &Instant<T>, coordinate: usize) -> T {
     let displaced = at.by_coordinate(coordinate);
-    let work = |place: Place, force: &[Tracked]| {
+    let work = |place: Place, force: &[T]| {
         let position = system.positions(place.role, &displaced).swap_remove(place.index);
-        position.iter().zip(force).fold(Tracked::constant(0.0), |sum, (x, &f)| sum + x.slope * f)
+        position.iter().zip(force).fold(T::constant(0.0), |sum, (x, &f)| sum + x.slope * f)
     };
-    let mut total = Tracked::constant(0.0);
+    let mut total = T::constant(0.0);
     for (index, role) in system.roles.iter().enumerate() {
         match role {
             Role::Energy(Energy::Dissipation, body) => {
@@ -123,7 +123,7 @@ fn applied_force(system: &System, at: &Instant<Tracked>, coordinate: usize) -> T
                         total = total + angle.slope * torque[0];
                     }
                     if let Some(attitude) = system.attitude(place.role, &displaced) {
-                        let turn: [Tracked; 3] = space_rate(&attitude);
+                        let turn: [T; 3] = space_rate(&attitude);
                         total = turn.iter().zip(&torque).fold(total, |sum, (&a, &b)| sum + a * b);
                     }
                 }
@@ -140,7 +140,7 @@ fn applied_force(system: &System, at: &Instant<Tracked>, coordinate: usize) -> T
 }
 
 /// M a = f. The uncertainty of a follows from those of M and f through |M⁻¹|.
-fn solve(mass: &[Vec<Tracked>], force: &[Tracked]) -> (Vec<Tracked>, f64) {
+pub fn solve(mass: &[Vec<Tracked>], force: &[Tracked]) -> (Vec<Tracked>, f64) {
     let count = mass.len();
     let values: Vec<Vec<f64>> =
         mass.iter().map(|row| row.iter().map(|entry| entry.value).collect()).collect();

@@ -1,7 +1,5 @@
 //! The runtime's part of a constrained system: the saddle-point equations, solved densely.
 
-use std::collections::BTreeMap;
-
 use super::value::{Run, Value, symmetric, unknown};
 use super::{Interpreter, find};
 use crate::oracle::gauss;
@@ -68,14 +66,8 @@ fn verdict(regular: bool) -> Value {
     Value::Result(if regular { Ok(Box::new(Value::Unit)) } else { Err(cause()) })
 }
 
-fn record(fields: impl IntoIterator<Item = (&'static str, Value)>) -> Value {
-    Value::Record(
-        fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect::<BTreeMap<_, _>>(),
-    )
-}
-
 fn saddle(mass: Value, gradients: &Value) -> Value {
-    record([("mass", mass), ("gradients", gradients.clone())])
+    Value::record([("mass", mass), ("gradients", gradients.clone())])
 }
 
 fn diagonal(inverses: &Value) -> Run<Vec<Vec<f64>>> {
@@ -113,7 +105,7 @@ fn balance(saddle: &Value, force: &Value, gamma: &Value) -> Run<Value> {
     let solution =
         gauss(&matrix, std::slice::from_ref(&force_and_gamma)).and_then(|mut solutions| solutions.pop());
     let solution = solution.unwrap_or_else(|| vec![f64::NAN; matrix.len()]);
-    Ok(record([
+    Ok(Value::record([
         ("accelerations", Value::numbers(&solution[..count])),
         ("multipliers", Value::numbers(&solution[count..])),
         ("rank", Value::Integer(matrix.len() - count)),

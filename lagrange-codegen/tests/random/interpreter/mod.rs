@@ -5,6 +5,7 @@
 //! runtime are replaced by an elimination of its own.
 
 mod constrained;
+mod derivatives;
 mod patterns;
 mod value;
 
@@ -25,6 +26,10 @@ pub struct Point {
     pub q: Vec<f64>,
     pub v: Vec<f64>,
     pub u: Vec<f64>,
+    /// Where derivatives of the equations are evaluated.
+    pub accelerations: Vec<f64>,
+    /// Those too.
+    pub multipliers: Vec<f64>,
     /// Values of the user's expressions for parameters, by their text without blanks.
     pub parameters: BTreeMap<String, f64>,
 }
@@ -52,16 +57,16 @@ impl Interpreter<'_> {
         Some(self.call(function, arguments))
     }
 
-    /// A function of the `System` or `Surface` implementation that takes the state, after the constants and before the
-    /// inputs if it asks for them.
+    /// A function of the `System` or `Surface` implementation or of the derivatives, which takes constants, state,
+    /// accelerations, multipliers and inputs as it asks for them.
     pub fn of_system(&self, name: &str) -> Option<Run<Value>> {
-        let Expansion { system, surface, .. } = self.expansion;
-        let function = system.get(name).or_else(|| surface.get(name))?;
+        let Expansion { system, surface, derivatives, .. } = self.expansion;
+        let function = system.get(name).or_else(|| surface.get(name)).or_else(|| derivatives.get(name))?;
         let names = match patterns::parameters(function) {
             Ok(names) => names,
             Err(stop) => return Some(Err(stop)),
         };
-        let Point { t, q, v, u, .. } = self.point;
+        let Point { t, q, v, u, accelerations, .. } = self.point;
         let argument = |name: &String| match name.as_str() {
             "self" => Ok(Value::Model),
             "constants" | "_constants" => self.constants(),
@@ -69,6 +74,8 @@ impl Interpreter<'_> {
             "q" | "_q" => Ok(Value::numbers(q)),
             "v" | "_v" => Ok(Value::numbers(v)),
             "u" | "_u" => Ok(Value::numbers(u)),
+            "accelerations" => Ok(Value::numbers(accelerations)),
+            "place" => Ok(self.place_of_derivatives()),
             other => unknown(format!("the parameter `{other}`")),
         };
         Some(
@@ -209,7 +216,7 @@ impl Interpreter<'_> {
                 for field in &state.fields {
                     fields.insert(text(&field.member), self.expression(&field.expr, locals)?);
                 }
-                if text(&state.path) == "lagrange::Residuals" {
+                if derivatives::RECORDS.contains(&text(&state.path).as_str()) {
                     return Ok(Value::Record(fields));
                 }
                 match (fields.remove("t"), fields.remove("q"), fields.remove("v")) {
@@ -253,7 +260,9 @@ impl Interpreter<'_> {
     /// A call of a function by its path.
     fn call_path(&self, path: &str, arguments: Vec<Value>) -> Run<Value> {
         let numbers = |arguments: &[Value]| arguments.iter().map(Value::number).collect::<Run<Vec<f64>>>();
-        if let Some(value) = self.of_constraints(path, &arguments) {
+        let of_runtime =
+            self.of_constraints(path, &arguments).or_else(|| self.of_derivatives(path, &arguments));
+        if let Some(value) = of_runtime {
             return value;
         }
         match (path, arguments.as_slice()) {
@@ -328,6 +337,7 @@ impl Interpreter<'_> {
                 let indices = self.indices(&index.index, locals)?;
                 self.place(&index.expr, locals)?.at(&indices)
             }
+            Expr::Field(field) => self.place(&field.base, locals)?.field_mut(&text(&field.member)),
             _ => unknown(text(expr)),
         }
     }

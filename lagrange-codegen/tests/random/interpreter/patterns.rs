@@ -1,7 +1,7 @@
 //! Patterns of `let`s and parameters.
 
 use quote::ToTokens;
-use syn::{FnArg, ImplItemFn, Pat};
+use syn::{FnArg, ImplItemFn, Pat, PatStruct};
 
 use super::Locals;
 use super::value::{Run, Value, unknown};
@@ -39,6 +39,7 @@ fn take_apart(pattern: &Pat, value: Value, bound: &mut Vec<(String, Value)>) -> 
             return Ok(());
         }
         Pat::Type(typed) => return take_apart(&typed.pat, value, bound),
+        Pat::Struct(parts) => return take_record_apart(parts, &value, bound),
         Pat::Slice(slice) => &slice.elems,
         Pat::Tuple(tuple) => &tuple.elems,
         other => return unknown(format!("the pattern `{}`", other.to_token_stream())),
@@ -49,4 +50,16 @@ fn take_apart(pattern: &Pat, value: Value, bound: &mut Vec<(String, Value)>) -> 
         }
         other => unknown(format!("`{}` for {other:?}", pattern.to_token_stream())),
     }
+}
+
+/// All fields must be named, as for rustc.
+fn take_record_apart(pattern: &PatStruct, value: &Value, bound: &mut Vec<(String, Value)>) -> Run<()> {
+    match value {
+        Value::Record(fields) if fields.len() == pattern.fields.len() => {}
+        other => return unknown(format!("`{}` for {other:?}", pattern.to_token_stream())),
+    }
+    pattern.fields.iter().try_for_each(|field| {
+        let name = field.member.to_token_stream().to_string();
+        take_apart(&field.pat, value.field(&name)?.clone(), bound)
+    })
 }

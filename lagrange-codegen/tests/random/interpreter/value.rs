@@ -52,6 +52,11 @@ impl Value {
         Value::List(rows.iter().map(|row| Value::numbers(row)).collect())
     }
 
+    /// A struct by its fields.
+    pub fn record(fields: impl IntoIterator<Item = (&'static str, Value)>) -> Value {
+        Value::Record(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    }
+
     /// The number this is.
     pub fn number(&self) -> Run<f64> {
         match self {
@@ -73,6 +78,16 @@ impl Value {
         match self {
             Value::Record(fields) => {
                 fields.get(name).ok_or_else(|| Stop::Unknown(format!("no field `{name}` in {self:?}")))
+            }
+            other => unknown(format!("no field `{name}` in {other:?}")),
+        }
+    }
+
+    /// A field that is assigned to.
+    pub fn field_mut(&mut self, name: &str) -> Run<&mut Value> {
+        match self {
+            Value::Record(fields) => {
+                fields.get_mut(name).ok_or_else(|| Stop::Unknown(format!("the field `{name}` to assign to")))
             }
             other => unknown(format!("no field `{name}` in {other:?}")),
         }
