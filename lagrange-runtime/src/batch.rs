@@ -6,6 +6,7 @@
 
 use crate::error::{Cause, MotionError};
 use crate::integrator::dop853::add;
+use crate::integrator::jets::probe::{self, Probe};
 use crate::integrator::jets::{HIGHEST, NEAR, STEEPEST, last_term, orders};
 use crate::real::Real;
 use crate::smooth::{Series, Smooth};
@@ -34,6 +35,10 @@ pub struct Batch<'a, S: Smooth<N, K>, const N: usize, const K: usize = 0> {
     /// What rounding took from the state.
     residue: State<S::Scalar, N>,
     expansions: u64,
+    /// Lengths of the last steps \[s], without direction; zero before the first.
+    last: S::Scalar,
+    /// The largest accelerations that were met where steps were probed.
+    strongest: [S::Scalar; N],
 }
 
 impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
@@ -56,6 +61,8 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             state: start,
             residue: State { t: zero, q: [zero; N], v: [zero; N] },
             expansions: 0,
+            last: zero,
+            strongest: [zero; N],
         }
     }
 
@@ -171,12 +178,23 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
                 }
                 continue;
             }
-            let natural = tolerated.min(near) * self.unit;
-            let length = natural.min(left.abs());
+            let mut natural = tolerated.min(near) * self.unit;
+            if S::STEEP {
+                natural = natural.min(if self.last.is_positive() {
+                    number(probe::GROWTH) * self.last
+                } else {
+                    number(1.0 / 16.0) * left.abs()
+                });
+            }
+            let mut length = natural.min(left.abs());
+            if S::STEEP {
+                length = self.probed(length, orders, direction, left.abs(), resolution)?;
+            }
             if missing.min(resolution - length).largest() > zero {
                 return Err(Cause::StepTooSmall);
             }
             self.take(direction * length, length / self.unit, orders)?;
+            self.last = length.max(number(1e-3) * self.last);
             self.unit = natural;
         }
     }
@@ -225,6 +243,47 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         weigh(&self.state.q, &self.series.q);
         weigh(&self.state.v, &self.series.v);
         (-worst.ln() / number(orders as f64)).exp()
+    }
+
+    /// A length of which every lane obeys the equations of motion.
+    #[cold]
+    fn probed(
+        &mut self,
+        mut length: S::Scalar,
+        orders: usize,
+        direction: S::Scalar,
+        left: S::Scalar,
+        resolution: S::Scalar,
+    ) -> Result<S::Scalar, Cause> {
+        let constants = self.system.constants();
+        let mut strongest = self.strongest;
+        // All lanes as far as a series of zeros reaches.
+        let endless = (-S::Scalar::epsilon().powi(4).ln() / S::Scalar::from_f64(orders as f64)).exp();
+        let free = endless * S::Scalar::from_f64(0.99) - self.tolerated(orders, num_traits::One::one());
+        let is_free = free.largest() <= num_traits::Zero::zero();
+        loop {
+            let probe = Probe {
+                system: self.system,
+                constants: &constants,
+                inputs: &self.inputs,
+                start: &self.state,
+                series: &self.series,
+                orders,
+                unit: direction * self.unit,
+                tolerances: [S::Scalar::splat(self.tolerance), S::Scalar::epsilon().powi(4)],
+            };
+            if is_free && !self.last.is_positive() {
+                probe.compared(left / self.unit, &mut strongest);
+            }
+            if probe.agrees(length / self.unit, &mut strongest) {
+                self.strongest = strongest;
+                return Ok(length);
+            }
+            length *= S::Scalar::from_f64(0.5);
+            if (resolution - length).largest() >= num_traits::Zero::zero() {
+                return Err(Cause::StepTooSmall);
+            }
+        }
     }
 
     #[inline]

@@ -13,6 +13,11 @@ use crate::system::System;
     note = "`stepper::<Rk4>(…)`, `simulate(…)` and `simulate_with::<Dop853>(…)` work for every system"
 )]
 pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
+    /// Whether a function in the equations can hide from a series: exponentials, hyperbolic functions and high negative
+    /// powers vanish beside other terms, or underflow, a few of their widths away. Steps under error control are then
+    /// compared with the equations at some places, and grow with restraint.
+    const STEEP: bool = false;
+
     /// What depends on parameters alone, computed once per run.
     type JetConstants: Copy + core::fmt::Debug;
 

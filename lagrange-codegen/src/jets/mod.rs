@@ -24,6 +24,7 @@ mod bundles;
 mod conditions;
 mod recurrence;
 mod rewriting;
+mod steep;
 
 use crate::expr::{Graph, NodeId};
 use crate::mechanics::Equations;
@@ -54,6 +55,7 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
         constraints: conditions.count(),
         relaxed: conditions.relaxation.is_some(),
     };
+    let is_steep = steep::is_steep(&model.graph, &roots);
     let mut forms = vec![roots];
     if model.graph.cone(forms[0].iter().copied()).len() <= COMPARABLE {
         forms.push(simplify(&mut model.graph, &mut model.hints, &forms[0]));
@@ -75,6 +77,7 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     }
     if let Some(jets) = &mut best {
         jets.gradients = restrictions.gradients;
+        jets.is_steep = is_steep;
     }
     best
 }

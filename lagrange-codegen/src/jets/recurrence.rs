@@ -95,6 +95,8 @@ pub struct Jets {
     vanishing: Vec<bool>,
     /// All slots, those that others need first.
     pub order: Vec<Slot>,
+    /// Whether a function in the equations can hide from a series.
+    pub is_steep: bool,
 }
 
 impl Jets {
@@ -143,6 +145,7 @@ impl Jets {
             rates,
             reactions,
             conditions,
+            is_steep: false,
             gradients: Vec::new(),
             relaxation,
             auxiliaries: series,

@@ -7,6 +7,7 @@ mod control;
 mod failures;
 mod functions;
 mod gaps;
+mod hidden;
 mod long;
 mod long_constrained;
 mod mechanics;

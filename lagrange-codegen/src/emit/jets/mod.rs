@@ -66,12 +66,13 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     let named = |name: &str| if words.contains(name) { name.to_owned() } else { format!("_{name}") };
     // Types are spelled out: where the trait cannot be found, `Self::Tables` would be a second error.
     format!(
-        "type JetConstants = {constants_type};\n\
+        "{}type JetConstants = {constants_type};\n\
          type Tables<const P: usize> = lagrange::{tables};\n\
          #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
          #[inline]\nfn jet_at<const P: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
          series: &mut lagrange::Series<{scalar}, {count}, P>,\n) -> bool {{\n{items}{}\n}}\n",
+        if jets.is_steep { "const STEEP: bool = true;\n" } else { "" },
         named("constants"),
         named("t"),
         named("q"),

@@ -24,6 +24,10 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) unit: R,
     /// The unit of the next step, without direction; zero if not known.
     pub(super) next: R,
+    /// Length of the last step \[s], without direction; zero before the first.
+    pub(super) last: R,
+    /// The largest accelerations that were met where steps were probed.
+    pub(super) strongest: [R; N],
     pub(super) end: State<R, N>,
     pub(super) end_residue: State<R, N>,
     pub(super) counts: Steps,
@@ -42,6 +46,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             residue: zero,
             unit: R::zero(),
             next: R::zero(),
+            last: R::zero(),
+            strongest: [R::zero(); N],
             end: start,
             end_residue: zero,
             counts: Steps::default(),

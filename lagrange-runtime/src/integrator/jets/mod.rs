@@ -12,6 +12,7 @@
 //! length and time.
 
 mod memory;
+pub(crate) mod probe;
 mod step;
 
 use super::adaptive::{Adaptive, Steps};

@@ -4,6 +4,7 @@ use core::cmp::Ordering;
 
 use super::super::adaptive::Adaptive;
 use super::super::step_size::{self, Limits};
+use super::probe::{self, Probe};
 use super::{Jets, JetsMemory, NEAR};
 use crate::error::Cause;
 use crate::real::{Ordered, Real, larger, smaller};
@@ -60,34 +61,29 @@ where
         let is_finite = memory.is_finite();
         if is_finite && tolerated == number(f64::INFINITY) {
             // A polynomial in time, or coefficients that underflow.
-            if remembered && unit < left.abs() {
+            if !S::STEEP && remembered && unit < left.abs() {
                 (unit, remembered) = (left.abs(), false);
                 memory.counts.rejected += 1;
                 continue;
             }
-            memory.reach(limits.clip(left.abs()) / unit);
+            memory.reach(limits.clip(restrained(memory, left.abs(), left.abs(), S::STEEP)) / unit);
             memory.next = num_traits::Zero::zero();
-            // Of x″ = t⁴⁰ all coefficients vanish at t = 0.
-            while !moves_on(memory, system, constants, control, limits) {
-                let length = number(0.5) * (memory.end.t - memory.start.t);
-                if length.abs().partial_cmp(&resolution) != Some(Ordering::Greater) {
-                    (memory.end, memory.end_residue) = (memory.start, memory.residue);
-                    return Err(Cause::StepTooSmall);
-                }
-                memory.reach(length / memory.unit);
-            }
+            shorten(memory, system, constants, control, limits, (Some(left), resolution))?;
         } else if is_finite
             && (tolerated < number(NEAR) || overflowed)
             && tolerated * number(NEAR) > num_traits::One::one()
         {
             // A shorter step than the tolerance allows where coefficients overflow in a longer unit.
-            let natural = smaller(tolerated, number(NEAR)) * unit;
+            let natural = restrained(memory, smaller(tolerated, number(NEAR)) * unit, left.abs(), S::STEEP);
             let length = limits.clip(natural);
             if length.partial_cmp(&resolution) != Some(Ordering::Greater) {
                 return Err(Cause::StepTooSmall);
             }
             memory.reach(length / unit);
             memory.next = natural;
+            if S::STEEP {
+                shorten(memory, system, constants, control, limits, (None, resolution))?;
+            }
         } else {
             // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
             let cause = if is_finite { Cause::StepTooSmall } else { Cause::NotFinite };
@@ -114,36 +110,73 @@ where
             }
             memory.correct(end);
         }
+        memory.last = (memory.end.t - memory.start.t).abs();
         memory.counts.accepted += 1;
         return Ok(());
     }
 }
 
-/// Whether the end of the step obeys the equations of motion: the accelerations there are those of the polynomial.
+/// The length of a step that grows with restraint where functions can hide from a series: what is far away is not jumped
+/// over.
+#[inline]
+fn restrained<C: Copy, T: Copy + Default, R: Ordered, const N: usize>(
+    memory: &JetsMemory<C, T, R, N>,
+    length: R,
+    left: R,
+    is_steep: bool,
+) -> R {
+    if !is_steep {
+        return length;
+    }
+    let last = memory.last;
+    smaller(
+        length,
+        if last.is_positive() { R::from_f64(probe::GROWTH) * last } else { left * R::from_f64(1.0 / 16.0) },
+    )
+}
+
+/// Halves the step until it obeys the equations of motion. For a polynomial in time, what is left to go is given.
 #[cold]
-fn moves_on<S, const N: usize, const K: usize>(
-    memory: &<Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+fn shorten<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
     system: &S,
     constants: &S::Constants,
     control: &Held<S::Scalar, K>,
     limits: &Limits<S::Scalar>,
-) -> bool
+    (free, resolution): (Option<S::Scalar>, S::Scalar),
+) -> Result<(), Cause>
 where
     S: Smooth<N, K>,
     S::Scalar: Ordered,
 {
-    let JetsMemory { start, end, series, unit, orders, .. } = memory;
-    let span = end.t - start.t;
-    let theta = span / *unit;
-    let relative = larger(limits.relative, S::Scalar::from_f64(64.0) * S::Scalar::epsilon());
-    let accelerations = system.accelerations_at(constants, end.t, &end.q, &end.v, &control.0);
-    (0..N).all(|i| {
-        let mut slope: S::Scalar = num_traits::Zero::zero();
-        for (k, row) in series.v.iter().enumerate().take(*orders).rev() {
-            slope = slope * theta + S::Scalar::from_f64((k + 1) as f64) * row[i];
+    let absolute = limits.absolute.unwrap_or_else(num_traits::Zero::zero) + step_size::smallest();
+    let mut strongest = memory.strongest;
+    loop {
+        let length = memory.end.t - memory.start.t;
+        let probe = Probe {
+            system,
+            constants,
+            inputs: &control.0,
+            start: &memory.start,
+            series: &memory.series,
+            orders: memory.orders,
+            unit: memory.unit,
+            tolerances: [limits.relative, absolute],
+        };
+        if let (Some(left), false) = (free, memory.last.is_positive()) {
+            // At rest, how strong the forces ahead are is the only measure of the roundings of one that sets in.
+            probe.compared(left / memory.unit, &mut strongest);
         }
-        let (expected, found) = (slope / *unit * span, accelerations[i] * span);
-        let size = larger(larger(expected.abs(), found.abs()), larger(start.v[i].abs(), end.v[i].abs()));
-        (found - expected).abs() <= relative * size + step_size::smallest()
-    })
+        if probe.agrees(length / memory.unit, &mut strongest) {
+            memory.strongest = strongest;
+            return Ok(());
+        }
+        let length = S::Scalar::from_f64(0.5) * length;
+        if length.abs().partial_cmp(&resolution) != Some(Ordering::Greater) {
+            (memory.end, memory.end_residue) = (memory.start, memory.residue);
+            return Err(Cause::StepTooSmall);
+        }
+        memory.reach(length / memory.unit);
+        memory.counts.rejected += 1;
+    }
 }

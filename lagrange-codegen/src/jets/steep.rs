@@ -1,0 +1,96 @@
+//! Functions that can hide from a Taylor series.
+//!
+//! An exponential, a wall ∝ r⁻¹², a smoothed sign v/√(v² + ε²): a few of their widths away they vanish beside other terms, or
+//! underflow, and the series there does not know of them. Sines, cosines and the powers of gravitation do not: they are
+//! as large as anything else wherever a series starts.
+
+use crate::expr::{Binary, Exponent, Graph, Node, NodeId, Unary};
+
+/// Powers below this, in halves: r⁻⁴, or that of a square of a distance.
+const STEEPEST: i32 = -8;
+
+/// Whether there is such a function in the equations.
+pub(super) fn is_steep(graph: &Graph, roots: &[NodeId]) -> bool {
+    graph.cone(roots.iter().copied()).into_iter().any(|id| {
+        !graph.dependence(id).is_fixed()
+            && match graph.node(id) {
+                Node::Unary(function, _) => hides(*function),
+                Node::Binary(function, ..) => match function {
+                    Binary::Powf | Binary::Atan2 => true,
+                    Binary::Pivot => false,
+                },
+                Node::Product(factors) => {
+                    factors.iter().any(|&(base, exponent)| is_steep_power(graph, base, exponent))
+                }
+                Node::Constant(_) | Node::Variable(_) | Node::Sum { .. } => false,
+            }
+    })
+}
+
+fn hides(function: Unary) -> bool {
+    match function {
+        Unary::Exp | Unary::ExpM1 | Unary::Sinh | Unary::Cosh | Unary::Tanh | Unary::Asinh | Unary::Atan => {
+            true
+        }
+        Unary::Sin
+        | Unary::Cos
+        | Unary::Tan
+        | Unary::Asin
+        | Unary::Acos
+        | Unary::Acosh
+        | Unary::Atanh
+        | Unary::Ln
+        | Unary::Ln1p
+        | Unary::Cbrt
+        | Unary::Abs
+        | Unary::Signum => false,
+    }
+}
+
+/// A high power, or a root or reciprocal of a sum with a fixed part, which is what smooths a kink.
+fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
+    if graph.dependence(base).is_fixed() {
+        return false;
+    }
+    let smooths = |node: &Node| match node {
+        Node::Sum { offset, terms } => {
+            !offset.is_zero() || terms.iter().any(|&(term, _)| graph.dependence(term).is_fixed())
+        }
+        _ => false,
+    };
+    exponent.0 <= STEEPEST
+        || (exponent.as_integer().is_none_or(|power| power < 0) && smooths(graph.node(base)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::Variable;
+    use crate::number::Number;
+
+    #[test]
+    fn walls_and_smoothed_kinks_hide() {
+        let mut graph = Graph::default();
+        let x = graph.variable(Variable::Coordinate(0));
+        let y = graph.variable(Variable::Coordinate(1));
+        let width = graph.variable(Variable::Parameter(0));
+        let [xx, yy, ww] = [x, y, width].map(|node| graph.powi(node, 2));
+        let square = graph.add(xx, yy);
+        let distance = graph.sqrt(square);
+        let smoothed = graph.sum(Number::ZERO, &[(xx, Number::ONE), (ww, Number::ONE)]);
+        let [sine, exp] = [Unary::Sin, Unary::Exp].map(|function| graph.unary(function, x));
+        for (node, expected) in [
+            (graph.powi(distance, -3), false),
+            (distance, false),
+            (sine, false),
+            (graph.powi(width, -12), false),
+            (graph.powi(x, -2), false),
+            (graph.powi(distance, -12), true),
+            (graph.sqrt(smoothed), true),
+            (graph.powi(smoothed, -1), true),
+            (exp, true),
+        ] {
+            assert_eq!(is_steep(&graph, &[node]), expected, "{}", graph.print(node, &|v| format!("{v:?}")));
+        }
+    }
+}

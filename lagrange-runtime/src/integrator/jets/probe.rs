@@ -1,0 +1,86 @@
+//! Whether a step of a series obeys the equations of motion.
+//!
+//! A series knows the motion from where it starts. What rounding or underflow hides there (a wall far away, a switch that
+//! is thrown later) is not in its coefficients, and their decay says nothing of it. So the accelerations are compared at
+//! some places of the step with those of the polynomial.
+
+use crate::real::Real;
+use crate::smooth::{Series, Smooth};
+use crate::state::State;
+
+/// Shares of a step at which it is looked at.
+const PLACES: [f64; 7] = [0.11, 0.26, 0.42, 0.57, 0.72, 0.87, 1.0];
+
+/// A step is at most so many times as long as the one before it.
+pub(crate) const GROWTH: f64 = 2.0;
+
+/// The truncated series differs from the motion by a few times the tolerance in the accelerations at its end.
+const MARGIN: f64 = 16.0;
+
+/// Accelerations are known to so many roundings of the largest.
+const NOISE: f64 = 256.0;
+
+/// A series and what it is to be compared with.
+pub(crate) struct Probe<'a, S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> {
+    pub system: &'a S,
+    pub constants: &'a S::Constants,
+    pub inputs: &'a [S::Scalar; K],
+    pub start: &'a State<S::Scalar, N>,
+    pub series: &'a Series<S::Scalar, N, P>,
+    pub orders: usize,
+    /// Unit of time \[s] with the direction of the motion.
+    pub unit: S::Scalar,
+    /// Tolerances of velocities, relative and absolute.
+    pub tolerances: [S::Scalar; 2],
+}
+
+impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, S, N, K, P> {
+    /// Whether the first `theta` units agree with the equations of motion. `known` are the largest accelerations that were
+    /// met so far, whose roundings are no disagreement; those met here join them where there is none.
+    pub fn agrees(&self, theta: S::Scalar, known: &mut [S::Scalar; N]) -> bool {
+        let mut strongest = *known;
+        let agrees = self.compared(theta, &mut strongest);
+        if agrees {
+            *known = strongest;
+        }
+        agrees
+    }
+
+    /// The comparison, with all accelerations that were met. Of a polynomial in time they are those that lie ahead.
+    pub fn compared(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) -> bool {
+        let span = theta * self.unit;
+        let noise = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon();
+        let [relative, absolute] = self.tolerances;
+        let relative = S::Scalar::from_f64(MARGIN) * relative.max(noise);
+        // Every place, so that no strength is missed.
+        PLACES.iter().fold(true, |agrees, &share| {
+            let theta = S::Scalar::from_f64(share) * theta;
+            let (gain_q, gain_v) = self.series.gain(theta, self.orders);
+            let q = core::array::from_fn(|i| self.start.q[i] + gain_q[i]);
+            let v = core::array::from_fn(|i| self.start.v[i] + gain_v[i]);
+            let t = self.start.t + theta * self.unit;
+            let found = self.system.accelerations_at(self.constants, t, &q, &v, self.inputs);
+            let expected = self.accelerations(theta);
+            (0..N).fold(agrees, |agrees, i| {
+                let (found, expected) = (found[i], expected[i]);
+                strongest[i] = strongest[i].max(if found.is_finite() { found.abs() } else { strongest[i] });
+                let speed = self.start.v[i].abs().max(v[i].abs());
+                let size = speed.max((found * span).abs()).max((expected * span).abs());
+                let bound = relative * size + absolute + noise * (strongest[i] * span).abs();
+                let excess = ((found - expected) * span).abs() - bound;
+                agrees && excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
+            })
+        })
+    }
+
+    /// Accelerations of the polynomial.
+    fn accelerations(&self, theta: S::Scalar) -> [S::Scalar; N] {
+        let mut slopes = [num_traits::Zero::zero(); N];
+        for (k, row) in self.series.v.iter().enumerate().take(self.orders).rev() {
+            for i in 0..N {
+                slopes[i] = slopes[i] * theta + S::Scalar::from_f64((k + 1) as f64) * row[i];
+            }
+        }
+        slopes.map(|slope: S::Scalar| slope / self.unit)
+    }
+}

@@ -1,0 +1,107 @@
+//! What a series cannot know where it starts: walls far away, switches thrown later, steep friction. References by
+//! Dormand–Prince, whose stages look into a step, or closed forms.
+
+use lagrangian::prelude::*;
+use lagrangian::{Batch, Smooth};
+
+use crate::support::close::{between, close_on};
+
+/// A mass on a line under a potential, a force, or both.
+macro_rules! line {
+    ($name:ident, |$self:ident, $q:ident, $v:ident, $t:ident| $potential:expr, $force:expr) => {
+        struct $name {
+            width: f64,
+        }
+
+        #[lagrangian(coordinates = [x], allow(no_effect))]
+        impl $name {
+            #[point(mass = 1.0)]
+            fn mass(&self, q: &Coordinates) -> Vector1<f64> {
+                Vector1::new(q.x)
+            }
+
+            #[potential]
+            fn potential(&$self, $q: &Coordinates) -> f64 {
+                $potential
+            }
+
+            #[force(on = x)]
+            fn force(&$self, $v: &Velocities, $t: f64) -> f64 {
+                $force
+            }
+        }
+    };
+}
+
+line!(Barrier, |self, q, _v, _t| (-(q.x / self.width).powi(2)).exp(), 0.0);
+line!(Friction, |self, q, v, _t| 50.0 * q.x * q.x, -(v.x / self.width).tanh());
+line!(Switch, |self, q, _v, t| 0.5 * q.x * q.x, 0.5 * (1.0 + ((t - 5.0) / self.width).tanh()));
+line!(Pulse, |self, q, _v, t| 0.0 * q.x, (-((t - 50.0) / self.width).powi(2)).exp());
+line!(SwitchAtRest, |self, q, _v, t| 0.0 * q.x, 0.5 * (1.0 + ((t - 5.0) / self.width).tanh()));
+line!(
+    Floor,
+    |self, q, _v, _t| 9.81 * q.x + 5e4 * (self.width * (-q.x / self.width).exp().ln_1p()).powi(2),
+    0.0
+);
+line!(Sech, |self, q, _v, _t| (q.x / self.width).cosh().powi(-2), 0.0);
+line!(Morse, |self, q, _v, _t| (1.0 - (-q.x / self.width).exp()).powi(2), 0.0);
+line!(LennardJones, |self, q, _v, _t| (self.width / q.x).powi(12) - (self.width / q.x).powi(6), 0.0);
+line!(WoodsSaxon, |self, q, _v, _t| 1.0 / (1.0 + (-q.x / self.width).exp()), 0.0);
+line!(Smoothed, |self, q, v, _t| 50.0 * q.x * q.x, -v.x / (v.x * v.x + self.width * self.width).sqrt());
+
+/// The same motion by both methods at several tolerances.
+fn same<S>(name: &str, system: &S, start: State<f64, 1>, t: f64)
+where
+    S: Smooth<1, Scalar = f64, Method = Jets>,
+{
+    let mut reference = system.simulate_with::<Dop853>(start).with_tolerance(1e-13);
+    let exact = *reference.advance_to(t).unwrap();
+    let size = exact.q[0].abs().max(start.q[0].abs());
+    for (tolerance, bound) in [(1e-6, 2e-3), (1e-10, 1e-6), (1e-13, 1e-8)] {
+        let mut motion = system.simulate(start).with_tolerance(tolerance);
+        let end = *motion.advance_to(t).unwrap();
+        println!(
+            "{name} at {tolerance:e}: {} against {}, {} steps",
+            end.q[0],
+            exact.q[0],
+            motion.steps().accepted
+        );
+        close_on(size, end.q[0], exact.q[0], bound);
+        let mut batch = Batch::new(system, start).with_tolerance(tolerance);
+        close_on(size, batch.advance_to(t).unwrap().q[0], exact.q[0], bound);
+        between(0.0, motion.steps().accepted as f64, 3e3);
+    }
+}
+
+#[test]
+fn walls_far_away_are_hit() {
+    for x in [-10.0, -30.0] {
+        same("barrier", &Barrier { width: 1.0 }, State::new([x], [1.0]), 3.0 * -x - 10.0);
+    }
+    same("sech²", &Sech { width: 1.0 }, State::new([-25.0], [1.0]), 40.0);
+    same("Morse", &Morse { width: 1.0 }, State::new([45.0], [-1.0]), 60.0);
+    same("Lennard-Jones", &LennardJones { width: 1.0 }, State::new([50.0], [-1.0]), 90.0);
+    same("Woods-Saxon", &WoodsSaxon { width: 0.5 }, State::new([-20.0], [1.0]), 30.0);
+    same("floor", &Floor { width: 0.01 }, State::new([1.0], [0.0]), 1.0);
+}
+
+#[test]
+fn switches_are_thrown_in_time() {
+    for width in [0.1, 0.01] {
+        same("switch", &Switch { width }, State::new([1.0], [0.0]), 10.0);
+        same("switch at rest", &SwitchAtRest { width }, State::at_rest([0.0]), 10.0);
+    }
+    same("pulse", &Pulse { width: 1.0 }, State::at_rest([0.0]), 100.0);
+    same("pulse", &Pulse { width: 1.0 }, State::new([3.0], [-0.1]), 100.0);
+}
+
+#[test]
+fn steep_friction_brakes() {
+    same("friction", &Friction { width: 1e-2 }, State::at_rest([0.1]), 1.0);
+    same("smoothed friction", &Smoothed { width: 1e-2 }, State::at_rest([0.1]), 1.0);
+    same("smoothed friction", &Smoothed { width: 1e-4 }, State::at_rest([0.1]), 1.0);
+    let system = Friction { width: 1e-4 };
+    let mut motion = system.simulate(State::at_rest([0.1]));
+    motion.advance_to(10.0).unwrap();
+    between(0.0, motion.state().v[0].abs(), 1e-4);
+}
