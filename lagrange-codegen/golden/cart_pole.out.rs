@@ -381,7 +381,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
     #[allow(clippy::all)]
     impl<R: Real> lagrange::Smooth<2usize, 1usize> for CartPole<R> {
         type JetConstants = [R; 5];
-        type Tables<const P: usize> = lagrange::Tables<R, 4, P>;
+        type Tables<const ORDERS: usize> = lagrange::Tables<R, 4, ORDERS>;
         #[inline]
         fn jet_constants(&self) -> [R; 5] {
             {
@@ -405,7 +405,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             }
         }
         #[inline]
-        fn jet_at<const P: usize>(
+        fn jet_at<const ORDERS: usize>(
             &self,
             constants: &[R; 5],
             _t: R,
@@ -414,8 +414,8 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             u: &[R; 1],
             h: R,
             orders: usize,
-            tables: &mut lagrange::Tables<R, 4, P>,
-            series: &mut lagrange::Series<R, 2, P>,
+            tables: &mut lagrange::Tables<R, 4, ORDERS>,
+            series: &mut lagrange::Series<R, 2, ORDERS>,
         ) -> bool {
             use lagrange::Real;
             let [_, theta] = *q;
@@ -466,7 +466,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let mut sin_theta_flow: R = theta_dot_cos_theta;
             let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
             lagrange::jets::in_line::<
-                P,
+                ORDERS,
             >(
                 orders,
                 #[inline(always)]
@@ -476,7 +476,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                     let x_k: R = rate * x_dot_last;
                     let theta_k: R = rate * theta_dot_last;
                     let inner_0: R = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -485,7 +485,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                         inner[0],
                     );
                     let inner_1: R = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -494,7 +494,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                         inner[1],
                     );
                     let inner_2: R = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -503,7 +503,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                         inner[2],
                     );
                     let inner_3: R = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -584,27 +584,27 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                         pole_mass_length * w5_k,
                     );
                     theta_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, theta_dot_first, theta_dot_k);
                     theta_dot_last_2 = theta_dot_k;
                     sin_theta_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, sin_theta_first, sin_theta_k);
                     sin_theta_last = sin_theta_k;
                     x_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, x_dot_first, x_dot_k);
                     x_dot_last_2 = x_dot_k;
                     cos_theta_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, cos_theta_first, cos_theta_k);
                     cos_theta_last = cos_theta_k;
                     w10 = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, w10, theta_dot_sin_theta_2_k);
                     theta_dot_sin_theta_2_last = theta_dot_sin_theta_2_k;

@@ -621,7 +621,7 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
     #[allow(clippy::all)]
     impl lagrange::Smooth<2usize, 0usize> for CartesianPendulum {
         type JetConstants = [f64; 2];
-        type Tables<const P: usize> = lagrange::Tables<f64, 4, P>;
+        type Tables<const ORDERS: usize> = lagrange::Tables<f64, 4, ORDERS>;
         #[inline]
         fn jet_constants(&self) -> [f64; 2] {
             {
@@ -638,7 +638,7 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             }
         }
         #[inline]
-        fn jet_at<const P: usize>(
+        fn jet_at<const ORDERS: usize>(
             &self,
             constants: &[f64; 2],
             _t: f64,
@@ -647,8 +647,8 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             _u: &[f64; 0],
             h: f64,
             orders: usize,
-            tables: &mut lagrange::Tables<f64, 4, P>,
-            series: &mut lagrange::Series<f64, 2, P>,
+            tables: &mut lagrange::Tables<f64, 4, ORDERS>,
+            series: &mut lagrange::Series<f64, 2, ORDERS>,
         ) -> bool {
             use lagrange::Real;
             let [x, y] = *q;
@@ -678,7 +678,7 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             let mut rod_multiplier_first: f64 = 0.0;
             let mut rod_multiplier_last: f64 = 0.0;
             lagrange::jets::in_line::<
-                P,
+                ORDERS,
             >(
                 orders,
                 #[inline(always)]
@@ -688,15 +688,15 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
                     let x_k: f64 = rate * x_dot_last;
                     let y_k: f64 = rate * y_dot_last;
                     let inner_0: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [x_first, x_last], [x_dot_first, x_dot_last_2], inner[0]);
                     let inner_1: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [y_first, y_last], [y_dot_first, y_dot_last_2], inner[1]);
                     let inner_2: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -705,7 +705,7 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
                         inner[2],
                     );
                     let inner_3: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -769,22 +769,22 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
                     y_dot_last = y_dot_k;
                     x_force = 0.0;
                     y_force = 0.0;
-                    x_first = lagrange::jets::first::<P, _>(order, x_first, x_k);
+                    x_first = lagrange::jets::first::<ORDERS, _>(order, x_first, x_k);
                     x_last = x_k;
                     x_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, x_dot_first, x_dot_k);
                     x_dot_last_2 = x_dot_k;
-                    y_first = lagrange::jets::first::<P, _>(order, y_first, y_k);
+                    y_first = lagrange::jets::first::<ORDERS, _>(order, y_first, y_k);
                     y_last = y_k;
                     y_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, y_dot_first, y_dot_k);
                     y_dot_last_2 = y_dot_k;
                     rod_multiplier_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, rod_multiplier_first, rod_multiplier_k);
                     rod_multiplier_last = rod_multiplier_k;

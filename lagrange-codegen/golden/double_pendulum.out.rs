@@ -344,7 +344,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
     #[allow(clippy::all)]
     impl lagrange::Smooth<2usize, 0usize> for DoublePendulum {
         type JetConstants = [f64; 6];
-        type Tables<const P: usize> = lagrange::Tables<f64, 12, P>;
+        type Tables<const ORDERS: usize> = lagrange::Tables<f64, 12, ORDERS>;
         #[inline]
         fn jet_constants(&self) -> [f64; 6] {
             {
@@ -368,7 +368,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
             }
         }
         #[inline]
-        fn jet_at<const P: usize>(
+        fn jet_at<const ORDERS: usize>(
             &self,
             constants: &[f64; 6],
             _t: f64,
@@ -377,8 +377,8 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
             _u: &[f64; 0],
             h: f64,
             orders: usize,
-            tables: &mut lagrange::Tables<f64, 12, P>,
-            series: &mut lagrange::Series<f64, 2, P>,
+            tables: &mut lagrange::Tables<f64, 12, ORDERS>,
+            series: &mut lagrange::Series<f64, 2, ORDERS>,
         ) -> bool {
             use lagrange::Real;
             let [theta_0, theta_1] = *q;
@@ -460,7 +460,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
             let mut w31: f64 = w23;
             let mut w33: f64 = w24;
             lagrange::jets::in_line::<
-                P,
+                ORDERS,
             >(
                 orders,
                 #[inline(always)]
@@ -470,7 +470,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                     let theta_0_k: f64 = rate * theta_0_dot_last;
                     let theta_1_k: f64 = rate * theta_1_dot_last;
                     let inner_0: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -479,7 +479,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         inner[0],
                     );
                     let inner_1: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -488,7 +488,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         inner[1],
                     );
                     let inner_2: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -497,11 +497,11 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         inner[2],
                     );
                     let inner_3: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [w27, w28], [w29, w30], inner[3]);
                     let inner_4: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -510,7 +510,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         inner[4],
                     );
                     let inner_5: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -519,7 +519,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         inner[5],
                     );
                     let inner_6: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -528,7 +528,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         inner[6],
                     );
                     let inner_7: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -537,11 +537,11 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         inner[7],
                     );
                     let inner_8: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [w27, w28], [w1_first, w1_last], inner[8]);
                     let inner_9: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [w25, w26], [w1_first, w1_last], inner[9]);
                     let sin_theta_0_k: f64 = rate * sin_theta_0_flow;
@@ -660,45 +660,45 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                     theta_0_force = -(l_0 * w13_k);
                     theta_1_force = -(m_1_l_1 * w11_k);
                     theta_0_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, theta_0_dot_first, theta_0_dot_k);
                     theta_0_dot_last_2 = theta_0_dot_k;
-                    w25 = lagrange::jets::first::<P, _>(order, w25, w32);
+                    w25 = lagrange::jets::first::<ORDERS, _>(order, w25, w32);
                     w26 = w32;
                     theta_1_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, theta_1_dot_first, theta_1_dot_k);
                     theta_1_dot_last_2 = theta_1_dot_k;
-                    w27 = lagrange::jets::first::<P, _>(order, w27, w34);
+                    w27 = lagrange::jets::first::<ORDERS, _>(order, w27, w34);
                     w28 = w34;
                     w29 = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, w29, theta_1_dot_theta_0_dot_k);
                     w30 = theta_1_dot_theta_0_dot_k;
                     cos_theta_0_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, cos_theta_0_first, cos_theta_0_k);
                     cos_theta_0_last = cos_theta_0_k;
                     sin_theta_0_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, sin_theta_0_first, sin_theta_0_k);
                     sin_theta_0_last = sin_theta_0_k;
                     cos_theta_1_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, cos_theta_1_first, cos_theta_1_k);
                     cos_theta_1_last = cos_theta_1_k;
                     sin_theta_1_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, sin_theta_1_first, sin_theta_1_k);
                     sin_theta_1_last = sin_theta_1_k;
-                    w1_first = lagrange::jets::first::<P, _>(order, w1_first, w1_k);
+                    w1_first = lagrange::jets::first::<ORDERS, _>(order, w1_first, w1_k);
                     w1_last = w1_k;
                     true
                 },

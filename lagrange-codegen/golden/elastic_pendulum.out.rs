@@ -340,7 +340,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
     #[allow(clippy::all)]
     impl lagrange::Smooth<2usize, 1usize> for ElasticPendulum {
         type JetConstants = [f64; 3];
-        type Tables<const P: usize> = lagrange::Tables<f64, 8, P>;
+        type Tables<const ORDERS: usize> = lagrange::Tables<f64, 8, ORDERS>;
         #[inline]
         fn jet_constants(&self) -> [f64; 3] {
             use lagrange::Real;
@@ -360,7 +360,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             }
         }
         #[inline]
-        fn jet_at<const P: usize>(
+        fn jet_at<const ORDERS: usize>(
             &self,
             constants: &[f64; 3],
             _t: f64,
@@ -369,8 +369,8 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             u: &[f64; 1],
             h: f64,
             orders: usize,
-            tables: &mut lagrange::Tables<f64, 8, P>,
-            series: &mut lagrange::Series<f64, 2, P>,
+            tables: &mut lagrange::Tables<f64, 8, ORDERS>,
+            series: &mut lagrange::Series<f64, 2, ORDERS>,
         ) -> bool {
             use lagrange::Real;
             let [theta, r] = *q;
@@ -415,7 +415,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let mut sin_theta_flow: f64 = theta_dot_cos_theta;
             let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
             lagrange::jets::in_line::<
-                P,
+                ORDERS,
             >(
                 orders,
                 #[inline(always)]
@@ -425,15 +425,15 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                     let theta_k: f64 = rate * theta_dot_last;
                     let r_k: f64 = rate * r_dot_last;
                     let inner_0: f64 = lagrange::jets::squared::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [theta_dot_first, theta_dot_last_2], inner[0]);
                     let inner_1: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [r_first, r_last], [w1_first, w1_last], inner[1]);
                     let inner_2: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -442,11 +442,11 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         inner[2],
                     );
                     let inner_3: f64 = lagrange::jets::squared::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [r_first, r_last], inner[3]);
                     let inner_4: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -455,7 +455,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         inner[4],
                     );
                     let inner_5: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -464,7 +464,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         inner[5],
                     );
                     let inner_6: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -547,26 +547,26 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         ),
                     );
                     theta_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, theta_dot_first, theta_dot_k);
                     theta_dot_last_2 = theta_dot_k;
-                    r_first = lagrange::jets::first::<P, _>(order, r_first, r_k);
+                    r_first = lagrange::jets::first::<ORDERS, _>(order, r_first, r_k);
                     r_last = r_k;
-                    w1_first = lagrange::jets::first::<P, _>(order, w1_first, w1_k);
+                    w1_first = lagrange::jets::first::<ORDERS, _>(order, w1_first, w1_k);
                     w1_last = w1_k;
                     sin_theta_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, sin_theta_first, sin_theta_k);
                     sin_theta_last = sin_theta_k;
                     r_squared_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, r_squared_first, r_squared_k);
                     r_squared_last = r_squared_k;
                     cos_theta_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, cos_theta_first, cos_theta_k);
                     cos_theta_last = cos_theta_k;

@@ -366,7 +366,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
     #[allow(clippy::all)]
     impl lagrange::Smooth<3usize, 0usize> for Top {
         type JetConstants = [f64; 5];
-        type Tables<const P: usize> = lagrange::Tables<f64, 12, P>;
+        type Tables<const ORDERS: usize> = lagrange::Tables<f64, 12, ORDERS>;
         #[inline]
         fn jet_constants(&self) -> [f64; 5] {
             use lagrange::Real;
@@ -396,7 +396,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
             }
         }
         #[inline]
-        fn jet_at<const P: usize>(
+        fn jet_at<const ORDERS: usize>(
             &self,
             constants: &[f64; 5],
             _t: f64,
@@ -405,8 +405,8 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
             _u: &[f64; 0],
             h: f64,
             orders: usize,
-            tables: &mut lagrange::Tables<f64, 12, P>,
-            series: &mut lagrange::Series<f64, 3, P>,
+            tables: &mut lagrange::Tables<f64, 12, ORDERS>,
+            series: &mut lagrange::Series<f64, 3, ORDERS>,
         ) -> bool {
             use lagrange::Real;
             let [_, theta, _] = *q;
@@ -466,7 +466,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
             let mut sin_theta_flow: f64 = theta_dot_cos_theta;
             let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
             lagrange::jets::in_line::<
-                P,
+                ORDERS,
             >(
                 orders,
                 #[inline(always)]
@@ -477,7 +477,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                     let theta_k: f64 = rate * theta_dot_last;
                     let psi_k: f64 = rate * psi_dot_last;
                     let inner_0: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -486,7 +486,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         inner[0],
                     );
                     let inner_1: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -495,7 +495,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         inner[1],
                     );
                     let inner_2: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -504,11 +504,11 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         inner[2],
                     );
                     let inner_3: f64 = lagrange::jets::squared::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [sin_theta_first, sin_theta_last], inner[3]);
                     let inner_4: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -517,11 +517,11 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         inner[4],
                     );
                     let inner_5: f64 = lagrange::jets::squared::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, [phi_dot_first, phi_dot_last_2], inner[5]);
                     let inner_6: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -530,7 +530,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         inner[6],
                     );
                     let inner_7: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -539,7 +539,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         inner[7],
                     );
                     let inner_8: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -548,7 +548,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         inner[8],
                     );
                     let inner_9: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -658,41 +658,44 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                     );
                     psi_force = 0.0;
                     phi_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, phi_dot_first, phi_dot_k);
                     phi_dot_last_2 = phi_dot_k;
                     psi_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, psi_dot_first, psi_dot_k);
                     psi_dot_last_2 = psi_dot_k;
                     cos_theta_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, cos_theta_first, cos_theta_k);
                     cos_theta_last = cos_theta_k;
-                    w4_first = lagrange::jets::first::<P, _>(order, w4_first, w4_k);
+                    w4_first = lagrange::jets::first::<ORDERS, _>(order, w4_first, w4_k);
                     w4_last = w4_k;
                     sin_theta_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, sin_theta_first, sin_theta_k);
                     sin_theta_last = sin_theta_k;
                     sin_theta_squared_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, sin_theta_squared_first, sin_theta_squared_k);
                     sin_theta_squared_last = sin_theta_squared_k;
                     phi_dot_squared_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, phi_dot_squared_first, phi_dot_squared_k);
                     phi_dot_squared_last = phi_dot_squared_k;
-                    w10_first = lagrange::jets::first::<P, _>(order, w10_first, w10_k);
+                    w10_first = lagrange::jets::first::<
+                        ORDERS,
+                        _,
+                    >(order, w10_first, w10_k);
                     w10_last = w10_k;
                     theta_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, theta_dot_first, theta_dot_k);
                     theta_dot_last_2 = theta_dot_k;

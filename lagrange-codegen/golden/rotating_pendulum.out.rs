@@ -596,7 +596,7 @@ The first identity that does not hold, and by how much.*/
     #[allow(clippy::all)]
     impl lagrange::Smooth<1usize, 0usize> for RotatingPendulum {
         type JetConstants = [f64; 4];
-        type Tables<const P: usize> = lagrange::Tables<f64, 4, P>;
+        type Tables<const ORDERS: usize> = lagrange::Tables<f64, 4, ORDERS>;
         #[inline]
         fn jet_constants(&self) -> [f64; 4] {
             use lagrange::Real;
@@ -620,7 +620,7 @@ The first identity that does not hold, and by how much.*/
             }
         }
         #[inline]
-        fn jet_at<const P: usize>(
+        fn jet_at<const ORDERS: usize>(
             &self,
             constants: &[f64; 4],
             _t: f64,
@@ -629,8 +629,8 @@ The first identity that does not hold, and by how much.*/
             _u: &[f64; 0],
             h: f64,
             orders: usize,
-            tables: &mut lagrange::Tables<f64, 4, P>,
-            series: &mut lagrange::Series<f64, 1, P>,
+            tables: &mut lagrange::Tables<f64, 4, ORDERS>,
+            series: &mut lagrange::Series<f64, 1, ORDERS>,
         ) -> bool {
             use lagrange::Real;
             let [theta] = *q;
@@ -660,7 +660,7 @@ The first identity that does not hold, and by how much.*/
             let mut sin_theta_flow: f64 = theta_dot_cos_theta;
             let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
             lagrange::jets::in_line::<
-                P,
+                ORDERS,
             >(
                 orders,
                 #[inline(always)]
@@ -669,7 +669,7 @@ The first identity that does not hold, and by how much.*/
                     let inner = tables.interior(order);
                     let theta_k: f64 = rate * theta_dot_last;
                     let inner_0: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -678,7 +678,7 @@ The first identity that does not hold, and by how much.*/
                         inner[0],
                     );
                     let inner_1: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -687,7 +687,7 @@ The first identity that does not hold, and by how much.*/
                         inner[1],
                     );
                     let inner_2: f64 = lagrange::jets::convolution::<
-                        P,
+                        ORDERS,
                         _,
                     >(
                         order,
@@ -731,19 +731,19 @@ The first identity that does not hold, and by how much.*/
                     );
                     theta_force = -(mass_2_length * w4_k);
                     sin_theta_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, sin_theta_first, sin_theta_k);
                     sin_theta_last = sin_theta_k;
-                    w2_first = lagrange::jets::first::<P, _>(order, w2_first, w2_k);
+                    w2_first = lagrange::jets::first::<ORDERS, _>(order, w2_first, w2_k);
                     w2_last = w2_k;
                     theta_dot_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, theta_dot_first, theta_dot_k);
                     theta_dot_last_2 = theta_dot_k;
                     cos_theta_first = lagrange::jets::first::<
-                        P,
+                        ORDERS,
                         _,
                     >(order, cos_theta_first, cos_theta_k);
                     cos_theta_last = cos_theta_k;

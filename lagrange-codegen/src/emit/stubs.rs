@@ -124,11 +124,11 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             #linearization
             impl #impl_generics lagrange::Smooth<#count, #inputs> for #self_ty #where_clause {
                 type JetConstants = ();
-                type Tables<const P: usize> = ();
+                type Tables<const ORDERS: usize> = ();
                 fn jet_constants(&self) {}
-                fn jet_at<const P: usize>(
+                fn jet_at<const ORDERS: usize>(
                     &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count], _: &[#scalar; #inputs],
-                    _: #scalar, _: usize, _: &mut (), _: &mut lagrange::Series<#scalar, #count, P>
+                    _: #scalar, _: usize, _: &mut (), _: &mut lagrange::Series<#scalar, #count, ORDERS>
                 ) -> bool { loop {} }
             }
         };

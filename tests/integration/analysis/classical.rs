@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use lagrangian::prelude::*;
+use lagrangian::{EquilibriumError, prelude::*};
 
 use crate::support::close::{all_close, close};
 use crate::support::reference::classical;
@@ -170,4 +170,47 @@ fn equal_eigenvalues_have_independent_shapes() {
     let [a, b] = [modes[0].shape, modes[1].shape];
     let determinant = a[0] * b[1] - a[1] * b[0];
     assert!(determinant.re.hypot(determinant.im) > 0.1, "{determinant}");
+}
+
+/// Forces that fade with the distance and vanish nowhere.
+struct Fading {
+    power: f64,
+}
+
+#[lagrangian(coordinates = [x, y], jacobians)]
+impl Fading {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * (v.x.powi(2) + v.y.powi(2))
+    }
+
+    #[potential]
+    fn potential(&self, q: &Coordinates) -> f64 {
+        -self.power / q.x.hypot(q.y)
+    }
+}
+
+struct FadingFaster;
+
+#[lagrangian(coordinates = [z], jacobians)]
+impl FadingFaster {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * v.z.powi(2)
+    }
+
+    #[potential]
+    fn potential(&self, q: &Coordinates) -> f64 {
+        (-q.z).exp()
+    }
+}
+
+#[test]
+fn nothing_rests_at_infinity() {
+    for power in [1.0, -1.0] {
+        let found = Fading { power }.equilibrium([1.0, 0.0], &[]);
+        assert!(matches!(found, Err(EquilibriumError::Unbalanced { .. })), "{found:?}");
+    }
+    let found = FadingFaster.equilibrium([1.0], &[]);
+    assert!(matches!(found, Err(EquilibriumError::Unbalanced { .. })), "{found:?}");
 }

@@ -127,3 +127,40 @@ fn descriptions_may_come_from_macros() {
     assert_eq!(Slow.spring(&SlowCoordinates { x: 1.0 }), 2.0);
     assert_eq!(Fast.other(&FastCoordinates { y: 1.0 }), 50.0);
 }
+
+/// Types with the names that generic parameters have.
+macro_rules! letters {
+    ($($name:ident)*) => {$(
+        struct $name {
+            g: f64,
+        }
+
+        #[lagrangian(coordinates = [theta], jacobians)]
+        impl $name {
+            #[point(mass = 1.0)]
+            fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+                Vector2::new(q.theta.sin(), -q.theta.cos())
+            }
+
+            #[potential]
+            fn weight(&self, q: &Coordinates) -> f64 {
+                self.g * self.bob(q).y
+            }
+        }
+    )*};
+}
+
+#[test]
+fn types_may_have_names_of_one_letter() {
+    mod single {
+        use lagrangian::prelude::*;
+
+        letters! { A B C D E F G H I J K L M N O P Q R S T U V W X Y Z }
+
+        pub fn check() {
+            assert!(P { g: 9.81 }.simulate(State::at_rest([0.1])).advance_to(1.0).is_ok());
+            assert!(R { g: 9.81 }.simulate(State::at_rest([0.1])).advance_to(1.0).is_ok());
+        }
+    }
+    single::check();
+}

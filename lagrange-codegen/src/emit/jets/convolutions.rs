@@ -63,10 +63,13 @@ impl Writer<'_, '_> {
         for (place, lane) in self.jets.lanes.iter().enumerate() {
             let (Some(left), Some(right)) = (edges.get(&lane.left), edges.get(&lane.right)) else { continue };
             let text = if lane.left == lane.right {
-                format!("lagrange::jets::squared::<P, _>(order, [{}, {}], inner[{place}])", left.0, left.1)
+                format!(
+                    "lagrange::jets::squared::<ORDERS, _>(order, [{}, {}], inner[{place}])",
+                    left.0, left.1
+                )
             } else {
                 format!(
-                    "lagrange::jets::convolution::<P, _>(order, [{}, {}], [{}, {}], inner[{place}])",
+                    "lagrange::jets::convolution::<ORDERS, _>(order, [{}, {}], [{}, {}], inner[{place}])",
                     left.0, left.1, right.0, right.1
                 )
             };
@@ -112,7 +115,7 @@ impl Writer<'_, '_> {
         for (operand, first, last) in std::mem::take(&mut self.edges) {
             let value = values.get(&operand).cloned().unwrap_or_default();
             self.after.push_str(&format!(
-                "{first} = lagrange::jets::first::<P, _>(order, {first}, {value});\n{last} = {value};\n"
+                "{first} = lagrange::jets::first::<ORDERS, _>(order, {first}, {value});\n{last} = {value};\n"
             ));
         }
         if let Some(wide) = self.wide {

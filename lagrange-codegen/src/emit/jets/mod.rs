@@ -56,8 +56,8 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     text.push_str(&pass);
 
     let tables = match &wide {
-        Some(wide) => format!("Columns<{scalar}, {}, P>", wide.columns),
-        None => format!("Tables<{scalar}, {}, P>", jets.lanes.len().next_multiple_of(WIDTH)),
+        Some(wide) => format!("Columns<{scalar}, {}, ORDERS>", wide.columns),
+        None => format!("Tables<{scalar}, {}, ORDERS>", jets.lanes.len().next_multiple_of(WIDTH)),
     };
     let items = wide.as_ref().map(Wide::items).unwrap_or_default();
     let (vector, inputs, count) = (emission.vector_type(), emission.input_type(), emission.count());
@@ -67,11 +67,11 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     // Types are spelled out: where the trait cannot be found, `Self::Tables` would be a second error.
     format!(
         "{}type JetConstants = {constants_type};\n\
-         type Tables<const P: usize> = lagrange::{tables};\n\
+         type Tables<const ORDERS: usize> = lagrange::{tables};\n\
          #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
-         #[inline]\nfn jet_at<const P: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
+         #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
-         series: &mut lagrange::Series<{scalar}, {count}, P>,\n) -> bool {{\n{items}{}\n}}\n",
+         series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n",
         if jets.is_steep { "const STEEP: bool = true;\n" } else { "" },
         named("constants"),
         named("t"),

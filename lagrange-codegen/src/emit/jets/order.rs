@@ -188,7 +188,7 @@ impl Writer<'_, '_> {
             fraction.push_str(&format!("let index: {scalar} = lagrange::jets::index(order);\n"));
         }
         let inner = self.sweep();
-        let walk = if self.wide.is_some() { "in_turn" } else { "in_line::<P>" };
+        let walk = if self.wide.is_some() { "in_turn" } else { "in_line::<ORDERS>" };
         let Self { before, body, after, .. } = self;
         format!(
             "{before}lagrange::jets::{walk}(orders, #[inline(always)] |order| {{\n{fraction}{inner}{body}{after}true\n}});\ntrue"
