@@ -499,6 +499,9 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
         ) -> ::core::result::Result<(), lagrange::Cause> {
             lagrange::constraints::project::<Self, 2, 0, 1>(self, state)
         }
+        fn blur_at(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> lagrange::Blur<f64, 2> {
+            lagrange::constraints::blur::<Self, 2, 0, 1>(self, t, q, v)
+        }
         #[inline]
         fn energy_at(
             &self,

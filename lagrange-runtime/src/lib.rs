@@ -83,7 +83,7 @@ pub use smooth::{Series, Smooth};
 pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
-pub use system::System;
+pub use system::{Blur, System};
 #[cfg(feature = "std")]
 pub use tangent::Mode;
 pub use tangent::{
@@ -131,7 +131,7 @@ pub mod __private {
         };
     }
     pub use crate::structure::{Cost, Costs, Structure};
-    pub use crate::system::System;
+    pub use crate::system::{Blur, System};
     pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;
 }

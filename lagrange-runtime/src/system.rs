@@ -7,6 +7,19 @@ use crate::simulation::{Held, Simulation};
 use crate::state::State;
 use crate::stepper::Stepper;
 
+/// How uncertain a state is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blur<R, const N: usize> {
+    /// Of each coordinate.
+    pub q: [R; N],
+    /// Of each velocity.
+    pub v: [R; N],
+    /// Of the velocities, relative to their size.
+    pub relative: R,
+    /// How much that grows along the motion; negative where it becomes less.
+    pub growth: R,
+}
+
 /// A mechanical system with `N` coordinates and `K` inputs: a = M⁻¹ f(t, q, v, u).
 pub trait System<const N: usize, const K: usize = 0> {
     /// The scalar of parameters, states and inputs.
@@ -79,6 +92,19 @@ pub trait System<const N: usize, const K: usize = 0> {
         _state: &mut State<Self::Scalar, N>,
     ) -> Result<(), Cause> {
         Ok(())
+    }
+
+    /// How uncertain a state is through what rounding leaves of the constraints: by a few roundings, but more beside a
+    /// configuration in which constraints depend on each other. No error control can ask for less.
+    #[inline(always)]
+    fn blur_at(
+        &self,
+        _t: Self::Scalar,
+        _q: &[Self::Scalar; N],
+        _v: &[Self::Scalar; N],
+    ) -> Blur<Self::Scalar, N> {
+        let none = [num_traits::Zero::zero(); N];
+        Blur { q: none, v: none, relative: num_traits::Zero::zero(), growth: num_traits::Zero::zero() }
     }
 
     /// T + V, or the energy function v·∂L/∂v − L where L is given directly.

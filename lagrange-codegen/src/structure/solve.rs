@@ -190,10 +190,12 @@ impl Solution {
     }
 }
 
-/// M can be eliminated where no entry of its diagonal is missing.
+/// M can be eliminated where no entry of its diagonal is missing. Where there are as many constraints as coordinates the
+/// accelerations would be differences of large forces, so that rest were noise; without a null space they are exact.
 fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
     let full = || equations.mass.iter().enumerate().all(|(i, row)| !graph.is_zero(row[i]));
-    match facts.diagonal_mass && full() {
+    let open = equations.conditions.count() < equations.mass.len();
+    match facts.diagonal_mass && open && full() {
         true => Saddle::Diagonal,
         false => Saddle::Whole { definite: equations.definite },
     }

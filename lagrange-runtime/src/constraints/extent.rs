@@ -29,6 +29,11 @@ impl<R: Real> Extent<R> {
         Self(R::one())
     }
 
+    /// The number.
+    pub(crate) fn size(self) -> R {
+        self.0
+    }
+
     /// The larger of two.
     pub(crate) fn max(self, other: Self) -> Self {
         Self(self.0.max(other.0))

@@ -6,6 +6,7 @@
 //! *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*, 1992.
 
 mod extent;
+mod noise;
 mod projection;
 mod solution;
 mod start;
@@ -18,6 +19,7 @@ use crate::real::{Ordered, Real};
 use crate::state::State;
 use crate::system::System;
 pub(crate) use extent::Extent;
+pub use noise::blur;
 pub(crate) use projection::INNER;
 pub use projection::project;
 pub use solution::{balance, check, finite, forces, is_singular, matrix, regular};

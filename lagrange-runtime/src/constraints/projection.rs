@@ -1,6 +1,7 @@
 //! Back onto the constraints after a step.
 
 use super::extent::Extent;
+use super::noise::Noise;
 use super::{Residuals, Surface, magnitude, moved, worst};
 use crate::error::{Cause, Magnitude};
 use crate::linear::SaddlePoint;
@@ -8,7 +9,7 @@ use crate::real::Real;
 use crate::state::State;
 
 /// A residual of so many roundings of its summands is none.
-const ROUNDINGS: f64 = 4.0;
+pub(super) const ROUNDINGS: f64 = 4.0;
 
 /// Roundings of inner operations, in units of the summands.
 pub(crate) const INNER: f64 = 4096.0;
@@ -18,6 +19,9 @@ const CORRECTIONS: usize = 16;
 
 /// With a contraction worse than this the factors are made anew.
 const CONTRACTION: f64 = 0.1;
+
+/// A correction that is larger than the residual by more than this, both relative to the state, may be made of noise.
+const SUSPICIOUS: f64 = 256.0;
 
 /// Moves a state near the constraints onto them. The factors of M and A where it starts serve all corrections, because
 /// these are small.
@@ -50,6 +54,7 @@ where
 {
     let number = S::Scalar::from_f64;
     let none = [num_traits::Zero::zero(); N];
+    let suspicious = <S::Scalar as Real>::Lane::from_f64(SUSPICIOUS);
     let contraction = <S::Scalar as Real>::Lane::from_f64(CONTRACTION);
     let (mut saddle, mut gradients) = system.saddle_at(state.t, &state.q, &state.v);
     let (mut next, mut residuals) = (*state, first);
@@ -63,7 +68,17 @@ where
             }
             let before = residuals.relative(of_positions, &sizes);
             let last = residuals.are_roundings_beside(of_positions, number(ROUNDINGS), &sizes);
-            let (change, _) = saddle.solve(&none, &residuals.level(of_positions).0.map(|value| -value));
+            let lack = residuals.level(of_positions).0.map(|value| -value);
+            let (mut change, _) = saddle.solve(&none, &lack);
+            let step = Extent::of(&saddle, &change).size().largest();
+            if step > suspicious * before * arrived.size().largest() {
+                let noise = Noise::of(system, &next, &saddle, &gradients, &residuals, of_positions);
+                if noise.explains(&residuals, of_positions, &saddle) {
+                    settled = true;
+                    break;
+                }
+                (change, _) = saddle.solve(&none, &noise.damped(&saddle, &lack, arrived));
+            }
             let (q, v) = if of_positions { (&change, &none) } else { (&none, &change) };
             next = moved(&next, q, v, num_traits::One::one());
             if !next.is_finite() {
@@ -82,7 +97,13 @@ where
                 (saddle, gradients) = system.saddle_at(next.t, &next.q, &next.v);
             }
         }
-        if !settled {
+        if !settled
+            && !Noise::of(system, &next, &saddle, &gradients, &residuals, of_positions).explains(
+                &residuals,
+                of_positions,
+                &saddle,
+            )
+        {
             return Err(residuals.cause(of_positions, &Extent::unit().sizes(&saddle, &gradients)));
         }
     }

@@ -1,6 +1,7 @@
 //! Where a motion may begin, and the nearest such state.
 
 use super::extent::Extent;
+use super::noise::Noise;
 use super::projection::is_within;
 use super::solution::regular;
 use super::{Residuals, Surface, moved};
@@ -58,15 +59,23 @@ where
             is_within(largest(&change), tolerance * largest(numbers))
         };
         let both = core::array::from_fn(|c| sizes[c] + by_state[c]);
-        if !(good(sizes) || good(&both) && is_small()) {
+        let is_noise = || {
+            Noise::of(system, start, &saddle, &gradients, &residuals, of_positions).explains(
+                &residuals,
+                of_positions,
+                &saddle,
+            )
+        };
+        if !(good(sizes) || good(&both) && is_small() || is_noise()) {
             return Err(residuals.cause(of_positions, &Extent::unit().sizes(&saddle, &gradients)));
         }
     }
     Ok(())
 }
 
-/// The nearest state on the constraints in the metric of the mass matrix, by Newton's method: coordinates, then
-/// velocities.
+/// A state on the constraints by Newton's method: coordinates, then velocities. Each step is the shortest in the metric of
+/// the mass matrix where it is taken, so the coordinates are the nearest ones up to the square of the distance, and the
+/// velocities the nearest of all at these coordinates.
 ///
 /// # Errors
 /// [`Cause::Contradictory`] where dependent constraints cannot be satisfied together, [`Cause::PositionViolated`] or
@@ -105,6 +114,11 @@ where
         }
         let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
         regular(&saddle)?;
+        // A gradient that is itself noise says nothing about the velocities.
+        let noise = || Noise::of(system, &state, &saddle, &gradients, &residuals, of_positions);
+        if !of_positions && noise().explains(&residuals, of_positions, &saddle) {
+            return Ok(state);
+        }
         let values = if of_positions { residuals.positions } else { residuals.rates };
         let (change, _) = saddle.solve(&none, &values.map(|value| -value));
         if !change.iter().all(|x| x.is_finite()) {

@@ -6,6 +6,7 @@
 //! | [`starts`] | where a motion may begin, and the projection of other starts |
 //! | [`drift`] | steps, samples and the way back stay on the constraints |
 //! | [`redundancy`] | redundant constraints: the same motion, the shortest multipliers |
+//! | [`singular`] | constraints that become dependent on the way; what is held altogether |
 //! | [`linkages`] | four-bar linkages, flat configurations |
 //! | [`inputs`] | inputs, feedback, dissipation, constraints that move |
 //! | [`baumgarte`] | stabilisation instead of projection |
@@ -20,5 +21,6 @@ mod inputs;
 mod linkages;
 mod redundancy;
 mod scalars;
+mod singular;
 mod starts;
 mod units;

@@ -40,7 +40,8 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
         format!(
             "#[inline]\nfn project_at(&self, _constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>) \
              -> ::core::result::Result<(), lagrange::Cause> \
-             {{\nlagrange::constraints::project::<Self, {count}, {given}, {held}>(self, state)\n}}\n"
+             {{\nlagrange::constraints::project::<Self, {count}, {given}, {held}>(self, state)\n}}\n\
+             fn blur_at(&self, {place}) -> lagrange::Blur<{scalar}, {count}> {{\nlagrange::constraints::blur::<Self, {count}, {given}, {held}>(self, t, q, v)\n}}\n"
         )
     };
     let energy = format!(

@@ -123,8 +123,10 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     ///
     /// The size of a component is that of its first terms over `span`, which should be about the length itself. With
     /// `steady` the unit is the last step.
+    ///
+    /// Terms below the `noise` of coordinates and velocities are nothing.
     #[inline]
-    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool) -> R {
+    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool, noise: [&[R; N]; 2]) -> R {
         let relative = last_term(limits.relative);
         let absolute = R::from_f64(SAFETY) * limits.absolute.unwrap_or_else(R::zero);
         let (mut last, mut before) = (R::zero(), R::zero());
@@ -137,8 +139,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let [v1, v2, vb, vl] = [1, 2, p - 1, p].map(|k| row(&series.v, k));
         let (mut weights_q, mut weights_v) = ([R::zero(); N], [R::zero(); N]);
         for i in 0..N {
-            weights_q[i] = R::recip(size(self.start.q[i], q1[i] * span, q2[i] * span * span));
-            weights_v[i] = R::recip(size(self.start.v[i], v1[i] * span, v2[i] * span * span));
+            weights_q[i] = R::recip(noise[0][i] + size(self.start.q[i], q1[i] * span, q2[i] * span * span));
+            weights_v[i] = R::recip(noise[1][i] + size(self.start.v[i], v1[i] * span, v2[i] * span * span));
             last = larger(larger(last, ql[i].abs() * weights_q[i]), vl[i].abs() * weights_v[i]);
             before = larger(larger(before, qb[i].abs() * weights_q[i]), vb[i].abs() * weights_v[i]);
         }

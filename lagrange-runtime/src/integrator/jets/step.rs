@@ -10,6 +10,13 @@ use crate::error::Cause;
 use crate::real::{Ordered, Real, larger, smaller};
 use crate::simulation::Held;
 use crate::smooth::Smooth;
+use crate::system::Blur;
+
+/// A step that shrinks to this may do so because of noise.
+const SHRUNK: f64 = 0.9;
+
+/// A step that ends where too little is certain is repeated with this part of its length.
+const RETREAT: f64 = 0.6;
 
 /// One step from the end of the last one towards `target`.
 #[inline]
@@ -27,16 +34,19 @@ where
     S::Scalar: Ordered,
 {
     let number = S::Scalar::from_f64;
+    let before = (memory.start, memory.residue);
     (memory.start, memory.residue) = (memory.end, memory.end_residue);
-    let from = memory.start;
+    let mut from = memory.start;
     if !from.is_finite() {
         return Err(Cause::NotFinite);
     }
-    let left = target - from.t;
+    let mut limits: Limits<S::Scalar> = *limits;
+    let none = [num_traits::Zero::zero(); N];
+    let mut left = target - from.t;
     let resolution = number(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
     let mut remembered = memory.next.is_positive();
     let mut unit = if remembered { memory.next } else { left.abs() };
-    let (mut overflowed, mut rescaled) = (false, false);
+    let (mut overflowed, mut rescaled, mut retreated, mut blur) = (false, false, false, None);
     loop {
         if *attempts == 0 {
             return Err(Cause::TooManySteps);
@@ -51,12 +61,33 @@ where
             return Err(Cause::NotFinite);
         }
         let steady = remembered && !rescaled;
-        let mut tolerated = memory.tolerated(limits, num_traits::One::one(), steady);
+        let mut tolerated = memory.tolerated(&limits, num_traits::One::one(), steady, [&none; 2]);
         let mut span = number(1.0);
         // In a unit much longer than the step the first terms are no measure of the size.
         while tolerated < number(0.5) * span && tolerated * number(NEAR * NEAR) > num_traits::One::one() {
             span = tolerated;
-            tolerated = memory.tolerated(limits, span, steady);
+            tolerated = memory.tolerated(&limits, span, steady, [&none; 2]);
+        }
+        if S::CONSTRAINED && remembered && (tolerated < number(SHRUNK) || blur.is_some()) {
+            let known: Blur<_, N> = blur.unwrap_or_else(|| system.blur_at(from.t, &from.q, &from.v));
+            let (Blur { q, v, .. }, back) = (known, from.t - before.0.t);
+            blur = Some(known);
+            if !step_size::is_noisy(&known) {
+                // Nothing but a step that is shorter.
+            } else if step_size::is_known(&known, &limits) {
+                let [q, v] = [q, v].map(|noise| noise.map(|x| number(step_size::ACROSS) * x));
+                tolerated = larger(tolerated, memory.tolerated(&limits, span, false, [&q, &v]));
+            } else if (back * left).is_positive() {
+                // Too close to a configuration in which constraints depend on each other: the last step ends earlier.
+                unit = number(RETREAT) * back.abs();
+                limits.step = Some(limits.clip(unit));
+                (memory.start, memory.residue) = before;
+                (memory.end, memory.end_residue) = before;
+                (from, left, remembered, retreated) = (before.0, target - before.0.t, false, true);
+                continue;
+            } else {
+                return Err(Cause::StepTooSmall);
+            }
         }
         let is_finite = memory.is_finite();
         if is_finite && tolerated == number(f64::INFINITY) {
@@ -68,7 +99,7 @@ where
             }
             memory.reach(limits.clip(restrained(memory, left.abs(), left.abs(), S::STEEP)) / unit);
             memory.next = num_traits::Zero::zero();
-            shorten(memory, system, constants, control, limits, (Some(left), resolution))?;
+            shorten(memory, system, constants, control, &limits, (Some(left), resolution))?;
         } else if is_finite
             && (tolerated < number(NEAR) || overflowed)
             && tolerated * number(NEAR) > num_traits::One::one()
@@ -80,9 +111,10 @@ where
                 return Err(Cause::StepTooSmall);
             }
             memory.reach(length / unit);
-            memory.next = natural;
+            // After a retreat the next step is to ask for its noise.
+            memory.next = if retreated { natural + natural } else { natural };
             if S::STEEP {
-                shorten(memory, system, constants, control, limits, (None, resolution))?;
+                shorten(memory, system, constants, control, &limits, (None, resolution))?;
             }
         } else {
             // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
