@@ -164,8 +164,8 @@ fn a_motion_may_begin_in_the_dead_centre() {
     for v in [[1.0, 1.0, 0.0], [1.0, -1.0, -2.0]] {
         let start = State::new([FRAC_PI_2, -FRAC_PI_2, 0.0], v);
         let found = slider.consistent(start).expect("a start");
-        all_close(found.q, &start.q, 1e-12);
-        all_close(found.v, &start.v, 1e-12);
+        all_close(found.q, start.q, 1e-12);
+        all_close(found.v, start.v, 1e-12);
         for state in [start, found] {
             // Where it goes is open there, but it is no violation.
             let mut motion = slider.simulate(state);
@@ -200,11 +200,11 @@ fn what_is_held_stays_in_a_few_steps() {
     let start = held.consistent(State::at_rest([0.47, 0.15, 0.3])).expect("a start");
     let mut motion = held.simulate(start).with_max_steps(10);
     let end = *motion.advance_to(1.0).expect("rest");
-    all_close(end.q, &start.q, 1e-15);
-    all_close(end.v, &[0.0; 3], 1e-15);
+    all_close(end.q, start.q, 1e-15);
+    all_close(end.v, [0.0; 3], 1e-15);
 
     let mut motion = Beam.simulate(State::at_rest([0.0; 3])).with_max_steps(10);
     let end = *motion.advance_to(1.0).expect("rest");
-    all_close(end.q, &[0.0; 3], 1e-15);
-    all_close(end.v, &[0.0; 3], 1e-15);
+    all_close(end.q, [0.0; 3], 1e-15);
+    all_close(end.v, [0.0; 3], 1e-15);
 }

@@ -13,7 +13,7 @@ use crate::smooth::Smooth;
 use crate::system::Blur;
 
 /// A step that shrinks to this may do so because of noise.
-const SHRUNK: f64 = 0.9;
+const SHRUNK: f64 = 0.75;
 
 /// A step that ends where too little is certain is repeated with this part of its length.
 const RETREAT: f64 = 0.6;
