@@ -72,6 +72,11 @@ pub(crate) fn is_noisy<R: Ordered, const N: usize>(blur: &Blur<R, N>) -> bool {
     blur.growth.is_positive() && blur.relative > R::from_f64(ROUNDINGS) * R::epsilon()
 }
 
+/// Whether noise is far from hiding where a motion goes: it grows with the square of the distance to where it does.
+pub(crate) fn is_clear<R: Ordered, const N: usize>(blur: &Blur<R, N>) -> bool {
+    blur.relative < R::from_f64(0.25 * ROUNDINGS) * R::epsilon()
+}
+
 /// Whether enough is known of a state to go on from it.
 pub(crate) fn is_known<R: Ordered, const N: usize>(blur: &Blur<R, N>, limits: &Limits<R>) -> bool {
     let most = larger(R::from_f64(TOO_UNCERTAIN), R::from_f64(16.0 * ROUNDINGS) * R::epsilon());

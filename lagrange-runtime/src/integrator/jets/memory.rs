@@ -28,6 +28,8 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) last: R,
     /// The largest accelerations that were met where steps were probed.
     pub(super) strongest: [R; N],
+    /// Shrinking steps that need not ask for the noise of constraints, because it was far from mattering.
+    pub(super) calm: u8,
     pub(super) end: State<R, N>,
     pub(super) end_residue: State<R, N>,
     pub(super) counts: Steps,
@@ -48,6 +50,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             next: R::zero(),
             last: R::zero(),
             strongest: [R::zero(); N],
+            calm: 0,
             end: start,
             end_residue: zero,
             counts: Steps::default(),

@@ -15,6 +15,9 @@ use crate::system::Blur;
 /// A step that shrinks to this may do so because of noise.
 const SHRUNK: f64 = 0.75;
 
+/// Noise that is far from mattering does not in so many steps that shrink after it.
+const CALM: u8 = 3;
+
 /// A step that ends where too little is certain is repeated with this part of its length.
 const RETREAT: f64 = 0.6;
 
@@ -68,12 +71,16 @@ where
             span = tolerated;
             tolerated = memory.tolerated(&limits, span, steady, [&none; 2]);
         }
-        if S::CONSTRAINED && remembered && (tolerated < number(SHRUNK) || blur.is_some()) {
+        let shrinks = S::CONSTRAINED && remembered && tolerated < number(SHRUNK);
+        if shrinks && blur.is_none() && memory.calm > 0 {
+            memory.calm -= 1;
+        } else if shrinks || blur.is_some() {
             let known: Blur<_, N> = blur.unwrap_or_else(|| system.blur_at(from.t, &from.q, &from.v));
             let (Blur { q, v, .. }, back) = (known, from.t - before.0.t);
             blur = Some(known);
             if !step_size::is_noisy(&known) {
                 // Nothing but a step that is shorter.
+                memory.calm = if step_size::is_clear(&known) { CALM } else { 0 };
             } else if step_size::is_known(&known, &limits) {
                 let [q, v] = [q, v].map(|noise| noise.map(|x| number(step_size::ACROSS) * x));
                 tolerated = larger(tolerated, memory.tolerated(&limits, span, false, [&q, &v]));
