@@ -8,8 +8,8 @@ use crate::real::Real;
 use crate::smooth::{Series, Smooth};
 use crate::state::State;
 
-/// Shares of a step at which it is looked at.
-const PLACES: [f64; 7] = [0.11, 0.26, 0.42, 0.57, 0.72, 0.87, 1.0];
+/// A step is looked at in so many places, the last one its end.
+const PLACES: usize = 7;
 
 /// A step is at most so many times as long as the one before it.
 pub(crate) const GROWTH: f64 = 2.0;
@@ -53,8 +53,10 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         let [relative, absolute] = self.tolerances;
         let relative = S::Scalar::from_f64(MARGIN) * relative.max(noise);
         // Every place, so that no strength is missed.
-        PLACES.iter().fold(true, |agrees, &share| {
-            let theta = S::Scalar::from_f64(share) * theta;
+        let apart = theta * S::Scalar::from_f64(1.0 / PLACES as f64);
+        let mut theta: S::Scalar = num_traits::Zero::zero();
+        (0..PLACES).fold(true, |agrees, _| {
+            theta += apart;
             let (gain_q, gain_v) = self.series.gain(theta, self.orders);
             let q = core::array::from_fn(|i| self.start.q[i] + gain_q[i]);
             let v = core::array::from_fn(|i| self.start.v[i] + gain_v[i]);
@@ -76,10 +78,12 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
     /// Accelerations of the polynomial.
     fn accelerations(&self, theta: S::Scalar) -> [S::Scalar; N] {
         let mut slopes = [num_traits::Zero::zero(); N];
-        for (k, row) in self.series.v.iter().enumerate().take(self.orders).rev() {
+        let mut order = S::Scalar::from_f64(self.orders as f64);
+        for row in self.series.v.iter().take(self.orders).rev() {
             for i in 0..N {
-                slopes[i] = slopes[i] * theta + S::Scalar::from_f64((k + 1) as f64) * row[i];
+                slopes[i] = slopes[i] * theta + order * row[i];
             }
+            order -= num_traits::One::one();
         }
         slopes.map(|slope: S::Scalar| slope / self.unit)
     }
