@@ -180,11 +180,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             }
             let mut natural = tolerated.min(near) * self.unit;
             if S::STEEP {
-                natural = natural.min(if self.last.is_positive() {
-                    number(probe::GROWTH) * self.last
-                } else {
-                    number(1.0 / 16.0) * left.abs()
-                });
+                natural = probe::restrained(natural, self.last, left.abs());
             }
             let mut length = natural.min(left.abs());
             if S::STEEP {
@@ -261,29 +257,27 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         let endless = (-S::Scalar::epsilon().powi(4).ln() / S::Scalar::from_f64(orders as f64)).exp();
         let free = endless * S::Scalar::from_f64(0.99) - self.tolerated(orders, num_traits::One::one());
         let is_free = free.largest() <= num_traits::Zero::zero();
-        loop {
-            let probe = Probe {
-                system: self.system,
-                constants: &constants,
-                inputs: &self.inputs,
-                start: &self.state,
-                series: &self.series,
-                orders,
-                unit: direction * self.unit,
-                tolerances: [S::Scalar::splat(self.tolerance), S::Scalar::epsilon().powi(4)],
-            };
-            if is_free && !self.last.is_positive() {
-                probe.compared(left / self.unit, &mut strongest);
-            }
-            if probe.agrees(length / self.unit, &mut strongest) {
-                self.strongest = strongest;
-                return Ok(length);
-            }
+        let probe = Probe {
+            system: self.system,
+            constants: &constants,
+            inputs: &self.inputs,
+            start: &self.state,
+            series: &self.series,
+            orders,
+            unit: direction * self.unit,
+            tolerances: [S::Scalar::splat(self.tolerance), S::Scalar::epsilon().powi(4)],
+        };
+        if is_free && !self.last.is_positive() {
+            probe.compared(left / self.unit, &mut strongest);
+        }
+        while !probe.agrees(length / self.unit, &mut strongest) {
             length *= S::Scalar::from_f64(0.5);
             if (resolution - length).largest() >= num_traits::Zero::zero() {
                 return Err(Cause::StepTooSmall);
             }
         }
+        self.strongest = strongest;
+        Ok(length)
     }
 
     #[inline]

@@ -15,7 +15,7 @@
 use super::extent::Extent;
 use super::projection::{ROUNDINGS, is_within};
 use super::{Residuals, Surface, moved};
-use crate::linear::SaddlePoint;
+use crate::linear::{Ldlt, SaddlePoint};
 use crate::real::Real;
 use crate::state::State;
 use crate::system::Blur;
@@ -123,7 +123,7 @@ impl<R: Real, const C: usize> Noise<R, C> {
         *residual
     }
 
-    /// With E = √D: E (1 + E T E)⁻¹ E⁻¹ y, by Cholesky's decomposition of what is symmetric and at least one.
+    /// With E = √D: E (1 + E T E)⁻¹ E⁻¹ y, because 1 + E T E is symmetric and at least one.
     fn damped_by(&self, stiffness: &[[R; C]; C], residual: &[R; C], tau: R) -> Option<[R; C]> {
         if !tau.is_positive() || !self.each.iter().all(|noise| noise.is_positive()) {
             return None;
@@ -137,28 +137,7 @@ impl<R: Real, const C: usize> Noise<R, C> {
             }
             matrix[c][c] += R::one();
         }
-        let mut x: [R; C] = core::array::from_fn(|c| residual[c] / weights[c]);
-        // Gauss, with the multipliers of the symmetric matrix.
-        for k in 0..C {
-            let pivot = matrix[k][k];
-            if !(pivot - half).is_positive() {
-                return None;
-            }
-            for i in k + 1..C {
-                let l = matrix[i][k] / pivot;
-                let row = matrix[k];
-                for (to, &above) in matrix[i].iter_mut().zip(&row) {
-                    *to = R::mul_add(-l, above, *to);
-                }
-                x[i] = R::mul_add(-l, x[k], x[i]);
-            }
-        }
-        for k in (0..C).rev() {
-            for j in k + 1..C {
-                x[k] = R::mul_add(-matrix[k][j], x[j], x[k]);
-            }
-            x[k] /= matrix[k][k];
-        }
+        let x = Ldlt::factor(matrix).ok()?.solve(core::array::from_fn(|c| residual[c] / weights[c]));
         let damped = core::array::from_fn(|c| weights[c] * x[c]);
         damped.iter().all(|x| x.is_finite()).then_some(damped)
     }

@@ -12,13 +12,22 @@ use crate::state::State;
 const PLACES: usize = 7;
 
 /// A step is at most so many times as long as the one before it.
-pub(crate) const GROWTH: f64 = 2.0;
+const GROWTH: f64 = 2.0;
+
+/// The first step is at most this part of the way.
+const FIRST: f64 = 1.0 / 16.0;
 
 /// The truncated series differs from the motion by a few times the tolerance in the accelerations at its end.
 const MARGIN: f64 = 16.0;
 
 /// Accelerations are known to so many roundings of the largest.
 const NOISE: f64 = 256.0;
+
+/// The `length` of a step that grows with restraint: what is far away is not jumped over. `last` is the length of the
+/// step before it, or zero; `left` the way to go.
+pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
+    length.min(if last.is_positive() { R::from_f64(GROWTH) * last } else { R::from_f64(FIRST) * left })
+}
 
 /// A series and what it is to be compared with.
 pub(crate) struct Probe<'a, S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> {

@@ -104,7 +104,11 @@ where
                 memory.counts.rejected += 1;
                 continue;
             }
-            memory.reach(limits.clip(restrained(memory, left.abs(), left.abs(), S::STEEP)) / unit);
+            let mut natural = left.abs();
+            if S::STEEP {
+                natural = probe::restrained(natural, memory.last, natural);
+            }
+            memory.reach(limits.clip(natural) / unit);
             memory.next = num_traits::Zero::zero();
             shorten(memory, system, constants, control, &limits, (Some(left), resolution))?;
         } else if is_finite
@@ -112,7 +116,10 @@ where
             && tolerated * number(NEAR) > num_traits::One::one()
         {
             // A shorter step than the tolerance allows where coefficients overflow in a longer unit.
-            let natural = restrained(memory, smaller(tolerated, number(NEAR)) * unit, left.abs(), S::STEEP);
+            let mut natural = smaller(tolerated, number(NEAR)) * unit;
+            if S::STEEP {
+                natural = probe::restrained(natural, memory.last, left.abs());
+            }
             let length = limits.clip(natural);
             if length.partial_cmp(&resolution) != Some(Ordering::Greater) {
                 return Err(Cause::StepTooSmall);
@@ -155,25 +162,6 @@ where
     }
 }
 
-/// The length of a step that grows with restraint where functions can hide from a series: what is far away is not jumped
-/// over.
-#[inline]
-fn restrained<C: Copy, T: Copy + Default, R: Ordered, const N: usize>(
-    memory: &JetsMemory<C, T, R, N>,
-    length: R,
-    left: R,
-    is_steep: bool,
-) -> R {
-    if !is_steep {
-        return length;
-    }
-    let last = memory.last;
-    smaller(
-        length,
-        if last.is_positive() { R::from_f64(probe::GROWTH) * last } else { left * R::from_f64(1.0 / 16.0) },
-    )
-}
-
 /// Halves the step until it obeys the equations of motion. For a polynomial in time, what is left to go is given.
 #[cold]
 fn shorten<S, const N: usize, const K: usize>(
@@ -190,32 +178,34 @@ where
 {
     let absolute = limits.absolute.unwrap_or_else(num_traits::Zero::zero) + step_size::smallest();
     let mut strongest = memory.strongest;
-    loop {
-        let length = memory.end.t - memory.start.t;
-        let probe = Probe {
-            system,
-            constants,
-            inputs: &control.0,
-            start: &memory.start,
-            series: &memory.series,
-            orders: memory.orders,
-            unit: memory.unit,
-            tolerances: [limits.relative, absolute],
-        };
-        if let (Some(left), false) = (free, memory.last.is_positive()) {
-            // At rest, how strong the forces ahead are is the only measure of the roundings of one that sets in.
-            probe.compared(left / memory.unit, &mut strongest);
-        }
-        if probe.agrees(length / memory.unit, &mut strongest) {
-            memory.strongest = strongest;
-            return Ok(());
-        }
-        let length = S::Scalar::from_f64(0.5) * length;
+    let start = memory.start;
+    let probe = Probe {
+        system,
+        constants,
+        inputs: &control.0,
+        start: &start,
+        series: &memory.series,
+        orders: memory.orders,
+        unit: memory.unit,
+        tolerances: [limits.relative, absolute],
+    };
+    if let (Some(left), false) = (free, memory.last.is_positive()) {
+        // At rest, how strong the forces ahead are is the only measure of the roundings of one that sets in.
+        probe.compared(left / memory.unit, &mut strongest);
+    }
+    let (mut length, mut is_shorter) = (memory.end.t - start.t, false);
+    while !probe.agrees(length / memory.unit, &mut strongest) {
+        length *= S::Scalar::from_f64(0.5);
         if length.abs().partial_cmp(&resolution) != Some(Ordering::Greater) {
             (memory.end, memory.end_residue) = (memory.start, memory.residue);
             return Err(Cause::StepTooSmall);
         }
-        memory.reach(length / memory.unit);
         memory.counts.rejected += 1;
+        is_shorter = true;
     }
+    if is_shorter {
+        memory.reach(length / memory.unit);
+    }
+    memory.strongest = strongest;
+    Ok(())
 }

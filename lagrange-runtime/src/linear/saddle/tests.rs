@@ -1,3 +1,5 @@
+//! What all ways to factor share: random systems, small ones by hand, and those that are singular.
+
 use super::*;
 use crate::linear::samples::Noise;
 
