@@ -27,6 +27,13 @@ pub enum Cause {
         /// |df/dt| or |g|.
         by: Magnitude,
     },
+    /// The search for a state on the constraints ended before it found one.
+    NoConsistentState {
+        /// Index of a constraint that is violated where the search ended.
+        constraint: usize,
+        /// By how much, in its unit.
+        by: Magnitude,
+    },
     /// Constraints contradict each other: no state satisfies this one together with those before it.
     Contradictory {
         /// Index of the constraint.
@@ -98,6 +105,11 @@ impl fmt::Display for Cause {
                 out,
                 "the velocities violate constraint {constraint} by {by}: start from `system.consistent(state)?`, which \
                  projects a state onto the constraints; in the course of a motion take shorter steps"
+            ),
+            Self::NoConsistentState { constraint, by } => write!(
+                out,
+                "no consistent state was found: where the search ended, constraint {constraint} is violated by {by}; start it \
+                 nearer to a state that satisfies all constraints, or check that the parameters allow one"
             ),
             Self::Contradictory { constraint } => write!(
                 out,

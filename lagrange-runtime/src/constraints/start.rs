@@ -78,9 +78,8 @@ where
 /// velocities the nearest of all at these coordinates.
 ///
 /// # Errors
-/// [`Cause::Contradictory`] where dependent constraints cannot be satisfied together, [`Cause::PositionViolated`] or
-/// [`Cause::VelocityViolated`] where the search ends before a solution, [`Cause::VanishingGradient`],
-/// [`Cause::SingularMassMatrix`], [`Cause::NotFinite`].
+/// [`Cause::Contradictory`] where dependent constraints cannot be satisfied together, [`Cause::NoConsistentState`] where the
+/// search ends before a solution, [`Cause::VanishingGradient`], [`Cause::SingularMassMatrix`], [`Cause::NotFinite`].
 pub fn consistent<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     start: State<S::Scalar, N>,
@@ -151,12 +150,14 @@ where
         return Ok(state);
     }
     Err(match residuals.cause(of_positions, &Extent::unit().sizes(&saddle, &gradients)) {
-        Cause::PositionViolated { constraint, .. } | Cause::VelocityViolated { constraint, .. }
-            if saddle.rank() < C =>
-        {
-            Cause::Contradictory { constraint }
+        Cause::PositionViolated { constraint, by } | Cause::VelocityViolated { constraint, by } => {
+            if saddle.rank() < C {
+                Cause::Contradictory { constraint }
+            } else {
+                Cause::NoConsistentState { constraint, by }
+            }
         }
-        violated => violated,
+        other => other,
     })
 }
 

@@ -86,6 +86,16 @@ pub struct Certificate {
     pub worst: f64,
 }
 
+impl fmt::Display for Certificate {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { states, comparisons, worst } = self;
+        write!(
+            out,
+            "verified: {comparisons} comparisons at {states} states, the largest deviation {worst:.1e} of what was allowed"
+        )
+    }
+}
+
 /// A failed verification.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation {

@@ -92,7 +92,8 @@ impl Pendulum {
 
 #[test]
 fn numbers_that_make_no_physics_are_a_violation() {
-    Pendulum.verify().unwrap();
+    let text = Pendulum.verify().unwrap().to_string();
+    assert!(text.starts_with("verified: ") && text.ends_with("of what was allowed"), "{text}");
     let states = [State::new([f64::INFINITY], [0.0])];
     assert!(matches!(Pendulum.verify_at(&states), Err(Violation { identity: Identity::Domain, .. })));
     // A negative moment of inertia among the parameters.
