@@ -219,6 +219,18 @@ pub trait Real:
         (self + other - (self - other).abs()) / Self::from_f64(2.0)
     }
 
+    /// `self` where it is positive, else zero.
+    #[inline]
+    fn positive_part(self) -> Self {
+        self.max(Self::zero())
+    }
+
+    /// `self` between two bounds, lane by lane.
+    #[inline]
+    fn clamp(self, low: Self, high: Self) -> Self {
+        self.max(low).min(high)
+    }
+
     /// √(`self`² + `other`²). The default overflows where a square does.
     #[inline]
     fn hypot(self, other: Self) -> Self {

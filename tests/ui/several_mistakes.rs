@@ -29,7 +29,7 @@ impl CartPole {
 
     #[potential]
     fn spring(&self, q: &Coordinates) -> f64 {
-        2 * q.x.powi(2) + q.theta.max(0.0)
+        2 * q.x.powi(2) + q.theta.floor()
     }
 
     #[dissipation]

@@ -67,6 +67,11 @@ pub fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value: NodeId
         }
         Unary::Abs => graph.unary(Unary::Signum, argument),
         Unary::Signum => graph.zero(),
+        Unary::PositivePart => {
+            let half = Number::Ratio(1, 2);
+            let sign = graph.unary(Unary::Signum, argument);
+            graph.sum(half, &[(sign, half)])
+        }
     }
 }
 

@@ -16,6 +16,8 @@ impl Graph {
             match function {
                 Unary::Ln if value.is_one() => return self.zero(),
                 Unary::Abs => return self.constant(value.abs()),
+                Unary::PositivePart if value.is_negative() => return self.zero(),
+                Unary::PositivePart => return argument,
                 Unary::Signum if !value.is_zero() => {
                     return self.integer(if value.is_negative() { -1 } else { 1 });
                 }
@@ -29,6 +31,20 @@ impl Graph {
             return if function.parity() == Parity::Odd { self.neg(value) } else { value };
         }
         self.intern(Node::Unary(function, argument))
+    }
+
+    /// The larger of two, b + (a − b)⁺: where b is the larger, it is b to the last bit.
+    pub fn max(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        let difference = self.sub(a, b);
+        let excess = self.unary(Unary::PositivePart, difference);
+        self.add(b, excess)
+    }
+
+    /// The smaller of two, b − (b − a)⁺.
+    pub fn min(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        let difference = self.sub(b, a);
+        let excess = self.unary(Unary::PositivePart, difference);
+        self.sub(b, excess)
     }
 
     /// `y.atan2(x)`.

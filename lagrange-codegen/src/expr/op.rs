@@ -45,6 +45,8 @@ pub enum Unary {
     Abs,
     /// Sign: 1 for positive arguments, −1 for negative ones.
     Signum,
+    /// The argument where it is positive, else zero.
+    PositivePart,
 }
 
 /// A function of two arguments.
@@ -60,7 +62,7 @@ pub enum Binary {
 
 impl Unary {
     /// All functions of one argument.
-    pub const ALL: [Unary; 19] = [
+    pub const ALL: [Unary; 20] = [
         Unary::Sin,
         Unary::Cos,
         Unary::Tan,
@@ -80,6 +82,7 @@ impl Unary {
         Unary::Cbrt,
         Unary::Abs,
         Unary::Signum,
+        Unary::PositivePart,
     ];
 
     /// The name of the method in Rust.
@@ -104,6 +107,7 @@ impl Unary {
             Unary::Cbrt => "cbrt",
             Unary::Abs => "abs",
             Unary::Signum => "signum",
+            Unary::PositivePart => "positive_part",
         }
     }
 
@@ -129,6 +133,7 @@ impl Unary {
             Unary::Cbrt => x.cbrt(),
             Unary::Abs => x.abs(),
             Unary::Signum => x.signum(),
+            Unary::PositivePart => x.max(0.0),
         }
     }
 
@@ -146,7 +151,8 @@ impl Unary {
             | Unary::ExpM1
             | Unary::Ln1p
             | Unary::Cbrt
-            | Unary::Abs => Some(0),
+            | Unary::Abs
+            | Unary::PositivePart => Some(0),
             Unary::Cos | Unary::Cosh | Unary::Exp => Some(1),
             Unary::Acos | Unary::Acosh | Unary::Ln | Unary::Signum => None,
         }
@@ -166,9 +172,13 @@ impl Unary {
             | Unary::Cbrt
             | Unary::Signum => Parity::Odd,
             Unary::Cos | Unary::Cosh | Unary::Abs => Parity::Even,
-            Unary::Acos | Unary::Acosh | Unary::Exp | Unary::ExpM1 | Unary::Ln | Unary::Ln1p => {
-                Parity::Neither
-            }
+            Unary::Acos
+            | Unary::Acosh
+            | Unary::Exp
+            | Unary::ExpM1
+            | Unary::Ln
+            | Unary::Ln1p
+            | Unary::PositivePart => Parity::Neither,
         }
     }
 }

@@ -188,7 +188,7 @@ impl<'g> Rewriter<'g> {
         // A function of its own derivative must be known before that is rewritten.
         self.images.insert(id, variable);
         let slope = match function {
-            Unary::Abs | Unary::Signum => return Err(NotSmooth),
+            Unary::Abs | Unary::Signum | Unary::PositivePart => return Err(NotSmooth),
             Unary::Cbrt if self.rests_at_zero(argument) => return Err(NotSmooth),
             Unary::Cbrt => {
                 self.auxiliaries[index].relation = Relation::Power(x, Number::Ratio(1, 3));

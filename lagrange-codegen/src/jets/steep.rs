@@ -43,7 +43,8 @@ fn hides(function: Unary) -> bool {
         | Unary::Ln1p
         | Unary::Cbrt
         | Unary::Abs
-        | Unary::Signum => false,
+        | Unary::Signum
+        | Unary::PositivePart => false,
     }
 }
 

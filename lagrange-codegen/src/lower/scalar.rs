@@ -8,7 +8,7 @@ use crate::number::Number;
 use crate::syntax::body::Word;
 
 /// What can be called on a number.
-pub const METHODS: [&str; 36] = [
+pub const METHODS: [&str; 40] = [
     "sin",
     "cos",
     "tan",
@@ -28,6 +28,10 @@ pub const METHODS: [&str; 36] = [
     "cbrt",
     "abs",
     "signum",
+    "positive_part",
+    "min",
+    "max",
+    "clamp",
     "sqrt",
     "powi",
     "powf",
@@ -47,11 +51,8 @@ pub const METHODS: [&str; 36] = [
     "modulus",
 ];
 
-/// What floats have and the language has not: the value or its slope jumps.
-pub const REFUSED: [&str; 14] = [
-    "min",
-    "max",
-    "clamp",
+/// What floats have and the language has not.
+pub const REFUSED: [&str; 11] = [
     "floor",
     "ceil",
     "round",
@@ -94,7 +95,15 @@ impl Interpreter<'_> {
                 let pair = [first, second].map(|function| self.graph().unary(function, node));
                 return Value::tuple(pair.map(Value::Scalar).to_vec());
             }
-            "powf" | "log" | "atan2" | "hypot" => {
+            "clamp" => {
+                let Some(bounds) = self.exactly::<2>(word, arguments, origin) else { return Value::Unknown };
+                let [Some(low), Some(high)] = bounds.map(|bound| self.scalar(bound, origin)) else {
+                    return Value::Unknown;
+                };
+                let value = self.graph().max(node, low);
+                Some(self.graph().min(value, high))
+            }
+            "powf" | "log" | "atan2" | "hypot" | "min" | "max" => {
                 let Some([other]) = self.exactly(word, arguments, origin) else { return Value::Unknown };
                 let Some(other) = self.scalar(other, origin) else { return Value::Unknown };
                 Some(self.two_argument_function(name, node, other))
@@ -151,6 +160,8 @@ impl Interpreter<'_> {
         match name {
             "powf" => graph.powf(node, other),
             "atan2" => graph.atan2(node, other),
+            "min" => graph.min(node, other),
+            "max" => graph.max(node, other),
             "hypot" => {
                 let squares = [node, other].map(|node| (graph.powi(node, 2), Number::ONE));
                 let sum = graph.sum(Number::ZERO, &squares);
@@ -190,9 +201,6 @@ impl Interpreter<'_> {
 /// What to write instead of a function that is not smooth.
 pub fn alternative(name: &str) -> &'static str {
     match name {
-        "min" | "max" | "clamp" => {
-            "describe the limit by a smooth potential, such as a stiff spring, or by a force"
-        }
         "is_nan" | "is_finite" | "total_cmp" => "the generated solver checks its numbers itself",
         _ => "use the unrounded value",
     }

@@ -9,6 +9,7 @@ mod forces;
 mod generic_bodies;
 mod lagrangians;
 mod language;
+mod limits;
 mod parameters;
 mod planar_bodies;
 mod scalars;

@@ -257,7 +257,9 @@ impl Writer<'_> {
         if function == Unary::Abs {
             return Text::atom(format!("|{inner}|"));
         }
+        let inner = if function == Unary::PositivePart { format!("0, {inner}") } else { inner };
         let name = match function {
+            Unary::PositivePart => "max",
             Unary::Asin => "arcsin",
             Unary::Acos => "arccos",
             Unary::Atan => "arctan",
@@ -284,8 +286,8 @@ impl Writer<'_> {
     }
 
     fn word(&self, name: &str) -> String {
-        const KNOWN: [&str; 11] =
-            ["sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln"];
+        const KNOWN: [&str; 12] =
+            ["sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "max"];
         match self.notation {
             Notation::Unicode => name.to_owned(),
             Notation::Latex if KNOWN.contains(&name) => format!("\\{name}"),

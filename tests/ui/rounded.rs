@@ -1,4 +1,4 @@
-//! A spring that only pushes.
+//! A spring with a step of whole metres.
 
 use lagrangian::prelude::*;
 
@@ -16,7 +16,7 @@ impl Block {
 
     #[potential]
     fn spring(&self, q: &Coordinates) -> f64 {
-        0.5 * self.stiffness * q.x.max(0.0).powi(2)
+        0.5 * self.stiffness * q.x.floor().powi(2)
     }
 }
 
