@@ -211,7 +211,9 @@ fn size_of(
     graph.sum(Number::ZERO, &terms)
 }
 
-/// The sum of the absolute values of the summands, also of sums within products.
+/// Of which size the roundings are that a value has: the sum of the absolute values of its summands. A sum within a product
+/// passes on its own by what it is multiplied with, as a small change of it would be: of (a − b)², where a and b are large
+/// and their difference is small, 2 |a − b| (|a| + |b|).
 fn size(graph: &mut Graph, value: NodeId) -> NodeId {
     match graph.node(value).clone() {
         Node::Sum { offset, terms } => {
@@ -219,11 +221,49 @@ fn size(graph: &mut Graph, value: NodeId) -> NodeId {
             graph.sum(offset.abs(), &terms)
         }
         Node::Product(factors) => {
+            // The root of a sum of squares changes by no more than these themselves, even where it vanishes.
+            let whole = |exponent: Exponent| exponent.0 > 0 && exponent.0 % 2 == 0;
+            let is_sum = |graph: &Graph, factor: NodeId| matches!(graph.node(factor), Node::Sum { .. });
+            let absolute: Vec<_> = factors
+                .iter()
+                .map(|&(factor, exponent)| {
+                    let is_root = exponent.0 > 0 && !whole(exponent) && is_sum(graph, factor);
+                    let factor =
+                        if is_root { magnitude(graph, factor) } else { graph.unary(Unary::Abs, factor) };
+                    (factor, exponent)
+                })
+                .collect();
+            let mut changes = Vec::new();
+            for (k, &(factor, exponent)) in factors.iter().enumerate() {
+                if whole(exponent) && is_sum(graph, factor) {
+                    let mut product = absolute.clone();
+                    product[k].1 = Exponent(exponent.0 - 2);
+                    product.push((size(graph, factor), Exponent(2)));
+                    let power = Number::halves(exponent.0);
+                    changes.push((graph.product(&product), power));
+                }
+            }
+            if changes.is_empty() { graph.product(&absolute) } else { graph.sum(Number::ZERO, &changes) }
+        }
+        _ => graph.unary(Unary::Abs, value),
+    }
+}
+
+/// The value with all summands positive, also within products.
+fn magnitude(graph: &mut Graph, value: NodeId) -> NodeId {
+    match graph.node(value).clone() {
+        Node::Sum { offset, terms } => {
+            let terms: Vec<_> =
+                terms.into_iter().map(|(term, c)| (magnitude(graph, term), c.abs())).collect();
+            graph.sum(offset.abs(), &terms)
+        }
+        Node::Product(factors) => {
             let factors: Vec<_> = factors
                 .into_iter()
                 .map(|(factor, exponent)| {
                     let is_sum = exponent.0 > 0 && matches!(graph.node(factor), Node::Sum { .. });
-                    let factor = if is_sum { size(graph, factor) } else { graph.unary(Unary::Abs, factor) };
+                    let factor =
+                        if is_sum { magnitude(graph, factor) } else { graph.unary(Unary::Abs, factor) };
                     (factor, exponent)
                 })
                 .collect();

@@ -7,6 +7,7 @@
 //! | [`drift`] | steps, samples and the way back stay on the constraints |
 //! | [`redundancy`] | redundant constraints: the same motion, the shortest multipliers |
 //! | [`singular`] | constraints that become dependent on the way; what is held altogether |
+//! | [`far`] | small differences of large coordinates |
 //! | [`linkages`] | four-bar linkages, flat configurations |
 //! | [`inputs`] | inputs, feedback, dissipation, constraints that move |
 //! | [`baumgarte`] | stabilisation instead of projection |
@@ -16,6 +17,7 @@
 mod baumgarte;
 mod cases;
 mod drift;
+mod far;
 mod formulations;
 mod inputs;
 mod linkages;

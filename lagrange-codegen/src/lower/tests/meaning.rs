@@ -58,7 +58,8 @@ fn names() {
     body(quote!(self.theta[1] * self.theta[1]), "`theta` is a coordinate; write `q.theta[1]`");
     body(quote!(cos(q.x)), "`cos` is a method of numbers; write `q.x.cos()`");
     body(quote!(atan2(q.x, v.x)), "`atan2` is a method of numbers; write `q.x.atan2(v.x)`");
-    body(quote!(max(q.x, v.x)), "`max` has no derivative everywhere; ");
+    body(quote!(max(q.x, v.x)), "`max` is a method of numbers; write `q.x.max(v.x)`");
+    body(quote!(floor(q.x)), "`floor` has no derivative everywhere; ");
     body(quote!(q.sin()), "`q` holds all coordinates; write the one that is meant, as in `q.x`");
     body(quote!(-v), "`v` holds all velocities; write the one that is meant, as in `v.x`");
     body(quote!(v.x = 1.0; v.x), "a description computes, it does not change `v`; ");
@@ -149,10 +150,7 @@ fn constants_and_branches() {
     body(quote!(q.theta[170141183460469231731687303715884105727 + 1]), "this integer is out of range; ");
     body(quote!(q.x / 0.0), "this divides by zero; ");
     body(quote!(q.x % 2.0), "`%` jumps, so it has no derivative; ");
-    body(
-        quote!(q.x.max(0.0)),
-        "`max` has no derivative everywhere; describe the limit by a smooth potential",
-    );
+    body(quote!(q.x.round()), "`round` has no derivative everywhere; use the unrounded value");
     body(quote!(q.x.powi(self.n)), "`powi` needs a constant integer between ");
     body(
         quote!(if q.x > 0.0 { q.x } else { 0.0 }),
@@ -206,7 +204,7 @@ fn all_mistakes_are_reported_at_once() {
             impl S {
                 #[potential] fn f(&self, q: &Coordinates) -> f64 { q.y + q.z * foo(q.x) }
                 #[potental] fn g(&self, q: &Coordinates) -> f64 { q.x }
-                #[kinetic] fn h(&self, v: &Velocities) -> f64 { let a = v.w; a * a + v.x.max(0.0) }
+                #[kinetic] fn h(&self, v: &Velocities) -> f64 { let a = v.w; a * a + v.x.ceil() }
             }
         },
     );
