@@ -681,6 +681,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 >>::accelerations_at(self, constants, t, q, v, u),
                 multipliers: [],
                 rank: 0,
+                is_doubtful: false,
             }
         }
         #[inline]

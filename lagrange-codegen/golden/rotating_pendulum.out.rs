@@ -304,6 +304,7 @@ A singular system, with its cause and the time.*/
                 accelerations: self.accelerations(state)?,
                 multipliers: [],
                 rank: 0,
+                is_doubtful: false,
             };
             let ([], accelerations) = (balance.multipliers, &balance.accelerations);
             let [theta] = state.q;

@@ -22,7 +22,7 @@ pub(crate) use extent::Extent;
 pub use noise::blur;
 pub(crate) use projection::INNER;
 pub use projection::project;
-pub use solution::{balance, check, finite, forces, is_singular, matrix, regular};
+pub use solution::{accelerations, balance, check, finite, forces, is_singular, matrix, regular};
 pub use start::{check_start, consistent};
 
 /// A system with constraints.
@@ -100,6 +100,8 @@ pub struct Balance<R, const N: usize, const C: usize> {
     pub multipliers: [R; C],
     /// How many constraints are independent.
     pub rank: usize,
+    /// [`SaddlePoint::is_doubtful`].
+    pub is_doubtful: bool,
 }
 
 /// What generated code implements for `C` scalar constraints.

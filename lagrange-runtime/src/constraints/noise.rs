@@ -15,7 +15,7 @@
 use super::extent::Extent;
 use super::projection::{ROUNDINGS, is_within};
 use super::{Residuals, Surface, moved};
-use crate::linear::{Ldlt, SaddlePoint};
+use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 use crate::system::Blur;
@@ -105,12 +105,20 @@ impl<R: Real, const C: usize> Noise<R, C> {
         extent: Extent<R>,
     ) -> [R; C] {
         let none = [R::zero(); N];
-        let mut stiffness = [[R::zero(); C]; C];
-        for c in 0..C {
+        // What a unit of each residual moves, in units of the kinetic energy. T from the multipliers would not be that of the
+        // rows that count where others are dropped.
+        let units = saddle.units();
+        let moves: [[R; N]; C] = core::array::from_fn(|c| {
             let mut unit = [R::zero(); C];
             unit[c] = R::one();
-            (_, stiffness[c]) = saddle.solve(&none, &unit);
-        }
+            let (mut change, _) = saddle.solve(&none, &unit);
+            for (x, &unit) in change.iter_mut().zip(&units) {
+                *x = if unit == R::zero() { R::zero() } else { *x / unit };
+            }
+            change
+        });
+        let product = |c: usize, d: usize| (0..N).fold(R::zero(), |sum, i| sum + moves[c][i] * moves[d][i]);
+        let stiffness: [[R; C]; C] = core::array::from_fn(|c| core::array::from_fn(|d| product(c, d)));
         let mut tau = R::epsilon().sqrt() * extent.size();
         for _ in 0..GROWTHS {
             let Some(damped) = self.damped_by(&stiffness, residual, tau) else { break };
@@ -123,21 +131,39 @@ impl<R: Real, const C: usize> Noise<R, C> {
         *residual
     }
 
-    /// With E = √D: E (1 + E T E)⁻¹ E⁻¹ y, because 1 + E T E is symmetric and at least one.
+    /// With E = √D: E (1 + E T E)⁻¹ E⁻¹ y, by the elimination of a symmetric matrix whose pivots are at least one.
     fn damped_by(&self, stiffness: &[[R; C]; C], residual: &[R; C], tau: R) -> Option<[R; C]> {
         if !tau.is_positive() || !self.each.iter().all(|noise| noise.is_positive()) {
             return None;
         }
-        let half = R::from_f64(0.5);
         let weights = self.each.map(|noise| noise / tau);
         let mut matrix = [[R::zero(); C]; C];
         for c in 0..C {
             for d in 0..C {
-                matrix[c][d] = weights[c] * half * (stiffness[c][d] + stiffness[d][c]) * weights[d];
+                matrix[c][d] = weights[c] * stiffness[c][d] * weights[d];
             }
             matrix[c][c] += R::one();
         }
-        let x = Ldlt::factor(matrix).ok()?.solve(core::array::from_fn(|c| residual[c] / weights[c]));
+        let mut x: [R; C] = core::array::from_fn(|c| residual[c] / weights[c]);
+        for k in 0..C {
+            // Less than one is rounding, where T is large in directions that depend on each other.
+            let pivot = matrix[k][k].max(R::one());
+            matrix[k][k] = pivot;
+            for i in k + 1..C {
+                let l = matrix[i][k] / pivot;
+                let row = matrix[k];
+                for (to, &above) in matrix[i].iter_mut().zip(&row) {
+                    *to = R::mul_add(-l, above, *to);
+                }
+                x[i] = R::mul_add(-l, x[k], x[i]);
+            }
+        }
+        for k in (0..C).rev() {
+            for j in k + 1..C {
+                x[k] = R::mul_add(-matrix[k][j], x[j], x[k]);
+            }
+            x[k] /= matrix[k][k];
+        }
         let damped = core::array::from_fn(|c| weights[c] * x[c]);
         damped.iter().all(|x| x.is_finite()).then_some(damped)
     }

@@ -69,11 +69,14 @@ where
             let before = residuals.relative(of_positions, &sizes);
             let last = residuals.are_roundings_beside(of_positions, number(ROUNDINGS), &sizes);
             let lack = residuals.level(of_positions).0.map(|value| -value);
+            let mut is_noise = false;
             let (mut change, _) = saddle.solve(&none, &lack);
             let step = Extent::of(&saddle, &change).size().largest();
             if step > suspicious * before * arrived.size().largest() {
                 let noise = Noise::of(system, &next, &saddle, &gradients, &residuals, of_positions);
-                if noise.explains(&residuals, of_positions, &saddle) {
+                is_noise = noise.explains(&residuals, of_positions, &saddle);
+                // Of rows that depend on each other only some are noise.
+                if is_noise && (saddle.rank() == C || !of_positions) {
                     settled = true;
                     break;
                 }
@@ -92,7 +95,7 @@ where
             // this arithmetic.
             let stalled =
                 after >= before && residuals.are_roundings_beside(of_positions, number(INNER), &sizes);
-            settled = last || stalled || residuals.level_is_roundings(of_positions);
+            settled = last || stalled || is_noise || residuals.level_is_roundings(of_positions);
             if after >= contraction * before {
                 (saddle, gradients) = system.saddle_at(next.t, &next.q, &next.v);
             }

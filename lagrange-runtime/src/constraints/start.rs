@@ -20,6 +20,10 @@ const STEPS: usize = 60;
 /// A step is halved at most so often.
 const HALVINGS: usize = 12;
 
+/// A step is no longer than so many distances from the constraints: where these nearly depend on each other, Newton's steps
+/// lead far away.
+const FAR: f64 = 4.0;
+
 /// Whether a motion may begin at a state.
 ///
 /// # Errors
@@ -124,7 +128,12 @@ where
             return Err(Cause::NotFinite);
         }
         let slopes = Extent::unit().sizes(&saddle, &gradients);
-        let (mut share, before) = (one, distance(&residuals, &slopes, of_positions));
+        let before = distance(&residuals, &slopes, of_positions);
+        let mut share = one;
+        if of_positions {
+            let far = S::Scalar::from_f64(FAR) * S::Scalar::splat(before).sqrt();
+            share = one.min(far / Extent::of(&saddle, &change).size());
+        }
         let mut better = None;
         for _ in 0..HALVINGS {
             let (q, v) = if of_positions { (&change, &none) } else { (&none, &change) };
@@ -149,7 +158,7 @@ where
     if on_surface(&residuals, &gradients, &state, &by_state, of_positions) {
         return Ok(state);
     }
-    Err(match residuals.cause(of_positions, &Extent::unit().sizes(&saddle, &gradients)) {
+    Err(match residuals.cause(of_positions, &by_state) {
         Cause::PositionViolated { constraint, by } | Cause::VelocityViolated { constraint, by } => {
             if saddle.rank() < C {
                 Cause::Contradictory { constraint }

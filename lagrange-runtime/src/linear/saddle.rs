@@ -73,6 +73,9 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// Whether this row of A depends on the others and was left out. False for rows that do not exist.
     fn is_dropped(&self, row: usize) -> bool;
 
+    /// Whether some row of A is close to the span of others, whatever became of it.
+    fn is_doubtful(&self) -> bool;
+
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
 
@@ -99,6 +102,7 @@ pub struct Saddle<R, const N: usize, const C: usize> {
     dropped: [bool; C],
     units: [R; N],
     rank: usize,
+    is_doubtful: bool,
     vanishing: Option<usize>,
     defect: Option<Defect>,
 }
@@ -153,6 +157,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             return Self::failed(if finite { singular } else { Defect::NotFinite });
         }
         let mut this = Self::assemble(&split, &reduced, scaled.units, range.rank);
+        this.is_doubtful = true;
         this.vanishing = range.vanishing;
         if range.rank < C {
             for &row in range.order.iter().skip(range.rank) {
@@ -209,6 +214,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             dropped: [false; C],
             units,
             rank,
+            is_doubtful: false,
             vanishing: None,
             defect: None,
         }
@@ -235,6 +241,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             dropped: [false; C],
             units: [nan; N],
             rank: 0,
+            is_doubtful: false,
             vanishing: None,
             defect: Some(defect),
         }
@@ -290,6 +297,11 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R,
     #[inline]
     fn is_dropped(&self, row: usize) -> bool {
         self.dropped.get(row).copied().unwrap_or(false)
+    }
+
+    #[inline]
+    fn is_doubtful(&self) -> bool {
+        self.is_doubtful
     }
 
     #[inline]

@@ -43,6 +43,7 @@ pub struct Schur<R, const C: usize> {
     inverted: bool,
     dropped: [bool; C],
     rank: usize,
+    is_doubtful: bool,
     vanishing: Option<usize>,
 }
 
@@ -99,7 +100,15 @@ impl<R: Real, const C: usize> Schur<R, C> {
                 }
             }
         }
-        Some(Self { factor, inverse, inverted: false, dropped: [false; C], rank: C, vanishing: None })
+        Some(Self {
+            factor,
+            inverse,
+            inverted: false,
+            dropped: [false; C],
+            rank: C,
+            is_doubtful: false,
+            vanishing: None,
+        })
     }
 
     /// X with L D Lᵀ X = `rows`.
@@ -199,6 +208,13 @@ impl<R: Real, const C: usize> Schur<R, C> {
     #[must_use]
     pub fn is_dropped(&self, row: usize) -> bool {
         self.dropped.get(row).copied().unwrap_or(false)
+    }
+
+    /// Whether a pivot is small, whatever became of it.
+    #[inline]
+    #[must_use]
+    pub fn is_doubtful(&self) -> bool {
+        self.is_doubtful
     }
 
     /// The first row whose diagonal is zero: a constraint without a gradient.

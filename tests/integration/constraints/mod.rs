@@ -6,6 +6,7 @@
 //! | [`starts`] | where a motion may begin, and the projection of other starts |
 //! | [`drift`] | steps, samples and the way back stay on the constraints |
 //! | [`redundancy`] | redundant constraints: the same motion, the shortest multipliers |
+//! | [`beside`] | rows that depend on each other only where the constraints hold |
 //! | [`singular`] | constraints that become dependent on the way; what is held altogether |
 //! | [`far`] | small differences of large coordinates |
 //! | [`linkages`] | four-bar linkages, flat configurations |
@@ -15,6 +16,7 @@
 //! | [`scalars`], [`units`] | single precision; units of mass, length and time |
 
 mod baumgarte;
+mod beside;
 mod cases;
 mod drift;
 mod far;

@@ -22,12 +22,20 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
     let integrator = if emission.jets.is_some() { "Jets" } else { "Dop853" };
     let place = format!("t: {scalar}, q: &{vector}, v: &{vector}");
     let surface = format!("lagrange::Surface<{count}, {given}, {held}>");
+    // One row depends on no other, and Baumgarte's motions are meant to be beside the constraints.
+    let accelerations = if held > 1 && emission.model.baumgarte.is_none() {
+        format!(
+            "lagrange::constraints::accelerations::<Self, {count}, {given}, {held}>(self, constants, t, q, v, u)"
+        )
+    } else {
+        format!("<Self as {surface}>::balance_at(self, constants, t, q, v, u).accelerations")
+    };
     let system = format!(
         "type Scalar = {scalar};\ntype Method = lagrange::{integrator};\ntype Constants = {constants_type};\n\
          const CONSTRAINED: bool = true;\n\
          #[inline]\nfn constants(&self) -> Self::Constants {{\n{constants}\n}}\n\
          #[inline]\nfn accelerations_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) -> {vector} \
-         {{\n<Self as {surface}>::balance_at(self, constants, t, q, v, u).accelerations\n}}\n\
+         {{\n{accelerations}\n}}\n\
          fn check_at(&self, _constants: &Self::Constants, {place}) -> ::core::result::Result<(), lagrange::Cause> \
          {{\nlagrange::constraints::check::<Self, {count}, {given}, {held}>(self, t, q, v)\n}}\n\
          fn check_start_at(&self, _constants: &Self::Constants, start: &lagrange::State<{scalar}, {count}>) \

@@ -68,6 +68,11 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
     }
 
     #[inline]
+    fn is_doubtful(&self) -> bool {
+        self.schur.is_doubtful()
+    }
+
+    #[inline]
     fn vanishing(&self) -> Option<usize> {
         self.schur.vanishing()
     }

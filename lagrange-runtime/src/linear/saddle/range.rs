@@ -10,14 +10,18 @@ use crate::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;
-use super::vectors::{add_scaled, best, dot, multiply, pick, put, scale, unit, where_positive};
+use super::vectors::{add_scaled, dot, multiply, pick, put, scale, unit, weightiest, where_positive};
 
-/// A row whose distance from the span of the rows before is less than 2¹² ε of its size depends on them.
+/// A row whose distance from the span of the rows before is less than 2¹² ε of its size, or than [`LEAST`], depends on them.
 ///
 /// The distance of a row that depends on others is 1ε by rounding alone, but a gradient is often itself a difference of
 /// larger numbers, which brings their roundings. What is above the tolerance has three digits in `f64` and `f32` alike,
 /// as long as it is not more uncertain than that.
 const ROUNDINGS: f64 = 4096.0;
+
+/// Rows may depend on each other only where the constraints hold, and these hold to roundings: the distance is then some
+/// ε of the largest gradient that the row has elsewhere, which may be much larger than the one here.
+const LEAST: f64 = 1.0 / (1_u64 << 34) as f64;
 
 /// The independent rows of A and the reflectors that make them triangular.
 pub(super) struct Range<R, const N: usize, const C: usize> {
@@ -63,10 +67,10 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             vanishing,
         };
         let mut squares: [R; C] = core::array::from_fn(|c| dot(&rows[c], &rows[c]));
-        let least = R::from_f64(ROUNDINGS) * R::epsilon();
+        let least = (R::from_f64(ROUNDINGS) * R::epsilon()).max(R::from_f64(LEAST));
         let least = least * least;
         for k in 0..C.min(N) {
-            let longest = best(&squares, least);
+            let longest = weightiest(&squares, &this.sizes, least);
             for c in k + 1..C {
                 if c == longest {
                     rows.swap(k, c);

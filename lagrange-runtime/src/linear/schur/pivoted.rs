@@ -2,7 +2,9 @@
 
 use crate::real::Real;
 
-use super::super::saddle::vectors::{add_product, add_scaled, best, pick, poison, put, unit, where_positive};
+use super::super::saddle::vectors::{
+    add_product, add_scaled, pick, poison, put, unit, weightiest, where_positive,
+};
 use super::super::saddle::{redundant, symmetric};
 use super::{ROUNDINGS, SMALL, Schur};
 
@@ -28,6 +30,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
             inverted: true,
             dropped: [true; C],
             rank: 0,
+            is_doubtful: true,
             vanishing: (0..C).find(|&i| lower[i][i].abs().largest() == zero.largest()),
         };
         let mut s = symmetric(lower);
@@ -38,7 +41,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
                 let open = this.dropped[i] && lower[i][i].largest() > zero.largest();
                 if open { s[i][i] / lower[i][i] } else { zero }
             });
-            let k = best(&left, tolerance);
+            let k = weightiest(&left, &core::array::from_fn(|i| lower[i][i]), tolerance);
             let (excess, pivot) = (pick(&left, k) - tolerance, s.get(k).map_or(zero, |row| pick(row, k)));
             let pivot = if excess.is_positive() { Some(pivot) } else { where_positive(pivot, excess) };
             let Some(pivot) = pivot else { break };
