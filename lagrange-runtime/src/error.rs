@@ -46,7 +46,8 @@ pub enum Cause {
     },
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
-    /// The equations of an implicit step could not be solved: the step is too long for the motion.
+    /// An iteration ended before it found its result: the equations of an implicit step, which is too long for the motion, or
+    /// the eigenvalues of `modes`.
     NotConverged,
     /// The tolerance asks for steps below the resolution of time.
     StepTooSmall,
@@ -125,8 +126,8 @@ impl fmt::Display for Cause {
                  the motion reaches a singularity",
             ),
             Self::NotConverged => out.write_str(
-                "the equations of an implicit step could not be solved: take shorter steps where the motion \
-                 is this fast",
+                "an iteration did not converge: if it was that of an implicit step, take shorter steps where the motion is \
+                 this fast; if it was that of eigenvalues, scale the parameters so that the matrices are of similar sizes",
             ),
             Self::StepTooSmall => out.write_str(
                 "the step fell below the resolution of time: the motion is singular here or too stiff, \

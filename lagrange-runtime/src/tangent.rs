@@ -199,6 +199,9 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// The linear equations of small deviations from a state, or from the motion through it: mass, damping, gyroscopic
     /// and stiffness matrices, and ẋ = A x + B u + drift on the tangent space of the constraints.
     ///
+    /// About a motion the matrices are those of this moment, and on constraints so is the basis: as the state moves on, both
+    /// change.
+    ///
     /// # Errors
     /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite.
     #[inline]
@@ -215,6 +218,22 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     }
 
     /// Natural frequencies, damping ratios and shapes of small oscillations about a state, in the order of frequencies.
+    ///
+    /// Of a conjugate pair of eigenvalues λ \[1/s] one mode is given, and others as often as they are roots, so that critical
+    /// damping gives two equal modes. λ = 0 is different: a free motion that nothing restores counts once for each independent
+    /// shape, though place and velocity make it two roots. Zeros are exact: what a rounding of the entries could make of zero is
+    /// zero. Parts of the system that do not act on each other are found separately, each to its own precision.
+    ///
+    /// Where forces have a potential or do no work (no damping, symmetric stiffness, any gyroscopic forces), eigenvalues lie
+    /// symmetrically about both axes, and a real part that is smaller than its own error is exactly zero: there the state is
+    /// stable, as far as linear equations tell, where `eigenvalue.re <= 0.0` for all modes.
+    ///
+    /// About a state that moves under constraints these are the eigenvalues of the momentary linear equations, frozen and in
+    /// the momentary basis, and in general no frequencies of a motion. A relative equilibrium in Cartesian coordinates, like a
+    /// bead on a whirling hoop, has other ones than by its angle in the turning frame: describe it by coordinates that are at
+    /// rest there. The same holds without constraints where the linear equations change along the motion.
+    ///
+    /// Golub and Van Loan, *Matrix Computations*, 4th ed., chapters 7 and 8.
     ///
     /// # Errors
     /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite; eigenvalues

@@ -4,20 +4,30 @@
 //! inertia, K̃ = L⁻¹ K L⁻ᵀ with M = L Lᵀ, and is a symmetric eigenproblem (Golub and Van Loan, *Matrix Computations*, 4th
 //! ed., § 8.7). Otherwise the eigenvalues are those of the balanced state matrix, and inverse iteration gives the shapes.
 
+mod qr;
+mod spectrum;
+mod vectors;
+
 use std::vec::Vec;
 
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
-use nalgebra::{Cholesky, Complex, DMatrix, DVector, SMatrix, SVector, Schur, SymmetricEigen};
+use nalgebra::{Cholesky, Complex, DMatrix, DVector, SMatrix, SVector, SymmetricEigen};
 
 use super::{Basis, LinearModel};
 use crate::error::Cause;
 use crate::real::{Ordered, Real};
+use spectrum::{Eigenvalue, eigenvalues, parts};
+use vectors::{eigenvector, null_vectors};
 
-/// Entries below this share of their scale are rounding.
-const ROUNDING: f64 = 1e-13;
+/// Iterations for each eigenvalue of a symmetric matrix before the search is given up.
+const ITERATIONS: usize = 100;
 
-/// Iterations for each eigenvalue before the search is given up.
-const ITERATIONS: usize = 400;
+const ZERO: Complex<f64> = Complex::new(0.0, 0.0);
+
+/// The share of the largest entry of a matrix below which an eigenvalue is rounding, if the entries err by `unit`.
+fn rounding(order: usize, unit: f64) -> f64 {
+    16.0 * order as f64 * unit
+}
 
 /// One way to oscillate, or to grow or decay: δq = Re(shape · e^{λt}).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,10 +59,12 @@ pub(super) fn modes<R, const N: usize, const K: usize>(
 where
     R: Ordered + Into<f64>,
 {
-    let mass = doubled(&model.mass);
-    let mut modes = match symmetric(model, &mass) {
+    let (mass, unit) = (doubled(&model.mass), R::epsilon().into());
+    let equations = SecondOrder::new(model, &mass);
+    let is_reversible = equations.as_ref().is_some_and(|equations| equations.is_reversible(unit));
+    let mut modes = match equations.and_then(|equations| equations.modes(&mass, unit)) {
         Some(modes) => modes,
-        None => general(model, &mass)?,
+        None => general(model, &mass, unit, is_reversible).ok_or(Cause::NotConverged)?,
     };
     modes.sort_by(|a, b| {
         let (a, b) = ((a.frequency(), a.eigenvalue.re), (b.frequency(), b.eigenvalue.re));
@@ -76,106 +88,112 @@ fn largest(matrix: &DMatrix<f64>) -> f64 {
     matrix.iter().fold(0.0, |most, x| x.abs().max(most))
 }
 
-/// Small oscillations of a system whose linear equations are M ξ̈ + K ξ = 0 with symmetric matrices; `None` for others.
-fn symmetric<R, const N: usize, const K: usize>(
+/// ξ̈ + (C̃ + G̃) ξ̇ + K̃ ξ = 0 in coordinates that are orthonormal in the inertia.
+struct SecondOrder<const N: usize> {
+    /// The coordinates as columns.
+    shapes: DMatrix<f64>,
+    damping: DMatrix<f64>,
+    gyroscopic: DMatrix<f64>,
+    stiffness: DMatrix<f64>,
+    /// The sums of K̃ without their signs: what its entries are rounded relative to.
+    sizes: DMatrix<f64>,
+}
+
+impl<const N: usize> SecondOrder<N> {
+    /// `None` if velocities are not the rates of as many displacements, or have no positive inertia.
+    fn new<R, const K: usize>(model: &LinearModel<R, N, K>, mass: &SMatrix<f64, N, N>) -> Option<Self>
+    where
+        R: Ordered + Into<f64>,
+    {
+        let count = model.velocities.len();
+        let is_second_order = count == model.displacements.len()
+            && (0..count).all(|i| (0..count).all(|j| model.entry(i, j) == R::zero()));
+        if !is_second_order {
+            return None;
+        }
+        let basis = columns(&model.velocities);
+        let lower = Cholesky::new(basis.transpose() * mass * &basis)?.l();
+        let shapes = lower.solve_lower_triangular(&basis.transpose())?.transpose();
+        let on = |matrix: &SMatrix<R, N, N>| shapes.transpose() * doubled(matrix) * &shapes;
+        let stiffness = doubled(&model.stiffness);
+        Some(Self {
+            damping: on(&model.damping),
+            gyroscopic: on(&model.gyroscopic),
+            stiffness: on(&model.stiffness),
+            sizes: shapes.abs().transpose() * stiffness.abs() * shapes.abs(),
+            shapes,
+        })
+    }
+
+    /// Whether the motion is the same backwards, in the mirror or not: forces without power and a potential.
+    fn is_reversible(&self, unit: f64) -> bool {
+        let share = rounding(self.stiffness.nrows(), unit);
+        let skew = &self.stiffness - self.stiffness.transpose();
+        largest(&self.damping) <= share * largest(&self.gyroscopic)
+            && skew.iter().zip(&self.sizes).all(|(x, size)| x.abs() <= share * size)
+    }
+
+    /// The modes where there is nothing but inertia and a potential; `None` for other systems.
+    fn modes(&self, mass: &SMatrix<f64, N, N>, unit: f64) -> Option<Vec<Mode<N>>> {
+        let pattern = self.stiffness.abs() + self.damping.abs() + self.gyroscopic.abs();
+        let mut modes = Vec::new();
+        for members in parts(&(&pattern + pattern.transpose())) {
+            let count = members.len();
+            let part = |matrix: &DMatrix<f64>| matrix.select_rows(&members).select_columns(&members);
+            let (stiffness, forces) = (part(&self.stiffness), part(&self.damping) + part(&self.gyroscopic));
+            let size = largest(&part(&self.sizes));
+            let share = rounding(count, unit);
+            let skew = &stiffness - stiffness.transpose();
+            if !(largest(&skew) <= share * size && largest(&forces) <= share * size.sqrt()) {
+                return None;
+            }
+            let even = (&stiffness + stiffness.transpose()) * 0.5;
+            let eigen = SymmetricEigen::try_new(even, f64::EPSILON, ITERATIONS * count)?;
+            for (&square, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+                let shape = (self.shapes.select_columns(&members) * vector).map(|x| Complex::new(x, 0.0));
+                let root = square.abs().sqrt();
+                let eigenvalues: &[Complex<f64>] = match square {
+                    square if square.abs() <= share * size => &[ZERO],
+                    square if square > 0.0 => &[Complex::new(0.0, root)],
+                    _ => &[Complex::new(-root, 0.0), Complex::new(root, 0.0)],
+                };
+                modes.extend(eigenvalues.iter().map(|&eigenvalue| mode(eigenvalue, &shape, mass)));
+            }
+        }
+        Some(modes)
+    }
+}
+
+/// The modes of the state matrix; `None` where the iteration fails.
+fn general<R, const N: usize, const K: usize>(
     model: &LinearModel<R, N, K>,
     mass: &SMatrix<f64, N, N>,
+    unit: f64,
+    is_reversible: bool,
 ) -> Option<Vec<Mode<N>>>
 where
     R: Ordered + Into<f64>,
 {
-    let count = model.velocities.len();
-    let is_second_order = count == model.displacements.len()
-        && (0..count).all(|i| (0..count).all(|j| model.entry(i, j) == R::zero()));
-    if !is_second_order {
-        return None;
-    }
-    let basis = columns(&model.velocities);
-    let on = |matrix: &SMatrix<f64, N, N>| basis.transpose() * matrix * &basis;
-    let lower = Cholesky::new(on(mass))?.l();
-    let transformed = |matrix: DMatrix<f64>| {
-        let half = lower.solve_lower_triangular(&matrix)?;
-        lower.solve_lower_triangular(&half.transpose())
-    };
-    let stiffness = transformed(on(&doubled(&model.stiffness)))?;
-    let forces = transformed(on(&(doubled(&model.damping) + doubled(&model.gyroscopic))))?;
-    let skew = &stiffness - stiffness.transpose();
-    let size = largest(&stiffness);
-    if !(largest(&skew) <= ROUNDING * size && largest(&forces) <= ROUNDING * size.sqrt()) {
-        return None;
-    }
-    let eigen = SymmetricEigen::new((&stiffness + stiffness.transpose()) * 0.5);
-    let mut modes = Vec::new();
-    for (k, &square) in eigen.eigenvalues.iter().enumerate() {
-        let shape = lower.tr_solve_lower_triangular(&eigen.eigenvectors.column(k).into_owned())?;
-        let shape = (&basis * shape).map(|x| Complex::new(x, 0.0));
-        let root = square.abs().sqrt();
-        let zero = square.abs() <= ROUNDING * size;
-        let eigenvalues: &[Complex<f64>] = match square {
-            _ if zero => &[Complex::new(0.0, 0.0)],
-            square if square > 0.0 => &[Complex::new(0.0, root)],
-            _ => &[Complex::new(-root, 0.0), Complex::new(root, 0.0)],
-        };
-        modes.extend(eigenvalues.iter().map(|&eigenvalue| mode(eigenvalue, &shape, mass)));
-    }
-    Some(modes)
-}
-
-/// Eigenvalues of the state matrix.
-fn general<R, const N: usize, const K: usize>(
-    model: &LinearModel<R, N, K>,
-    mass: &SMatrix<f64, N, N>,
-) -> Result<Vec<Mode<N>>, Cause>
-where
-    R: Ordered + Into<f64>,
-{
     let order = model.order();
-    if order == 0 {
-        return Ok(Vec::new());
-    }
-    let mut balanced = DMatrix::from_fn(order, order, |i, j| model.entry(i, j).into());
+    let matrix = DMatrix::from_fn(order, order, |i, j| model.entry(i, j).into());
+    let mut balanced = matrix.clone();
     let scales = balance_parlett_reinsch(&mut balanced);
-    let limit = ITERATIONS * order;
-    let schur = Schur::try_new(balanced.clone(), f64::EPSILON, limit).ok_or(Cause::NotConverged)?;
+    let found = eigenvalues(&matrix, unit, is_reversible)?;
+    let (zeros, others): (Vec<_>, Vec<_>) =
+        found.into_iter().filter(|found| found.value.im >= 0.0).partition(|found| found.value == ZERO);
+    let mut vectors: Vec<_> =
+        null_vectors(&balanced, unit, zeros.len()).into_iter().map(|vector| (ZERO, vector)).collect();
+    for (k, Eigenvalue { value, scale }) in others.into_iter().enumerate() {
+        vectors.push((value, eigenvector(&balanced, value, scale, k)?));
+    }
     let basis = columns(&model.displacements);
-    let mut modes = Vec::new();
-    for (k, &eigenvalue) in
-        schur.complex_eigenvalues().iter().enumerate().filter(|(_, value)| value.im >= 0.0)
-    {
-        let vector = eigenvector(&balanced, eigenvalue, k).ok_or(Cause::NotConverged)?;
-        let shape: DVector<Complex<f64>> = DVector::from_fn(N, |i, _| {
+    let mode = |(value, vector): (Complex<f64>, DVector<Complex<f64>>)| {
+        let shape = DVector::from_fn(N, |i, _| {
             (0..basis.ncols()).map(|l| vector[l] * (scales[l] * basis[(i, l)])).sum()
         });
-        modes.push(mode(eigenvalue, &shape, mass));
-    }
-    Ok(modes)
-}
-
-/// By inverse iteration from a start of its own, so that equal eigenvalues get different vectors where they have some.
-fn eigenvector(
-    matrix: &DMatrix<f64>,
-    eigenvalue: Complex<f64>,
-    start: usize,
-) -> Option<DVector<Complex<f64>>> {
-    let order = matrix.nrows();
-    // Off the eigenvalue by some roundings, so that the matrix is regular.
-    let shift = eigenvalue + Complex::new(largest(matrix), 0.0) * (8.0 * f64::EPSILON);
-    let mut shifted = matrix.map(|x| Complex::new(x, 0.0));
-    for i in 0..order {
-        shifted[(i, i)] -= shift;
-    }
-    let factors = shifted.lu();
-    let mut vector =
-        DVector::from_fn(order, |i, _| Complex::new(((1 + i) as f64 * (1.3 + start as f64)).cos(), 0.5));
-    for _ in 0..3 {
-        vector = factors.solve(&vector)?;
-        let size = vector.iter().fold(0.0, |most: f64, x| most.max(x.re.hypot(x.im)));
-        if !(size.is_finite() && size > 0.0) {
-            return None;
-        }
-        vector /= Complex::new(size, 0.0);
-    }
-    Some(vector)
+        mode(value, &shape, mass)
+    };
+    Some(vectors.into_iter().map(mode).collect())
 }
 
 /// A mode of unit mass, with its largest component real and positive.
@@ -187,7 +205,7 @@ fn mode<const N: usize>(
     let shape = SVector::<Complex<f64>, N>::from_fn(|i, _| shape[i]);
     let modal = shape.dotc(&(mass.map(|x| Complex::new(x, 0.0)) * shape)).re;
     let size = |x: &Complex<f64>| x.re.hypot(x.im);
-    let leading = shape.iter().fold(Complex::new(0.0, 0.0), |most, x| {
+    let leading = shape.iter().fold(ZERO, |most, x| {
         // Of components of equal size the first leads, whatever their roundings.
         if size(x) > size(&most) * (1.0 + 1e-9) { *x } else { most }
     });

@@ -3,6 +3,7 @@
 mod classical;
 mod constrained;
 mod derivatives;
+mod modes;
 mod scalars;
 mod seeds;
 mod sensitivities;
