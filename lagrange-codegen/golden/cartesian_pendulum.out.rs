@@ -142,13 +142,13 @@ const _: () = {
                 "in Taylor series: momenta, which are the velocities times constants",
             ],
         };
-        /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
+        /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t) + Aᵀλ, with the multipliers λ of the constraints solved for.
 
 The mass matrix is constant and diagonal, eliminated from the saddle-point system of the constraints.
 
 # Errors
 
-A singular mass matrix, with the coordinate and the time.*/
+A singular system, with its cause and the time.*/
         #[inline]
         pub fn accelerations(
             &self,

@@ -502,7 +502,7 @@ As `velocities_from_momenta`, and where constraints have no multipliers.*/
             matrices[0][2] = -(sin_theta * cos_theta);
             lagrange::constraints::matrix(&matrices)
         }
-        /**Checks identities of this model at sampled states: the mass matrix is positive, Ṁ − 2C is skew, the accelerations satisfy Lagrange's equations, the power balance holds, conserved quantities stay, gradients of constraints are their derivatives, and the energies are those of the described functions. Coordinates and velocities are between −1 and 1; `verify_at` takes states of your own.
+        /**Checks identities of this model at sampled states: the mass matrix is positive, Ṁ − 2C is skew, the accelerations satisfy Lagrange's equations, the power balance holds, conserved quantities stay, gradients of constraints are their derivatives, and the energies are those of the described functions. Coordinates and velocities are between −1 and 1: where the scales of the motion are far from one, `verify_at` takes states of your own.
 
 # Errors
 
@@ -830,6 +830,7 @@ The first identity that does not hold, and by how much.*/
         fn described_at(
             &self,
             state: &lagrange::State<f64, 1>,
+            time: f64,
         ) -> lagrange::verify::Described<f64> {
             let mass_2: f64 = self.mass;
             let weights: [(f64, [[f64; 3]; 3]); 1] = [
@@ -854,6 +855,7 @@ The first identity that does not hold, and by how much.*/
                     > as ::core::convert::From<_>>::from(state.q);
                     self.bob(lagrange::verify::given(&coordinates), state.t)
                 },
+                time,
                 weights[0].0,
                 weights[0].1,
             );

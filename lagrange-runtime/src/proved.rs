@@ -13,19 +13,20 @@ use crate::system::System;
 )]
 pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 
-/// Constant mass matrix, and forces that do not depend on velocities: M a = f(q, t, u).
+/// Constant mass matrix, forces that do not depend on velocities, and no constraints but eliminated ones: M a = f(q, t, u).
 ///
 /// Drifts (q moves, v stays) and kicks (v changes, q stays) are then exact motions of their own, of which splitting
 /// methods are made.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not separable: its mass matrix varies, or a force depends on velocities",
+    message = "`{Self}` is not separable: its mass matrix varies, a force depends on velocities, or a constraint holds it",
     label = "a splitting method does not work on `{Self}`",
     note = "use `Jet<6>` or `simulate`, or for long runs `Gauss4`, `Gauss6` or `Gauss8`, which are symplectic on every \
             system and need `jacobians` in the attribute"
 )]
 pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}
 
-/// Equations without time.
+/// Equations of motion M a = f and constraints without time. A Lagrangian with a part such as t v, which is −q but for a total
+/// derivative, may have them; its momenta depend on time then, and it is not [`Conservative`].
 #[diagnostic::on_unimplemented(
     message = "the equations of `{Self}` depend on time",
     label = "this needs a system without explicit time",
@@ -33,8 +34,8 @@ pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}
 )]
 pub trait Autonomous<const N: usize, const K: usize = 0>: System<N, K> {}
 
-/// Autonomous, with neither applied forces nor dissipation: the Jacobi integral v·∂L/∂v − L is conserved, which is the
-/// energy where T + V is.
+/// Autonomous, with neither applied forces nor dissipation, and a Lagrangian without time: the Jacobi integral v·∂L/∂v − L is
+/// conserved, which is the energy where T + V is.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not conservative",
     label = "this needs a conservative system",

@@ -87,9 +87,14 @@ fn accelerations(emission: &Emission<'_>) -> String {
     } else {
         (String::new(), "&[]")
     };
+    let (reactions, singular) = if emission.equations.conditions.count() > 0 {
+        (" + Aᵀλ, with the multipliers λ of the constraints solved for", "system, with its cause")
+    } else {
+        ("", "mass matrix, with the coordinate")
+    };
     let doc = format!(
-        "Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).\n\n\
-         The mass matrix is {}.\n\n# Errors\n\nA singular mass matrix, with the coordinate and the time.",
+        "Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t){reactions}.\n\n\
+         The mass matrix is {}.\n\n# Errors\n\nA singular {singular} and the time.",
         emission.solution.describe(emission.facts)
     );
     let signature = format!(

@@ -16,7 +16,7 @@ pub(super) fn proved(facts: &Facts) -> Vec<&'static str> {
         facts.constant_mass,
         facts.separable,
         facts.autonomous,
-        facts.autonomous && facts.conservative,
+        facts.conserves(),
         facts.holonomic,
         facts.scleronomic,
         !facts.cyclic.is_empty(),

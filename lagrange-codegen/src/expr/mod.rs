@@ -14,5 +14,6 @@ mod print;
 mod products;
 mod sums;
 
+pub use evaluate::Rounded;
 pub use graph::{Dependence, Exponent, Graph, Node, NodeId, Variable};
 pub use op::{Binary, Parity, Unary};

@@ -14,8 +14,11 @@ pub struct Facts {
     pub separable: bool,
     /// M has no entry off its diagonal.
     pub diagonal_mass: bool,
-    /// Time appears in no equation.
+    /// Time appears neither in M and the forces nor in a constraint. L may yet depend on it: t v = d(t q)/dt − q has the
+    /// equations of −q.
     pub autonomous: bool,
+    /// L does not depend on time.
+    pub timeless: bool,
     /// The Jacobi integral is not T + V.
     pub has_jacobi_integral: bool,
     /// No applied forces: neither `force` nor `dissipation`.
@@ -38,11 +41,8 @@ impl Facts {
         let count = equations.mass.len();
         let entries = || equations.mass.iter().flatten().copied();
         let energies = [equations.kinetic_energy, equations.potential_energy];
-        let mut roots = equations.roots();
-        roots.extend(energies);
         let held = || equations.conditions.positions.iter().chain(&equations.conditions.rates).copied();
-        roots.extend(held());
-        let uses = |kind: Dependence| roots.iter().any(|&root| graph.dependence(root).meets(kind));
+        let depends_on_time = |root: NodeId| graph.dependence(root).meets(Dependence::TIME);
         let fixed = |root: NodeId| graph.dependence(root).is_fixed();
         let lossless = equations.conditions.losses.iter().all(|&loss| graph.is_zero(loss));
         let conservative = model.forces.is_empty() && model.dissipation.is_empty() && lossless;
@@ -59,18 +59,23 @@ impl Facts {
             constant_mass,
             separable: constant_mass && conditions.count() == 0 && equations.force.iter().all(resting),
             diagonal_mass: (0..count).all(|i| (0..i).all(|j| graph.is_zero(equations.mass[i][j]))),
-            autonomous: !uses(Dependence::TIME),
+            autonomous: !equations.roots().into_iter().chain(held()).any(depends_on_time),
+            timeless: !lagrangian.into_iter().any(depends_on_time),
             has_jacobi_integral: equations.jacobi_integral.is_some(),
             conservative,
             holonomic: model
                 .constraints
                 .iter()
                 .all(|constraint| constraint.kind == ConstraintKind::Holonomic),
-            scleronomic: is_quadratic(graph, equations)
-                && !held().chain(energies).any(|root| graph.dependence(root).meets(Dependence::TIME)),
+            scleronomic: is_quadratic(graph, equations) && !held().chain(energies).any(depends_on_time),
             cyclic: (0..count).filter(|&i| !appearing[i] && idle(i)).collect(),
             blocks: blocks(graph, &equations.mass),
         }
+    }
+
+    /// Whether the Jacobi integral v·∂L/∂v − L is conserved: dh/dt is the power of forces and reactions less ∂L/∂t.
+    pub fn conserves(&self) -> bool {
+        self.autonomous && self.timeless && self.conservative
     }
 
     /// The lines of the report: what was found.
@@ -104,7 +109,7 @@ impl Facts {
                 .collect();
             found.push(format!("inertially decoupled blocks: {}", names.join(" | ")));
         }
-        if self.conservative && self.autonomous {
+        if self.conserves() {
             let conserved = if self.has_jacobi_integral { "the Jacobi integral" } else { "the energy" };
             found.push(format!("conservative and autonomous: {conserved} is conserved"));
         }
@@ -123,7 +128,7 @@ impl Facts {
                 skipped.push(line.to_owned());
             }
         };
-        skip(self.autonomous, "time: nothing depends on it");
+        skip(self.autonomous && self.timeless, "time: nothing depends on it");
         skip(model.inputs.is_empty(), "inputs");
         skip(model.dissipation.is_empty(), "dissipation");
         skip(model.forces.is_empty(), "applied forces");

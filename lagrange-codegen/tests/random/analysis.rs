@@ -90,7 +90,8 @@ pub fn check(source: &Source, sample: &Sample) -> Result<Counts, String> {
     Ok(counts)
 }
 
-fn derived(source: &Source) -> Option<(Model, Equations)> {
+/// The equations of a description, as facts are read off them.
+pub fn derived(source: &Source) -> Option<(Model, Equations)> {
     let mut diagnostics = Diagnostics::new();
     let (arguments, item) = (source.arguments.parse().ok()?, source.item.parse().ok()?);
     let item = syntax::parse(arguments, item, "::lagrangian", &mut diagnostics)?;

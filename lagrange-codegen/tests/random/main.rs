@@ -11,6 +11,7 @@
 
 mod analysis;
 mod check;
+mod claims;
 mod close;
 mod constrained;
 mod constraint;
@@ -96,6 +97,21 @@ fn what_analysis_derives_obeys_identities() {
     let total = total.into_inner().expect("a worker has failed");
     println!("{total:?}");
     assert!(total.covariant > QUICK && total.regressors > QUICK / 16, "{total:?}");
+}
+
+#[test]
+fn what_is_claimed_of_whole_lagrangians_holds() {
+    let total: Mutex<claims::Counts> = Mutex::default();
+    runner::run(2 * runner::cases(QUICK), claims::strategy, |whole| {
+        let counts = claims::check(whole)?;
+        let mut total = total.lock().map_err(|error| error.to_string())?;
+        total.energies += counts.energies;
+        total.others += counts.others;
+        Ok(())
+    });
+    let total = total.into_inner().expect("a worker has failed");
+    println!("{total:?}");
+    assert!(total.energies > QUICK / 8 && total.others > QUICK / 16, "{total:?}");
 }
 
 #[test]

@@ -22,6 +22,9 @@ const STEPS: usize = 200;
 /// Damping, relative to the largest singular value squared: at the start, and what is too much.
 const DAMPING: (f64, f64) = (1e-3, 1e12);
 
+/// Forces have faded whose squares fell to this share of what they were.
+const FADED: f64 = 1e-6;
+
 /// Corrections back onto the constraints.
 const CORRECTIONS: usize = 30;
 
@@ -57,6 +60,11 @@ pub enum EquilibriumError {
         /// The generalized force there, in its own unit.
         force: Magnitude,
     },
+    /// The forces fade with the distance, and the search followed them away from the guess.
+    RanAway {
+        /// Index of the coordinate that went furthest.
+        coordinate: usize,
+    },
 }
 
 impl fmt::Display for EquilibriumError {
@@ -73,6 +81,11 @@ impl fmt::Display for EquilibriumError {
                 "no equilibrium near the guess: a force of {force} along coordinate {coordinate} is left; start nearer \
                  to one"
             ),
+            Self::RanAway { coordinate } => write!(
+                out,
+                "no equilibrium found: the search ran away along coordinate {coordinate}, where the forces fade but nothing \
+                 rests; start nearer to an equilibrium"
+            ),
         }
     }
 }
@@ -81,7 +94,7 @@ impl core::error::Error for EquilibriumError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
             Self::Constraints(cause) => Some(cause),
-            Self::MovingConstraint { .. } | Self::Unbalanced { .. } => None,
+            Self::MovingConstraint { .. } | Self::Unbalanced { .. } | Self::RanAway { .. } => None,
         }
     }
 }
@@ -168,13 +181,21 @@ where
     let (step, largest) = (statics.displacement(&rest, &values, zero), values.largest_square());
     let remainder = values.remainder(&rest.forces);
     let size = |x: &[S::Scalar; N]| (0..N).fold(zero, |sum, i| sum + metric[i] * x[i] * x[i]);
-    let travelled = core::array::from_fn(|i| rest.q[i] - start[i]);
+    let travelled: [S::Scalar; N] = core::array::from_fn(|i| rest.q[i] - start[i]);
     let (epsilon, reach) = (S::Scalar::epsilon(), size(&rest.q) + size(&travelled));
     // What a step leaves of the forces, because nothing stiff is in their way, must be rounding of those in balance.
     let is_rounding = remainder <= epsilon * epsilon.sqrt() * largest * reach;
     // Forces that fade on the way to infinity are small there, too, but the way does not end.
     let ends = size(&step) <= number(1e-6) * reach;
     let balanced = is_rounding && ends && (rest.square <= epsilon * met || size(&step) <= epsilon * reach);
+    if !balanced && !ends && rest.square <= number(FADED) * met {
+        let mut coordinate = 0;
+        for i in 1..N {
+            let far = |i: usize| metric[i] * travelled[i] * travelled[i];
+            coordinate = if far(i) > far(coordinate) { i } else { coordinate };
+        }
+        return Err(EquilibriumError::RanAway { coordinate });
+    }
     if !balanced {
         let (mut coordinate, mut force) = (0, zero);
         for (i, left) in rest.left.iter().enumerate() {

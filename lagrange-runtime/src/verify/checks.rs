@@ -2,6 +2,7 @@
 
 use num_traits::Zero;
 
+use super::scales::Scales;
 use super::{Certificate, Described, Driven, Identity, Verifiable, Violation, derivative, double};
 use crate::linear::Ldlt;
 use crate::real::Real;
@@ -32,7 +33,7 @@ impl Judge {
         if (off - allowed).largest() > Zero::zero() {
             return Err(Violation { identity, by: double(off), allowed: double(allowed) });
         }
-        let share = double(off) / (double(allowed) + f64::MIN_POSITIVE);
+        let share = if allowed.is_positive() { double(off / allowed) } else { 0.0 };
         self.seen.worst = if share > self.seen.worst { share } else { self.seen.worst };
         Ok(())
     }
@@ -67,26 +68,26 @@ pub(super) fn at_state<S: Verifiable<N, K>, const N: usize, const K: usize>(
     let work = momenta.iter().zip(&state.v).fold(S::Scalar::zero(), |sum, (&p, &v)| sum + (p * v).abs());
     let energy = work + integral.abs();
 
-    skew(system, &state, &mut judge)?;
-    equations(system, &state, &driven, energy, &mut judge)?;
+    let scales = Scales::of(&system.mass_at(&state), &state, &a);
+
+    skew(system, &state, &scales, &mut judge)?;
+    equations(system, &state, &driven, (&scales, energy), &mut judge)?;
     if let Some(rate) = system.integral_rate_at(&state, u) {
-        let (found, doubt) = derivative(|time| system.integral_at(&along(&state, &a, time)));
-        let scale = energy + rate.abs() + dot(&momenta, &a);
+        let (found, doubt) = derivative(|time| system.integral_at(&along(&state, &a, time)), scales.time);
+        let [terms] = scales.terms(&state, &a, |state| [system.integral_at(state)]);
+        let scale = energy * scales.pace + rate.abs() + terms;
         judge.compare(Identity::PowerBalance, found, rate, scale, doubt)?;
     }
     for index in 0..S::CONSERVED {
-        let (found, doubt) = derivative(|time| system.conserved_at(&along(&state, &a, time), index));
-        let scale = system.conserved_at(&state, index).abs() + energy + dot(&momenta, &a);
+        let conserved = |state: &State<S::Scalar, N>| system.conserved_at(state, index);
+        let (found, doubt) = derivative(|time| conserved(&along(&state, &a, time)), scales.time);
+        let [terms] = scales.terms(&state, &a, |state| [conserved(state)]);
+        let scale = conserved(&state).abs() * scales.pace + terms;
         judge.compare(Identity::Conservation { index }, found, Zero::zero(), scale, doubt)?;
     }
-    constraints(system, &state, &mut judge)?;
-    described(system, &state, (work, integral), &momenta, &mut judge)?;
+    constraints(system, &state, &scales, &mut judge)?;
+    described(system, &state, (work, integral), scales.time, &mut judge)?;
     Ok(Some(judge.seen))
-}
-
-/// Σ |a b|.
-fn dot<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
-    a.iter().zip(b).fold(R::zero(), |sum, (&a, &b)| sum + (a * b).abs())
 }
 
 fn positive<S: Verifiable<N, K>, const N: usize, const K: usize>(
@@ -95,13 +96,13 @@ fn positive<S: Verifiable<N, K>, const N: usize, const K: usize>(
     judge: &mut Judge,
 ) -> Result<(), Violation> {
     let mass = system.mass_at(state);
-    let size = mass.iter().flatten().fold(S::Scalar::zero(), |sum, &entry| sum + entry.abs());
     if S::DEFINITE {
-        let form = mass
-            .iter()
-            .zip(&state.v)
-            .flat_map(|(row, &left)| row.iter().zip(&state.v).map(move |(&entry, &v)| left * entry * v))
-            .fold(S::Scalar::zero(), |sum, term| sum + term);
+        let terms = || {
+            let rows = mass.iter().zip(&state.v);
+            rows.flat_map(|(row, &left)| row.iter().zip(&state.v).map(move |(&entry, &v)| left * entry * v))
+        };
+        let form = terms().fold(S::Scalar::zero(), |sum, term| sum + term);
+        let size = terms().fold(S::Scalar::zero(), |sum, term| sum + term.abs());
         let least = if (-form).is_positive() { form } else { S::Scalar::zero() };
         judge.compare(Identity::PositiveInertia, least, Zero::zero(), size, Zero::zero())?;
         let finite = mass.iter().flatten().all(|entry| entry.is_finite());
@@ -116,16 +117,17 @@ fn positive<S: Verifiable<N, K>, const N: usize, const K: usize>(
 fn skew<S: Verifiable<N, K>, const N: usize, const K: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
+    scales: &Scales<S::Scalar, N>,
     judge: &mut Judge,
 ) -> Result<(), Violation> {
     let Some(coriolis) = system.coriolis_at(state) else { return Ok(()) };
     let mass = system.mass_at(state);
-    let size = mass.iter().flatten().fold(S::Scalar::zero(), |sum, &entry| sum + entry.abs());
     let still = [S::Scalar::zero(); N];
     for (i, j) in (0..N).flat_map(|i| (0..=i).map(move |j| (i, j))) {
-        let (rate, doubt) = derivative(|time| system.mass_at(&along(state, &still, time))[i][j]);
+        let (rate, doubt) = derivative(|time| system.mass_at(&along(state, &still, time))[i][j], scales.time);
         let sum = coriolis[i][j] + coriolis[j][i];
-        let scale = size + coriolis[i][j].abs() + coriolis[j][i].abs();
+        let size = (mass[i][i] * mass[j][j]).abs().sqrt() + mass[i][j].abs();
+        let scale = size * scales.pace + coriolis[i][j].abs() + coriolis[j][i].abs();
         judge.compare(Identity::SkewCoriolis, rate, sum, scale, doubt)?;
     }
     Ok(())
@@ -136,23 +138,25 @@ fn equations<S: Verifiable<N, K>, const N: usize, const K: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
     Driven { accelerations: a, loads }: &Driven<S::Scalar, N>,
-    energy: S::Scalar,
+    (scales, energy): (&Scales<S::Scalar, N>, S::Scalar),
     judge: &mut Judge,
 ) -> Result<(), Violation> {
-    let momenta = system.momenta_at(state);
+    let terms = scales.terms(state, a, |state| system.momenta_at(state));
     let lagrangian = |state: &State<S::Scalar, N>| {
         let momenta = system.momenta_at(state);
         let work = momenta.iter().zip(&state.v).fold(S::Scalar::zero(), |sum, (&p, &v)| sum + p * v);
         work - system.integral_at(state)
     };
     for i in 0..N {
-        let (rate, of_rate) = derivative(|time| system.momenta_at(&along(state, a, time))[i]);
-        let (slope, of_slope) = derivative(|x| {
+        let (rate, of_rate) = derivative(|time| system.momenta_at(&along(state, a, time))[i], scales.time);
+        let place = scales.places[i];
+        let by_place = |x| {
             let mut moved = *state;
             moved.q[i] += x;
             lagrangian(&moved)
-        });
-        let scale = momenta[i].abs() + rate.abs() + slope.abs() + loads[i].abs() + energy;
+        };
+        let (slope, of_slope) = derivative(by_place, place);
+        let scale = terms[i] + slope.abs() + loads[i].abs() + energy / place;
         let identity = Identity::LagrangesEquation { coordinate: i };
         judge.compare(identity, rate, slope + loads[i], scale, of_rate + of_slope)?;
     }
@@ -162,20 +166,26 @@ fn equations<S: Verifiable<N, K>, const N: usize, const K: usize>(
 fn constraints<S: Verifiable<N, K>, const N: usize, const K: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
+    scales: &Scales<S::Scalar, N>,
     judge: &mut Judge,
 ) -> Result<(), Violation> {
     for constraint in 0..S::CONSTRAINTS {
         let gradient = system.gradient_at(state, constraint);
         for (i, &entry) in gradient.iter().enumerate() {
-            let (slope, doubt) = derivative(|x| {
+            let holonomic = S::is_holonomic(constraint);
+            let step = if holonomic { scales.places[i] } else { scales.places[i] / scales.time };
+            let moved = |x| {
                 let mut moved = *state;
-                let place = if S::is_holonomic(constraint) { &mut moved.q } else { &mut moved.v };
+                let place = if holonomic { &mut moved.q } else { &mut moved.v };
                 if let Some(place) = place.get_mut(i) {
                     *place += x;
                 }
                 system.constraint_at(&moved, constraint)
-            });
-            let scale = gradient.iter().fold(S::Scalar::zero(), |sum, &entry| sum + entry.abs());
+            };
+            let (slope, doubt) = derivative(moved, step);
+            let sizes = gradient.iter().zip(&scales.places);
+            let size = sizes.fold(S::Scalar::zero(), |sum, (&entry, &place)| sum + entry.abs() * place);
+            let scale = size / scales.places[i];
             judge.compare(Identity::ConstraintGradient { constraint }, slope, entry, scale, doubt)?;
         }
     }
@@ -187,10 +197,11 @@ fn described<S: Verifiable<N, K>, const N: usize, const K: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
     (work, integral): (S::Scalar, S::Scalar),
-    momenta: &[S::Scalar; N],
+    time: S::Scalar,
     judge: &mut Judge,
 ) -> Result<(), Violation> {
-    let Described { kinetic, potential, lagrangian, uncertainty } = system.described_at(state);
+    let momenta = system.momenta_at(state);
+    let Described { kinetic, potential, lagrangian, uncertainty } = system.described_at(state, time);
     let scale = work + integral.abs() + kinetic.abs() + potential.abs() + lagrangian.abs();
     if let Some([t, v]) = system.energies_at(state) {
         judge.compare(Identity::KineticEnergy, t, kinetic, scale, uncertainty)?;

@@ -2,35 +2,75 @@
 
 use crate::real::Real;
 
-/// Steps, each a quarter of the one before.
-const STEPS: usize = 5;
+/// Each step is so many times the one before.
+const GROWTH: f64 = 4.0;
 
-/// df/dx at 0 by differences of order four, f′ ≈ (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h, and by how much the two best
-/// steps disagree.
-pub fn derivative<R: Real>(f: impl Fn(R) -> R) -> (R, R) {
-    let four = R::from_f64(4.0);
-    let mut h = (R::epsilon().ln() / R::from_f64(5.0)).exp() * four * R::from_f64(2.0);
+/// Differences that are so many times as uncertain as the best ones are beyond the scale of the function.
+const BEYOND: f64 = 1e3;
+
+/// df/dx at 0 by differences of order four, f′ ≈ (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h, and by how much it is uncertain.
+///
+/// `scale` is a change of x in which f may change by its own size, at most. Steps grow from half the digits of it: at first
+/// roundings are divided by less and less, then f is no longer its own tangent, at a step that is not known. The best of them is
+/// where consecutive ones agree, and the search ends where they disagree again: further away a function may be flat.
+pub fn derivative<R: Real>(f: impl Fn(R) -> R, scale: R) -> (R, R) {
+    let number = R::from_f64;
+    let rounding = f(R::zero()).abs() * R::epsilon();
+    let mut h = scale * R::epsilon().sqrt();
     let mut last = quotient(&f, h);
+    let mut before: Option<R> = None;
     let mut best: Option<(R, R)> = None;
-    for _ in 1..STEPS {
-        h /= four;
+    while (h - scale * number(0.5 / GROWTH)).largest() < R::zero().largest() {
+        h *= number(GROWTH);
         let next = quotient(&f, h);
         let difference = (next - last).abs();
-        last = next;
-        let better = match best {
-            Some((_, uncertainty)) => {
-                !uncertainty.is_finite() || difference.largest() < uncertainty.largest()
+        // Two roundings may agree by chance; hardly twice in a row.
+        let doubt = before.map(|before| difference + before / number(GROWTH) + rounding / h);
+        (last, before) = (next, Some(difference));
+        let Some(doubt) = doubt.filter(|doubt| doubt.is_finite()) else { continue };
+        match best {
+            Some((_, least)) if (doubt - least).largest() >= R::zero().largest() => {
+                if (doubt - least * number(BEYOND)).largest() > R::zero().largest() {
+                    break;
+                }
             }
-            None => true,
-        };
-        if better {
-            best = Some((next, difference));
+            _ => best = Some((next, doubt)),
         }
     }
-    best.unwrap_or((last, last))
+    best.unwrap_or((last, R::one() / R::zero()))
 }
 
 fn quotient<R: Real>(f: &impl Fn(R) -> R, h: R) -> R {
     let (near, far) = (f(h) - f(-h), f(h + h) - f(-h - h));
     (R::from_f64(8.0) * near - far) / (R::from_f64(12.0) * h)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_know_their_uncertainty_at_any_scale() {
+        let check = |f: &dyn Fn(f64) -> f64, scale: f64, slope: f64, share: f64| {
+            let (found, doubt) = derivative(f, scale);
+            assert!(
+                (found - slope).abs() <= 2.0 * doubt + 1e-14 * slope.abs(),
+                "{found} ± {doubt}, not {slope}"
+            );
+            assert!(doubt <= share * slope.abs(), "{found} ± {doubt} of {slope}");
+        };
+        for scale in [1e-9, 1.0, 1e12] {
+            check(&|x| (1.0 + x / scale).sqrt(), scale, 0.5 / scale, 1e-9);
+            check(&|x| (1.0 + x / scale).powi(-12), scale, -12.0 / scale, 1e-8);
+            // A function of a far smaller scale than is known.
+            check(&|x| (1e4 * x / scale).sin(), scale, 1e4 / scale, 1e-7);
+            // A bump, which is flat a little further away.
+            check(&|x| (-(1e3 * x / scale - 1.0).powi(2)).exp(), scale, 2e3 / scale * (-1.0_f64).exp(), 1e-7);
+            // Linear functions have no scale.
+            check(&|x| 3.0 * x / scale + 5.0, scale, 3.0 / scale, 1e-8);
+        }
+        let (slope, doubt) = derivative(|x: f32| (1.0 + x).ln(), 1.0);
+        assert!((slope - 1.0).abs() <= 2.0 * doubt && doubt < 1e-3, "{slope} ± {doubt}");
+        assert_eq!(derivative(|_: f64| 7.0, 1.0).0, 0.0);
+    }
 }

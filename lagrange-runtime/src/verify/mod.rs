@@ -1,12 +1,13 @@
 //! The certificate of a model: identities that must hold, checked at sampled states against the user's own functions.
 //!
 //! No stored numbers are compared. Derivatives are central differences of what the model computes, and of the user's
-//! positions and energies; how uncertain a difference is follows from steps of several lengths, so that nothing is asked of
-//! it that it cannot give.
+//! positions and energies; their steps follow the scales of the motion, and how uncertain a difference is follows from steps
+//! of several lengths, so that nothing is asked of it that it cannot give.
 
 mod checks;
 mod differences;
 mod placed;
+mod scales;
 
 use core::fmt;
 
@@ -180,14 +181,15 @@ pub trait Verifiable<const N: usize, const K: usize = 0>: System<N, K> {
     fn is_holonomic(constraint: usize) -> bool;
     /// T and V, where L is not given as a whole.
     fn energies_at(&self, state: &State<Self::Scalar, N>) -> Option<[Self::Scalar; 2]>;
-    /// The same by the user's functions.
-    fn described_at(&self, state: &State<Self::Scalar, N>) -> Described<Self::Scalar>;
+    /// The same by the user's functions, with the scale of time of differences.
+    fn described_at(&self, state: &State<Self::Scalar, N>, time: Self::Scalar) -> Described<Self::Scalar>;
 }
 
 /// How many states are drawn where none are given.
 const STATES: usize = 12;
 
-/// Checks all identities at states with coordinates and velocities between −1 and 1.
+/// Checks all identities at states with coordinates and velocities between −1 and 1. Where the scales of a model are far from
+/// one, nothing happens at such states, or too much: [`verify_at`] takes states at which it moves.
 ///
 /// # Errors
 /// The first identity that does not hold.

@@ -20,16 +20,21 @@ pub trait Placed<R> {
     const SPATIAL: bool = false;
 }
 
-/// T = ½ m ṙ² + ½ ω·I ω of a particle or body on a path, and the uncertainty of it. The inertia of a planar body stands in the
-/// first entry.
+/// T = ½ m ṙ² + ½ ω·I ω of a particle or body on a path, and the uncertainty of it; `time` is the scale of the path. The
+/// inertia of a planar body stands in the first entry.
 ///
 /// With J = ½ tr I − I the energy of a rotation is ½ tr(Ṙ J Ṙᵀ), so that no angular velocity is formed.
-pub fn kinetic<R: Real, P: Placed<R>>(path: impl Fn(R) -> P, mass: R, inertia: [[R; 3]; 3]) -> (R, R) {
+pub fn kinetic<R: Real, P: Placed<R>>(
+    path: impl Fn(R) -> P,
+    time: R,
+    mass: R,
+    inertia: [[R; 3]; 3],
+) -> (R, R) {
     let half = R::from_f64(0.5);
     let mut rates = [R::zero(); MOST];
     let mut doubts = [R::zero(); MOST];
     for (k, (rate, doubt)) in rates.iter_mut().zip(&mut doubts).enumerate() {
-        (*rate, *doubt) = derivative(|x| path(x).components()[k.min(MOST - 1)]);
+        (*rate, *doubt) = derivative(|x| path(x).components()[k.min(MOST - 1)], time);
     }
     let trace = half * (inertia[0][0] + inertia[1][1] + inertia[2][2]);
     let weight = |a: usize, b: usize| if a == b { trace - inertia[a][b] } else { -inertia[a][b] };

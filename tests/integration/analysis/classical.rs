@@ -205,12 +205,34 @@ impl FadingFaster {
     }
 }
 
+/// A well whose walls fade.
+struct Well;
+
+#[lagrangian(coordinates = [x], jacobians)]
+impl Well {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * v.x.powi(2)
+    }
+
+    #[potential]
+    fn potential(&self, q: &Coordinates) -> f64 {
+        -(-q.x.powi(2)).exp()
+    }
+}
+
 #[test]
 fn nothing_rests_at_infinity() {
     for power in [1.0, -1.0] {
         let found = Fading { power }.equilibrium([1.0, 0.0], &[]);
-        assert!(matches!(found, Err(EquilibriumError::Unbalanced { .. })), "{found:?}");
+        assert!(matches!(found, Err(EquilibriumError::RanAway { coordinate: 0 })), "{found:?}");
     }
     let found = FadingFaster.equilibrium([1.0], &[]);
-    assert!(matches!(found, Err(EquilibriumError::Unbalanced { .. })), "{found:?}");
+    assert!(matches!(found, Err(EquilibriumError::RanAway { coordinate: 0 })), "{found:?}");
+    for guess in [0.6, 3.0] {
+        let found = Well.equilibrium([guess], &[]);
+        let Err(error @ EquilibriumError::RanAway { coordinate: 0 }) = found else { panic!("{found:?}") };
+        assert!(error.to_string().contains("ran away along coordinate 0"), "{error}");
+    }
+    assert!(Well.equilibrium([0.3], &[]).unwrap().is_isolated);
 }

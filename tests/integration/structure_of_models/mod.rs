@@ -2,12 +2,14 @@
 //! canonical equations, lumped parameters.
 
 mod certificate;
+mod claims;
 mod conserved;
 mod covariant;
 mod energy;
 mod hamilton;
 mod proofs;
 mod regressor;
+mod scales;
 
 /// Tolerance of closed forms.
 const CLOSED_FORM: f64 = 1e-12;

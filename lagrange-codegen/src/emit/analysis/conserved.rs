@@ -30,7 +30,7 @@ pub(super) fn items(emission: &mut Emission<'_>) -> (String, usize) {
 
     let mut names = Vec::new();
     let mut values = Vec::new();
-    if emission.facts.autonomous && emission.facts.conservative {
+    if emission.facts.conserves() {
         let (name, value) = match emission.equations.jacobi_integral {
             Some(integral) => ("Jacobi integral", integral),
             None => ("energy", emission.equations.energy),

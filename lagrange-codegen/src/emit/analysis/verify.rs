@@ -20,8 +20,8 @@ pub(super) fn methods(emission: &Emission<'_>) -> String {
     let first = method(
         "Checks identities of this model at sampled states: the mass matrix is positive, Ṁ − 2C is skew, the accelerations satisfy \
          Lagrange's equations, the power balance holds, conserved quantities stay, gradients of constraints are their \
-         derivatives, and the energies are those of the described functions. Coordinates and velocities are between −1 and 1; \
-         `verify_at` takes states of your own.\n\n# Errors\n\nThe first identity that does not hold, and by how much.",
+         derivatives, and the energies are those of the described functions. Coordinates and velocities are between −1 and 1: \
+         where the scales of the motion are far from one, `verify_at` takes states of your own.\n\n# Errors\n\nThe first identity that does not hold, and by how much.",
         &format!("verify(&self) -> {result}"),
         &format!("lagrange::verify::verify::<Self, {count}, {given}>(self)"),
     );
@@ -101,7 +101,10 @@ pub(in crate::emit) fn implementation(emission: &mut Emission<'_>, affine: bool,
             format!("<[bool]>::get(&[{}], constraint).copied().unwrap_or(false)", holonomic.join(", ")),
         ),
         (format!("energies_at({place}) -> {}", option(&format!("[{scalar}; 2]"))), energies.to_owned()),
-        (format!("described_at({place}) -> lagrange::verify::Described<{scalar}>"), described),
+        (
+            format!("described_at({place}, time: {scalar}) -> lagrange::verify::Described<{scalar}>"),
+            described,
+        ),
     ];
     let mut text = format!(
         "const CONSERVED: usize = {conserved};\nconst CONSTRAINTS: usize = {held};\n\
@@ -208,7 +211,7 @@ fn described(emission: &mut Emission<'_>) -> String {
             let (function, index) = name.split_at(name.find('[').unwrap_or(name.len()));
             text.push_str(&format!(
                 "let (energy, doubt) = lagrange::verify::kinetic(|x| {{\nlet state = &path(x);\n{}{index}\n}}, \
-                 weights[{place}].0, weights[{place}].1);\n\
+                 time, weights[{place}].0, weights[{place}].1);\n\
                  described.kinetic += energy;\ndescribed.uncertainty += doubt;\n",
                 call(emission, function)
             ));

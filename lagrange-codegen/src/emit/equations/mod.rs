@@ -66,7 +66,8 @@ impl Equations {
         let nodes: Vec<NodeId> =
             rows.iter().flat_map(|(left, right)| left.iter().chain(right).copied()).collect();
         let graph = &mut emission.model.graph;
-        let mut simpler = readable::with_angles(graph, &nodes).into_iter();
+        let simpler = readable::with_angles(graph, &nodes);
+        let mut simpler = readable::collected(graph, &simpler).into_iter();
         for ((left, right), size) in rows.iter_mut().zip(sizes) {
             let (of_left, of_right) = (left.len(), size - left.len());
             *left = simpler.by_ref().take(of_left).collect();
@@ -78,7 +79,8 @@ impl Equations {
                     let short = graph.tree_size(node) < LONG;
                     if short && !inertial { readable::summands(graph, node) } else { vec![node] }
                 };
-                *side = side.iter().flat_map(open).collect();
+                let opened: Vec<NodeId> = side.iter().flat_map(open).collect();
+                *side = readable::collected_side(graph, &opened);
             }
         }
         let graph = &emission.model.graph;

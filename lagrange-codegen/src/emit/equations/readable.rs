@@ -96,6 +96,67 @@ fn combined(graph: &mut Graph, a: NodeId, b: NodeId, add: bool) -> NodeId {
     if add { graph.add(a, b) } else { graph.sub(a, b) }
 }
 
+/// Expressions in which sums that are printed as one have each summand once.
+pub(super) fn collected(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
+    let mut images: Lookup<NodeId, NodeId> = Lookup::default();
+    for id in graph.cone(roots.iter().copied()) {
+        let mut image = rebuild(graph, id, |operand| images.get(&operand).copied().unwrap_or(operand));
+        if matches!(graph.node(image), Node::Sum { .. }) {
+            let mut printed = Vec::new();
+            printed_terms(graph, image, Number::ONE, &mut printed);
+            let count = printed.len();
+            let merged = merged_terms(printed);
+            if merged.len() < count {
+                image = graph.sum(Number::ZERO, &merged);
+            }
+        }
+        images.insert(id, image);
+    }
+    roots.iter().map(|root| images.get(root).copied().unwrap_or(*root)).collect()
+}
+
+/// The summands of one side with each once.
+pub(super) fn collected_side(graph: &mut Graph, side: &[NodeId]) -> Vec<NodeId> {
+    let mut printed = Vec::new();
+    for &node in side {
+        printed_terms(graph, node, Number::ONE, &mut printed);
+    }
+    let count = printed.len();
+    let merged = merged_terms(printed);
+    if merged.len() == count {
+        return side.to_vec();
+    }
+    merged.into_iter().map(|(term, coefficient)| graph.scale(term, coefficient)).collect()
+}
+
+/// What stands between the signs where a node is written as a sum.
+fn printed_terms(graph: &mut Graph, node: NodeId, coefficient: Number, printed: &mut Vec<(NodeId, Number)>) {
+    match graph.node(node).clone() {
+        Node::Sum { offset, terms } if coefficient.abs().is_one() => {
+            for (term, own) in terms {
+                printed_terms(graph, term, coefficient * own, printed);
+            }
+            if !offset.is_zero() {
+                printed.push((graph.one(), coefficient * offset));
+            }
+        }
+        _ => printed.push((node, coefficient)),
+    }
+}
+
+/// Equal terms as one, where the first of them stands.
+fn merged_terms(terms: Vec<(NodeId, Number)>) -> Vec<(NodeId, Number)> {
+    let mut merged: Vec<(NodeId, Number)> = Vec::with_capacity(terms.len());
+    for (term, coefficient) in terms {
+        match merged.iter_mut().find(|(other, _)| *other == term) {
+            Some((_, sum)) => *sum = *sum + coefficient,
+            None => merged.push((term, coefficient)),
+        }
+    }
+    merged.retain(|(_, coefficient)| !coefficient.is_zero());
+    merged
+}
+
 /// The summands of an expression, products with one sum among their factors multiplied out; sums of parameters are kept.
 pub(super) fn summands(graph: &mut Graph, id: NodeId) -> Vec<NodeId> {
     match graph.node(id).clone() {
@@ -127,5 +188,30 @@ pub(super) fn summands(graph: &mut Graph, id: NodeId) -> Vec<NodeId> {
         Node::Sum { .. } | Node::Constant(_) | Node::Variable(_) | Node::Unary(..) | Node::Binary(..) => {
             vec![id]
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::Variable;
+
+    #[test]
+    fn equal_summands_are_printed_once() {
+        let mut g = Graph::new();
+        let [b0, b1, b2] = [0, 1, 2].map(|i| g.variable(Variable::Parameter(i)));
+        // (b₁ + b₀ − b₂) − (b₂ + (b₀ − b₁)), which the graph keeps as the user nested it.
+        let first = g.add(b1, b0);
+        let first = g.sub(first, b2);
+        let second = g.sub(b0, b1);
+        let second = g.add(b2, second);
+        let whole = g.sub(first, second);
+        let [sum] = collected(&mut g, &[whole])[..] else { panic!() };
+        let two = Number::integer(2);
+        assert_eq!(sum, g.sum(Number::ZERO, &[(b1, two), (b2, -two)]));
+        let side = collected_side(&mut g, &[b0, first, b2]);
+        let twice = g.scale(b0, two);
+        assert_eq!(side, [twice, b1]);
+        assert_eq!(collected_side(&mut g, &[b0, b1]), [b0, b1]);
     }
 }

@@ -3,11 +3,13 @@
 //! A shift q → q + ε ξ with ξ = S q + s takes I = p·ξ along: dI/dt = f·ξ + p·S v with f = ∂L/∂q + Q − ∂D/∂v, plus λᵀ A ξ where
 //! there are constraints. Both must vanish for all q, v, t, u and all values of the parameters (Arnold, *Mathematical Methods
 //! of Classical Mechanics*, section 20). They are linear in S and s: random samples give a linear system, its null space the
-//! candidates, and each candidate is then confirmed at points of its own. Integrals that are not linear in the momenta, or
+//! candidates, and each candidate is then confirmed at points of its own, near and far, up to the roundings of what is
+//! evaluated there and nothing beyond: a small force is a force. Kinks are put out of the way: a limit that no sample comes
+//! near would look like no force at all, so each sample goes on as on one side of every kink, by chance. Integrals that are not linear in the momenta, or
 //! whose ξ depends on parameters, are not found.
 
 use super::nullspace::{Noise, null_space};
-use crate::expr::{Graph, NodeId, Variable};
+use crate::expr::{Graph, NodeId, Rounded, Variable};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::number::Number;
@@ -21,8 +23,11 @@ const SPARE: usize = 16;
 /// Points at which a candidate is confirmed.
 const CONFIRMED: usize = 40;
 
-/// dI/dt may be this share of the sum of its absolute terms and of the momenta.
-const ROUNDING: f64 = 1e-12;
+/// dI/dt may be as many times what bounds its roundings to first order.
+const ROUNDINGS: f64 = 8.0;
+
+/// Points of confirmation have coordinates of up to this power of ten.
+const FAR: f64 = 6.0;
 
 /// Largest denominator of an entry of S and s.
 const DENOMINATOR: i128 = 12;
@@ -78,14 +83,15 @@ impl Unknown {
 pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
     let unknowns = unknowns(model, equations);
     let mut noise = Noise(0);
-    let Some(samples) = samples(model, equations, &mut noise, unknowns.len() + SPARE) else {
+    let near = |attempt: usize| Sample::draw(model, equations, &mut noise, attempt, 1.0);
+    let Some(samples) = samples(unknowns.len() + SPARE, near) else {
         return Vec::new();
     };
     // Momenta say how large a force on a coordinate must be to count: masses may differ by many orders.
     let weights: Vec<f64> = (0..equations.mass.len())
         .map(|i| {
             let largest =
-                samples.iter().fold(0.0, |largest: f64, sample| largest.max(sample.momenta[i].abs()));
+                samples.iter().fold(0.0, |largest: f64, sample| largest.max(sample.momenta[i].value.abs()));
             if largest > 0.0 { largest.recip() } else { 1.0 }
         })
         .collect();
@@ -103,7 +109,11 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
             Generator::rational(&unscaled, &unknowns)
         })
         .collect();
-    let Some(others) = self::samples(model, equations, &mut noise, CONFIRMED) else { return Vec::new() };
+    let far = |attempt: usize| {
+        let scale = if attempt % 4 < 2 { 1.0 } else { 10_f64.powf(noise.between(0.0, FAR)) };
+        Sample::draw(model, equations, &mut noise, attempt, scale)
+    };
+    let Some(others) = self::samples(CONFIRMED, far) else { return Vec::new() };
     let is_confirmed = |candidate: &Generator| others.iter().all(|sample| sample.confirms(candidate));
     let mut confirmed: Vec<Generator> = candidates.into_iter().filter(is_confirmed).collect();
     // Translations first, as they stand in the coordinates.
@@ -152,23 +162,26 @@ fn unknowns(model: &Model, equations: &Equations) -> Vec<Unknown> {
 struct Sample {
     q: Vec<f64>,
     v: Vec<f64>,
-    momenta: Vec<f64>,
-    rates: Vec<f64>,
-    jacobian: Vec<Vec<f64>>,
+    momenta: Vec<Rounded>,
+    rates: Vec<Rounded>,
+    jacobian: Vec<Vec<Rounded>>,
 }
 
 impl Sample {
-    fn draw(model: &Model, equations: &Equations, noise: &mut Noise, attempt: usize) -> Sample {
+    fn draw(model: &Model, equations: &Equations, noise: &mut Noise, attempt: usize, scale: f64) -> Sample {
         let count = equations.mass.len();
         // Roots and logarithms may want positive coordinates.
         let low = if attempt.is_multiple_of(2) { -1.5 } else { 0.1 };
         let mut draw = |count: usize, low: f64, high: f64| -> Vec<f64> {
             (0..count).map(|_| noise.between(low, high)).collect()
         };
-        let (q, v) = (draw(count, low, 1.5), draw(count, -1.0, 1.0));
+        let (q, v) = (draw(count, scale * low, scale * 1.5), draw(count, -1.0, 1.0));
         let parameters = draw(model.parameters.len(), 0.5, 2.0);
         let inputs = draw(model.inputs.len(), -1.0, 1.0);
-        let time = draw(1, -1.0, 1.0)[0];
+        let time = draw(1, -scale, scale)[0];
+        let sides = draw(1, 1.0, 2.0)[0];
+        let side =
+            |argument: NodeId| Noise(sides.to_bits() ^ argument.index() as u64).between(-1.0, 1.0) > 0.0;
         let value = |variable: Variable| match variable {
             Variable::Coordinate(i) => q[i as usize],
             Variable::Velocity(i) => v[i as usize],
@@ -184,7 +197,7 @@ impl Sample {
         let mut roots = equations.momenta.clone();
         roots.extend(&equations.momentum_rates);
         roots.extend(conditions.jacobian.iter().flatten());
-        let mut values = model.graph.evaluate(&roots, value).into_iter();
+        let mut values = model.graph.evaluate_on_sides(&roots, value, side).into_iter();
         let mut take = || values.by_ref().take(count).collect::<Vec<_>>();
         let (momenta, rates) = (take(), take());
         let jacobian = (0..conditions.count()).map(|_| take()).collect();
@@ -193,21 +206,21 @@ impl Sample {
 
     fn is_finite(&self) -> bool {
         let numbers = self.momenta.iter().chain(&self.rates).chain(self.jacobian.iter().flatten());
-        numbers.into_iter().all(|number| number.is_finite())
+        numbers.into_iter().all(|number| number.value.is_finite() && number.error.is_finite())
     }
 
     /// Rows of the linear system: dI/dt, then A ξ.
     fn conditions(&self, unknowns: &[Unknown]) -> Vec<Vec<f64>> {
-        let row = |force: &[f64], momenta: Option<&[f64]>| {
+        let row = |force: &[Rounded], momenta: Option<&[Rounded]>| {
             unknowns
                 .iter()
                 .map(|unknown| {
                     let (linear, shift) = unknown.parts();
                     let turned = linear.iter().map(|&(i, j, sign)| {
-                        let carried = momenta.map_or(0.0, |momenta| momenta[i] * self.v[j]);
-                        sign as f64 * (force[i] * self.q[j] + carried)
+                        let carried = momenta.map_or(0.0, |momenta| momenta[i].value * self.v[j]);
+                        sign as f64 * (force[i].value * self.q[j] + carried)
                     });
-                    turned.sum::<f64>() + shift.map_or(0.0, |i| force[i])
+                    turned.sum::<f64>() + shift.map_or(0.0, |i| force[i].value)
                 })
                 .collect()
         };
@@ -218,21 +231,23 @@ impl Sample {
 
     /// Whether dI/dt and A ξ vanish up to rounding.
     fn confirms(&self, generator: &Generator) -> bool {
-        let vanishes = |force: &[f64], momenta: Option<&[f64]>| {
-            let (mut sum, mut size) = (0.0, 0.0);
-            let mut add = |term: f64, scale: f64| {
+        let vanishes = |force: &[Rounded], momenta: Option<&[Rounded]>| {
+            let (mut sum, mut error) = (0.0, 0.0);
+            let mut add = |factor: f64, number: Rounded| {
+                let term = factor * number.value;
                 sum += term;
-                size += term.abs() + scale.abs();
+                error += f64::EPSILON * term.abs() + factor.abs() * number.error;
             };
             for &(i, j, value) in &generator.linear {
-                let value = value.value();
-                add(value * force[i] * self.q[j], value * self.momenta[i]);
-                add(momenta.map_or(0.0, |momenta| value * momenta[i] * self.v[j]), 0.0);
+                add(value.value() * self.q[j], force[i]);
+                if let Some(momenta) = momenta {
+                    add(value.value() * self.v[j], momenta[i]);
+                }
             }
             for &(i, value) in &generator.shift {
-                add(value.value() * force[i], value.value() * self.momenta[i]);
+                add(value.value(), force[i]);
             }
-            sum.abs() <= ROUNDING * size
+            sum.abs() <= ROUNDINGS * error
         };
         vanishes(&self.rates, Some(&self.momenta))
             && self.jacobian.iter().all(|gradient| vanishes(gradient, None))
@@ -240,9 +255,8 @@ impl Sample {
 }
 
 /// So many points at which everything is a number; `None` where there are hardly any.
-fn samples(model: &Model, equations: &Equations, noise: &mut Noise, wanted: usize) -> Option<Vec<Sample>> {
-    let drawn = (0..4 * wanted).map(|attempt| Sample::draw(model, equations, noise, attempt));
-    let samples: Vec<Sample> = drawn.filter(Sample::is_finite).take(wanted).collect();
+fn samples(wanted: usize, draw: impl FnMut(usize) -> Sample) -> Option<Vec<Sample>> {
+    let samples: Vec<Sample> = (0..4 * wanted).map(draw).filter(Sample::is_finite).take(wanted).collect();
     (samples.len() == wanted).then_some(samples)
 }
 

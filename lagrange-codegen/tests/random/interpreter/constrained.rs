@@ -11,6 +11,12 @@ impl Interpreter<'_> {
             ("lagrange::Surface::balance_at", _) => {
                 find(&self.expansion.surface, "balance_at").and_then(|f| self.call(f, arguments.to_vec()))
             }
+            // The state is on its constraints, or there are no others that it could be compared with.
+            ("lagrange::constraints::accelerations", [Value::Model, ..]) => {
+                find(&self.expansion.surface, "balance_at")
+                    .and_then(|f| self.call(f, arguments.to_vec()))
+                    .and_then(|balance| balance.field("accelerations").cloned())
+            }
             ("lagrange::saddle::Diagonal::factor", [inverses, gradients]) => {
                 diagonal(inverses).map(|mass| saddle(Value::rows(&mass), gradients))
             }

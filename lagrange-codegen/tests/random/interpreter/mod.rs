@@ -368,6 +368,7 @@ fn literal_value(literal: &Lit) -> Run<Value> {
             Ok(value) => Ok(Value::Integer(value)),
             Err(error) => unknown(error.to_string()),
         },
+        Lit::Bool(boolean) => Ok(Value::Integer(usize::from(boolean.value))),
         _ => unknown(text(literal)),
     }
 }
