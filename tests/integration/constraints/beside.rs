@@ -13,7 +13,7 @@ struct Once;
 struct Twice;
 
 macro_rules! cylinder {
-    ($name:ident, $rows:literal) => {
+    ($name:ident, $rows:literal $(, $factor:literal)?) => {
         #[lagrangian(coordinates = [x, y, z])]
         impl $name {
             #[point(mass = 1.0)]
@@ -29,18 +29,14 @@ macro_rules! cylinder {
             #[holonomic]
             fn surface(&self, q: &Coordinates) -> [f64; $rows] {
                 let off = q.x * q.x + q.y * q.y - 1.0;
-                let mut rows = [off; $rows];
-                for row in 1..$rows {
-                    rows[row] = off * (q.z + 3.0);
-                }
-                rows
+                [off $(, off * (q.z + $factor))?]
             }
         }
     };
 }
 
 cylinder!(Once, 1);
-cylinder!(Twice, 2);
+cylinder!(Twice, 2, 3.0);
 
 #[test]
 fn fixed_steps_are_those_of_one_row() {
@@ -87,10 +83,10 @@ macro_rules! ring {
                 let (mut turn, mut place) = (Rotation3::identity(), Vector3::zeros());
                 let mut joints = [Vector3::zeros(); 6];
                 for k in 0..6 {
-                    turn = turn * Rotation3::from_axis_angle(&Vector3::z_axis(), q.h[k]);
+                    turn *= Rotation3::from_axis_angle(&Vector3::z_axis(), q.h[k]);
                     place += turn * Vector3::x();
                     let twist = if k % 2 == 0 { FRAC_PI_2 } else { -FRAC_PI_2 };
-                    turn = turn * Rotation3::from_axis_angle(&Vector3::x_axis(), twist);
+                    turn *= Rotation3::from_axis_angle(&Vector3::x_axis(), twist);
                     joints[k] = place;
                 }
                 (joints, turn)
