@@ -162,8 +162,8 @@ pub fn contradiction(constraint: &str, other: &str) -> String {
 /// More constraints than coordinates that they contain.
 pub fn overdetermined(constraint: &str) -> String {
     format!(
-        "`{constraint}` is one constraint too many: those before it determine all coordinates that it contains; remove \
-         one of them, or say `allow(redundant)` in the attribute"
+        "`{constraint}` is one constraint too many: with those before it there are more equations than coordinates in \
+         them; remove one of them, or say `allow(redundant)` in the attribute"
     )
 }
 

@@ -59,8 +59,21 @@ fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
         }
         _ => false,
     };
-    exponent.0 <= STEEPEST
-        || (exponent.as_integer().is_none_or(|power| power < 0) && smooths(graph.node(base)))
+    let is_root = exponent.as_integer().is_none();
+    let is_kink = if is_root { !is_difference(graph, base) } else { exponent.0 < 0 };
+    exponent.0 <= STEEPEST || is_kink && smooths(graph.node(base))
+}
+
+/// L² − y²: a side of a triangle. Its root is as large as anything else until it vanishes.
+fn is_difference(graph: &Graph, base: NodeId) -> bool {
+    let Node::Sum { offset, terms } = graph.node(base) else { return false };
+    let is_square =
+        |node: NodeId| graph.factors(node).iter().all(|&(_, exponent)| exponent.0 > 0 && exponent.0 % 4 == 0);
+    let (fixed, moving): (Vec<_>, Vec<_>) =
+        terms.iter().partition(|&&(term, _)| graph.dependence(term).is_fixed());
+    !offset.is_negative()
+        && fixed.iter().all(|&&(term, c)| is_square(term) && !c.is_negative())
+        && moving.iter().all(|&&(term, c)| is_square(term) && c.is_negative())
 }
 
 #[cfg(test)]
@@ -79,6 +92,7 @@ mod tests {
         let square = graph.add(xx, yy);
         let distance = graph.sqrt(square);
         let smoothed = graph.sum(Number::ZERO, &[(xx, Number::ONE), (ww, Number::ONE)]);
+        let side = graph.sum(Number::ZERO, &[(ww, Number::ONE), (xx, Number::MINUS_ONE)]);
         let [sine, exp] = [Unary::Sin, Unary::Exp].map(|function| graph.unary(function, x));
         for (node, expected) in [
             (graph.powi(distance, -3), false),
@@ -88,6 +102,8 @@ mod tests {
             (graph.powi(x, -2), false),
             (graph.powi(distance, -12), true),
             (graph.sqrt(smoothed), true),
+            (graph.sqrt(side), false),
+            (graph.powi(side, -1), true),
             (graph.powi(smoothed, -1), true),
             (exp, true),
         ] {
