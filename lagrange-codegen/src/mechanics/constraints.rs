@@ -216,31 +216,18 @@ fn size_of(
 /// and their difference is small, 2 |a − b| (|a| + |b|).
 fn size(graph: &mut Graph, value: NodeId) -> NodeId {
     match graph.node(value).clone() {
-        Node::Sum { offset, terms } => {
-            let terms: Vec<_> = terms.into_iter().map(|(term, c)| (size(graph, term), c.abs())).collect();
-            graph.sum(offset.abs(), &terms)
-        }
+        Node::Sum { offset, terms } => summed(graph, offset, terms, size),
         Node::Product(factors) => {
             // The root of a sum of squares changes by no more than these themselves, even where it vanishes.
-            let whole = |exponent: Exponent| exponent.0 > 0 && exponent.0 % 2 == 0;
-            let is_sum = |graph: &Graph, factor: NodeId| matches!(graph.node(factor), Node::Sum { .. });
-            let absolute: Vec<_> = factors
-                .iter()
-                .map(|&(factor, exponent)| {
-                    let is_root = exponent.0 > 0 && !whole(exponent) && is_sum(graph, factor);
-                    let factor =
-                        if is_root { magnitude(graph, factor) } else { graph.unary(Unary::Abs, factor) };
-                    (factor, exponent)
-                })
-                .collect();
+            let is_whole = |exponent: Exponent| exponent.0 > 0 && exponent.0 % 2 == 0;
+            let absolute = absolute(graph, &factors, |exponent| !is_whole(exponent));
             let mut changes = Vec::new();
             for (k, &(factor, exponent)) in factors.iter().enumerate() {
-                if whole(exponent) && is_sum(graph, factor) {
+                if is_whole(exponent) && matches!(graph.node(factor), Node::Sum { .. }) {
                     let mut product = absolute.clone();
                     product[k].1 = Exponent(exponent.0 - 2);
                     product.push((size(graph, factor), Exponent(2)));
-                    let power = Number::halves(exponent.0);
-                    changes.push((graph.product(&product), power));
+                    changes.push((graph.product(&product), Number::halves(exponent.0)));
                 }
             }
             if changes.is_empty() { graph.product(&absolute) } else { graph.sum(Number::ZERO, &changes) }
@@ -252,23 +239,40 @@ fn size(graph: &mut Graph, value: NodeId) -> NodeId {
 /// The value with all summands positive, also within products.
 fn magnitude(graph: &mut Graph, value: NodeId) -> NodeId {
     match graph.node(value).clone() {
-        Node::Sum { offset, terms } => {
-            let terms: Vec<_> =
-                terms.into_iter().map(|(term, c)| (magnitude(graph, term), c.abs())).collect();
-            graph.sum(offset.abs(), &terms)
-        }
+        Node::Sum { offset, terms } => summed(graph, offset, terms, magnitude),
         Node::Product(factors) => {
-            let factors: Vec<_> = factors
-                .into_iter()
-                .map(|(factor, exponent)| {
-                    let is_sum = exponent.0 > 0 && matches!(graph.node(factor), Node::Sum { .. });
-                    let factor =
-                        if is_sum { magnitude(graph, factor) } else { graph.unary(Unary::Abs, factor) };
-                    (factor, exponent)
-                })
-                .collect();
-            graph.product(&factors)
+            let absolute = absolute(graph, &factors, |_| true);
+            graph.product(&absolute)
         }
         _ => graph.unary(Unary::Abs, value),
     }
+}
+
+/// Σ |c| · `of` a term.
+fn summed(
+    graph: &mut Graph,
+    offset: Number,
+    terms: Vec<(NodeId, Number)>,
+    of: fn(&mut Graph, NodeId) -> NodeId,
+) -> NodeId {
+    let terms: Vec<_> = terms.into_iter().map(|(term, c)| (of(graph, term), c.abs())).collect();
+    graph.sum(offset.abs(), &terms)
+}
+
+/// The factors without their signs; of sums to these positive powers the [`magnitude`].
+fn absolute(
+    graph: &mut Graph,
+    factors: &[(NodeId, Exponent)],
+    of_summands: impl Fn(Exponent) -> bool,
+) -> Vec<(NodeId, Exponent)> {
+    let absolute = |&(factor, exponent): &(NodeId, Exponent)| {
+        let is_sum = exponent.0 > 0 && matches!(graph.node(factor), Node::Sum { .. });
+        let factor = if is_sum && of_summands(exponent) {
+            magnitude(graph, factor)
+        } else {
+            graph.unary(Unary::Abs, factor)
+        };
+        (factor, exponent)
+    };
+    factors.iter().map(absolute).collect()
 }

@@ -30,7 +30,7 @@ impl<R: Real, const N: usize> Scales<R, N> {
                 let ratio = (mass[j][j] / mass[i][i]).abs().sqrt();
                 R::from_f64(SHARE) * ratio * state.q[j].abs()
             });
-            let largest = others.filter(is_scale).fold(state.q[i].abs(), above);
+            let largest = others.filter(is_scale).fold(state.q[i].abs(), R::max);
             if is_scale(&largest) {
                 largest
             } else {
@@ -41,7 +41,7 @@ impl<R: Real, const N: usize> Scales<R, N> {
             let place: R = places[i];
             [place / state.v[i].abs(), (place / a[i].abs()).sqrt()]
         });
-        let shortest = times.filter(is_scale).reduce(|a, b| -above(-a, -b));
+        let shortest = times.filter(is_scale).reduce(R::min);
         let time = shortest.unwrap_or_else(|| first([state.t.abs(), R::one()]));
         let pace = (0..N).fold(R::zero(), |sum, i| sum + state.v[i].abs() / places[i]);
         Scales { time, places, pace }
@@ -74,11 +74,6 @@ impl<R: Real, const N: usize> Scales<R, N> {
         }
         terms
     }
-}
-
-/// The larger of two.
-fn above<R: Real>(a: R, b: R) -> R {
-    if (a - b).largest() > R::zero().largest() { a } else { b }
 }
 
 #[cfg(test)]
