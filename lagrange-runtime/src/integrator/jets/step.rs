@@ -1,7 +1,7 @@
 //! One step: expansion, length, end.
 
 use super::super::adaptive::Adaptive;
-use super::super::landing::{Check, Determined, LENGTHS, Landing, SHORTER};
+use super::super::landing::{Check, Determined, LENGTHS, Landing};
 use super::super::step_size::{self, Limits};
 use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
@@ -43,7 +43,8 @@ where
     }
     let natural = expand(memory, system, control, limits, left, attempts)?;
     if let Some(here) = here {
-        if !here.is_determined() && singular::start(memory, system, constants, control, limits, left, &here)?
+        if !here.is_determined()
+            && singular::start(memory, system, constants, control, limits, left, (&here, false))?
         {
             memory.counts.accepted += 1;
             return Ok(());
@@ -72,7 +73,15 @@ where
         return Err(memory.stay(Cause::NotFinite));
     }
     if S::CONSTRAINED {
-        land(memory, system, constants, control, limits, natural, attempts)?;
+        match land(memory, system, constants, control, limits, natural, attempts) {
+            Err(cause @ Cause::Undetermined { .. }) => {
+                let here = system.land_at(constants, &mut memory.start.clone())?.independence;
+                if !singular::start(memory, system, constants, control, limits, left, (&here, true))? {
+                    return Err(cause);
+                }
+            }
+            landed => landed?,
+        }
     }
     memory.last = (memory.end.t - memory.start.t).abs();
     memory.counts.accepted += 1;
@@ -96,7 +105,7 @@ where
 {
     let unit = memory.unit.abs();
     let mut theta = (memory.end.t - memory.start.t).abs() / unit;
-    let mut natural = natural / unit;
+    let natural = natural / unit;
     let (resolution, mut base, mut others) = (memory.resolution(), theta, LENGTHS.iter());
     loop {
         let Some(mut determined) = memory.determined else { return Ok(()) };
@@ -121,14 +130,14 @@ where
                 return Ok(());
             }
             Ok(landing) if landing.is_right => {
-                if let Some(&part) = others.next() {
-                    theta = S::Scalar::from_f64(part) * base;
-                } else {
+                let cause = Cause::Undetermined { constraint: landing.footing.independence.weakest };
+                match others.next() {
+                    Some(&part) => theta = S::Scalar::from_f64(part) * base,
                     // A limit of the step must not keep it where it cannot end.
-                    base = if base < natural { natural } else { S::Scalar::from_f64(SHORTER) * base };
-                    (theta, natural, others) = (base, num_traits::Zero::zero(), LENGTHS.iter());
+                    None if base < natural => (base, theta, others) = (natural, natural, LENGTHS.iter()),
+                    None => return Err(memory.stay(cause)),
                 }
-                Cause::Undetermined { constraint: landing.footing.independence.weakest }
+                cause
             }
             wrong => {
                 base = S::Scalar::from_f64(HALF) * theta;
