@@ -54,9 +54,6 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Whether constraints restrict the states.
     const CONSTRAINED: bool = false;
 
-    /// Whether there are several constraints, which may come to depend on each other.
-    const COUPLED: bool = false;
-
     /// Whether a motion may begin at a state.
     ///
     /// # Errors

@@ -1,19 +1,14 @@
 //! Fixed steps of a Taylor series: one `sin_cos` per angle and one factorisation a step, whatever the order.
 //!
-//! Beside a configuration in which constraints depend on each other the coefficients of higher orders are made of roundings,
-//! and grow. A step whose last terms grow is taken by four steps of Runge and Kutta instead, whose stages lie where the
-//! accelerations are known.
-//!
 //! The series is that of time in units of the step, so the state after it is the plain sum of the coefficients, added
 //! to the state with compensation.
 
+use super::FixedStep;
 use super::dop853::add;
-use super::{FixedStep, Rk4};
 use crate::error::Cause;
 use crate::real::Real;
 use crate::smooth::{Series, Smooth};
 use crate::state::State;
-use crate::system::System;
 
 /// A Taylor step of order `ORDER`, for control loops: `stepper::<Jet<6>>(start)`. Error O(h^(ORDER + 1)) a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,7 +45,7 @@ where
     fn step(
         memory: &mut Self::Memory,
         system: &S,
-        outer: &S::Constants,
+        _: &S::Constants,
         from: &State<S::Scalar, N>,
         h: S::Scalar,
         u: &[S::Scalar; K],
@@ -60,9 +55,6 @@ where
         if !system.jet_at(constants, from.t, &from.q, &from.v, u, h, ORDER, tables, series) {
             next.v = [S::Scalar::from_f64(f64::NAN); N];
             return Ok(next);
-        }
-        if S::COUPLED && grows(series, from) {
-            return in_parts(system, outer, from, h, u);
         }
         let (gain_q, gain_v) = series.sum();
         let mut rest = *residue;
@@ -76,37 +68,4 @@ where
         }
         Ok(next)
     }
-}
-
-/// Whether the last terms of a series are larger than those before them, and above the roundings of the state.
-fn grows<R: Real, const N: usize, const P: usize>(series: &Series<R, N, P>, from: &State<R, N>) -> bool {
-    let largest = |row: &[R; N]| row.iter().fold(R::zero(), |all, x| all.max(x.abs()));
-    [(&series.q, &from.q), (&series.v, &from.v)].into_iter().any(|(rows, start)| {
-        // Symmetry makes every other term vanish, so the last one is held against two.
-        let [.., before_last, next_to_last, last] = rows.as_slice() else { return false };
-        let known = R::epsilon() * largest(start);
-        let usual = largest(before_last).max(largest(next_to_last)).max(known);
-        (largest(last) - usual).largest() > R::zero().largest()
-    })
-}
-
-/// Steps of Runge and Kutta in the place of one of a series: so many that their error is about as small.
-const PARTS: usize = 4;
-
-#[cold]
-#[inline(never)]
-fn in_parts<S: System<N, K>, const N: usize, const K: usize>(
-    system: &S,
-    constants: &S::Constants,
-    from: &State<S::Scalar, N>,
-    h: S::Scalar,
-    u: &[S::Scalar; K],
-) -> Result<State<S::Scalar, N>, Cause> {
-    let mut state = *from;
-    for _ in 0..PARTS {
-        let part = S::Scalar::from_f64(1.0 / PARTS as f64) * h;
-        state = Rk4::step(&mut (), system, constants, &state, part, u)?;
-        system.project_at(constants, &mut state, None)?;
-    }
-    Ok(state.at_time(from.t + h))
 }

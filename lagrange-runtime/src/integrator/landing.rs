@@ -127,40 +127,16 @@ where
         footing: &Footing<S::Scalar, N>,
         noise: Option<&Uncertainty<S::Scalar, N>>,
     ) -> bool {
-        let mut apart = *reached;
-        for i in 0..N {
-            apart.q[i] -= end.q[i];
-            apart.v[i] -= end.v[i];
-        }
-        let (size, speed) = self.sizes(end, (end.t - self.from.t).abs(), footing);
-        let extent =
-            |x: Option<&[S::Scalar; N]>| x.map_or_else(num_traits::Zero::zero, |x| footing.extent(x));
-        footing.extent(&apart.q) <= self.bound(size, footing) + extent(noise.map(|noise| &noise.q))
-            && footing.extent(&apart.v) <= self.bound(speed, footing) + extent(noise.map(|noise| &noise.v))
-    }
-
-    /// Whether a change of the state before the step is an error within the tolerance, for a step of this `span` \[s].
-    pub(crate) fn is_small(
-        &self,
-        change: &State<S::Scalar, N>,
-        span: S::Scalar,
-        footing: &Footing<S::Scalar, N>,
-    ) -> bool {
-        let (size, speed) = self.sizes(self.from, span, footing);
-        footing.extent(&change.q) <= self.bound(size, footing)
-            && footing.extent(&change.v) <= self.bound(speed, footing)
-    }
-
-    /// The sizes of coordinates and velocities in a step.
-    fn sizes(
-        &self,
-        end: &State<S::Scalar, N>,
-        span: S::Scalar,
-        footing: &Footing<S::Scalar, N>,
-    ) -> (S::Scalar, S::Scalar) {
-        let speed = larger(footing.extent(&end.v), footing.extent(&self.from.v));
-        let size = larger(footing.extent(&end.q), footing.extent(&self.from.q));
-        (larger(size, speed * span), speed)
+        let span = (end.t - self.from.t).abs();
+        let extent = |x: &[S::Scalar; N]| footing.extent(x);
+        let apart = |a: &[S::Scalar; N], b: &[S::Scalar; N]| extent(&core::array::from_fn(|i| a[i] - b[i]));
+        let speed = larger(extent(&end.v), extent(&self.from.v));
+        let size = larger(larger(extent(&end.q), extent(&self.from.q)), speed * span);
+        let (q, v) = noise.map_or((S::Scalar::from_f64(0.0), S::Scalar::from_f64(0.0)), |noise| {
+            (extent(&noise.q), extent(&noise.v))
+        });
+        apart(&reached.q, &end.q) <= self.bound(size, footing) + q
+            && apart(&reached.v, &end.v) <= self.bound(speed, footing) + v
     }
 
     /// Whether the polynomial obeys the equations at its end, within the tolerance and the roundings of forces.

@@ -30,10 +30,9 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
     } else {
         format!("<Self as {surface}>::balance_at(self, constants, t, q, v, u).accelerations")
     };
-    let coupled = if held > 1 { "const COUPLED: bool = true;\n" } else { "" };
     let system = format!(
         "type Scalar = {scalar};\ntype Method = lagrange::{integrator};\ntype Constants = {constants_type};\n\
-         const CONSTRAINED: bool = true;\n{coupled}\
+         const CONSTRAINED: bool = true;\n\
          #[inline]\nfn constants(&self) -> Self::Constants {{\n{constants}\n}}\n\
          #[inline]\nfn accelerations_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) -> {vector} \
          {{\n{accelerations}\n}}\n\

@@ -1,5 +1,4 @@
-//! A step that starts in a configuration in which constraints depend on each other, or so close to one that no step from there
-//! leads across.
+//! A motion that starts in a configuration in which constraints depend on each other.
 //!
 //! There the equations do not give the multipliers, and beside it they give them with few digits. But the motion is smooth, and
 //! a little later it is well determined. So the step is expanded about its **end**: a state on the constraints whose series
@@ -9,26 +8,23 @@
 use super::super::adaptive::Adaptive;
 use super::super::landing::Check;
 use super::super::step_size::Limits;
-use super::{DECAY, Determined, Jets};
+use super::{Determined, Jets};
 use crate::constraints::Footing;
 use crate::error::Cause;
 use crate::linear::Independence;
 use crate::real::{Ordered, Real};
 use crate::simulation::Held;
-use crate::smooth::{Series, Smooth};
+use crate::smooth::Smooth;
 use crate::state::State;
 
 /// Lengths of the step that are tried, each half of the one before, from half of the way to go.
 const LENGTHS: usize = 64;
 
-/// A state as much farther from the configuration: the start is then close to that in comparison, and the series reaches back.
-const BETTER: f64 = 4.0;
-
 /// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over the time in which
 /// accelerations change.
 const CORRECTIONS: usize = 24;
 
-/// Takes a step about its end. False where the constraints depend on each other beside the start as well, so that it is
+/// Takes the first step about its end. False where the constraints depend on each other beside the start as well, so that it is
 /// as good as any other state.
 ///
 /// # Errors
@@ -43,7 +39,7 @@ pub(super) fn start<S, const N: usize, const K: usize>(
     control: &Held<S::Scalar, K>,
     limits: &Limits<S::Scalar>,
     left: S::Scalar,
-    (here, is_stuck): (&Independence<S::Scalar>, bool),
+    here: &Independence<S::Scalar>,
 ) -> Result<bool, Cause>
 where
     S: Smooth<N, K>,
@@ -61,7 +57,7 @@ where
         }
         let there = if beyond.is_finite() { system.land_at(constants, &mut beyond).ok() } else { None };
         if let Some(there) = there {
-            if there.independence.improves(here) || is_stuck && is_better(&there.independence, here) {
+            if there.independence.improves(here) {
                 leads_out = true;
                 if shoot(memory, system, constants, control, limits, &kept.start, beyond, &there) {
                     memory.determined = Some(Determined::at_start(&there.independence));
@@ -78,33 +74,6 @@ where
         return Err(memory.stay(Cause::Undetermined { constraint }));
     }
     Ok(false)
-}
-
-/// Whether a state is so much better determined that it is worth while to expand the motion there.
-fn is_better<R: Ordered>(there: &Independence<R>, here: &Independence<R>) -> bool {
-    there.rank >= here.rank && there.least >= R::from_f64(BETTER) * here.least
-}
-
-/// Whether the last terms of a series are errors within the tolerance, in the kinetic metric.
-fn converges<S, const N: usize, const K: usize, const P: usize>(
-    orders: usize,
-    series: &Series<S::Scalar, N, P>,
-    check: &Check<'_, S, N, K>,
-    footing: &Footing<S::Scalar, N>,
-    time: S::Scalar,
-) -> bool
-where
-    S: Smooth<N, K>,
-    S::Scalar: Ordered,
-{
-    let none = [num_traits::Zero::zero(); N];
-    let zero = State { q: none, v: none, ..*check.from };
-    let row = |rows: &[[S::Scalar; N]; P], back: usize| rows.get(orders - back).copied().unwrap_or(none);
-    [(1, 1.0), (2, DECAY)].into_iter().all(|(back, part)| {
-        let scaled = |row: [S::Scalar; N]| row.map(|x| S::Scalar::from_f64(part) * x);
-        let term = State { q: scaled(row(&series.q, back)), v: scaled(row(&series.v, back)), ..zero };
-        check.is_small(&term, time.abs(), footing)
-    })
 }
 
 /// Moves `beyond` until its series leads to `from`. The memory then holds the step between them.
@@ -136,7 +105,7 @@ where
         let State { t, q, v } = &beyond;
         if !system.jet_at(jet, *t, q, v, &control.0, *unit, *orders, tables, series)
             || !memory.is_finite()
-            || !converges(memory.orders, &memory.series, &check, footing, time)
+            || memory.tolerated(limits, one, false) < one
         {
             return false;
         }

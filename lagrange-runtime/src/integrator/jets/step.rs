@@ -1,7 +1,7 @@
 //! One step: expansion, length, end.
 
 use super::super::adaptive::Adaptive;
-use super::super::landing::{Check, Determined, LENGTHS, Landing};
+use super::super::landing::{Check, Determined, LENGTHS, Landing, SHORTER};
 use super::super::step_size::{self, Limits};
 use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
@@ -43,8 +43,7 @@ where
     }
     let natural = expand(memory, system, control, limits, left, attempts)?;
     if let Some(here) = here {
-        if !here.is_determined()
-            && singular::start(memory, system, constants, control, limits, left, (&here, false))?
+        if !here.is_determined() && singular::start(memory, system, constants, control, limits, left, &here)?
         {
             memory.counts.accepted += 1;
             return Ok(());
@@ -73,15 +72,7 @@ where
         return Err(memory.stay(Cause::NotFinite));
     }
     if S::CONSTRAINED {
-        match land(memory, system, constants, control, limits, natural, attempts) {
-            Err(cause @ Cause::Undetermined { .. }) => {
-                let here = system.land_at(constants, &mut memory.start.clone())?.independence;
-                if !singular::start(memory, system, constants, control, limits, left, (&here, true))? {
-                    return Err(cause);
-                }
-            }
-            landed => landed?,
-        }
+        land(memory, system, constants, control, limits, natural, attempts)?;
     }
     memory.last = (memory.end.t - memory.start.t).abs();
     memory.counts.accepted += 1;
@@ -105,7 +96,7 @@ where
 {
     let unit = memory.unit.abs();
     let mut theta = (memory.end.t - memory.start.t).abs() / unit;
-    let natural = natural / unit;
+    let mut natural = natural / unit;
     let (resolution, mut base, mut others) = (memory.resolution(), theta, LENGTHS.iter());
     loop {
         let Some(mut determined) = memory.determined else { return Ok(()) };
@@ -130,14 +121,14 @@ where
                 return Ok(());
             }
             Ok(landing) if landing.is_right => {
-                let cause = Cause::Undetermined { constraint: landing.footing.independence.weakest };
-                match others.next() {
-                    Some(&part) => theta = S::Scalar::from_f64(part) * base,
+                if let Some(&part) = others.next() {
+                    theta = S::Scalar::from_f64(part) * base;
+                } else {
                     // A limit of the step must not keep it where it cannot end.
-                    None if base < natural => (base, theta, others) = (natural, natural, LENGTHS.iter()),
-                    None => return Err(memory.stay(cause)),
+                    base = if base < natural { natural } else { S::Scalar::from_f64(SHORTER) * base };
+                    (theta, natural, others) = (base, num_traits::Zero::zero(), LENGTHS.iter());
                 }
-                cause
+                Cause::Undetermined { constraint: landing.footing.independence.weakest }
             }
             wrong => {
                 base = S::Scalar::from_f64(HALF) * theta;
