@@ -44,15 +44,6 @@ pub enum Cause {
         /// Index of the constraint.
         constraint: usize,
     },
-    /// Constraints depend on each other in this configuration, and neither the velocity nor the accelerations say how the motion
-    /// goes on.
-    Undetermined {
-        /// Index of the constraint that is closest to depending on the others.
-        constraint: usize,
-    },
-    /// A step in fixed steps is too long for its constraints: bringing its end back onto them would change the state by more
-    /// than the step itself did.
-    StepTooLong,
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
     /// An iteration ended before it found its result: the equations of an implicit step, which is too long for the motion, or
@@ -129,15 +120,6 @@ impl fmt::Display for Cause {
                 out,
                 "the gradient of constraint {constraint} vanishes: where it is a square, give what is squared; else keep away \
                  from this configuration"
-            ),
-            Self::Undetermined { constraint } => write!(
-                out,
-                "constraint {constraint} depends on the others in this configuration, and neither velocities nor accelerations \
-                 say how the motion goes on: start beside it, or with a velocity along one of the motions that meet there"
-            ),
-            Self::StepTooLong => out.write_str(
-                "the step is too long for the constraints: bringing its end back onto them would change more than the step \
-                 did; take shorter steps",
             ),
             Self::NotFinite => out.write_str(
                 "a value is infinite or not a number: check the parameters and the start, or stop before \

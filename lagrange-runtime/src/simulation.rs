@@ -243,7 +243,7 @@ where
             let failed = |cause| MotionError { cause, t: self.state.t };
             self.system.check_start_at(&self.constants, &self.state).map_err(failed)?;
             let mut start = self.state;
-            self.system.project_at(&self.constants, &mut start, None).map_err(failed)?;
+            self.system.project_at(&self.constants, &mut start).map_err(failed)?;
             self.state = start;
             M::restart(&mut self.memory, start);
         }

@@ -65,7 +65,7 @@ where
             return Err(MotionError { cause, t: from.t });
         }
         self.system
-            .project_at(&self.constants, &mut next, Some(from))
+            .project_at(&self.constants, &mut next)
             .map_err(|cause| MotionError { cause, t: from.t })?;
         self.residue = increment - (next.t - from.t);
         self.state = next;
@@ -78,7 +78,7 @@ where
         let mut start = self.state;
         self.system
             .check_start_at(&self.constants, &start)
-            .and_then(|()| self.system.project_at(&self.constants, &mut start, None).map(drop))
+            .and_then(|()| self.system.project_at(&self.constants, &mut start))
             .map_err(|cause| MotionError { cause, t: start.t })?;
         (self.state, self.residue) = (start, num_traits::Zero::zero());
         Ok(())

@@ -6,15 +6,12 @@
 //! included; [`Schur`] is what is left of such a system once the velocities are eliminated.
 
 pub(crate) mod complex;
-mod independence;
 mod ldlt;
 mod lu;
 mod saddle;
 mod schur;
 mod singular_values;
 
-pub use independence::Independence;
-pub(crate) use independence::determined;
 pub use ldlt::Ldlt;
 pub use lu::Lu;
 pub(crate) use saddle::TangentSpace;

@@ -10,7 +10,7 @@
 use core::fmt;
 
 use super::{Place, Tangent, Variation};
-use crate::constraints::{Extent, Level, magnitude};
+use crate::constraints::{Extent, INNER, magnitude};
 use crate::error::{Cause, Magnitude};
 use crate::linear::{Saddle, SaddlePoint, SingularValues, TangentSpace};
 use crate::real::{Ordered, Real, larger, smaller};
@@ -257,30 +257,27 @@ where
         let mut q = q;
         let mut residuals = self.system.deviations_at(self.t, &q, &none);
         for _ in 0..CORRECTIONS {
-            if residuals.level_is_roundings(Level::Positions) {
+            if residuals.level_is_roundings(true) {
                 return Ok(q);
             }
             let (saddle, gradients) = self.tangent(&q);
             let by_state = Extent::of(&saddle, &q).sizes(&saddle, &gradients);
-            let slopes = Extent::unit().sizes(&saddle, &gradients);
-            let before = residuals.distance(Level::Positions, &slopes);
+            let before = residuals.relative(true, &by_state);
             let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
             let moved: [S::Scalar; N] = core::array::from_fn(|i| q[i] + change[i]);
             if !moved.iter().all(|q| q.is_finite()) {
                 break;
             }
             let there = self.system.deviations_at(self.t, &moved, &none);
-            let better = there.distance(Level::Positions, &slopes) < before;
-            if !better && residuals.is_within(Level::Positions, S::Scalar::epsilon().sqrt(), &by_state) {
+            let better = there.relative(true, &by_state) < before;
+            if !better && residuals.are_roundings_beside(true, S::Scalar::from_f64(INNER), &by_state) {
                 // No better place in this arithmetic.
                 return Ok(q);
             }
             (q, residuals) = (moved, there);
         }
         let (saddle, gradients) = self.tangent(&q);
-        Err(EquilibriumError::Constraints(
-            residuals.cause(Level::Positions, &Extent::unit().sizes(&saddle, &gradients)),
-        ))
+        Err(EquilibriumError::Constraints(residuals.cause(true, &Extent::unit().sizes(&saddle, &gradients))))
     }
 
     /// The gradients of the holonomic constraints, and the factors of them with the metric.
@@ -374,10 +371,10 @@ where
         let residuals = self.system.deviations_at(state.t, &state.q, &state.v);
         let saddle = Saddle::factor(&self.metric, &rest.variation.gradients);
         let by_state = Extent::of(&saddle, &state.v).sizes(&saddle, &rest.variation.gradients);
-        if residuals.is_within(Level::Velocities, S::Scalar::epsilon().sqrt(), &by_state) {
+        if residuals.are_roundings_beside(false, S::Scalar::from_f64(INNER), &by_state) {
             return Ok(());
         }
-        match residuals.cause(Level::Velocities, &Extent::unit().sizes(&saddle, &rest.variation.gradients)) {
+        match residuals.cause(false, &Extent::unit().sizes(&saddle, &rest.variation.gradients)) {
             Cause::VelocityViolated { constraint, .. } => {
                 Err(EquilibriumError::MovingConstraint { constraint })
             }

@@ -11,10 +11,9 @@ use num_traits::Zero;
 
 use super::response::{Factored, factored};
 use super::{Place, Sensitive, Varied};
-use crate::constraints::Footing;
 use crate::error::{Cause, MotionError};
 use crate::integrator::Dop853;
-use crate::linear::{Independence, Saddle, SaddlePoint};
+use crate::linear::{Saddle, SaddlePoint};
 use crate::real::{Ordered, Real};
 use crate::simulation::{Held, Simulation};
 use crate::state::State;
@@ -260,31 +259,16 @@ where
         &self,
         constants: &Self::Constants,
         state: &mut State<Self::Scalar, N>,
-        _: Option<&State<Self::Scalar, N>>,
     ) -> Result<(), Cause> {
         if C == 0 {
             return Ok(());
         }
         let mut values = plain(state);
-        self.system.project_at(constants, &mut values, None)?;
+        self.system.project_at(constants, &mut values)?;
         for (x, value) in state.q.iter_mut().zip(values.q).chain(state.v.iter_mut().zip(values.v)) {
             x.value = value;
         }
         self.along_constraints(constants, state)
-    }
-
-    fn land_at(
-        &self,
-        constants: &Self::Constants,
-        state: &mut State<Self::Scalar, N>,
-    ) -> Result<Footing<Self::Scalar, N>, Cause> {
-        let mut values = plain(state);
-        let Footing { independence, ulps_q, ulps_v, units } = self.system.land_at(constants, &mut values)?;
-        self.project_at(constants, state, None)?;
-        let Independence { rows, rank, least, weakest } = independence;
-        let independence = Independence { rows, rank, least: Varied::constant(least), weakest };
-        let [ulps_q, ulps_v, units] = [ulps_q, ulps_v, units].map(|ulps| ulps.map(Varied::constant));
-        Ok(Footing { independence, ulps_q, ulps_v, units })
     }
 
     #[inline]

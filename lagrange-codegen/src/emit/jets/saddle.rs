@@ -132,10 +132,8 @@ impl SaddlePoint {
         }
         text.push_str(&body::lower_triangle(scalar, constraints, &schur));
         text.push_str(&format!(
-            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor::<{count}>(mass, || ([{}], {}));\n\
-             if !{factors}.is_finite() || {factors}.vanishing().is_some() {{ return false; }}\n",
-            inverses.join(", "),
-            matrix(&gradients)
+            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor(mass);\n\
+             if !{factors}.is_finite() || {factors}.vanishing().is_some() {{ return false; }}\n"
         ));
         (text, SaddleStart::Diagonal { inverses, gradients, weighted })
     }

@@ -2,10 +2,8 @@
 
 use super::super::adaptive::Steps;
 use super::super::dop853::add;
-use super::super::landing::Determined;
 use super::super::step_size::{self, Limits};
 use super::{DECAY, GROWTH, HIGHEST, SAFETY, STEEPEST, last_term};
-use crate::error::Cause;
 use crate::real::{Ordered, Real, larger};
 use crate::smooth::Series;
 use crate::state::State;
@@ -30,10 +28,8 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) last: R,
     /// The largest accelerations that were met where steps were probed.
     pub(super) strongest: [R; N],
-    /// What constraints have determined so far; `None` before the first step.
-    pub(super) determined: Option<Determined<R>>,
-    /// Ulps below which neither coordinates nor velocities are known through the constraints that couple them.
-    pub(super) ulps: [[R; N]; 2],
+    /// Shrinking steps that need not ask for the noise of constraints, because it was far from mattering.
+    pub(super) calm: u8,
     pub(super) end: State<R, N>,
     pub(super) end_residue: State<R, N>,
     pub(super) counts: Steps,
@@ -54,8 +50,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             next: R::zero(),
             last: R::zero(),
             strongest: [R::zero(); N],
-            determined: None,
-            ulps: [[R::zero(); N]; 2],
+            calm: 0,
             end: start,
             end_residue: zero,
             counts: Steps::default(),
@@ -90,17 +85,6 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         state
     }
 
-    /// The state at `theta` units of the scaled time.
-    pub(super) fn place(&self, theta: R) -> State<R, N> {
-        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
-        let mut state = self.start.at_time(self.start.t + theta * self.unit);
-        for i in 0..N {
-            state.q[i] += gain_q[i];
-            state.v[i] += gain_v[i];
-        }
-        state
-    }
-
     /// Moves the end of the step to `length` units of the scaled time.
     #[inline]
     pub(super) fn reach(&mut self, length: R) {
@@ -110,29 +94,6 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             (self.end.q[i], self.end_residue.q[i]) = add(self.start.q[i], self.residue.q[i], gain_q[i]);
             (self.end.v[i], self.end_residue.v[i]) = add(self.start.v[i], self.residue.v[i], gain_v[i]);
         }
-    }
-
-    /// Time runs in the other direction: odd coefficients of the coordinates change their sign, and all of them the unit.
-    pub(super) fn turn(&mut self) {
-        self.unit = -self.unit;
-        for rows in [&mut self.series.q, &mut self.series.v] {
-            for row in rows.iter_mut().step_by(2) {
-                *row = row.map(|x| -x);
-            }
-        }
-    }
-
-    /// No step: the motion stays where it was, for this reason.
-    #[cold]
-    pub(super) fn stay(&mut self, cause: Cause) -> Cause {
-        (self.end, self.end_residue) = (self.start, self.residue);
-        cause
-    }
-
-    /// The shortest step that time resolves at the start \[s].
-    #[inline]
-    pub(super) fn resolution(&self) -> R {
-        R::from_f64(4.0) * R::epsilon() * self.start.t.abs() + step_size::smallest()
     }
 
     /// Replaces the end of the step by a state beside it.
@@ -165,8 +126,10 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     ///
     /// The size of a component is that of its first terms over `span`, which should be about the length itself. With
     /// `steady` the unit is the last step.
+    ///
+    /// Terms below the `noise` of coordinates and velocities are nothing.
     #[inline]
-    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool) -> R {
+    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool, noise: [&[R; N]; 2]) -> R {
         let relative = last_term(limits.relative);
         let absolute = R::from_f64(SAFETY) * limits.absolute.unwrap_or_else(R::zero);
         let (mut last, mut before) = (R::zero(), R::zero());
@@ -179,10 +142,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let [v1, v2, vb, vl] = [1, 2, p - 1, p].map(|k| row(&series.v, k));
         let (mut weights_q, mut weights_v) = ([R::zero(); N], [R::zero(); N]);
         for i in 0..N {
-            weights_q[i] =
-                R::recip(self.ulps[0][i] + size(self.start.q[i], q1[i] * span, q2[i] * span * span));
-            weights_v[i] =
-                R::recip(self.ulps[1][i] + size(self.start.v[i], v1[i] * span, v2[i] * span * span));
+            weights_q[i] = R::recip(noise[0][i] + size(self.start.q[i], q1[i] * span, q2[i] * span * span));
+            weights_v[i] = R::recip(noise[1][i] + size(self.start.v[i], v1[i] * span, v2[i] * span * span));
             last = larger(larger(last, ql[i].abs() * weights_q[i]), vl[i].abs() * weights_v[i]);
             before = larger(larger(before, qb[i].abs() * weights_q[i]), vb[i].abs() * weights_v[i]);
         }
