@@ -146,6 +146,12 @@ where
         self
     }
 
+    /// Changes the limits in place: the memory of a motion with derivatives is large.
+    #[inline]
+    pub(crate) fn limit(&mut self, change: impl FnOnce(&mut Limits<S::Scalar>)) {
+        change(&mut self.limits);
+    }
+
     /// The state: the last one reached or sampled without error.
     #[inline]
     pub fn state(&self) -> &State<S::Scalar, N> {

@@ -22,7 +22,6 @@ mod reduced;
 mod response;
 mod sensitive;
 mod variational;
-mod varied;
 
 use crate::constraints::{Balance, Residuals};
 use crate::error::MotionError;
@@ -38,7 +37,6 @@ pub use reduced::{reduced, reduced_by_inputs, reduced_residual};
 pub use response::Response;
 pub use sensitive::{ByParameters, Sensitive, Sensitivities};
 pub use variational::{Transition, Variational, VariationalMotion};
-pub use varied::Varied;
 
 /// r = f + Aᵀλ − M a, and A a − γ of the constraints: both zero on the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
