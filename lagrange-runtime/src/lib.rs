@@ -84,12 +84,12 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
 pub use system::{Blur, System};
-#[cfg(feature = "std")]
-pub use tangent::Mode;
 pub use tangent::{
     Basis, ByParameters, Equilibrium, EquilibriumError, Imbalance, InverseDynamics, LinearModel, Response,
     Sensitive, Sensitivities, Tangent, Transition, Variation, Variational, VariationalMotion,
 };
+#[cfg(feature = "std")]
+pub use tangent::{Mode, Monodromy};
 pub use verify::{Certificate, Identity, Violation};
 #[cfg(feature = "wide")]
 pub use wide;

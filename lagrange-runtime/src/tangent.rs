@@ -12,12 +12,15 @@
 //! | [`Tangent::inverse_dynamics`] | forces that a given motion needs |
 //! | [`Sensitive::sensitivities`] | derivatives of accelerations and multipliers by parameters |
 //! | [`Sensitive::variational`] | the motion with its derivatives by the start and by parameters |
+//! | [`Variational::monodromy`] | Floquet multipliers of a periodic motion |
 //!
 mod equilibrium;
 mod inverse_dynamics;
 mod linear_model;
 #[cfg(feature = "std")]
 mod modes;
+#[cfg(feature = "std")]
+mod monodromy;
 mod reduced;
 mod response;
 mod sensitive;
@@ -33,6 +36,8 @@ pub use inverse_dynamics::InverseDynamics;
 pub use linear_model::{Basis, LinearModel};
 #[cfg(feature = "std")]
 pub use modes::Mode;
+#[cfg(feature = "std")]
+pub use monodromy::Monodromy;
 pub use reduced::{reduced, reduced_by_inputs, reduced_residual};
 pub use response::Response;
 pub use sensitive::{ByParameters, Sensitive, Sensitivities};

@@ -110,7 +110,8 @@ fn energy(emission: &Emission<'_>) -> String {
     } else {
         vec![equations.energy]
     };
-    let body = body::plain(emission.model, &emission.scalar, &nodes, Source::State, |values| values.join(" + "));
+    let body =
+        body::plain(emission.model, &emission.scalar, &nodes, Source::State, |values| values.join(" + "));
     let (state, scalar) = (emission.state_type(), &emission.scalar);
     format!("#[inline]\nfn energy(&self, state: &{state}) -> {scalar} {{\n{body}\n}}\n")
 }

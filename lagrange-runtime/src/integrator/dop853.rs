@@ -374,8 +374,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         self.counts.evaluations += 1;
         let a = f.accelerations(from.t + direction * probe, &q, &v);
         let [q, v] = [(v, slope.q), (a, slope.v)].map(|(to, from)| core::array::from_fn(|n| to[n] - from[n]));
-        let length =
-            shortest(&|part| step_size::first(probe.largest(), rate(part), norm(part, &q, &v)));
+        let length = shortest(&|part| step_size::first(probe.largest(), rate(part), norm(part, &q, &v)));
         // A probe into a singularity gives no number; the control takes it from there.
         if length.is_finite() && length.is_positive() { limits.clip(length) } else { probe }
     }

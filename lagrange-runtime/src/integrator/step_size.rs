@@ -107,7 +107,8 @@ impl<R: Ordered> Scale<R> {
             return Scale { relative, absolute };
         }
         let column = states.into_iter().flat_map(|state| state.iter());
-        let whole = column.fold(num_traits::Zero::zero(), |most, x| larger(most, x.part(part).largest().abs()));
+        let whole =
+            column.fold(num_traits::Zero::zero(), |most, x| larger(most, x.part(part).largest().abs()));
         Scale { relative, absolute: larger(absolute * whole, smallest::<R::Lane>()) }
     }
 

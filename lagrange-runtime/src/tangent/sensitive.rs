@@ -72,10 +72,7 @@ pub trait Sensitive<
     ///
     /// Whatever takes a system takes the result: `simulate`, steppers, batches. So derivatives by any combination of start and
     /// parameters, and second ones by duals of duals, are motions like others.
-    fn over<R: Real>(
-        &self,
-        parameter: impl FnMut(Self::Scalar, Option<usize>) -> R,
-    ) -> Self::Over<R>;
+    fn over<R: Real>(&self, parameter: impl FnMut(Self::Scalar, Option<usize>) -> R) -> Self::Over<R>;
 
     /// Derivatives of the equations by the parameters.
     fn by_parameters_at(

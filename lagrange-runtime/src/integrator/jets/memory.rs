@@ -155,7 +155,10 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let of = |x: R| x.part(part).largest();
         let sizes = |x: &[R; N], rows: &[[R; N]; HIGHEST]| {
             core::array::from_fn::<_, N, _>(|i| {
-                larger(of(x[i]).abs(), larger((of(rows[0][i]) * span).abs(), (of(rows[1][i]) * span * span).abs()))
+                larger(
+                    of(x[i]).abs(),
+                    larger((of(rows[0][i]) * span).abs(), (of(rows[1][i]) * span * span).abs()),
+                )
             })
         };
         let sizes = [sizes(&self.start.q, &series.q), sizes(&self.start.v, &series.v)];
