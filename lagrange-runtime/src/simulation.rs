@@ -146,10 +146,10 @@ where
         self
     }
 
-    /// Changes the limits in place: the memory of a motion with derivatives is large.
+    /// The limits, to be changed in place: the memory of a motion with derivatives is large.
     #[inline]
-    pub(crate) fn limit(&mut self, change: impl FnOnce(&mut Limits<S::Scalar>)) {
-        change(&mut self.limits);
+    pub(crate) fn limits(&mut self) -> &mut Limits<S::Scalar> {
+        &mut self.limits
     }
 
     /// The state: the last one reached or sampled without error.

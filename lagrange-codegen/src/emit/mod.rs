@@ -137,7 +137,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let linearization = linearization.map(|[linearized, tangent, sensitive]| {
         let held = emission.equations.conditions.count();
         let by = emission.model.sensitivities.len();
-        let directions = 2 * count + by;
+        let directions = over::directions(count, by);
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, unused_variables)]

@@ -17,6 +17,16 @@ pub(super) const NAME: &str = "__Over";
 /// The type parameter of the conversion: no user's generics have its name.
 const OTHER: &str = "__Other";
 
+/// Directions that a motion carries at once, at most: more of them share less of the work on the values, since one value serves
+/// eight already, and the tables of their series leave the caches.
+const AT_ONCE: usize = 8;
+
+/// In how many directions at once a system is differentiated, so that all passes are alike.
+pub(super) fn directions(count: usize, parameters: usize) -> usize {
+    let all = 2 * count + parameters;
+    all.div_ceil(all.div_ceil(AT_ONCE).max(1))
+}
+
 /// The struct with its implementations.
 pub(super) fn over(emission: &mut Emission<'_>) -> TokenStream {
     let own = emission.scalar.clone();

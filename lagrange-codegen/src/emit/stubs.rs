@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
-use super::{COMPLETIONS, analysis, proofs, records};
+use super::{COMPLETIONS, analysis, over, proofs, records};
 use crate::syntax::{Group, Item, Record, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
@@ -28,7 +28,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     let held = constraints::declared(item);
     let total_held: usize = held.iter().map(|(_, length)| length.unwrap_or(1)).sum();
     let parameters = item.sensitivities.len();
-    let directions = 2 * count + parameters;
+    let directions = over::directions(count, parameters);
     let linearization = item.jacobians.then(|| {
         let place = quote!(
             &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
@@ -74,7 +74,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             }
         }
     });
-    let over = item.jacobians.then(|| over(count, inputs));
+    let over = item.jacobians.then(|| over_any(count, inputs));
     let reactions = (!held.is_empty()).then(|| constraints::record(item, &held));
     let constrained = (!held.is_empty()).then(|| {
         let record = constraints::record_ident(item);
@@ -143,7 +143,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
 }
 
 /// The system over another scalar.
-fn over(count: usize, inputs: usize) -> TokenStream {
+fn over_any(count: usize, inputs: usize) -> TokenStream {
     quote! {
         #[doc(hidden)]
         #[derive(Clone, Copy, Debug)]

@@ -28,7 +28,7 @@ pub struct Monodromy<R, const N: usize, const P: usize = 0> {
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>
-    Variational<S, N, K, C, P, D>
+    Variational<'_, S, N, K, C, P, D>
 where
     S: Sensitive<N, K, C, P, D>,
     S::Scalar: Ordered + Into<f64>,

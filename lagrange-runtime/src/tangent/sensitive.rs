@@ -47,7 +47,7 @@ pub struct Sensitivities<R, const N: usize, const C: usize, const P: usize> {
 }
 
 /// A system with derivatives by the `P` parameters that its attribute lists as `sensitivities`, none if it lists none, and by
-/// its start: in `D` = 2`N` + `P` directions together.
+/// its start, in `D` directions at once.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the equations of `{Self}` are not generated",
     label = "this needs `jacobians`, and `sensitivities = […]` for derivatives by parameters",
@@ -108,7 +108,7 @@ pub trait Sensitive<
 
     /// The system with states that carry their derivatives by the start and by the parameters: its
     /// [`motion`](Variational::motion) has the state-transition matrix.
-    fn variational(&self) -> Variational<Self, N, K, C, P, D>
+    fn variational(&self) -> Variational<'_, Self, N, K, C, P, D>
     where
         Self: Sized,
         Self::Scalar: Ordered,

@@ -5,6 +5,9 @@
 //! They are never written down. The system runs on numbers that carry their derivatives ([`Dual`]), so that its own method, of
 //! its own order, gives the derivatives of what it computes: of Taylor series, of multipliers, of projections. Steps follow the
 //! errors of the derivatives as they follow those of the motion.
+//!
+//! Of many directions some go at once, and the motion is passed through again for the others, so that the memory is that of a
+//! few motions whatever the size of the system.
 
 use nalgebra::SMatrix;
 
@@ -16,9 +19,11 @@ use crate::simulation::{Held, Simulation};
 use crate::state::State;
 use crate::system::System;
 
-/// A system whose states carry their derivatives by `N` initial coordinates, `N` initial velocities and `P` parameters.
+/// A system whose states carry their derivatives by `N` initial coordinates, `N` initial velocities and `P` parameters, `D` of
+/// these at once.
 #[derive(Clone, Copy, Debug)]
 pub struct Variational<
+    'a,
     S: Sensitive<N, K, C, P, D>,
     const N: usize,
     const K: usize,
@@ -26,14 +31,17 @@ pub struct Variational<
     const P: usize,
     const D: usize,
 > {
-    system: S::Over<Dual<S::Scalar, D>>,
+    system: &'a S,
+    /// That of the first pass.
+    first: S::Over<Dual<S::Scalar, D>>,
 }
 
 /// A motion with derivatives as an ordinary motion.
 type Carrying<'a, R, T, const N: usize, const K: usize, const D: usize> =
     Simulation<'a, T, Held<Dual<R, D>, K>, <T as System<N, K>>::Method, N, K>;
 
-/// On the heap where there is one: the tables of a Taylor series are 2`N` + `P` + 1 times as large as those of the motion.
+/// On the heap where there is one: the tables of a Taylor series are as many times as large as those of the motion as it has
+/// directions, and one more.
 #[cfg(feature = "std")]
 type Place<T> = std::boxed::Box<T>;
 #[cfg(not(feature = "std"))]
@@ -59,7 +67,12 @@ pub struct VariationalMotion<
     S: Sensitive<N, K, C, P, D>,
     S::Scalar: Ordered,
 {
+    system: &'a S,
+    /// The first pass. The others start anew in each call.
     simulation: Place<Carrying<'a, S::Scalar, S::Over<Dual<S::Scalar, D>>, N, K, D>>,
+    transition: Transition<S::Scalar, N, P>,
+    /// Of the other passes.
+    counts: Steps,
 }
 
 /// A state and its derivatives by the start and by parameters.
@@ -82,59 +95,108 @@ pub struct Transition<R, const N: usize, const P: usize = 0> {
 }
 
 impl<R: Real, const N: usize, const P: usize> Transition<R, N, P> {
-    /// From directions in the order of [`seeded`].
-    fn of<const D: usize>(state: &State<Dual<R, D>, N>) -> Self {
+    /// A state that varies with itself.
+    fn at(state: State<R, N>) -> Self {
+        let (one, zero) = (SMatrix::from_fn(unit), SMatrix::from_fn(|_, _| R::zero()));
+        let none = SMatrix::from_fn(|_, _| R::zero());
+        Self { state, q_by_q: one, q_by_v: zero, v_by_q: zero, v_by_v: one, q_by_p: none, v_by_p: none }
+    }
+
+    /// The state with the directions from `first` on.
+    fn varied<const D: usize>(&self, first: usize) -> State<Dual<R, D>, N> {
+        let with = |value: R, row: usize| Dual {
+            value,
+            slopes: core::array::from_fn(|i| self.slope(row, first + i)),
+        };
+        let State { t, q, v } = &self.state;
+        State {
+            t: Dual::constant(*t),
+            q: core::array::from_fn(|i| with(q[i], i)),
+            v: core::array::from_fn(|i| with(v[i], N + i)),
+        }
+    }
+
+    /// Takes a state and its directions from `first` on.
+    fn take<const D: usize>(&mut self, first: usize, state: &State<Dual<R, D>, N>) {
         let State { t, q, v } = state;
-        let slope = |x: &Dual<R, D>, direction: usize| x.slopes.get(direction).copied().unwrap_or(R::zero());
-        Self {
-            state: State { t: t.value, q: q.map(|q| q.value), v: v.map(|v| v.value) },
-            q_by_q: SMatrix::from_fn(|i, j| slope(&q[i], j)),
-            q_by_v: SMatrix::from_fn(|i, j| slope(&q[i], N + j)),
-            v_by_q: SMatrix::from_fn(|i, j| slope(&v[i], j)),
-            v_by_v: SMatrix::from_fn(|i, j| slope(&v[i], N + j)),
-            q_by_p: SMatrix::from_fn(|i, j| slope(&q[i], 2 * N + j)),
-            v_by_p: SMatrix::from_fn(|i, j| slope(&v[i], 2 * N + j)),
+        self.state = State { t: t.value, q: q.map(|q| q.value), v: v.map(|v| v.value) };
+        for (row, x) in state.q.iter().chain(&state.v).enumerate() {
+            for (column, &slope) in (first..2 * N + P).zip(&x.slopes) {
+                if let Some(entry) = self.slope_mut(row, column) {
+                    *entry = slope;
+                }
+            }
         }
     }
 
     /// An entry of the state-transition matrix, 2`N` × 2`N`, coordinates before velocities; zero outside.
     #[must_use]
     pub fn entry(&self, row: usize, column: usize) -> R {
-        let block = match (row < N, column < N) {
-            (true, true) => &self.q_by_q,
-            (true, false) => &self.q_by_v,
-            (false, true) => &self.v_by_q,
-            (false, false) => &self.v_by_v,
+        if column < 2 * N { self.slope(row, column) } else { R::zero() }
+    }
+
+    /// An entry of all columns, those of parameters last; zero outside.
+    fn slope(&self, row: usize, column: usize) -> R {
+        let (of, i) = split::<N>(row);
+        let found = match (of, split::<N>(column)) {
+            (0, (0, j)) => self.q_by_q.get((i, j)),
+            (0, (1, j)) => self.q_by_v.get((i, j)),
+            (0, (_, j)) => self.q_by_p.get((i, j)),
+            (1, (0, j)) => self.v_by_q.get((i, j)),
+            (1, (1, j)) => self.v_by_v.get((i, j)),
+            (1, (_, j)) => self.v_by_p.get((i, j)),
+            _ => None,
         };
-        let within = |i: usize| if i < N { i } else { i - N };
-        block.get((within(row), within(column))).copied().unwrap_or(R::zero())
+        found.copied().unwrap_or(R::zero())
+    }
+
+    fn slope_mut(&mut self, row: usize, column: usize) -> Option<&mut R> {
+        let (of, i) = split::<N>(row);
+        match (of, split::<N>(column)) {
+            (0, (0, j)) => self.q_by_q.get_mut((i, j)),
+            (0, (1, j)) => self.q_by_v.get_mut((i, j)),
+            (0, (_, j)) => self.q_by_p.get_mut((i, j)),
+            (1, (0, j)) => self.v_by_q.get_mut((i, j)),
+            (1, (1, j)) => self.v_by_v.get_mut((i, j)),
+            (1, (_, j)) => self.v_by_p.get_mut((i, j)),
+            _ => None,
+        }
     }
 }
 
-/// A state that varies with its coordinates in the first `N` directions and with its velocities in the next.
-fn seeded<R: Real, const N: usize, const D: usize>(start: &State<R, N>) -> State<Dual<R, D>, N> {
-    State {
-        t: Dual::constant(start.t),
-        q: core::array::from_fn(|i| Dual::variable(start.q[i], i)),
-        v: core::array::from_fn(|i| Dual::variable(start.v[i], N + i)),
-    }
+/// Coordinates, velocities or what comes after them, and the index among these.
+fn split<const N: usize>(index: usize) -> (usize, usize) {
+    let kind = (index / N.max(1)).min(2);
+    (kind, index - kind * N)
 }
 
-impl<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>
-    Variational<S, N, K, C, P, D>
+fn unit<R: Real>(i: usize, j: usize) -> R {
+    if i == j { R::one() } else { R::zero() }
+}
+
+/// The system in the pass that begins with the direction `first`.
+fn over<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>(
+    system: &S,
+    first: usize,
+) -> S::Over<Dual<S::Scalar, D>>
+where
+    S: Sensitive<N, K, C, P, D>,
+{
+    system.over(|value, parameter| match parameter.and_then(|listed| (2 * N + listed).checked_sub(first)) {
+        Some(direction) => Dual::variable(value, direction),
+        None => Dual::constant(value),
+    })
+}
+
+impl<'a, S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>
+    Variational<'a, S, N, K, C, P, D>
 where
     S: Sensitive<N, K, C, P, D>,
     S::Scalar: Ordered,
 {
     /// The system with derivatives.
-    pub(super) fn new(system: &S) -> Self {
-        const { assert!(D == 2 * N + P, "directions: initial coordinates, initial velocities, parameters") };
-        Self {
-            system: system.over(|value, parameter| match parameter {
-                Some(parameter) => Dual::variable(value, 2 * N + parameter),
-                None => Dual::constant(value),
-            }),
-        }
+    pub(super) fn new(system: &'a S) -> Self {
+        Self { system, first: over(system, 0) }
     }
 
     /// A motion from a state, with inputs at zero. Of a constrained system the derivatives at the start are those of the
@@ -146,15 +208,26 @@ where
         &self,
         start: State<S::Scalar, N>,
     ) -> Result<VariationalMotion<'_, S, N, K, C, P, D>, MotionError<S::Scalar>> {
-        let mut varied = seeded(&start);
+        let free = Transition::<_, N, P>::at(start);
+        let mut transition = free;
         if C > 0 {
             let failed = |cause| MotionError { cause, t: start.t };
-            let constants = self.system.constants();
-            self.system.check_start_at(&constants, &varied).map_err(failed)?;
-            self.system.project_at(&constants, &mut varied).map_err(failed)?;
+            for first in passes::<N, P, D>() {
+                let (system, mut varied) = (over(self.system, first), free.varied(first));
+                let constants = system.constants();
+                system.check_start_at(&constants, &varied).map_err(failed)?;
+                system.project_at(&constants, &mut varied).map_err(failed)?;
+                transition.take(first, &varied);
+            }
         }
-        Ok(VariationalMotion { simulation: placed(Simulation::new(&self.system, varied)) })
+        let simulation = placed(Simulation::new(&self.first, transition.varied(0)));
+        Ok(VariationalMotion { system: self.system, simulation, transition, counts: Steps::default() })
     }
+}
+
+/// The first direction of each pass.
+fn passes<const N: usize, const P: usize, const D: usize>() -> impl Iterator<Item = usize> {
+    (0..2 * N + P).step_by(D.max(1))
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>
@@ -167,9 +240,8 @@ where
     /// [`Simulation::with_tolerance`].
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: S::Scalar) -> Self {
-        self.simulation.limit(|limits| {
-            (limits.relative, limits.absolute) = (Dual::constant(tolerance), None);
-        });
+        let limits = self.simulation.limits();
+        (limits.relative, limits.absolute) = (Dual::constant(tolerance), None);
         self
     }
 
@@ -177,23 +249,22 @@ where
     /// to its largest component: columns are solutions of linear equations, which have no scale.
     #[must_use]
     pub fn with_tolerances(mut self, relative: S::Scalar, absolute: S::Scalar) -> Self {
-        self.simulation.limit(|limits| {
-            (limits.relative, limits.absolute) = (Dual::constant(relative), Some(Dual::constant(absolute)));
-        });
+        let limits = self.simulation.limits();
+        (limits.relative, limits.absolute) = (Dual::constant(relative), Some(Dual::constant(absolute)));
         self
     }
 
     /// Longest step \[s]; see [`Simulation::with_step_limit`].
     #[must_use]
     pub fn with_step_limit(mut self, longest: S::Scalar) -> Self {
-        self.simulation.limit(|limits| limits.step = Some(Dual::constant(longest)));
+        self.simulation.limits().step = Some(Dual::constant(longest));
         self
     }
 
-    /// Steps that one call of `advance_to` may take, rejected ones included.
+    /// Steps that one call of `advance_to` may take, rejected ones included, for every eight directions.
     #[must_use]
     pub fn with_max_steps(mut self, steps: u64) -> Self {
-        self.simulation.limit(|limits| limits.attempts = steps);
+        self.simulation.limits().attempts = steps;
         self
     }
 
@@ -212,26 +283,50 @@ where
     /// Goes on to time `t` \[s], forward or backward.
     ///
     /// # Errors
-    /// Why and when the motion or a derivative cannot go on; it stays at its last good state.
+    /// Why and when the motion or a derivative cannot go on. [`VariationalMotion::transition`] is then that before the call.
     pub fn advance_to(
         &mut self,
         t: S::Scalar,
     ) -> Result<Transition<S::Scalar, N, P>, MotionError<S::Scalar>> {
-        match self.simulation.advance_to(Dual::constant(t)) {
-            Ok(state) => Ok(Transition::of(state)),
-            Err(error) => Err(MotionError { cause: error.cause, t: error.t.value }),
+        let failed = |error: MotionError<Dual<_, D>>| MotionError { cause: error.cause, t: error.t.value };
+        let mut next = self.transition;
+        for first in passes::<N, P, D>() {
+            if first == 0 {
+                next.take(first, self.simulation.advance_to(Dual::constant(t)).map_err(failed)?);
+                continue;
+            }
+            let system = over(self.system, first);
+            let start = self.transition.varied(first);
+            let mut pass: Place<Carrying<'_, S::Scalar, _, N, K, D>> =
+                placed(Simulation::new(&system, start));
+            pass.set_inputs(self.simulation.inputs());
+            *pass.limits() = *self.simulation.limits();
+            let value = next.state;
+            next.take(first, pass.advance_to(Dual::constant(t)).map_err(failed)?);
+            next.state = value;
+            let Steps { accepted, rejected, evaluations } = pass.steps();
+            self.counts.accepted += accepted;
+            self.counts.rejected += rejected;
+            self.counts.evaluations += evaluations;
         }
+        self.transition = next;
+        Ok(next)
     }
 
-    /// The state with its derivatives.
+    /// The state with its derivatives: the last one reached without error.
     #[must_use]
     pub fn transition(&self) -> Transition<S::Scalar, N, P> {
-        Transition::of(self.simulation.state())
+        self.transition
     }
 
-    /// What the motion has cost so far.
+    /// What the motion has cost so far: every eight directions take steps of their own.
     #[must_use]
     pub fn steps(&self) -> Steps {
-        self.simulation.steps()
+        let (first, others) = (self.simulation.steps(), self.counts);
+        Steps {
+            accepted: first.accepted + others.accepted,
+            rejected: first.rejected + others.rejected,
+            evaluations: first.evaluations + others.evaluations,
+        }
     }
 }

@@ -91,8 +91,8 @@ fn boundaries_of_mathieus_equation() {
             Mathieu { a, q }.variational().monodromy(State::at_rest([0.0]), std::f64::consts::PI).unwrap();
         // A double multiplier is known to the root of a rounding.
         for found in &found.multipliers {
-            close(found.re, multiplier, 1e-7);
-            close(found.im, 0.0, 1e-7);
+            close_on(1.0, found.re, multiplier, 1e-7);
+            close_on(1.0, found.im, 0.0, 1e-7);
         }
         // Inside the tongues unstable, outside stable with multipliers of modulus 1.
         let modulus = |a: f64| {

@@ -9,3 +9,4 @@ mod scalars;
 mod seeds;
 mod sensitivities;
 mod variational;
+mod written_out;
