@@ -1,6 +1,6 @@
 //! [`Real`]: the scalar that equations of motion are evaluated in.
 //!
-//! The trait is open. `f32` and `f64` implement it here; implement it for dual numbers, fixed point, SIMD lanes
+//! The trait is open. `f32`, `f64` and [`Dual`] implement it here; implement it for fixed point, SIMD lanes
 //! or a hardware CORDIC and every generated method works with them. Thirteen functions have to be written, the others
 //! have defaults by identities; a default names its weakness, and an implementor with a better routine
 //! overrides it. The supertraits are what nalgebra asks for sums, products, `dot` and `cross`.

@@ -78,7 +78,7 @@ pub(super) fn over(emission: &mut Emission<'_>) -> TokenStream {
     });
     quote! {
         #[doc(hidden)]
-        #[derive(Clone, Copy, Debug)]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         pub struct #name<#scalar> {
             parameters: [#scalar; #parameters],
         }
@@ -105,7 +105,7 @@ pub(super) fn conversion(emission: &Emission<'_>) -> String {
     }
     format!(
         "type Over<{OTHER}: lagrange::Real> = {NAME}<{OTHER}>;\n\
-         fn over<{OTHER}: lagrange::Real>(&self, mut __parameter: impl FnMut({}, ::core::option::Option<usize>) -> {OTHER}) \
+         fn over<{OTHER}: lagrange::Real>(&self, mut __parameter: impl ::core::ops::FnMut({}, ::core::option::Option<usize>) -> {OTHER}) \
          -> {NAME}<{OTHER}> {{\n{values}{NAME} {{ parameters: [{}] }}\n}}\n",
         emission.scalar,
         numbers.join(", ")

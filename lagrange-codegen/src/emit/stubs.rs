@@ -66,7 +66,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 const PARAMETERS: [&'static str; #parameters] = [""; #parameters];
                 type Over<__Other: lagrange::Real> = __Over<__Other>;
                 fn over<__Other: lagrange::Real>(
-                    &self, _: impl FnMut(#scalar, ::core::option::Option<usize>) -> __Other
+                    &self, _: impl ::core::ops::FnMut(#scalar, ::core::option::Option<usize>) -> __Other
                 ) -> __Over<__Other> { loop {} }
                 fn by_parameters_at(
                     &self, _: &(), _: &lagrange::Place<'_, #scalar, #count, #inputs, #total_held>
@@ -146,7 +146,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
 fn over_any(count: usize, inputs: usize) -> TokenStream {
     quote! {
         #[doc(hidden)]
-        #[derive(Clone, Copy, Debug)]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         pub struct __Over<R>([R; 0]);
 
         impl<R: lagrange::Real> lagrange::System<#count, #inputs> for __Over<R> {

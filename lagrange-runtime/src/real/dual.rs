@@ -36,7 +36,7 @@ impl<R: Real, const D: usize> Dual<R, D> {
     #[inline]
     #[must_use]
     pub fn variable(value: R, direction: usize) -> Self {
-        Self { value, slopes: core::array::from_fn(|i| if i == direction { R::one() } else { R::zero() }) }
+        Self { value, slopes: each(|i| if i == direction { R::one() } else { R::zero() }) }
     }
 
     /// A function of this number with its derivative.
@@ -49,8 +49,18 @@ impl<R: Real, const D: usize> Dual<R, D> {
     #[inline(always)]
     fn with_both(self, other: Self, value: R, [by_self, by_other]: [R; 2]) -> Self {
         let slope = |i: usize| scaled(self.slopes[i], by_self) + scaled(other.slopes[i], by_other);
-        Self { value, slopes: core::array::from_fn(slope) }
+        Self { value, slopes: each(slope) }
     }
+}
+
+/// An array of what a function gives for each index, always in line.
+#[inline(always)]
+fn each<R: Real, const D: usize>(slope: impl Fn(usize) -> R) -> [R; D] {
+    let mut slopes = [R::zero(); D];
+    for (i, to) in slopes.iter_mut().enumerate() {
+        *to = slope(i);
+    }
+    slopes
 }
 
 /// `slope` · `factor`, which is zero where the slope is: also beside an infinite factor.
@@ -64,7 +74,7 @@ impl<R: Real, const D: usize> Add for Dual<R, D> {
     #[inline(always)]
     fn add(self, other: Self) -> Self {
         let slope = |i: usize| self.slopes[i] + other.slopes[i];
-        Self { value: self.value + other.value, slopes: core::array::from_fn(slope) }
+        Self { value: self.value + other.value, slopes: each(slope) }
     }
 }
 
@@ -73,7 +83,7 @@ impl<R: Real, const D: usize> Sub for Dual<R, D> {
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
         let slope = |i: usize| self.slopes[i] - other.slopes[i];
-        Self { value: self.value - other.value, slopes: core::array::from_fn(slope) }
+        Self { value: self.value - other.value, slopes: each(slope) }
     }
 }
 
@@ -82,7 +92,7 @@ impl<R: Real, const D: usize> Mul for Dual<R, D> {
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let slope = |i: usize| R::mul_add(self.slopes[i], other.value, self.value * other.slopes[i]);
-        Self { value: self.value * other.value, slopes: core::array::from_fn(slope) }
+        Self { value: self.value * other.value, slopes: each(slope) }
     }
 }
 
@@ -92,7 +102,7 @@ impl<R: Real, const D: usize> Div for Dual<R, D> {
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
         let slope = |i: usize| (self.slopes[i] - value * other.slopes[i]) / other.value;
-        Self { value, slopes: core::array::from_fn(slope) }
+        Self { value, slopes: each(slope) }
     }
 }
 
@@ -274,7 +284,7 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
             R::mul_add(self.slopes[i], factor.value, rest)
         };
         let value = R::mul_add(self.value, factor.value, summand.value);
-        Self { value, slopes: core::array::from_fn(slope) }
+        Self { value, slopes: each(slope) }
     }
 }
 
