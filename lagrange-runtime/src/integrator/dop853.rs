@@ -281,11 +281,10 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
                 sum3 += q3 * q3 + v3 * v3;
             }
             let of_part = R::splat(step_size::error(h.largest(), sum5, sum3, 2 * N));
-            // What is not a number stays.
-            error = if error.is_finite() && !(of_part <= error) { of_part } else { error };
-        }
-        if !error.is_finite() {
-            return Err(self.failed_stage(f, h));
+            if !of_part.is_finite() {
+                return Err(self.failed_stage(f, h));
+            }
+            error = larger(error, of_part);
         }
         if error <= R::one() {
             (end.state.t, end.residue.t) = add(from.t, end.residue.t, h);

@@ -39,6 +39,13 @@ impl<R: Real, const D: usize> Dual<R, D> {
         Self { value, slopes: each(|i| if i == direction { R::one() } else { R::zero() }) }
     }
 
+    #[inline(always)]
+    fn quotient(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let slope = |i: usize| (self.slopes[i] - value * other.slopes[i]) / other.value;
+        Self { value, slopes: each(slope) }
+    }
+
     /// A function of this number with its derivative.
     #[inline(always)]
     fn with(self, value: R, slope: R) -> Self {
@@ -100,9 +107,7 @@ impl<R: Real, const D: usize> Div for Dual<R, D> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        let slope = |i: usize| (self.slopes[i] - value * other.slopes[i]) / other.value;
-        Self { value, slopes: each(slope) }
+        self.quotient(other)
     }
 }
 

@@ -89,7 +89,7 @@ where
     }
     // In units of the largest entry no square is out of range.
     let scale = matrix.amax();
-    if !(scale > 0.0) {
+    if scale == 0.0 {
         return Some(std::vec![Complex::new(0.0, 0.0); matrix.nrows()]);
     }
     let found = eigenvalues(&(matrix / scale), R::epsilon().into())?;

@@ -33,12 +33,14 @@ pub struct Variational<
 > {
     system: &'a S,
     /// That of the first pass.
-    first: S::Over<Dual<S::Scalar, D>>,
+    first: Varied<S, N, K, C, P, D>,
 }
 
-/// A motion with derivatives as an ordinary motion.
-type Carrying<'a, R, T, const N: usize, const K: usize, const D: usize> =
-    Simulation<'a, T, Held<Dual<R, D>, K>, <T as System<N, K>>::Method, N, K>;
+/// A system over dual numbers, and its motion by its own method.
+type Varied<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize> =
+    <S as Sensitive<N, K, C, P, D>>::Over<Dual<<S as System<N, K>>::Scalar, D>>;
+type Pass<'a, T, const N: usize, const K: usize> =
+    Simulation<'a, T, Held<<T as System<N, K>>::Scalar, K>, <T as System<N, K>>::Method, N, K>;
 
 /// On the heap where there is one: the tables of a Taylor series are as many times as large as those of the motion as it has
 /// directions, and one more.
@@ -69,7 +71,7 @@ pub struct VariationalMotion<
 {
     system: &'a S,
     /// The first pass. The others start anew in each call.
-    simulation: Place<Carrying<'a, S::Scalar, S::Over<Dual<S::Scalar, D>>, N, K, D>>,
+    simulation: Place<Pass<'a, Varied<S, N, K, C, P, D>, N, K>>,
     transition: Transition<S::Scalar, N, P>,
     /// Of the other passes.
     counts: Steps,
@@ -178,7 +180,7 @@ fn unit<R: Real>(i: usize, j: usize) -> R {
 fn over<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>(
     system: &S,
     first: usize,
-) -> S::Over<Dual<S::Scalar, D>>
+) -> Varied<S, N, K, C, P, D>
 where
     S: Sensitive<N, K, C, P, D>,
 {
@@ -297,7 +299,7 @@ where
             }
             let system = over(self.system, first);
             let start = self.transition.varied(first);
-            let mut pass: Place<Carrying<'_, S::Scalar, _, N, K, D>> =
+            let mut pass: Place<Pass<'_, Varied<S, N, K, C, P, D>, N, K>> =
                 placed(Simulation::new(&system, start));
             pass.set_inputs(self.simulation.inputs());
             *pass.limits() = *self.simulation.limits();
