@@ -93,6 +93,11 @@
 //! let mut other = faster.simulate(State::new([2.0], [0.3]));
 //! let shift = other.advance_to(1.0)?.q[0] - end.state.q[0];
 //! assert!((shift - 0.0001 * end.q_by_p[0]).abs() < 1e-6);
+//! // A deviation from rest is the same after one of its periods: both multipliers are 1.
+//! # #[cfg(feature = "std")]
+//! let after = varied.monodromy(rest.state, core::f64::consts::TAU / modes[0].frequency())?;
+//! # #[cfg(feature = "std")]
+//! assert!(after.multipliers.iter().all(|x| (x.re - 1.0).abs() + x.im.abs() < 1e-6));
 //! # Ok(())
 //! # }
 //! ```

@@ -300,3 +300,31 @@ fn one_lane_off_its_constraints_is_an_error_or_projected_when_asked_for() {
         }
     }
 }
+
+/// Each lane with the derivatives by its own start, against single motions of dual numbers.
+#[test]
+fn lanes_carry_derivatives() {
+    type Vector = Lanes<f64x4>;
+    let starts = [[1.0, 0.0, 0.1, 0.9], [0.8, 0.3, -0.2, 1.1], [1.2, -0.1, 0.0, 1.0], [0.5, 0.5, -0.9, 0.9]];
+    let lanes = |i: usize| Vector::from(starts.map(|start| start[i]));
+    let planet = Planet { mu: lagrangian::Dual::<Vector, 4>::constant(Vector::from([1.0; 4])) };
+    let number = |i: usize| lagrangian::Dual::variable(lanes(i), i);
+    let mut batch = Batch::new(&planet, State::new([number(0), number(1)], [number(2), number(3)]));
+    batch = batch.with_tolerance(1e-14);
+    let found = *batch.advance_to(3.0).unwrap();
+    for (lane, start) in starts.into_iter().enumerate() {
+        let planet = Planet { mu: lagrangian::Dual::<f64, 4>::constant(1.0) };
+        let number = |i: usize| lagrangian::Dual::variable(start[i], i);
+        let mut motion = planet
+            .simulate(State::new([number(0), number(1)], [number(2), number(3)]))
+            .with_tolerance(lagrangian::Dual::constant(1e-14));
+        let expected = motion.advance_to(lagrangian::Dual::constant(3.0)).unwrap();
+        let in_lane = |x: Vector| <[f64; 4]>::from(x)[lane];
+        for (found, expected) in found.iter().zip(expected.iter()) {
+            assert!((in_lane(found.value) - expected.value).abs() < 1e-12);
+            for (found, expected) in found.slopes.into_iter().zip(expected.slopes) {
+                assert!((in_lane(found) - expected).abs() < 1e-12 * expected.abs().max(10.0), "{lane}");
+            }
+        }
+    }
+}

@@ -752,8 +752,30 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
     }
     #[automatically_derived]
     #[allow(clippy::all, unused_variables)]
-    impl lagrange::Sensitive<2usize, 1usize, 0usize, 0usize> for ElasticPendulum {
+    impl lagrange::Sensitive<2usize, 1usize, 0usize, 0usize, 4usize>
+    for ElasticPendulum {
         const PARAMETERS: [&'static str; 0] = [];
+        type Over<__Other: lagrange::Real> = __Over<__Other>;
+        fn over<__Other: lagrange::Real>(
+            &self,
+            mut __parameter: impl ::core::ops::FnMut(
+                f64,
+                ::core::option::Option<usize>,
+            ) -> __Other,
+        ) -> __Over<__Other> {
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            let stiffness: f64 = self.stiffness;
+            let length: f64 = self.length;
+            __Over {
+                parameters: [
+                    __parameter(mass_2, ::core::option::Option::None),
+                    __parameter(g, ::core::option::Option::None),
+                    __parameter(stiffness, ::core::option::Option::None),
+                    __parameter(length, ::core::option::Option::None),
+                ],
+            }
+        }
         #[inline]
         fn by_parameters_at(
             &self,
@@ -763,4 +785,337 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             lagrange::ByParameters::zero()
         }
     }
+    #[doc(hidden)]
+    #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+    pub struct __Over<R> {
+        parameters: [R; 4usize],
+    }
+    #[automatically_derived]
+    #[allow(clippy::all)]
+    impl<R: lagrange::Real> __Over<R> {
+        #[inline]
+        fn energy(&self, state: &lagrange::State<R, 2>) -> R {
+            use lagrange::Real;
+            let [theta, r] = state.q;
+            let [theta_dot, r_dot] = state.v;
+            let mass_2: R = self.parameters[0];
+            let g: R = self.parameters[1];
+            let stiffness: R = self.parameters[2];
+            let length: R = self.parameters[3];
+            let r_minus_length = r - length;
+            let w1 = mass_2 * g * (r * Real::cos(theta))
+                - R::from_f64(0.5) * stiffness * (r_minus_length * r_minus_length);
+            R::from_f64(0.5) * mass_2 * (r_dot * r_dot + r * r * (theta_dot * theta_dot))
+                + -w1
+        }
+    }
+    #[automatically_derived]
+    #[allow(clippy::all)]
+    impl<R: lagrange::Real> lagrange::System<2usize, 1usize> for __Over<R> {
+        type Scalar = R;
+        type Method = lagrange::Jets;
+        type Constants = [R; 3];
+        #[inline]
+        fn constants(&self) -> Self::Constants {
+            let mass_2: R = self.parameters[0];
+            let stiffness: R = self.parameters[2];
+            let length: R = self.parameters[3];
+            [stiffness / mass_2, stiffness * length / mass_2, R::one() / mass_2]
+        }
+        #[inline]
+        fn accelerations_at(
+            &self,
+            constants: &Self::Constants,
+            _t: R,
+            q: &[R; 2],
+            v: &[R; 2],
+            u: &[R; 1],
+        ) -> [R; 2] {
+            use lagrange::Real;
+            let [theta, r] = *q;
+            let [theta_dot, r_dot] = *v;
+            let [motor] = *u;
+            let mass_2: R = self.parameters[0];
+            let g: R = self.parameters[1];
+            let [stiffness_over_mass_2, w1, inverse_mass_2] = *constants;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let w2 = inverse_mass_2
+                * (motor
+                    - mass_2
+                        * (r
+                            * (g * sin_theta + R::from_f64(2.0) * (theta_dot * r_dot))));
+            [
+                w2 / (r * r),
+                r * (theta_dot * theta_dot - stiffness_over_mass_2)
+                    + (g * cos_theta + w1),
+            ]
+        }
+        fn check_at(
+            &self,
+            _constants: &Self::Constants,
+            _t: R,
+            q: &[R; 2],
+            _v: &[R; 2],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            let [_, r] = *q;
+            let mass_2: R = self.parameters[0];
+            let mass_2_r_squared = mass_2 * (r * r);
+            lagrange::solve::check(mass_2_r_squared, mass_2_r_squared, 0)?;
+            lagrange::solve::check(mass_2, mass_2, 1)?;
+            ::core::result::Result::Ok(())
+        }
+        #[inline]
+        fn energy_at(
+            &self,
+            _constants: &Self::Constants,
+            t: R,
+            q: &[R; 2],
+            v: &[R; 2],
+        ) -> R {
+            self.energy(&lagrange::State { t, q: *q, v: *v })
+        }
+    }
+    #[automatically_derived]
+    #[allow(clippy::all)]
+    impl<R: lagrange::Real> lagrange::Smooth<2usize, 1usize> for __Over<R> {
+        type JetConstants = [R; 3];
+        type Tables<const ORDERS: usize> = lagrange::Tables<R, 8, ORDERS>;
+        #[inline]
+        fn jet_constants(&self) -> [R; 3] {
+            use lagrange::Real;
+            {
+                let [c0_0, c0_1] = {
+                    let mass_2: R = self.parameters[0];
+                    let g: R = self.parameters[1];
+                    let stiffness: R = self.parameters[2];
+                    let length: R = self.parameters[3];
+                    [mass_2 * g, stiffness * length]
+                };
+                let [c1_0] = {
+                    let mass_2: R = self.parameters[0];
+                    [Real::recip(mass_2)]
+                };
+                [c0_0, c0_1, c1_0]
+            }
+        }
+        #[inline]
+        fn jet_at<const ORDERS: usize>(
+            &self,
+            constants: &[R; 3],
+            _t: R,
+            q: &[R; 2],
+            v: &[R; 2],
+            u: &[R; 1],
+            h: R,
+            orders: usize,
+            tables: &mut lagrange::Tables<R, 8, ORDERS>,
+            series: &mut lagrange::Series<R, 2, ORDERS>,
+        ) -> bool {
+            use lagrange::Real;
+            let [theta, r] = *q;
+            let [theta_dot, r_dot] = *v;
+            let [motor] = *u;
+            let mass_2: R = self.parameters[0];
+            let stiffness: R = self.parameters[2];
+            let [mass_2_g, stiffness_length, r_inverse_mass] = *constants;
+            let theta_dot_squared: R = theta_dot * theta_dot;
+            let mass_2_theta_dot_squared: R = mass_2 * theta_dot_squared;
+            let w1: R = stiffness - mass_2_theta_dot_squared;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let mass_2_g_cos_theta: R = mass_2_g * cos_theta;
+            let w2: R = mass_2_g_cos_theta + stiffness_length;
+            let w3: R = r * w1;
+            let w4: R = w3 - w2;
+            let r_sin_theta: R = r * sin_theta;
+            let mass_2_g_r_sin_theta: R = mass_2_g * r_sin_theta;
+            let w5: R = motor - mass_2_g_r_sin_theta;
+            let r_squared: R = r * r;
+            let w6: R = -w4;
+            let theta_dot_cos_theta: R = theta_dot * cos_theta;
+            let theta_dot_sin_theta: R = theta_dot * sin_theta;
+            let minus_theta_dot_sin_theta: R = -theta_dot_sin_theta;
+            let theta_inverse_mass: R = Real::recip(mass_2 * (r * r));
+            let mut theta_dot_last: R = theta_dot;
+            let mut theta_force: R = w5;
+            let mut r_dot_last: R = r_dot;
+            let mut r_force: R = w6;
+            let mut theta_dot_first: R = R::zero();
+            let mut theta_dot_last_2: R = R::zero();
+            let mut r_first: R = R::zero();
+            let mut r_last: R = R::zero();
+            let mut w1_first: R = R::zero();
+            let mut w1_last: R = R::zero();
+            let mut sin_theta_first: R = R::zero();
+            let mut sin_theta_last: R = R::zero();
+            let mut r_squared_first: R = R::zero();
+            let mut r_squared_last: R = R::zero();
+            let mut cos_theta_first: R = R::zero();
+            let mut cos_theta_last: R = R::zero();
+            let mut sin_theta_flow: R = theta_dot_cos_theta;
+            let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
+            lagrange::jets::in_line::<
+                ORDERS,
+            >(
+                orders,
+                #[inline(always)]
+                |order| {
+                    let rate: R = lagrange::jets::rate(h, order);
+                    let inner = tables.interior(order);
+                    let theta_k: R = rate * theta_dot_last;
+                    let r_k: R = rate * r_dot_last;
+                    let inner_0: R = lagrange::jets::squared::<
+                        ORDERS,
+                        _,
+                    >(order, [theta_dot_first, theta_dot_last_2], inner[0]);
+                    let inner_1: R = lagrange::jets::convolution::<
+                        ORDERS,
+                        _,
+                    >(order, [r_first, r_last], [w1_first, w1_last], inner[1]);
+                    let inner_2: R = lagrange::jets::convolution::<
+                        ORDERS,
+                        _,
+                    >(
+                        order,
+                        [r_first, r_last],
+                        [sin_theta_first, sin_theta_last],
+                        inner[2],
+                    );
+                    let inner_3: R = lagrange::jets::squared::<
+                        ORDERS,
+                        _,
+                    >(order, [r_first, r_last], inner[3]);
+                    let inner_4: R = lagrange::jets::convolution::<
+                        ORDERS,
+                        _,
+                    >(
+                        order,
+                        [r_squared_first, r_squared_last],
+                        [theta_dot_first, theta_dot_last_2],
+                        inner[4],
+                    );
+                    let inner_5: R = lagrange::jets::convolution::<
+                        ORDERS,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [cos_theta_first, cos_theta_last],
+                        inner[5],
+                    );
+                    let inner_6: R = lagrange::jets::convolution::<
+                        ORDERS,
+                        _,
+                    >(
+                        order,
+                        [theta_dot_first, theta_dot_last_2],
+                        [sin_theta_first, sin_theta_last],
+                        inner[6],
+                    );
+                    let sin_theta_k: R = rate * sin_theta_flow;
+                    let cos_theta_k: R = rate * cos_theta_flow;
+                    let r_sin_theta_k: R = Real::mul_add(
+                        sin_theta,
+                        r_k,
+                        Real::mul_add(r, sin_theta_k, inner_2),
+                    );
+                    let r_squared_k: R = Real::mul_add((r + r), r_k, inner_3);
+                    let r_squared_theta_dot_known: R = Real::mul_add(
+                        theta_dot,
+                        r_squared_k,
+                        inner_4,
+                    );
+                    let theta_dot_k: R = Real::mul_add(
+                        rate,
+                        theta_force,
+                        (-(mass_2 * r_squared_theta_dot_known)),
+                    ) * theta_inverse_mass;
+                    let r_dot_k: R = (rate * r_force) * r_inverse_mass;
+                    series.set(order, [theta_k, r_k], [theta_dot_k, r_dot_k]);
+                    if order == orders {
+                        return false;
+                    }
+                    let theta_dot_squared_k: R = Real::mul_add(
+                        (theta_dot + theta_dot),
+                        theta_dot_k,
+                        inner_0,
+                    );
+                    let w1_k: R = -(mass_2 * theta_dot_squared_k);
+                    let r_squared_theta_dot_k: R = Real::mul_add(
+                        r_squared,
+                        theta_dot_k,
+                        r_squared_theta_dot_known,
+                    );
+                    if let ::core::option::Option::Some((left, right)) = tables
+                        .row(order)
+                    {
+                        left[0] = theta_dot_k;
+                        right[0] = theta_dot_k;
+                        left[1] = r_k;
+                        right[1] = w1_k;
+                        left[2] = r_k;
+                        right[2] = sin_theta_k;
+                        left[3] = r_k;
+                        right[3] = r_k;
+                        left[4] = r_squared_k;
+                        right[4] = theta_dot_k;
+                        left[5] = theta_dot_k;
+                        right[5] = cos_theta_k;
+                        left[6] = theta_dot_k;
+                        right[6] = sin_theta_k;
+                    }
+                    theta_dot_last = theta_dot_k;
+                    r_dot_last = r_dot_k;
+                    sin_theta_flow = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner_5),
+                    );
+                    cos_theta_flow = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner_6),
+                    );
+                    theta_force = -(mass_2_g * r_sin_theta_k);
+                    r_force = Real::mul_add(
+                        -r,
+                        w1_k,
+                        Real::mul_add(
+                            mass_2_g,
+                            cos_theta_k,
+                            Real::mul_add(-w1, r_k, -inner_1),
+                        ),
+                    );
+                    theta_dot_first = lagrange::jets::first::<
+                        ORDERS,
+                        _,
+                    >(order, theta_dot_first, theta_dot_k);
+                    theta_dot_last_2 = theta_dot_k;
+                    r_first = lagrange::jets::first::<ORDERS, _>(order, r_first, r_k);
+                    r_last = r_k;
+                    w1_first = lagrange::jets::first::<ORDERS, _>(order, w1_first, w1_k);
+                    w1_last = w1_k;
+                    sin_theta_first = lagrange::jets::first::<
+                        ORDERS,
+                        _,
+                    >(order, sin_theta_first, sin_theta_k);
+                    sin_theta_last = sin_theta_k;
+                    r_squared_first = lagrange::jets::first::<
+                        ORDERS,
+                        _,
+                    >(order, r_squared_first, r_squared_k);
+                    r_squared_last = r_squared_k;
+                    cos_theta_first = lagrange::jets::first::<
+                        ORDERS,
+                        _,
+                    >(order, cos_theta_first, cos_theta_k);
+                    cos_theta_last = cos_theta_k;
+                    true
+                },
+            );
+            true
+        }
+    }
+    impl<R: lagrange::Real> lagrange::Autonomous<2usize, 1usize> for __Over<R> {}
+    impl<R: lagrange::Real> lagrange::Holonomic<2usize, 1usize> for __Over<R> {}
+    impl<R: lagrange::Real> lagrange::Scleronomic<2usize, 1usize> for __Over<R> {}
 };

@@ -63,6 +63,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     let jets = jets::derive(&mut model, &equations);
     let emission = Emission {
         item,
+        scalar: item.scalar.clone(),
         model: &mut model,
         equations: &equations,
         facts: &facts,

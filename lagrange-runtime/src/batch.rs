@@ -218,26 +218,30 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         // Far below any other number, but not zero.
         let tiny = S::Scalar::epsilon().powi(4);
         let mut worst = tiny;
-        let mut weigh = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST]| {
-            let row = |k: usize| rows.get(k).copied().unwrap_or([num_traits::Zero::zero(); N]);
+        let mut weigh = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize| {
+            let row =
+                |k: usize| rows.get(k).map_or([num_traits::Zero::zero(); N], |row| row.map(|x| x.part(part)));
             let (first, second) = (row(0), row(1));
             let mut terms: [S::Scalar; N] = [num_traits::Zero::zero(); N];
-            let last_but_two = rows.iter().take(orders.saturating_sub(2)).skip(orders / 2);
-            for term in last_but_two {
+            for order in orders / 2..orders.saturating_sub(2) {
+                let term = row(order);
                 for i in 0..N {
                     terms[i] = (terms[i] * number(1.0 / STEEPEST)).max(term[i].abs());
                 }
             }
             let (before, last) = (row(orders - 2), row(orders - 1));
             for i in 0..N {
-                let size = x[i].abs().max(first[i].abs() * span).max(second[i].abs() * span * span);
+                let x = x[i].part(part);
+                let size = x.abs().max(first[i].abs() * span).max(second[i].abs() * span * span);
                 let early = terms[i] * number(1.0 / (STEEPEST * STEEPEST));
                 let term = last[i].abs().max(number(DECAY) * before[i].abs()).max(early);
                 worst = worst.max(term / (relative * size + tiny));
             }
         };
-        weigh(&self.state.q, &self.series.q);
-        weigh(&self.state.v, &self.series.v);
+        for part in 0..S::Scalar::PARTS {
+            weigh(&self.state.q, &self.series.q, part);
+            weigh(&self.state.v, &self.series.v, part);
+        }
         (-worst.ln() / number(orders as f64)).exp()
     }
 

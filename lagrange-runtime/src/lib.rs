@@ -77,19 +77,19 @@ pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};
 #[cfg(feature = "wide")]
 pub use real::Lanes;
-pub use real::{Ordered, Real};
+pub use real::{Dual, Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use smooth::{Series, Smooth};
 pub use state::State;
 pub use stepper::Stepper;
 pub use structure::{Cost, Costs, Structure};
 pub use system::{Blur, System};
-#[cfg(feature = "std")]
-pub use tangent::Mode;
 pub use tangent::{
     Basis, ByParameters, Equilibrium, EquilibriumError, Imbalance, InverseDynamics, LinearModel, Response,
-    Sensitive, Sensitivities, Tangent, Transition, Variation, Variational, VariationalMotion, Varied,
+    Sensitive, Sensitivities, Tangent, Transition, Variation, Variational, VariationalMotion,
 };
+#[cfg(feature = "std")]
+pub use tangent::{Mode, Monodromy};
 pub use verify::{Certificate, Identity, Violation};
 #[cfg(feature = "wide")]
 pub use wide;

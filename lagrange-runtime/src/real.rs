@@ -1,6 +1,6 @@
 //! [`Real`]: the scalar that equations of motion are evaluated in.
 //!
-//! The trait is open. `f32` and `f64` implement it here; implement it for dual numbers, fixed point, SIMD lanes
+//! The trait is open. `f32`, `f64` and [`Dual`] implement it here; implement it for fixed point, SIMD lanes
 //! or a hardware CORDIC and every generated method works with them. Thirteen functions have to be written, the others
 //! have defaults by identities; a default names its weakness, and an implementor with a better routine
 //! overrides it. The supertraits are what nalgebra asks for sums, products, `dot` and `cross`.
@@ -13,6 +13,8 @@ use num_traits::{One, Zero};
 
 use crate::math;
 
+mod dual;
+pub use dual::Dual;
 #[cfg(feature = "wide")]
 mod lanes;
 #[cfg(feature = "wide")]
@@ -37,7 +39,7 @@ pub trait Real:
     + MulAssign
     + DivAssign
 {
-    /// One lane: the type itself, or the element of a SIMD vector.
+    /// One lane: the type itself, the element of a SIMD vector, or what carries derivatives without them.
     type Lane: Real<Lane = Self::Lane> + PartialOrd;
 
     /// The same value in every lane.
@@ -78,6 +80,19 @@ pub trait Real:
 
     /// Whether every lane is strictly above zero; false for NaN.
     fn is_positive(self) -> bool;
+
+    /// How many numbers this is to the control of errors: one, or a number and its derivatives.
+    const PARTS: usize = 1;
+
+    /// How often derivatives are taken of derivatives: 0 for plain numbers.
+    const DEPTH: usize = 0;
+
+    /// One of the [`Real::PARTS`] as a number of its own, whose derivatives are zero: the value first.
+    #[inline(always)]
+    #[must_use]
+    fn part(self, _index: usize) -> Self {
+        self
+    }
 
     /// π.
     #[inline]
@@ -251,11 +266,11 @@ pub trait Real:
     }
 }
 
-/// A scalar with one lane and an order: what step size control compares. Implemented for every [`Real`] that
-/// is its own lane.
-pub trait Ordered: Real<Lane = Self> + PartialOrd {}
+/// A scalar with an order, and so with one lane: what a motion under error control is made of. Implemented for every [`Real`]
+/// that can be compared.
+pub trait Ordered: Real + PartialOrd {}
 
-impl<R: Real<Lane = R> + PartialOrd> Ordered for R {}
+impl<R: Real + PartialOrd> Ordered for R {}
 
 /// The larger of two ordered scalars; the second if they cannot be compared.
 #[inline]
@@ -267,6 +282,12 @@ pub(crate) fn larger<R: PartialOrd>(a: R, b: R) -> R {
 #[inline]
 pub(crate) fn smaller<R: PartialOrd>(a: R, b: R) -> R {
     if a < b { a } else { b }
+}
+
+/// The largest of a number and its derivatives, without signs.
+#[inline]
+pub(crate) fn extent<R: Ordered>(x: R) -> R {
+    (0..R::PARTS).fold(R::zero(), |most, part| larger(most, x.part(part).abs()))
 }
 
 /// Forwards functions of `Real` to the backend of the same name.

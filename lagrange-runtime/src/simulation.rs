@@ -146,6 +146,12 @@ where
         self
     }
 
+    /// The limits, to be changed in place: the memory of a motion with derivatives is large.
+    #[inline]
+    pub(crate) fn limits(&mut self) -> &mut Limits<S::Scalar> {
+        &mut self.limits
+    }
+
     /// The state: the last one reached or sampled without error.
     #[inline]
     pub fn state(&self) -> &State<S::Scalar, N> {

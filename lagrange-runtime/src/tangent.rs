@@ -12,17 +12,19 @@
 //! | [`Tangent::inverse_dynamics`] | forces that a given motion needs |
 //! | [`Sensitive::sensitivities`] | derivatives of accelerations and multipliers by parameters |
 //! | [`Sensitive::variational`] | the motion with its derivatives by the start and by parameters |
+//! | [`Variational::monodromy`] | Floquet multipliers of a periodic motion |
 //!
 mod equilibrium;
 mod inverse_dynamics;
 mod linear_model;
 #[cfg(feature = "std")]
 mod modes;
+#[cfg(feature = "std")]
+mod monodromy;
 mod reduced;
 mod response;
 mod sensitive;
 mod variational;
-mod varied;
 
 use crate::constraints::{Balance, Residuals};
 use crate::error::MotionError;
@@ -34,11 +36,12 @@ pub use inverse_dynamics::InverseDynamics;
 pub use linear_model::{Basis, LinearModel};
 #[cfg(feature = "std")]
 pub use modes::Mode;
+#[cfg(feature = "std")]
+pub use monodromy::Monodromy;
 pub use reduced::{reduced, reduced_by_inputs, reduced_residual};
 pub use response::Response;
 pub use sensitive::{ByParameters, Sensitive, Sensitivities};
 pub use variational::{Transition, Variational, VariationalMotion};
-pub use varied::Varied;
 
 /// r = f + Aᵀλ − M a, and A a − γ of the constraints: both zero on the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -262,5 +262,6 @@ messages! {
         [1/s]";
     not_a_parameter() = "derivatives are taken by single parameters: name a field as the formulas do, such as `self.mass`";
     idle_sensitivity(path) = "no formula uses `{path}`, so nothing depends on it; remove it here";
+    repeated_sensitivity(path) = "`{path}` is listed twice; its derivatives are one column, so name it once";
     index_into_single(name) = "`{name}` is no array; remove the index";
 }

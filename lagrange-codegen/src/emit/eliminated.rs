@@ -35,7 +35,7 @@ fn completion(emission: &mut Emission<'_>, record: Record) -> String {
         let symbol = format!("{}{mark}", eliminated.quantity.written());
         doc.push_str(&docs::equation(model, &symbol, nodes[eliminated.declared_index]));
     }
-    let (scalar, count) = (&emission.item.scalar, nodes.len());
+    let (scalar, count) = (&emission.scalar, nodes.len());
     let result = format!("{}<{scalar}>", emission.item.record_ident(record));
     let signature = format!("{name}({}) -> {result}", methods::arguments(emission, &nodes));
     let body = body::plain(model, scalar, &nodes, Source::State, |values| {

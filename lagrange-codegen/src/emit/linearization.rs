@@ -2,7 +2,7 @@
 
 use super::body::{self, Source};
 use super::names::{Names, name_accelerations};
-use super::{Emission, block, scalar};
+use super::{Emission, block, over, scalar};
 use crate::expr::NodeId;
 use crate::mechanics::{Linearization, Sensitivities};
 use crate::model::ConstraintKind;
@@ -46,7 +46,7 @@ struct Signature {
 
 impl Signature {
     fn of(emission: &Emission<'_>) -> Signature {
-        let (scalar, vector) = (&emission.item.scalar, emission.vector_type());
+        let (scalar, vector) = (&emission.scalar, emission.vector_type());
         let inputs = emission.input_type();
         Signature {
             place: format!("&self, _constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}"),
@@ -60,14 +60,14 @@ impl Signature {
 fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String) {
     let Linearization { forces, by_u, .. } = derived;
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
-    let scalar = &emission.item.scalar.to_string();
+    let scalar = &emission.scalar.to_string();
     let vector = emission.vector_type();
     let Signature { place, given, inputs: inputs_only } = Signature::of(emission);
 
     let residual = function(emission, &forces.values, |values| format!("[{}]", values.join(", ")));
     let mut roots = mass(emission);
     roots.extend(forces.by_q.into_iter().flatten().chain(forces.by_v.into_iter().flatten()));
-    let zero = scalar::zero(&emission.item.scalar);
+    let zero = scalar::zero(&emission.scalar);
     let matrices = function(emission, &roots, |values| {
         let empty = format!("[[{zero}; {count}]; {count}]");
         let mut text = format!(
@@ -124,7 +124,7 @@ fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> (String, 
     let Linearization { forces, by_u, conditions, rates_by_q, by_p: _ } = derived;
     let (count, inputs, held) =
         (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
-    let scalar = &emission.item.scalar.to_string();
+    let scalar = &emission.scalar.to_string();
     let vector = emission.vector_type();
     let Signature { place, given, inputs: inputs_only } = Signature::of(emission);
     let reduced = |name: &str, more: &str| {
@@ -143,7 +143,7 @@ fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> (String, 
         reduced("reduced_by_inputs", ""),
     );
 
-    let zero = scalar::zero(&emission.item.scalar);
+    let zero = scalar::zero(&emission.scalar);
     let matrices = [
         ("mass", count, mass(emission)),
         ("by_q", count, flat(forces.by_q)),
@@ -194,7 +194,7 @@ fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> (String, 
 fn tangent(emission: &Emission<'_>, [balance, deviations, imbalance, variation]: [&str; 4]) -> String {
     let (count, inputs, held) =
         (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
-    let (scalar, vector) = (&emission.item.scalar, emission.vector_type());
+    let (scalar, vector) = (&emission.scalar, emission.vector_type());
     let given = emission.input_type();
     let kinds = emission.model.constraints.iter().map(|constraint| constraint.kind);
     let kinds: Vec<String> = kinds.map(|kind| (kind == ConstraintKind::Holonomic).to_string()).collect();
@@ -222,7 +222,7 @@ fn sensitive(emission: &mut Emission<'_>, by_p: &Sensitivities) -> String {
         emission.equations.conditions.count(),
         emission.model.sensitivities.len(),
     );
-    let zero = scalar::zero(&emission.item.scalar);
+    let zero = scalar::zero(&emission.scalar);
     let matrices = [
         ("forces", flat(by_p.forces.clone())),
         ("conditions", flat(by_p.conditions.clone())),
@@ -246,9 +246,9 @@ fn sensitive(emission: &mut Emission<'_>, by_p: &Sensitivities) -> String {
     };
     let path = |&parameter: &u32| format!("{:?}", emission.model.parameters[parameter as usize].path);
     let paths: Vec<String> = emission.model.sensitivities.iter().map(path).collect();
-    let scalar = &emission.item.scalar;
+    let (scalar, over) = (&emission.scalar, over::conversion(emission));
     format!(
-        "const PARAMETERS: [&'static str; {parameters}] = [{}];\n\
+        "const PARAMETERS: [&'static str; {parameters}] = [{}];\n{over}\
          #[inline]\nfn by_parameters_at(&self, constants: &Self::Constants, \
          place: &lagrange::Place<'_, {scalar}, {count}, {inputs}, {held}>) \
          -> lagrange::ByParameters<{scalar}, {count}, {held}, {parameters}> {{\n{body}\n}}\n",
@@ -274,7 +274,7 @@ fn function(
     result: impl FnOnce(&[String]) -> String,
 ) -> String {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
-    body::plain(emission.model, &emission.item.scalar, &nodes, Source::Slices, result)
+    body::plain(emission.model, &emission.scalar, &nodes, Source::Slices, result)
 }
 
 /// A body that computes some nodes at a `Place`.
@@ -284,7 +284,7 @@ fn at_place(
     result: impl FnOnce(&[String]) -> String,
 ) -> String {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
-    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let (model, scalar) = (&*emission.model, &emission.scalar);
     let program = plan(&model.graph, &nodes);
     let written = block::write(model, scalar, &program, &program.outputs, &[], &mut Names::new(model));
     let mut text = "let lagrange::Place { t, q, v, a: accelerations, multipliers, u } = *place;\n".to_owned();

@@ -58,7 +58,7 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> (String, Sides) {
         }
     }
     if whole.is_none() {
-        let scalar = &emission.item.scalar;
+        let scalar = &emission.scalar;
         let signature = format!("energy(&self, state: &{}) -> {scalar}", emission.state_type());
         let body = "self.kinetic_energy(state) + self.potential_energy(state)";
         text.push_str(&method("Energy T + V \\[J\\].", &signature, body));
@@ -101,7 +101,7 @@ fn accelerations(emission: &Emission<'_>) -> String {
         "accelerations(&self, state: &{}{parameter}) -> ::core::result::Result<{}, lagrange::MotionError<{}>>",
         emission.state_type(),
         emission.vector_type(),
-        emission.item.scalar,
+        emission.scalar,
     );
     let body = format!(
         "let constants = lagrange::System::constants(self);\n\
@@ -112,7 +112,7 @@ fn accelerations(emission: &Emission<'_>) -> String {
     method(&doc, &signature, &body)
 }
 
-fn mass_matrix(emission: &mut Emission<'_>) -> String {
+pub(super) fn mass_matrix(emission: &mut Emission<'_>) -> String {
     let count = emission.count();
     let mut entries: Vec<NodeId> = Vec::with_capacity(count * (count + 1) / 2);
     for row in &emission.equations.mass {
@@ -122,9 +122,9 @@ fn mass_matrix(emission: &mut Emission<'_>) -> String {
     let signature = format!(
         "mass_matrix({}) -> lagrange::nalgebra::SMatrix<{}, {count}, {count}>",
         arguments(emission, &entries),
-        emission.item.scalar
+        emission.scalar
     );
-    let scalar = &emission.item.scalar;
+    let scalar = &emission.scalar;
     let body = body::plain(emission.model, scalar, &entries, Source::State, |values| {
         if let [single] = values {
             return format!("lagrange::solve::symmetric([[{single}]])");
@@ -148,7 +148,7 @@ fn vector(
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
     let doc = format!("{doc}{}", docs::equations(emission.model, symbol, &nodes));
     let signature = format!("{name}({}) -> {}", arguments(emission, &nodes), emission.vector_type());
-    let body = body::plain(emission.model, &emission.item.scalar, &nodes, Source::State, |values| {
+    let body = body::plain(emission.model, &emission.scalar, &nodes, Source::State, |values| {
         format!("[{}]", values.join(", "))
     });
     (method(&doc, &signature, &body), nodes)
@@ -164,8 +164,8 @@ pub(super) fn scalar(
 ) -> String {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &[node]);
     let doc = format!("{doc}{}", docs::equation(emission.model, symbol, nodes[0]));
-    let signature = format!("{name}({}) -> {}", arguments(emission, &nodes), emission.item.scalar);
+    let signature = format!("{name}({}) -> {}", arguments(emission, &nodes), emission.scalar);
     let body =
-        body::plain(emission.model, &emission.item.scalar, &nodes, Source::State, |values| values.join(", "));
+        body::plain(emission.model, &emission.scalar, &nodes, Source::State, |values| values.join(", "));
     method(&doc, &signature, &body)
 }

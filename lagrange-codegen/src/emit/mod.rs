@@ -12,6 +12,7 @@ mod jets;
 mod linearization;
 mod methods;
 mod names;
+mod over;
 mod parts;
 mod proofs;
 mod records;
@@ -29,7 +30,7 @@ use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
-use crate::syntax::Item;
+use crate::syntax::{Item, Scalar};
 
 pub(crate) use analysis::METHODS as ANALYSIS_METHODS;
 pub(crate) use constraints::{METHODS as CONSTRAINT_METHODS, is_force_on_place};
@@ -40,6 +41,8 @@ pub(crate) use stubs::stubs;
 /// Everything that emission reads; the graph grows while it simplifies.
 pub(crate) struct Emission<'a> {
     pub item: &'a Item,
+    /// The scalar that code is being emitted for.
+    pub scalar: Scalar,
     pub model: &'a mut Model,
     pub equations: &'a Equations,
     pub facts: &'a Facts,
@@ -54,15 +57,15 @@ impl Emission<'_> {
     }
 
     fn state_type(&self) -> String {
-        format!("lagrange::State<{}, {}>", self.item.scalar, self.count())
+        format!("lagrange::State<{}, {}>", self.scalar, self.count())
     }
 
     fn vector_type(&self) -> String {
-        format!("[{}; {}]", self.item.scalar, self.count())
+        format!("[{}; {}]", self.scalar, self.count())
     }
 
     fn input_type(&self) -> String {
-        format!("[{}; {}]", self.item.scalar, self.model.inputs.len())
+        format!("[{}; {}]", self.scalar, self.model.inputs.len())
     }
 }
 
@@ -86,6 +89,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let report = report(&emission, before, after);
     let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
     let linearization = linearization::linearization(&mut emission);
+    let over = emission.item.jacobians.then(|| over::over(&mut emission));
     let certificate = emission.item.analysis.then(|| {
         let analysis = analysis::analysis(&mut emission);
         methods.push_str(&analysis.methods);
@@ -133,6 +137,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let linearization = linearization.map(|[linearized, tangent, sensitive]| {
         let held = emission.equations.conditions.count();
         let by = emission.model.sensitivities.len();
+        let directions = over::directions(count, by);
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, unused_variables)]
@@ -148,7 +153,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
 
             #[automatically_derived]
             #[allow(clippy::all, unused_variables)]
-            impl #impl_generics lagrange::Sensitive<#count, #inputs, #held, #by> for #self_ty #where_clause {
+            impl #impl_generics lagrange::Sensitive<#count, #inputs, #held, #by, #directions> for #self_ty #where_clause {
                 #sensitive
             }
         }
@@ -207,6 +212,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             #proofs
             #smooth
             #linearization
+            #over
             #certificate
         };
         #test

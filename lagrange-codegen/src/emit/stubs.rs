@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
-use super::{COMPLETIONS, analysis, proofs, records};
+use super::{COMPLETIONS, analysis, over, proofs, records};
 use crate::syntax::{Group, Item, Record, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
@@ -28,6 +28,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     let held = constraints::declared(item);
     let total_held: usize = held.iter().map(|(_, length)| length.unwrap_or(1)).sum();
     let parameters = item.sensitivities.len();
+    let directions = over::directions(count, parameters);
     let linearization = item.jacobians.then(|| {
         let place = quote!(
             &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
@@ -59,16 +60,21 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 ) -> lagrange::Variation<#scalar, #count, #inputs, #total_held> { loop {} }
             }
 
-            impl #impl_generics lagrange::Sensitive<#count, #inputs, #total_held, #parameters>
+            impl #impl_generics lagrange::Sensitive<#count, #inputs, #total_held, #parameters, #directions>
                 for #self_ty #where_clause
             {
                 const PARAMETERS: [&'static str; #parameters] = [""; #parameters];
+                type Over<__Other: lagrange::Real> = __Over<__Other>;
+                fn over<__Other: lagrange::Real>(
+                    &self, _: impl ::core::ops::FnMut(#scalar, ::core::option::Option<usize>) -> __Other
+                ) -> __Over<__Other> { loop {} }
                 fn by_parameters_at(
                     &self, _: &(), _: &lagrange::Place<'_, #scalar, #count, #inputs, #total_held>
                 ) -> lagrange::ByParameters<#scalar, #count, #total_held, #parameters> { loop {} }
             }
         }
     });
+    let over = item.jacobians.then(|| over_any(count, inputs));
     let reactions = (!held.is_empty()).then(|| constraints::record(item, &held));
     let constrained = (!held.is_empty()).then(|| {
         let record = constraints::record_ident(item);
@@ -122,6 +128,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             #proofs
             #constrained
             #linearization
+            #over
             impl #impl_generics lagrange::Smooth<#count, #inputs> for #self_ty #where_clause {
                 type JetConstants = ();
                 type Tables<const ORDERS: usize> = ();
@@ -133,6 +140,26 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             }
         };
     })
+}
+
+/// The system over another scalar.
+fn over_any(count: usize, inputs: usize) -> TokenStream {
+    quote! {
+        #[doc(hidden)]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+        pub struct __Over<R>([R; 0]);
+
+        impl<R: lagrange::Real> lagrange::System<#count, #inputs> for __Over<R> {
+            type Scalar = R;
+            type Method = lagrange::Dop853;
+            type Constants = ();
+            fn constants(&self) {}
+            fn accelerations_at(
+                &self, _: &(), _: R, _: &[R; #count], _: &[R; #count], _: &[R; #inputs]
+            ) -> [R; #count] { loop {} }
+            fn energy_at(&self, _: &(), _: R, _: &[R; #count], _: &[R; #count]) -> R { loop {} }
+        }
+    }
 }
 
 /// Whether the names can be fields of a struct.

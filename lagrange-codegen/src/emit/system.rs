@@ -38,7 +38,7 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
     let accelerations = accelerations(emission, &program, &hoisted, &labels, parts, &mut names);
     let check = check(emission);
 
-    let scalar = &emission.item.scalar;
+    let scalar = &emission.scalar;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let named =
         |body: &str, name: &str| if mentions(body, name) { name.to_owned() } else { format!("_{name}") };
@@ -83,7 +83,7 @@ fn constants(
     parts: &[Part<Slot>],
     names: &mut Names,
 ) -> (Vec<String>, (String, String)) {
-    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let (model, scalar) = (&*emission.model, &emission.scalar);
     let (labels, fixed) = body::constants(model, scalar, program, hoisted, names);
     let mut types = vec![format!("[{scalar}; {}]", hoisted.len())];
     let mut values = vec![format!("[{}]", fixed.outputs.join(", "))];
@@ -94,7 +94,7 @@ fn constants(
             "::core::option::Option<lagrange::{factor}<{scalar}, {}>>",
             part.coordinates.len()
         ));
-        let lower = body::lower_triangle(&emission.item.scalar, part.coordinates.len(), &written.outputs);
+        let lower = body::lower_triangle(&emission.scalar, part.coordinates.len(), &written.outputs);
         let parameters = body::parameters(model, scalar, &written.reads);
         let statements = body::assemble(&written);
         values.push(format!("{{\n{parameters}{statements}{lower}lagrange::solve::factor(mass)\n}}"));
@@ -116,7 +116,7 @@ fn accelerations(
     parts: Vec<Part<Slot>>,
     names: &mut Names,
 ) -> String {
-    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let (model, scalar) = (&*emission.model, &emission.scalar);
     let given: Vec<(Slot, String)> = hoisted.iter().copied().zip(labels.iter().cloned()).collect();
     let written = block::write(model, scalar, program, &program.outputs, &given, names);
     let once = parts.iter().any(Part::factored_once);
@@ -179,7 +179,7 @@ fn check(emission: &mut Emission<'_>) -> Option<String> {
             Method::Ldlt => "Ldlt",
             Method::Lu => "Lu",
         };
-        let (scalar, size) = (&emission.item.scalar, block.coordinates.len());
+        let (scalar, size) = (&emission.scalar, block.coordinates.len());
         let coordinates: Vec<String> = block.coordinates.iter().map(usize::to_string).collect();
         factored.push_str(&format!(
             "lagrange::solve::check_block::<lagrange::{factor}<{scalar}, {size}>, _, {count}, {size}>(&mass, &[{}])?;\n",
@@ -203,7 +203,7 @@ fn check(emission: &mut Emission<'_>) -> Option<String> {
         })
         .flatten()
         .collect();
-    Some(body::plain(emission.model, &emission.item.scalar, &nodes, Source::Slices, |values| {
+    Some(body::plain(emission.model, &emission.scalar, &nodes, Source::Slices, |values| {
         let pivots = values.chunks(2).zip(coordinates).map(|(pair, coordinate)| {
             format!("lagrange::solve::check({}, {coordinate})?;\n", pair.join(", "))
         });

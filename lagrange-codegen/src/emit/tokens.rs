@@ -1,7 +1,7 @@
 //! From text to tokens, with the user's expressions put in for parameters.
 
-use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
-use quote::quote_spanned;
+use proc_macro2::{Group, Ident, Literal, Span, TokenStream, TokenTree};
+use quote::{quote, quote_spanned};
 
 use crate::diagnostics::Diagnostics;
 use crate::model::{Length, Model};
@@ -54,6 +54,15 @@ impl Parameters {
             })
             .collect();
         Parameters { expressions }
+    }
+
+    /// Numbers that the system keeps in place of the user's expressions.
+    pub fn kept(model: &Model) -> Parameters {
+        let kept = |index: usize| {
+            let index = Literal::usize_unsuffixed(index);
+            quote!(self.parameters[#index])
+        };
+        Parameters { expressions: (0..model.parameters.len()).map(kept).collect() }
     }
 
     /// Generated text as tokens.

@@ -71,6 +71,9 @@ impl<'a> Interpreter<'a> {
             if index as usize >= known {
                 let path = self.model.parameters[index as usize].path.clone();
                 self.report(parameter.origin, catalogue::idle_sensitivity(path));
+            } else if self.model.sensitivities.contains(&index) {
+                let path = self.model.parameters[index as usize].path.clone();
+                self.report(parameter.origin, catalogue::repeated_sensitivity(path));
             }
             self.model.sensitivities.push(index);
         }

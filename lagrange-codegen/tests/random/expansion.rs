@@ -48,6 +48,10 @@ impl Expansion {
         let mut expansion = Expansion::default();
         for statement in blocks {
             if let Stmt::Item(Item::Impl(block)) = statement {
+                // The same code once more, for any scalar.
+                if matches!(&*block.self_ty, syn::Type::Path(ty) if last_segment(&ty.path) == "__Over") {
+                    continue;
+                }
                 let name = block.trait_.as_ref().map(|(path, _)| last_segment(path));
                 match name.as_deref() {
                     None => collect(block, &mut expansion.methods)?,

@@ -37,10 +37,34 @@ where
     S: Surface<N, K, C>,
 {
     let residuals = system.residuals_at(state.t, &state.q, &state.v);
-    if residuals.are_roundings() {
-        return Ok(());
+    if !residuals.are_roundings() {
+        correct(system, state, residuals)?;
     }
-    correct(system, state, residuals)
+    // Every correction makes good one order of derivatives where the values obey the constraints already.
+    for _ in 0..S::Scalar::DEPTH {
+        along(system, state);
+    }
+    Ok(())
+}
+
+/// Moves the derivatives of a state on the constraints onto their tangent space, and leaves its values: one correction of each
+/// level is linear in the derivatives.
+#[cold]
+fn along<S, const N: usize, const K: usize, const C: usize>(system: &S, state: &mut State<S::Scalar, N>)
+where
+    S: Surface<N, K, C>,
+{
+    let none = [num_traits::Zero::zero(); N];
+    for of_positions in [true, false] {
+        let (saddle, _) = system.saddle_at(state.t, &state.q, &state.v);
+        let residuals = system.residuals_at(state.t, &state.q, &state.v);
+        let lack = residuals.level(of_positions).0.map(|residual| residual.part(0) - residual);
+        let (change, _) = saddle.solve(&none, &lack);
+        let numbers = if of_positions { &mut state.q } else { &mut state.v };
+        for (number, change) in numbers.iter_mut().zip(change) {
+            *number += change - change.part(0);
+        }
+    }
 }
 
 /// Newton's corrections: of the coordinates, then of the velocities.

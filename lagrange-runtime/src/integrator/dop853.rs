@@ -9,6 +9,8 @@
 
 use core::cmp::Ordering;
 
+use num_traits::Zero;
+
 use super::Field;
 use super::adaptive::Steps;
 use super::dense::Dense;
@@ -260,21 +262,29 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         let fifth = combine::<R, N, STAGES, _, _>(&E5, slopes);
         let embedded = combine::<R, N, STAGES, _, _>(&B3, slopes);
         let mut end = self.start;
-        let scale = limits.scale();
-        let (mut sum5, mut sum3) = (R::zero(), R::zero());
         for n in 0..N {
             (end.state.q[n], end.residue.q[n]) = add(from.q[n], end.residue.q[n], h * mean.q[n]);
             (end.state.v[n], end.residue.v[n]) = add(from.v[n], end.residue.v[n], h * mean.v[n]);
-            let weight_q = scale.weight(from.q[n], end.state.q[n]);
-            let weight_v = scale.weight(from.v[n], end.state.v[n]);
-            let (q5, v5) = (fifth.q[n] * weight_q, fifth.v[n] * weight_v);
-            let (q3, v3) = ((mean.q[n] - embedded.q[n]) * weight_q, (mean.v[n] - embedded.v[n]) * weight_v);
-            sum5 += q5 * q5 + v5 * v5;
-            sum3 += q3 * q3 + v3 * v3;
         }
-        let error = step_size::error(h, sum5, sum3, 2 * N);
-        if !error.is_finite() {
-            return Err(self.failed_stage(f, h));
+        let mut error = R::zero();
+        for part in 0..R::PARTS {
+            let of = |x: R| x.part(part).largest();
+            let scale = limits.scale().of_part(part, [from, &end.state]);
+            let (mut sum5, mut sum3) = (R::Lane::zero(), R::Lane::zero());
+            for n in 0..N {
+                let weight_q = scale.weight(of(from.q[n]), of(end.state.q[n]));
+                let weight_v = scale.weight(of(from.v[n]), of(end.state.v[n]));
+                let (q5, v5) = (of(fifth.q[n]) * weight_q, of(fifth.v[n]) * weight_v);
+                let q3 = of(mean.q[n] - embedded.q[n]) * weight_q;
+                let v3 = of(mean.v[n] - embedded.v[n]) * weight_v;
+                sum5 += q5 * q5 + v5 * v5;
+                sum3 += q3 * q3 + v3 * v3;
+            }
+            let of_part = R::splat(step_size::error(h.largest(), sum5, sum3, 2 * N));
+            if !of_part.is_finite() {
+                return Err(self.failed_stage(f, h));
+            }
+            error = larger(error, of_part);
         }
         if error <= R::one() {
             (end.state.t, end.residue.t) = add(from.t, end.residue.t, h);
@@ -341,24 +351,29 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         F: Field<R, N>,
     {
         let from = &self.end.state;
-        let scale = limits.scale();
-        let norm = |x: &dyn Fn(usize) -> (R, R)| {
-            let mut sum = R::zero();
+        // The norm of a state or of its slope, for the values or one of their derivatives.
+        let norm = |part: usize, q: &[R; N], v: &[R; N]| {
+            let of = |x: R| x.part(part).largest();
+            let scale = limits.scale().of_part(part, [from, from]);
+            let mut sum = R::Lane::zero();
             for n in 0..N {
-                let (q, v) = x(n);
-                let (q, v) = (q * scale.weight(from.q[n], from.q[n]), v * scale.weight(from.v[n], from.v[n]));
+                let q = of(q[n]) * scale.weight(of(from.q[n]), of(from.q[n]));
+                let v = of(v[n]) * scale.weight(of(from.v[n]), of(from.v[n]));
                 sum += q * q + v * v;
             }
             sum.sqrt()
         };
-        let size = norm(&|n| (from.q[n], from.v[n]));
-        let rate = norm(&|n| (slope.q[n], slope.v[n]));
-        let probe = limits.clip(step_size::probe(size, rate));
+        let shortest = |length: &dyn Fn(usize) -> R::Lane| {
+            R::splat((1..R::PARTS).fold(length(0), |least, part| smaller(least, length(part))))
+        };
+        let rate = |part| norm(part, &slope.q, &slope.v);
+        let probe = shortest(&|part| step_size::probe(norm(part, &from.q, &from.v), rate(part)));
+        let probe = limits.clip(probe);
         let (q, v) = reach(from, direction * probe, slope);
         self.counts.evaluations += 1;
         let a = f.accelerations(from.t + direction * probe, &q, &v);
-        let change = norm(&|n| (v[n] - slope.q[n], a[n] - slope.v[n]));
-        let length = step_size::first(probe, rate, change);
+        let [q, v] = [(v, slope.q), (a, slope.v)].map(|(to, from)| core::array::from_fn(|n| to[n] - from[n]));
+        let length = shortest(&|part| step_size::first(probe.largest(), rate(part), norm(part, &q, &v)));
         // A probe into a singularity gives no number; the control takes it from there.
         if length.is_finite() && length.is_positive() { limits.clip(length) } else { probe }
     }

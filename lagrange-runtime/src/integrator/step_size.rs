@@ -6,7 +6,8 @@
 //! I", 2nd ed., II.4 and II.10. The estimate presumes smooth accelerations; at a jump it only shortens steps.
 
 use crate::error::Cause;
-use crate::real::{Ordered, larger, smaller};
+use crate::real::{Ordered, Real, larger, smaller};
+use crate::state::State;
 use crate::system::Blur;
 
 /// What the caller asks of the control.
@@ -97,6 +98,20 @@ pub(crate) struct Scale<R> {
 }
 
 impl<R: Ordered> Scale<R> {
+    /// The weights of the values, or of one of their derivatives on the way from one state to another. Linear equations have no
+    /// scale: an absolute error of a derivative is one beside the whole of its column.
+    #[inline]
+    pub(crate) fn of_part<const N: usize>(&self, part: usize, states: [&State<R, N>; 2]) -> Scale<R::Lane> {
+        let (relative, absolute) = (self.relative.largest(), self.absolute.largest());
+        if part == 0 {
+            return Scale { relative, absolute };
+        }
+        let column = states.into_iter().flat_map(|state| state.iter());
+        let whole =
+            column.fold(num_traits::Zero::zero(), |most, x| larger(most, x.part(part).largest().abs()));
+        Scale { relative, absolute: larger(absolute * whole, smallest::<R::Lane>()) }
+    }
+
     /// 1 / tolerated error of a component that goes from `a` to `b`.
     #[inline]
     pub(crate) fn weight(&self, a: R, b: R) -> R {

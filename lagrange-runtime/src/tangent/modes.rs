@@ -16,7 +16,7 @@ use nalgebra::{Cholesky, Complex, DMatrix, DVector, SMatrix, SVector, SymmetricE
 use super::{Basis, LinearModel};
 use crate::error::Cause;
 use crate::real::{Ordered, Real};
-use spectrum::{Eigenvalue, eigenvalues, parts};
+use spectrum::{Eigenvalue, parts};
 use vectors::{eigenvector, null_vectors};
 
 /// Iterations for each eigenvalue of a symmetric matrix before the search is given up.
@@ -71,6 +71,12 @@ where
         a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
     Ok(modes)
+}
+
+/// All eigenvalues of a matrix whose entries have a relative error of `unit`; `None` where the iteration fails.
+pub(super) fn eigenvalues(matrix: &DMatrix<f64>, unit: f64) -> Option<Vec<Complex<f64>>> {
+    let found = spectrum::eigenvalues(matrix, unit, false)?;
+    Some(found.into_iter().map(|found| found.value).collect())
 }
 
 fn doubled<R: Real + Into<f64>, const A: usize, const B: usize>(
@@ -178,7 +184,7 @@ where
     let matrix = DMatrix::from_fn(order, order, |i, j| model.entry(i, j).into());
     let mut balanced = matrix.clone();
     let scales = balance_parlett_reinsch(&mut balanced);
-    let found = eigenvalues(&matrix, unit, is_reversible)?;
+    let found = spectrum::eigenvalues(&matrix, unit, is_reversible)?;
     let (zeros, others): (Vec<_>, Vec<_>) =
         found.into_iter().filter(|found| found.value.im >= 0.0).partition(|found| found.value == ZERO);
     let mut vectors: Vec<_> =

@@ -7,6 +7,7 @@ use super::{Place, Tangent, Variational};
 use crate::error::{Cause, MotionError};
 use crate::real::{Ordered, Real};
 use crate::state::State;
+use crate::system::System;
 
 /// Derivatives by `P` parameters; rows are equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,17 +46,33 @@ pub struct Sensitivities<R, const N: usize, const C: usize, const P: usize> {
     pub multipliers: SMatrix<R, C, P>,
 }
 
-/// A system with derivatives by the `P` parameters that its attribute lists as `sensitivities`; none if it lists none.
+/// A system with derivatives by the `P` parameters that its attribute lists as `sensitivities`, none if it lists none, and by
+/// its start, in `D` directions at once.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the equations of `{Self}` are not generated",
     label = "this needs `jacobians`, and `sensitivities = […]` for derivatives by parameters",
     note = "say so in the attribute: `#[lagrangian(coordinates = […], sensitivities = [self.mass])]`"
 )]
-pub trait Sensitive<const N: usize, const K: usize = 0, const C: usize = 0, const P: usize = 0>:
-    Tangent<N, K, C>
+pub trait Sensitive<
+    const N: usize,
+    const K: usize = 0,
+    const C: usize = 0,
+    const P: usize = 0,
+    const D: usize = 0,
+>: Tangent<N, K, C>
 {
     /// The parameters in the order of all columns, as they are written.
     const PARAMETERS: [&'static str; P];
+
+    /// The same equations over another scalar.
+    type Over<R: Real>: System<N, K, Scalar = R> + Copy + core::fmt::Debug;
+
+    /// The system with each parameter replaced by a number of another scalar, such as [`Dual`](crate::Dual). `parameter` makes
+    /// it from the value and, for those of [`Sensitive::PARAMETERS`], the index there.
+    ///
+    /// Whatever takes a system takes the result: `simulate`, steppers, batches. So derivatives by any combination of start and
+    /// parameters, and second ones by duals of duals, are motions like others.
+    fn over<R: Real>(&self, parameter: impl FnMut(Self::Scalar, Option<usize>) -> R) -> Self::Over<R>;
 
     /// Derivatives of the equations by the parameters.
     fn by_parameters_at(
@@ -90,9 +107,8 @@ pub trait Sensitive<const N: usize, const K: usize = 0, const C: usize = 0, cons
     }
 
     /// The system with states that carry their derivatives by the start and by the parameters: its
-    /// [`motion`](Variational::motion) has the state-transition matrix. The columns stay on the stack, so it is for systems
-    /// of moderate size.
-    fn variational(&self) -> Variational<'_, Self, N, K, C, P>
+    /// [`motion`](Variational::motion) has the state-transition matrix.
+    fn variational(&self) -> Variational<'_, Self, N, K, C, P, D>
     where
         Self: Sized,
         Self::Scalar: Ordered,

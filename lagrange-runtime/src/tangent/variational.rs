@@ -2,39 +2,79 @@
 //! δq̈ = (∂a/∂q) δq + (∂a/∂v) δv + ∂a/∂p (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.,
 //! § I.14).
 //!
-//! The integrator works on numbers that carry their derivatives ([`Varied`]), so what comes out is the derivative of the very
-//! sums that the motion is made of. Derivatives of the accelerations are generated; they are never formed as matrices but
-//! applied to the columns, with one factorisation an evaluation.
+//! They are never written down. The system runs on numbers that carry their derivatives ([`Dual`]), so that its own method, of
+//! its own order, gives the derivatives of what it computes: of Taylor series, of multipliers, of projections. Steps follow the
+//! errors of the derivatives as they follow those of the motion.
+//!
+//! Of many directions some go at once, and the motion is passed through again for the others, so that the memory is that of a
+//! few motions whatever the size of the system.
 
 use nalgebra::SMatrix;
-use num_traits::Zero;
 
-use super::response::{Factored, factored};
-use super::{Place, Sensitive, Varied};
-use crate::error::{Cause, MotionError};
-use crate::integrator::Dop853;
-use crate::linear::{Saddle, SaddlePoint};
-use crate::real::{Ordered, Real};
+use super::Sensitive;
+use crate::error::MotionError;
+use crate::integrator::adaptive::Steps;
+use crate::real::{Dual, Ordered, Real};
 use crate::simulation::{Held, Simulation};
 use crate::state::State;
 use crate::system::System;
 
-/// A system whose states carry their derivatives: any integrator that takes a [`System`] takes it.
-///
-/// The energy is a plain number: its derivatives are not carried.
+/// A system whose states carry their derivatives by `N` initial coordinates, `N` initial velocities and `P` parameters, `D` of
+/// these at once.
 #[derive(Clone, Copy, Debug)]
-pub struct Variational<'a, S, const N: usize, const K: usize, const C: usize, const P: usize> {
+pub struct Variational<
+    'a,
+    S: Sensitive<N, K, C, P, D>,
+    const N: usize,
+    const K: usize,
+    const C: usize,
+    const P: usize,
+    const D: usize,
+> {
     system: &'a S,
+    /// That of the first pass.
+    first: Varied<S, N, K, C, P, D>,
 }
 
-/// A motion with its derivatives, by Dormand–Prince 8(5,3) under the control of the error of the motion.
-pub struct VariationalMotion<'a, S, const N: usize, const K: usize, const C: usize, const P: usize>
-where
-    S: Sensitive<N, K, C, P>,
+/// A system over dual numbers, and its motion by its own method.
+type Varied<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize> =
+    <S as Sensitive<N, K, C, P, D>>::Over<Dual<<S as System<N, K>>::Scalar, D>>;
+type Pass<'a, T, const N: usize, const K: usize> =
+    Simulation<'a, T, Held<<T as System<N, K>>::Scalar, K>, <T as System<N, K>>::Method, N, K>;
+
+/// On the heap where there is one: the tables of a Taylor series are as many times as large as those of the motion as it has
+/// directions, and one more.
+#[cfg(feature = "std")]
+type Place<T> = std::boxed::Box<T>;
+#[cfg(not(feature = "std"))]
+type Place<T> = T;
+
+fn placed<T>(content: T) -> Place<T> {
+    #[cfg(feature = "std")]
+    return Place::new(content);
+    #[cfg(not(feature = "std"))]
+    return content;
+}
+
+/// A motion with its derivatives, by the method of the system, [`Jets`](crate::Jets) or [`Dop853`](crate::Dop853).
+pub struct VariationalMotion<
+    'a,
+    S,
+    const N: usize,
+    const K: usize,
+    const C: usize,
+    const P: usize,
+    const D: usize,
+> where
+    S: Sensitive<N, K, C, P, D>,
     S::Scalar: Ordered,
 {
-    simulation:
-        Simulation<'a, Variational<'a, S, N, K, C, P>, Held<Varied<S::Scalar, N, P>, K>, Dop853, N, K>,
+    system: &'a S,
+    /// The first pass. The others start anew in each call.
+    simulation: Place<Pass<'a, Varied<S, N, K, C, P, D>, N, K>>,
+    transition: Transition<S::Scalar, N, P>,
+    /// Of the other passes.
+    counts: Steps,
 }
 
 /// A state and its derivatives by the start and by parameters.
@@ -56,34 +96,109 @@ pub struct Transition<R, const N: usize, const P: usize = 0> {
     pub v_by_p: SMatrix<R, N, P>,
 }
 
-impl<R: Real, const N: usize, const P: usize> From<&State<Varied<R, N, P>, N>> for Transition<R, N, P> {
-    fn from(state: &State<Varied<R, N, P>, N>) -> Self {
-        let State { q, v, .. } = state;
-        Self {
-            state: plain(state),
-            q_by_q: SMatrix::from_fn(|i, j| q[i].by_q[j]),
-            q_by_v: SMatrix::from_fn(|i, j| q[i].by_v[j]),
-            v_by_q: SMatrix::from_fn(|i, j| v[i].by_q[j]),
-            v_by_v: SMatrix::from_fn(|i, j| v[i].by_v[j]),
-            q_by_p: SMatrix::from_fn(|i, j| q[i].by_p[j]),
-            v_by_p: SMatrix::from_fn(|i, j| v[i].by_p[j]),
+impl<R: Real, const N: usize, const P: usize> Transition<R, N, P> {
+    /// A state that varies with itself.
+    fn at(state: State<R, N>) -> Self {
+        let (one, zero) = (SMatrix::from_fn(unit), SMatrix::from_fn(|_, _| R::zero()));
+        let none = SMatrix::from_fn(|_, _| R::zero());
+        Self { state, q_by_q: one, q_by_v: zero, v_by_q: zero, v_by_v: one, q_by_p: none, v_by_p: none }
+    }
+
+    /// The state with the directions from `first` on.
+    fn varied<const D: usize>(&self, first: usize) -> State<Dual<R, D>, N> {
+        let with = |value: R, row: usize| Dual {
+            value,
+            slopes: core::array::from_fn(|i| self.slope(row, first + i)),
+        };
+        let State { t, q, v } = &self.state;
+        State {
+            t: Dual::constant(*t),
+            q: core::array::from_fn(|i| with(q[i], i)),
+            v: core::array::from_fn(|i| with(v[i], N + i)),
+        }
+    }
+
+    /// Takes a state and its directions from `first` on.
+    fn take<const D: usize>(&mut self, first: usize, state: &State<Dual<R, D>, N>) {
+        let State { t, q, v } = state;
+        self.state = State { t: t.value, q: q.map(|q| q.value), v: v.map(|v| v.value) };
+        for (row, x) in state.q.iter().chain(&state.v).enumerate() {
+            for (column, &slope) in (first..2 * N + P).zip(&x.slopes) {
+                if let Some(entry) = self.slope_mut(row, column) {
+                    *entry = slope;
+                }
+            }
+        }
+    }
+
+    /// An entry of the state-transition matrix, 2`N` × 2`N`, coordinates before velocities; zero outside.
+    #[must_use]
+    pub fn entry(&self, row: usize, column: usize) -> R {
+        if column < 2 * N { self.slope(row, column) } else { R::zero() }
+    }
+
+    /// An entry of all columns, those of parameters last; zero outside.
+    fn slope(&self, row: usize, column: usize) -> R {
+        let (of, i) = split::<N>(row);
+        let found = match (of, split::<N>(column)) {
+            (0, (0, j)) => self.q_by_q.get((i, j)),
+            (0, (1, j)) => self.q_by_v.get((i, j)),
+            (0, (_, j)) => self.q_by_p.get((i, j)),
+            (1, (0, j)) => self.v_by_q.get((i, j)),
+            (1, (1, j)) => self.v_by_v.get((i, j)),
+            (1, (_, j)) => self.v_by_p.get((i, j)),
+            _ => None,
+        };
+        found.copied().unwrap_or(R::zero())
+    }
+
+    fn slope_mut(&mut self, row: usize, column: usize) -> Option<&mut R> {
+        let (of, i) = split::<N>(row);
+        match (of, split::<N>(column)) {
+            (0, (0, j)) => self.q_by_q.get_mut((i, j)),
+            (0, (1, j)) => self.q_by_v.get_mut((i, j)),
+            (0, (_, j)) => self.q_by_p.get_mut((i, j)),
+            (1, (0, j)) => self.v_by_q.get_mut((i, j)),
+            (1, (1, j)) => self.v_by_v.get_mut((i, j)),
+            (1, (_, j)) => self.v_by_p.get_mut((i, j)),
+            _ => None,
         }
     }
 }
 
-/// The state without derivatives.
-fn plain<R: Real, const N: usize, const P: usize>(state: &State<Varied<R, N, P>, N>) -> State<R, N> {
-    State { t: state.t.value, q: state.q.map(|q| q.value), v: state.v.map(|v| v.value) }
+/// Coordinates, velocities or what comes after them, and the index among these.
+fn split<const N: usize>(index: usize) -> (usize, usize) {
+    let kind = (index / N.max(1)).min(2);
+    (kind, index - kind * N)
 }
 
-impl<'a, S, const N: usize, const K: usize, const C: usize, const P: usize> Variational<'a, S, N, K, C, P>
+fn unit<R: Real>(i: usize, j: usize) -> R {
+    if i == j { R::one() } else { R::zero() }
+}
+
+/// The system in the pass that begins with the direction `first`.
+fn over<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>(
+    system: &S,
+    first: usize,
+) -> Varied<S, N, K, C, P, D>
 where
-    S: Sensitive<N, K, C, P>,
+    S: Sensitive<N, K, C, P, D>,
+{
+    system.over(|value, parameter| match parameter.and_then(|listed| (2 * N + listed).checked_sub(first)) {
+        Some(direction) => Dual::variable(value, direction),
+        None => Dual::constant(value),
+    })
+}
+
+impl<'a, S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>
+    Variational<'a, S, N, K, C, P, D>
+where
+    S: Sensitive<N, K, C, P, D>,
     S::Scalar: Ordered,
 {
     /// The system with derivatives.
     pub(super) fn new(system: &'a S) -> Self {
-        Self { system }
+        Self { system, first: over(system, 0) }
     }
 
     /// A motion from a state, with inputs at zero. Of a constrained system the derivatives at the start are those of the
@@ -92,232 +207,128 @@ where
     /// # Errors
     /// What is wrong with the constraints at the start.
     pub fn motion(
-        &'a self,
+        &self,
         start: State<S::Scalar, N>,
-    ) -> Result<VariationalMotion<'a, S, N, K, C, P>, MotionError<S::Scalar>> {
-        let mut varied = State {
-            t: Varied::constant(start.t),
-            q: start.q.map(Varied::constant),
-            v: start.v.map(Varied::constant),
-        };
-        for (i, (q, v)) in varied.q.iter_mut().zip(&mut varied.v).enumerate() {
-            q.by_q[i] = num_traits::One::one();
-            v.by_v[i] = num_traits::One::one();
-        }
+    ) -> Result<VariationalMotion<'_, S, N, K, C, P, D>, MotionError<S::Scalar>> {
+        let free = Transition::<_, N, P>::at(start);
+        let mut transition = free;
         if C > 0 {
             let failed = |cause| MotionError { cause, t: start.t };
-            self.along_constraints(&self.system.constants(), &mut varied).map_err(failed)?;
+            for first in passes::<N, P, D>() {
+                let (system, mut varied) = (over(self.system, first), free.varied(first));
+                let constants = system.constants();
+                system.check_start_at(&constants, &varied).map_err(failed)?;
+                system.project_at(&constants, &mut varied).map_err(failed)?;
+                transition.take(first, &varied);
+            }
         }
-        Ok(VariationalMotion { simulation: Simulation::new(self, varied) })
-    }
-
-    /// Moves the derivatives of a state onto the tangent space of the constraints.
-    fn along_constraints(
-        &self,
-        constants: &S::Constants,
-        state: &mut State<Varied<S::Scalar, N, P>, N>,
-    ) -> Result<(), Cause> {
-        let zero = S::Scalar::zero();
-        let State { t, q, v } = plain(state);
-        let (a, multipliers, u) = ([zero; N], [zero; C], [zero; K]);
-        let place = Place { t, q: &q, v: &v, a: &a, multipliers: &multipliers, u: &u };
-        let variation = self.system.variation_at(constants, &place);
-        let by_p = self.system.by_parameters_at(constants, &place);
-        let saddle = Saddle::factor_indefinite(&variation.mass, &variation.gradients);
-        crate::constraints::regular(&saddle)?;
-        let none = [zero; N];
-        for direction in 0..2 * N + P {
-            let of_parameter = |rows: &[[S::Scalar; P]; C], c: usize| match direction.checked_sub(2 * N) {
-                Some(p) => rows[c][p],
-                None => zero,
-            };
-            let (dq, dv) = (slope(&state.q, direction), slope(&state.v, direction));
-            let off = core::array::from_fn(|c| {
-                let moved = S::HOLONOMIC[c].then(|| along(&variation.gradients[c], &dq));
-                -(moved.unwrap_or(zero) + of_parameter(&by_p.positions, c))
-            });
-            let dq = added(&dq, &saddle.solve(&none, &off).0);
-            let off = core::array::from_fn(|c| {
-                let rate = along(&variation.gradients[c], &dv) + along(&variation.rates_by_q[c], &dq);
-                -(rate + of_parameter(&by_p.rates, c))
-            });
-            let dv = added(&dv, &saddle.solve(&none, &off).0);
-            set_slope(&mut state.q, direction, &dq);
-            set_slope(&mut state.v, direction, &dv);
-        }
-        Ok(())
+        let simulation = placed(Simulation::new(&self.first, transition.varied(0)));
+        Ok(VariationalMotion { system: self.system, simulation, transition, counts: Steps::default() })
     }
 }
 
-/// One derivative of each number.
-fn slope<R: Real, const N: usize, const P: usize>(of: &[Varied<R, N, P>; N], direction: usize) -> [R; N] {
-    of.map(|x| x.slopes().nth(direction).unwrap_or(R::zero()))
+/// The first direction of each pass.
+fn passes<const N: usize, const P: usize, const D: usize>() -> impl Iterator<Item = usize> {
+    (0..2 * N + P).step_by(D.max(1))
 }
 
-fn set_slope<R: Real, const N: usize, const P: usize>(
-    of: &mut [Varied<R, N, P>; N],
-    direction: usize,
-    slopes: &[R; N],
-) {
-    for (x, &slope) in of.iter_mut().zip(slopes) {
-        if let Some(to) = x.slopes_mut().nth(direction) {
-            *to = slope;
-        }
-    }
-}
-
-fn along<R: Real, const M: usize>(row: &[R; M], direction: &[R; M]) -> R {
-    row.iter().zip(direction).fold(R::zero(), |sum, (&a, &b)| R::mul_add(a, b, sum))
-}
-
-fn added<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> [R; N] {
-    core::array::from_fn(|i| a[i] + b[i])
-}
-
-impl<S, const N: usize, const K: usize, const C: usize, const P: usize> System<N, K>
-    for Variational<'_, S, N, K, C, P>
+impl<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>
+    VariationalMotion<'_, S, N, K, C, P, D>
 where
-    S: Sensitive<N, K, C, P>,
+    S: Sensitive<N, K, C, P, D>,
     S::Scalar: Ordered,
 {
-    type Scalar = Varied<S::Scalar, N, P>;
-    type Method = Dop853;
-    type Constants = S::Constants;
-    const CONSTRAINED: bool = S::CONSTRAINED;
-
-    #[inline]
-    fn constants(&self) -> Self::Constants {
-        self.system.constants()
-    }
-
-    fn accelerations_at(
-        &self,
-        constants: &Self::Constants,
-        t: Self::Scalar,
-        q: &[Self::Scalar; N],
-        v: &[Self::Scalar; N],
-        u: &[Self::Scalar; K],
-    ) -> [Self::Scalar; N] {
-        let state = plain(&State { t, q: *q, v: *v });
-        let inputs = u.map(|u| u.value);
-        let Ok(Factored { balance, variation, saddle }) = factored(self.system, constants, &state, &inputs)
-        else {
-            return [Varied::constant(S::Scalar::from_f64(f64::NAN)); N];
-        };
-        let a = balance.accelerations;
-        let place = Place {
-            t: state.t,
-            q: &state.q,
-            v: &state.v,
-            a: &a,
-            multipliers: &balance.multipliers,
-            u: &inputs,
-        };
-        let by_p = self.system.by_parameters_at(constants, &place);
-        let mut accelerations = a.map(Varied::constant);
-        for direction in 0..2 * N + P {
-            let (dq, dv) = (slope(q, direction), slope(v, direction));
-            let du: [S::Scalar; K] = u.map(|u| u.slopes().nth(direction).unwrap_or(S::Scalar::zero()));
-            let dt = t.slopes().nth(direction).unwrap_or(S::Scalar::zero());
-            let parameter = direction.checked_sub(2 * N);
-            let force = core::array::from_fn(|i| {
-                let by_state = along(&variation.by_q[i], &dq) + along(&variation.by_v[i], &dv);
-                let by_rest = variation.by_t[i] * dt + along(&variation.by_u[i], &du);
-                by_state + by_rest + parameter.map_or(S::Scalar::zero(), |p| by_p.forces[i][p])
-            });
-            let condition = core::array::from_fn(|c| {
-                let by_state =
-                    along(&variation.conditions_by_q[c], &dq) + along(&variation.conditions_by_v[c], &dv);
-                let by_parameter = parameter.map_or(S::Scalar::zero(), |p| by_p.conditions[c][p]);
-                -(by_state + variation.conditions_by_t[c] * dt + by_parameter)
-            });
-            set_slope(&mut accelerations, direction, &saddle.solve(&force, &condition).0);
-        }
-        accelerations
-    }
-
-    fn check_at(
-        &self,
-        constants: &Self::Constants,
-        t: Self::Scalar,
-        q: &[Self::Scalar; N],
-        v: &[Self::Scalar; N],
-    ) -> Result<(), Cause> {
-        let state = plain(&State { t, q: *q, v: *v });
-        self.system.check_at(constants, state.t, &state.q, &state.v)
-    }
-
-    fn check_start_at(
-        &self,
-        constants: &Self::Constants,
-        start: &State<Self::Scalar, N>,
-    ) -> Result<(), Cause> {
-        self.system.check_start_at(constants, &plain(start))
-    }
-
-    fn project_at(
-        &self,
-        constants: &Self::Constants,
-        state: &mut State<Self::Scalar, N>,
-    ) -> Result<(), Cause> {
-        if C == 0 {
-            return Ok(());
-        }
-        let mut values = plain(state);
-        self.system.project_at(constants, &mut values)?;
-        for (x, value) in state.q.iter_mut().zip(values.q).chain(state.v.iter_mut().zip(values.v)) {
-            x.value = value;
-        }
-        self.along_constraints(constants, state)
-    }
-
-    #[inline]
-    fn energy_at(
-        &self,
-        constants: &Self::Constants,
-        t: Self::Scalar,
-        q: &[Self::Scalar; N],
-        v: &[Self::Scalar; N],
-    ) -> Self::Scalar {
-        let state = plain(&State { t, q: *q, v: *v });
-        Varied::constant(self.system.energy_at(constants, state.t, &state.q, &state.v))
-    }
-}
-
-impl<S, const N: usize, const K: usize, const C: usize, const P: usize> VariationalMotion<'_, S, N, K, C, P>
-where
-    S: Sensitive<N, K, C, P>,
-    S::Scalar: Ordered,
-{
-    /// Tolerated local error of the motion; see [`Simulation::with_tolerance`].
+    /// Tolerated local error of the motion and of its derivatives, relative to the size of each component; see
+    /// [`Simulation::with_tolerance`].
     #[must_use]
-    pub fn with_tolerance(self, tolerance: S::Scalar) -> Self {
-        Self { simulation: self.simulation.with_tolerance(Varied::constant(tolerance)) }
+    pub fn with_tolerance(mut self, tolerance: S::Scalar) -> Self {
+        let limits = self.simulation.limits();
+        (limits.relative, limits.absolute) = (Dual::constant(tolerance), None);
+        self
+    }
+
+    /// Tolerated local error of a component y: `absolute` + `relative` · |y|. In a column of derivatives `absolute` is relative
+    /// to its largest component: columns are solutions of linear equations, which have no scale.
+    #[must_use]
+    pub fn with_tolerances(mut self, relative: S::Scalar, absolute: S::Scalar) -> Self {
+        let limits = self.simulation.limits();
+        (limits.relative, limits.absolute) = (Dual::constant(relative), Some(Dual::constant(absolute)));
+        self
+    }
+
+    /// Longest step \[s]; see [`Simulation::with_step_limit`].
+    #[must_use]
+    pub fn with_step_limit(mut self, longest: S::Scalar) -> Self {
+        self.simulation.limits().step = Some(Dual::constant(longest));
+        self
+    }
+
+    /// Steps that one call of `advance_to` may take, rejected ones included, for every eight directions.
+    #[must_use]
+    pub fn with_max_steps(mut self, steps: u64) -> Self {
+        self.simulation.limits().attempts = steps;
+        self
     }
 
     /// Holds these inputs.
     #[must_use]
-    pub fn with_inputs(self, inputs: [S::Scalar; K]) -> Self {
-        Self { simulation: self.simulation.with_inputs(inputs.map(Varied::constant)) }
+    pub fn with_inputs(mut self, inputs: [S::Scalar; K]) -> Self {
+        self.set_inputs(inputs);
+        self
     }
 
-    /// Goes on to time `t` \[s].
+    /// Holds these inputs from here on.
+    pub fn set_inputs(&mut self, inputs: [S::Scalar; K]) {
+        self.simulation.set_inputs(inputs.map(Dual::constant));
+    }
+
+    /// Goes on to time `t` \[s], forward or backward.
     ///
     /// # Errors
-    /// Why and when the motion cannot go on; it stays at its last good state.
+    /// Why and when the motion or a derivative cannot go on. [`VariationalMotion::transition`] is then that before the call.
     pub fn advance_to(
         &mut self,
         t: S::Scalar,
     ) -> Result<Transition<S::Scalar, N, P>, MotionError<S::Scalar>> {
-        match self.simulation.advance_to(Varied::constant(t)) {
-            Ok(state) => Ok(state.into()),
-            Err(error) => Err(MotionError { cause: error.cause, t: error.t.value }),
+        let failed = |error: MotionError<Dual<_, D>>| MotionError { cause: error.cause, t: error.t.value };
+        let mut next = self.transition;
+        for first in passes::<N, P, D>() {
+            if first == 0 {
+                next.take(first, self.simulation.advance_to(Dual::constant(t)).map_err(failed)?);
+                continue;
+            }
+            let system = over(self.system, first);
+            let start = self.transition.varied(first);
+            let mut pass: Place<Pass<'_, Varied<S, N, K, C, P, D>, N, K>> =
+                placed(Simulation::new(&system, start));
+            pass.set_inputs(self.simulation.inputs());
+            *pass.limits() = *self.simulation.limits();
+            let value = next.state;
+            next.take(first, pass.advance_to(Dual::constant(t)).map_err(failed)?);
+            next.state = value;
+            let Steps { accepted, rejected, evaluations } = pass.steps();
+            self.counts.accepted += accepted;
+            self.counts.rejected += rejected;
+            self.counts.evaluations += evaluations;
         }
+        self.transition = next;
+        Ok(next)
     }
 
-    /// The state with its derivatives.
+    /// The state with its derivatives: the last one reached without error.
     #[must_use]
     pub fn transition(&self) -> Transition<S::Scalar, N, P> {
-        self.simulation.state().into()
+        self.transition
+    }
+
+    /// What the motion has cost so far: every eight directions take steps of their own.
+    #[must_use]
+    pub fn steps(&self) -> Steps {
+        let (first, others) = (self.simulation.steps(), self.counts);
+        Steps {
+            accepted: first.accepted + others.accepted,
+            rejected: first.rejected + others.rejected,
+            evaluations: first.evaluations + others.evaluations,
+        }
     }
 }

@@ -3,7 +3,10 @@
 mod classical;
 mod constrained;
 mod derivatives;
+mod floquet;
 mod modes;
 mod scalars;
 mod seeds;
 mod sensitivities;
+mod variational;
+mod written_out;

@@ -60,7 +60,7 @@ fn with(system: &Arm<f64>, p: [f64; 3]) -> Arm<f64> {
 #[test]
 fn accelerations_by_parameters() {
     assert_eq!(
-        <Arm<f64> as Sensitive<2, 1, 0, 3>>::PARAMETERS,
+        <Arm<f64> as Sensitive<2, 1, 0, 3, 7>>::PARAMETERS,
         ["self.masses[1]", "self.length", "self.friction"]
     );
     let state = State::new([0.4, -0.9], [1.1, 0.3]);

@@ -66,7 +66,7 @@ pub(super) fn constant(name: &str, doc: &str, values: &[String]) -> String {
 fn vector(emission: &mut Emission<'_>, name: &str, doc: &str, names: &[String], nodes: &[NodeId]) -> String {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
     let shown = docs::named(emission.model, names.iter().cloned().zip(nodes.iter().copied()));
-    let scalar = emission.item.scalar.clone();
+    let scalar = emission.scalar.clone();
     let signature = format!("{name}({}) -> [{scalar}; {}]", arguments(emission, &nodes), nodes.len());
     let body = body::plain(emission.model, &scalar, &nodes, Source::State, |values| {
         format!("[{}]", values.join(", "))

@@ -41,7 +41,7 @@ fn matrix(emission: &mut Emission<'_>, name: &str, doc: &str, entries: &[Vec<Nod
     let count = emission.count();
     let entries: Vec<NodeId> = entries.iter().flatten().copied().collect();
     let entries = simplify(&mut emission.model.graph, &mut emission.model.hints, &entries);
-    let scalar = emission.item.scalar.clone();
+    let scalar = emission.scalar.clone();
     let signature = format!(
         "{name}({}) -> lagrange::nalgebra::SMatrix<{scalar}, {count}, {count}>",
         arguments(emission, &entries)
@@ -67,7 +67,7 @@ fn symbols(emission: &mut Emission<'_>) -> String {
         .filter(|&(_, &node)| !emission.model.graph.is_zero(node))
         .map(|(&[k, i, j], &node)| (format!("[{} {}, {}]", name(j), name(i), name(k)), node));
     let shown = docs::named(emission.model, named);
-    let scalar = emission.item.scalar.clone();
+    let scalar = emission.scalar.clone();
     let cube = format!("[[[{scalar}; {count}]; {count}]; {count}]");
     let zero = scalar::zero(&scalar);
     let body = body::plain(emission.model, &scalar, &nodes, Source::State, |values| {

@@ -11,7 +11,7 @@ use crate::simplify::simplify;
 
 /// All methods. Momenta that are affine in the velocities are solved for in one step.
 pub(super) fn methods(emission: &mut Emission<'_>, affine: bool) -> String {
-    let scalar = emission.item.scalar.to_string();
+    let scalar = emission.scalar.to_string();
     let vector = emission.vector_type();
     let place = format!("&self, t: {scalar}, q: &{vector}, p: &{vector}");
     let result = |ty: &str| format!("::core::result::Result<{ty}, lagrange::MotionError<{scalar}>>");
@@ -42,7 +42,7 @@ fn velocities(emission: &mut Emission<'_>, affine: bool) -> String {
     let mut nodes: Vec<NodeId> = equations.mass.iter().flatten().copied().collect();
     nodes.extend(&equations.momenta);
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &nodes);
-    let scalar = emission.item.scalar.clone();
+    let scalar = emission.scalar.clone();
     let body = body::plain(emission.model, &scalar, &nodes, Source::Slices, |values| {
         let (mass, momenta) = values.split_at(nodes.len() - count);
         format!("{}(mass, [{}])", body::lower_triangle(&scalar, count, mass), momenta.join(", "))
@@ -67,7 +67,7 @@ fn canonical(emission: &mut Emission<'_>, place: &str, result: &str) -> String {
         })
         .collect();
     let rates = simplify(&mut emission.model.graph, &mut emission.model.hints, &rates);
-    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let (model, scalar) = (&*emission.model, &emission.scalar);
     let program = plan(&model.graph, &rates);
     let written = block::write(model, scalar, &program, &program.outputs, &[], &mut Names::new(model));
     let mut text =

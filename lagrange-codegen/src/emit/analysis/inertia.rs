@@ -27,7 +27,7 @@ fn parts(emission: &mut Emission<'_>, inertia: &Inertia) -> String {
          a whole the part without velocities is −V. The Jacobi integral is T₂ − T₀ + V.{}",
         docs::named(emission.model, named)
     );
-    let scalar = emission.item.scalar.clone();
+    let scalar = emission.scalar.clone();
     let signature =
         format!("kinetic_energy_parts({}) -> ({scalar}, {scalar}, {scalar})", arguments(emission, &nodes));
     let body = body::plain(emission.model, &scalar, &nodes, Source::State, |values| {
@@ -47,7 +47,7 @@ fn forces(emission: &mut Emission<'_>, inertia: &Inertia) -> String {
     ];
     let nodes: Vec<_> = kinds.iter().flat_map(|(_, nodes)| nodes.iter().copied()).collect();
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &nodes);
-    let scalar = emission.item.scalar.clone();
+    let scalar = emission.scalar.clone();
     let signature = format!(
         "inertia_forces({}) -> lagrange::InertiaForces<{scalar}, {count}>",
         with_accelerations(emission, &nodes)

@@ -73,7 +73,7 @@ pub(super) fn analysis(emission: &mut Emission<'_>) -> Analysis {
 
 /// A method on the accelerations and multipliers of a motion, which are solved for.
 fn along_motion(emission: &mut Emission<'_>, name: &str, doc: &str, node: NodeId) -> String {
-    let (scalar, state) = (emission.item.scalar.to_string(), emission.state_type());
+    let (scalar, state) = (emission.scalar.to_string(), emission.state_type());
     let (parameter, argument) = if emission.model.inputs.is_empty() {
         (String::new(), "")
     } else {

@@ -24,7 +24,7 @@ pub(super) fn items(emission: &mut Emission<'_>) -> String {
         "Lumped parameters π in which the equations are linear, M a + b = Y π; those that identification can tell apart at most.",
         &names,
     );
-    let scalar = emission.item.scalar.clone();
+    let scalar = emission.scalar.clone();
     let body = body::plain(emission.model, &scalar, &lumped, Source::State, |values| {
         format!("[{}]", values.join(", "))
     });

@@ -36,13 +36,13 @@ pub(super) fn methods(emission: &Emission<'_>) -> String {
 
 /// The items of `Verifiable` as text.
 pub(in crate::emit) fn implementation(emission: &mut Emission<'_>, affine: bool, conserved: usize) -> String {
-    let (scalar, count) = (emission.item.scalar.to_string(), emission.count());
+    let (scalar, count) = (emission.scalar.to_string(), emission.count());
     let held = emission.equations.conditions.count();
     let place = format!("&self, state: &{}", emission.state_type());
     let driven = format!("{place}, u: &{}", emission.input_type());
     let (vector, matrix) = (emission.vector_type(), format!("[[{scalar}; {count}]; {count}]"));
     let option = |ty: &str| format!("::core::option::Option<{ty}>");
-    let zero = scalar::zero(&emission.item.scalar);
+    let zero = scalar::zero(&emission.scalar);
     let nearest =
         if held > 0 { "self.consistent(*state).ok()" } else { "::core::option::Option::Some(*state)" };
     let coriolis = if affine {
@@ -142,7 +142,7 @@ fn rate(emission: &mut Emission<'_>) -> String {
 fn loads(emission: &mut Emission<'_>) -> String {
     let equations = emission.equations;
     let (count, given, held) = (emission.count(), emission.model.inputs.len(), equations.conditions.count());
-    let zero = scalar::zero(&emission.item.scalar);
+    let zero = scalar::zero(&emission.scalar);
     let applied = if equations.power.is_some() {
         let inputs = inputs_of(emission, &equations.applied);
         format!("self.applied_forces(state{inputs})")
@@ -187,9 +187,9 @@ fn described(emission: &mut Emission<'_>) -> String {
     }
     let nodes: Vec<NodeId> =
         placed.iter().flat_map(|&(_, mass, inertia)| std::iter::once(mass).chain(inertia)).collect();
-    let (number, count) = (emission.item.scalar.to_string(), emission.count());
-    let zero = scalar::zero(&emission.item.scalar);
-    body::plain(model, &emission.item.scalar, &nodes, Source::State, |values| {
+    let (number, count) = (emission.scalar.to_string(), emission.count());
+    let zero = scalar::zero(&emission.scalar);
+    body::plain(model, &emission.scalar, &nodes, Source::State, |values| {
         let weights: Vec<String> = values
             .chunks(10)
             .map(|chunk| {

@@ -25,7 +25,7 @@ pub(crate) const METHODS: [&str; 8] = [
 pub(in crate::emit) fn methods(emission: &mut Emission<'_>) -> String {
     let held = emission.equations.conditions.count();
     let (count, given) = (emission.count(), emission.model.inputs.len());
-    let (scalar, state) = (emission.item.scalar.to_string(), emission.state_type());
+    let (scalar, state) = (emission.scalar.to_string(), emission.state_type());
     let record = record_ident(emission.item).to_string();
     let (parameter, _) = given_inputs(emission);
     let error = format!("lagrange::MotionError<{scalar}>");
@@ -119,7 +119,7 @@ pub(in crate::emit) fn of_balance(
 ) -> String {
     name_accelerations(emission.model);
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
-    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let (model, scalar) = (&*emission.model, &emission.scalar);
     let program = plan(&model.graph, &nodes);
     let written = block::write(model, scalar, &program, &program.outputs, &[], &mut Names::new(model));
     let mut text = balance.to_owned();
@@ -138,7 +138,7 @@ fn residuals(emission: &mut Emission<'_>) -> String {
     let conditions = emission.equations.conditions.clone();
     let (held, count) = (conditions.count(), emission.count());
     let values: Vec<NodeId> = emission.model.constraints.iter().map(|constraint| constraint.value).collect();
-    let scalar = emission.item.scalar.to_string();
+    let scalar = emission.scalar.to_string();
     let mut text = String::new();
     for (name, doc, symbol, nodes) in [
         (
@@ -157,7 +157,7 @@ fn residuals(emission: &mut Emission<'_>) -> String {
     ] {
         let doc = format!("{doc}{}", docs::constraints(emission.model, symbol, nodes));
         let signature = format!("{name}({}) -> [{scalar}; {held}]", arguments(emission, nodes));
-        let body = body::plain(emission.model, &emission.item.scalar, nodes, Source::State, |values| {
+        let body = body::plain(emission.model, &emission.scalar, nodes, Source::State, |values| {
             format!("[{}]", values.join(", "))
         });
         text.push_str(&method(&doc, &signature, &body));
@@ -168,9 +168,9 @@ fn residuals(emission: &mut Emission<'_>) -> String {
         "constraint_jacobian({}) -> lagrange::nalgebra::SMatrix<{scalar}, {held}, {count}>",
         arguments(emission, &nodes)
     );
-    let body = body::plain(emission.model, &emission.item.scalar, &nodes, Source::State, |values| {
+    let body = body::plain(emission.model, &emission.scalar, &nodes, Source::State, |values| {
         let gradients: Vec<Vec<String>> = values.chunks(count).map(<[String]>::to_vec).collect();
-        let filled = super::rows(&emission.item.scalar, "gradients", count, &gradients);
+        let filled = super::rows(&emission.scalar, "gradients", count, &gradients);
         format!("{filled}lagrange::constraints::matrix(&gradients)")
     });
     text.push_str(&method(

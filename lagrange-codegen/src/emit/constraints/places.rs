@@ -40,7 +40,7 @@ pub(super) fn methods(emission: &mut Emission<'_>, balance: &str, parameter: &st
             let multiplier = graph.variable(Variable::Multiplier(c as u32));
             nodes.extend(row.iter().map(|&force| graph.mul(multiplier, force)));
         }
-        let (scalar, record) = (emission.item.scalar.to_string(), record_ident(emission.item));
+        let (scalar, record) = (emission.scalar.to_string(), record_ident(emission.item));
         let vector = format!("lagrange::nalgebra::SVector<{scalar}, {dimension}>");
         let is_array = place.index.is_some();
         let each = if is_array { format!("[{vector}; {count}]") } else { vector };

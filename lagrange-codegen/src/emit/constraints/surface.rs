@@ -15,7 +15,7 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
     let (balance, constants_type, constants, operations) = balance(emission, method);
     let residuals = residuals(emission);
     let saddle = saddle(emission, method);
-    let scalar = emission.item.scalar.to_string();
+    let scalar = emission.scalar.to_string();
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let (count, given, held) =
         (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
@@ -62,14 +62,14 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
          -> lagrange::Balance<{scalar}, {count}, {held}> {{\n{balance}\n}}\n\
          #[inline]\nfn residuals_at(&self, {place}) -> lagrange::Residuals<{scalar}, {held}> {{\n{residuals}\n}}\n\
          #[inline]\nfn saddle_at(&self, {place}) -> (Self::Saddle, [[{scalar}; {count}]; {held}]) {{\n{saddle}\n}}\n",
-        saddle_type(method, &emission.item.scalar, count, held)
+        saddle_type(method, &emission.scalar, count, held)
     );
     (system + &project + &energy, surface, operations)
 }
 
 /// The implementation of `Constrained` as text.
 pub(in crate::emit) fn implementations(emission: &Emission<'_>) -> String {
-    let scalar = &emission.item.scalar;
+    let scalar = &emission.scalar;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let (count, given, held) =
         (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
@@ -92,7 +92,7 @@ fn balance(emission: &mut Emission<'_>, method: Saddle) -> (String, String, Stri
     roots.extend(equations.conditions.roots());
     roots.extend(&equations.force);
     let roots = simplify(&mut emission.model.graph, &mut emission.model.hints, &roots);
-    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let (model, scalar) = (&*emission.model, &emission.scalar);
     let program = plan(&model.graph, &roots);
     let mut names = Names::new(model);
     let hoisted = program.hoisted();
@@ -141,7 +141,7 @@ fn mass_and_gradients(
     mass: Vec<String>,
     gradients: Vec<String>,
 ) -> String {
-    let (scalar, count) = (&emission.item.scalar, emission.count());
+    let (scalar, count) = (&emission.scalar, emission.count());
     let mass = match method {
         Saddle::Diagonal => format!("let mass = [{}];\n", mass.join(", ")),
         Saddle::Whole { .. } => body::lower_triangle(scalar, count, &mass),
@@ -158,7 +158,7 @@ fn residuals(emission: &mut Emission<'_>) -> String {
     roots.extend(&conditions.rates);
     roots.extend(&conditions.rate_sizes);
     // The values are those of the user's formulas, not of simplified ones: these are what is to vanish.
-    body::plain(emission.model, &emission.item.scalar, &roots, Source::Slices, |values| {
+    body::plain(emission.model, &emission.scalar, &roots, Source::Slices, |values| {
         let fields = ["positions", "position_sizes", "rates", "rate_sizes"];
         let fields: Vec<String> = fields
             .into_iter()
@@ -176,9 +176,9 @@ fn saddle(emission: &mut Emission<'_>, method: Saddle) -> String {
     roots.extend(emission.equations.conditions.jacobian.iter().flatten());
     let roots = simplify(&mut emission.model.graph, &mut emission.model.hints, &roots);
     let emission = &*emission;
-    body::plain(emission.model, &emission.item.scalar, &roots, Source::Slices, |values| {
+    body::plain(emission.model, &emission.scalar, &roots, Source::Slices, |values| {
         let (mass, gradients) = values.split_at(split);
         let filled = mass_and_gradients(emission, method, mass.to_vec(), gradients.to_vec());
-        format!("{filled}({}, gradients)", factored(method, &emission.item.scalar, count, held))
+        format!("{filled}({}, gradients)", factored(method, &emission.scalar, count, held))
     })
 }

@@ -27,7 +27,7 @@ impl Writer<'_, '_> {
     }
 
     fn sums(&self, wide: &Wide) -> String {
-        let (scalar, sums) = (&self.emission.item.scalar, wide.sums);
+        let (scalar, sums) = (&self.emission.scalar, wide.sums);
         format!("let mut inner: [{scalar}; {sums}] = [{}; {sums}];\n", self.zero())
     }
 
@@ -41,7 +41,7 @@ impl Writer<'_, '_> {
             self.inner = wide.lanes.iter().map(|place| format!("inner[{place}]")).collect();
             return;
         }
-        let scalar = &self.emission.item.scalar;
+        let scalar = &self.emission.scalar;
         let zero = self.zero();
         let mut edges: Lookup<crate::jets::Operand, (String, String)> = Lookup::default();
         let mut operands: Vec<crate::jets::Operand> = Vec::new();

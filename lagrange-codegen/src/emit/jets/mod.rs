@@ -33,7 +33,7 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     label_auxiliaries(emission, jets);
     let inertia = Inertia::plan(emission, jets);
     let mut names = Names::new(emission.model);
-    let (model, scalar) = (&*emission.model, &emission.item.scalar);
+    let (model, scalar) = (&*emission.model, &emission.scalar);
     let hoisted = jets.program.hoisted();
     let (labels, fixed) = body::constants(model, scalar, &jets.program, &hoisted, &mut names);
     let mut start = Start::new(model, scalar, jets, &hoisted, &labels);

@@ -26,7 +26,7 @@ pub(super) fn pass(
     wide: Option<&Wide>,
     names: &mut Names,
 ) -> String {
-    let scalar = &emission.item.scalar;
+    let scalar = &emission.scalar;
     let literal = |number: Number| scalar::literal(scalar, number, false);
     let mut before = String::new();
 
@@ -134,7 +134,7 @@ pub(super) struct Writer<'a, 'b> {
 
 impl Writer<'_, '_> {
     fn write(mut self, mass: &AtStart) -> String {
-        let scalar = &self.emission.item.scalar;
+        let scalar = &self.emission.scalar;
         let (count, model) = (self.emission.count(), &*self.emission.model);
         let under = self.jets.under_balances();
 
@@ -197,18 +197,18 @@ impl Writer<'_, '_> {
 
     /// A variable that carries the coefficient of a slot to the next order.
     pub(super) fn carry(&mut self, slot: Slot, wish: &str) -> String {
-        let scalar = &self.emission.item.scalar;
+        let scalar = &self.emission.scalar;
         let name = self.names.claim(Some(wish.to_owned()));
         self.before.push_str(&format!("let mut {name}: {scalar} = {};\n", self.start.text(slot)));
         name
     }
 
     pub(super) fn bind(&mut self, name: &str, text: &str) {
-        self.body.push_str(&binding(&self.emission.item.scalar, name, text));
+        self.body.push_str(&binding(&self.emission.scalar, name, text));
     }
 
     pub(super) fn zero(&self) -> String {
-        scalar::zero(&self.emission.item.scalar)
+        scalar::zero(&self.emission.scalar)
     }
 
     pub(super) fn claim(&mut self, slot: Slot, suffix: &str) -> String {

@@ -11,7 +11,7 @@ use num_traits::Zero;
 use super::stages::{Places, Stages, Verdict};
 use crate::linear::complex::{Complex, ComplexLu};
 use crate::linearized::{Linearization, Linearized};
-use crate::real::{Ordered, Real, larger};
+use crate::real::{Ordered, Real, extent, larger};
 use crate::state::State;
 
 /// Corrections that a solution may take.
@@ -92,7 +92,7 @@ where
         for (a, total) in a.iter_mut().flatten().zip(total.iter().flatten()) {
             *a += *total;
             finite &= a.is_finite();
-            change = larger(change, (self.h * *total).abs());
+            change = larger(change, extent(self.h * *total));
         }
         if finite { change } else { S::Scalar::from_f64(f64::NAN) }
     }

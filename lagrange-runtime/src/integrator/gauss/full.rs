@@ -8,7 +8,7 @@ use num_traits::Zero;
 
 use super::stages::{Places, Stages, Verdict};
 use crate::linearized::{Linearization, Linearized};
-use crate::real::{Ordered, Real, larger};
+use crate::real::{Ordered, Real, extent, larger};
 
 /// Corrections that a solution may take.
 const CORRECTIONS: usize = 20;
@@ -46,7 +46,7 @@ where
                 if !a.is_finite() {
                     return None;
                 }
-                change = larger(change, (self.h * delta).abs());
+                change = larger(change, extent(self.h * delta));
             }
             if self.verdict(&a, change, &mut before) == Verdict::Solved {
                 return Some(a);

@@ -6,7 +6,7 @@ use num_traits::{One, Zero};
 
 use crate::integrator::tableau::gauss::Collocation;
 use crate::linearized::Linearized;
-use crate::real::{Ordered, Real, larger};
+use crate::real::{Ordered, Real, extent, larger};
 use crate::state::State;
 
 /// A correction that no longer shrinks is rounding if it is below this many roundings of what it corrects.
@@ -112,7 +112,7 @@ where
 
     /// The velocity that coordinates of this size could have.
     fn reach(&self) -> S::Scalar {
-        let size = self.from.state.q.iter().fold(S::Scalar::zero(), |most, &q| larger(most, q.abs()));
+        let size = self.from.state.q.iter().fold(S::Scalar::zero(), |most, &q| larger(most, extent(q)));
         (size / self.h).abs()
     }
 
@@ -121,7 +121,7 @@ where
         let mut speed = S::Scalar::zero();
         for a in a {
             for (&a, &v) in a.iter().zip(&self.from.state.v) {
-                speed = larger(speed, v.abs() + (self.h * a).abs());
+                speed = larger(speed, extent(v) + extent(self.h * a));
             }
         }
         speed

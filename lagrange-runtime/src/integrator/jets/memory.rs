@@ -1,10 +1,12 @@
 //! The series of a step, and how far it reaches.
 
+use num_traits::{One, Zero};
+
 use super::super::adaptive::Steps;
 use super::super::dop853::add;
 use super::super::step_size::{self, Limits};
 use super::{DECAY, GROWTH, HIGHEST, SAFETY, STEEPEST, last_term};
-use crate::real::{Ordered, Real, larger};
+use crate::real::{Ordered, Real, larger, smaller};
 use crate::smooth::Series;
 use crate::state::State;
 
@@ -128,47 +130,70 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// `steady` the unit is the last step.
     ///
     /// Terms below the `noise` of coordinates and velocities are nothing.
+    ///
+    /// Of numbers with derivatives each component of each derivative has its own size, as coordinates have.
     #[inline]
     pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool, noise: [&[R; N]; 2]) -> R {
-        let relative = last_term(limits.relative);
-        let absolute = R::from_f64(SAFETY) * limits.absolute.unwrap_or_else(R::zero);
-        let (mut last, mut before) = (R::zero(), R::zero());
-        let tiny = step_size::smallest::<R>();
-        let size =
-            |x0: R, x1: R, x2: R| relative * larger(x0.abs(), larger(x1.abs(), x2.abs())) + absolute + tiny;
-        let (series, p) = (&self.series, self.orders);
-        let row = |rows: &[[R; N]; HIGHEST], k: usize| rows.get(k - 1).copied().unwrap_or([R::zero(); N]);
-        let [q1, q2, qb, ql] = [1, 2, p - 1, p].map(|k| row(&series.q, k));
-        let [v1, v2, vb, vl] = [1, 2, p - 1, p].map(|k| row(&series.v, k));
-        let (mut weights_q, mut weights_v) = ([R::zero(); N], [R::zero(); N]);
-        for i in 0..N {
-            weights_q[i] = R::recip(noise[0][i] + size(self.start.q[i], q1[i] * span, q2[i] * span * span));
-            weights_v[i] = R::recip(noise[1][i] + size(self.start.v[i], v1[i] * span, v2[i] * span * span));
-            last = larger(larger(last, ql[i].abs() * weights_q[i]), vl[i].abs() * weights_v[i]);
-            before = larger(larger(before, qb[i].abs() * weights_q[i]), vb[i].abs() * weights_v[i]);
-        }
-        // At the tolerated length one term is about this much smaller than the one before it.
-        let decay = R::from_f64(DECAY);
-        let length = reach(larger(last, decay * before), p);
-        if steady && length <= R::from_f64(GROWTH) {
-            return length;
-        }
-        self.bounded(length, &weights_q, &weights_v)
+        let length = |part| self.tolerated_by(limits, span, steady, noise, part);
+        R::splat((1..R::PARTS).fold(length(0), |least, part| smaller(least, length(part))))
     }
 
-    /// A length that the terms of lower orders bear as well.
-    fn bounded(&self, mut length: R, weights_q: &[R; N], weights_v: &[R; N]) -> R {
-        let row = |rows: &[[R; N]; HIGHEST], k: usize| rows.get(k - 1).copied().unwrap_or([R::zero(); N]);
-        let mut allowed = R::from_f64(STEEPEST);
+    /// The same for the values or one of their derivatives.
+    #[inline]
+    fn tolerated_by(
+        &self,
+        limits: &Limits<R>,
+        span: R,
+        steady: bool,
+        noise: [&[R; N]; 2],
+        part: usize,
+    ) -> R::Lane {
+        let (number, zero) = (R::Lane::from_f64, R::Lane::zero());
+        let [relative, absolute, span] =
+            [last_term(limits.relative), limits.absolute.unwrap_or_else(R::zero), span].map(Real::largest);
+        let (series, p) = (&self.series, self.orders);
+        let of = |x: R| x.part(part).largest();
+        let sizes = |x: &[R; N], rows: &[[R; N]; HIGHEST]| {
+            core::array::from_fn::<_, N, _>(|i| {
+                larger(
+                    of(x[i]).abs(),
+                    larger((of(rows[0][i]) * span).abs(), (of(rows[1][i]) * span * span).abs()),
+                )
+            })
+        };
+        let sizes = [sizes(&self.start.q, &series.q), sizes(&self.start.v, &series.v)];
+        // Linear equations have no scale: an absolute error of a derivative is one beside the whole of its column.
+        let column = |largest, &size: &R::Lane| larger(largest, size);
+        let whole = if part == 0 { R::Lane::one() } else { sizes.iter().flatten().fold(zero, column) };
+        let absolute = number(SAFETY) * absolute * whole + step_size::smallest::<R::Lane>();
+        let weights: [[R::Lane; N]; 2] = core::array::from_fn(|k| {
+            let noise = if part == 0 { *noise[k] } else { [R::zero(); N] };
+            core::array::from_fn(|i| (of(noise[i]) + (relative * sizes[k][i] + absolute)).recip())
+        });
+        let term = |order: usize| {
+            let (q, v) = (series.q.get(order - 1), series.v.get(order - 1));
+            let (Some(q), Some(v)) = (q, v) else { return zero };
+            (0..N).fold(zero, |most, i| {
+                larger(larger(most, of(q[i]).abs() * weights[0][i]), of(v[i]).abs() * weights[1][i])
+            })
+        };
+        // At the tolerated length one term is about this much smaller than the one before it.
+        let decay = number(DECAY);
+        let length = reach(larger(term(p), decay * term(p - 1)), p);
+        if steady && length <= number(GROWTH) {
+            return length;
+        }
+        self.bounded(length, term)
+    }
+
+    /// A length that the terms of lower orders bear as well: `term` gives the weighted size of an order.
+    fn bounded(&self, mut length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
+        let steepest = R::Lane::from_f64(STEEPEST);
+        let mut allowed = steepest;
         for order in (self.orders / 2..self.orders - 1).rev() {
-            allowed *= R::from_f64(STEEPEST);
-            let (q, v) = (row(&self.series.q, order), row(&self.series.v, order));
-            let mut term = R::zero();
-            for i in 0..N {
-                term = larger(larger(term, q[i].abs() * weights_q[i]), v[i].abs() * weights_v[i]);
-            }
-            let term = term / allowed;
-            if term != R::zero() && term * length.powi(order as i32) > R::one() {
+            allowed *= steepest;
+            let term = term(order) / allowed;
+            if term != R::Lane::zero() && term * length.powi(order as i32) > R::Lane::one() {
                 length = reach(term, order);
             }
         }

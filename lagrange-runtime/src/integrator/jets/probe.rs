@@ -61,6 +61,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         let noise = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon();
         let [relative, absolute] = self.tolerances;
         let relative = S::Scalar::from_f64(MARGIN) * relative.max(noise);
+        let tiny = S::Scalar::epsilon().powi(4);
         // Every place, so that no strength is missed.
         let apart = theta * S::Scalar::from_f64(1.0 / PLACES as f64);
         let mut theta: S::Scalar = num_traits::Zero::zero();
@@ -73,13 +74,20 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
             let found = self.system.accelerations_at(self.constants, t, &q, &v, self.inputs);
             let expected = self.accelerations(theta);
             (0..N).fold(agrees, |agrees, i| {
-                let (found, expected) = (found[i], expected[i]);
-                strongest[i] = strongest[i].max(if found.is_finite() { found.abs() } else { strongest[i] });
-                let speed = self.start.v[i].abs().max(v[i].abs());
-                let size = speed.max((found * span).abs()).max((expected * span).abs());
-                let bound = relative * size + absolute + noise * (strongest[i] * span).abs();
-                let excess = ((found - expected) * span).abs() - bound;
-                agrees && excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
+                let is_finite = found[i].is_finite();
+                strongest[i] =
+                    strongest[i].max(if is_finite { found[i].part(0).abs() } else { strongest[i] });
+                (0..S::Scalar::PARTS).fold(agrees && is_finite, |agrees, part| {
+                    let (found, expected) = (found[i].part(part), expected[i].part(part));
+                    let speed = self.start.v[i].part(part).abs().max(v[i].part(part).abs());
+                    let size = speed.max((found * span).abs()).max((expected * span).abs());
+                    let mut bound = relative * size + tiny;
+                    if part == 0 {
+                        bound += absolute + noise * (strongest[i] * span).abs();
+                    }
+                    let excess = ((found - expected) * span).abs() - bound;
+                    agrees && excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
+                })
             })
         })
     }
