@@ -57,6 +57,7 @@ pub mod smooth;
 mod solve;
 pub mod state;
 pub mod stepper;
+mod stored;
 pub mod structure;
 pub mod system;
 mod tables;
@@ -87,8 +88,8 @@ pub use system::{Blur, System};
 #[cfg(feature = "std")]
 pub use tangent::Mode;
 pub use tangent::{
-    Basis, ByParameters, Equilibrium, EquilibriumError, Imbalance, InverseDynamics, LinearModel, Response,
-    Sensitive, Sensitivities, Tangent, Transition, Variation, Variational, VariationalMotion, Varied,
+    Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel, Response,
+    Sensitive, Sensitivities, Stability, Tangent, Transition, Variation, Variational, VariationalMotion, Varied,
 };
 pub use verify::{Certificate, Identity, Violation};
 #[cfg(feature = "wide")]

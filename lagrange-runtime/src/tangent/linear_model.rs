@@ -178,6 +178,28 @@ impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
         self.velocities.vectors.transpose() * matrix * self.displacements.vectors
     }
 
+    /// The same with other numbers.
+    #[cfg(feature = "std")]
+    pub(super) fn map<T: Real>(&self, number: impl Fn(R) -> T + Copy) -> LinearModel<T, N, K> {
+        let basis = |basis: &Basis<R, N>| Basis {
+            vectors: basis.vectors.map(number),
+            count: basis.count,
+            dual: basis.dual.map(number),
+        };
+        LinearModel {
+            mass: self.mass.map(number),
+            damping: self.damping.map(number),
+            gyroscopic: self.gyroscopic.map(number),
+            stiffness: self.stiffness.map(number),
+            by_inputs: self.by_inputs.map(number),
+            displacements: basis(&self.displacements),
+            velocities: basis(&self.velocities),
+            blocks: self.blocks.map(|row| row.map(|block| block.map(number))),
+            input: self.input.map(number),
+            drift: self.drift.map(|part| part.map(number)),
+        }
+    }
+
     /// The part of x that a component belongs to, and its place there.
     fn split(&self, i: usize) -> (usize, usize) {
         let count = self.displacements.len();

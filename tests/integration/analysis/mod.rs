@@ -3,6 +3,7 @@
 mod classical;
 mod constrained;
 mod derivatives;
+mod equilibria;
 mod modes;
 mod scalars;
 mod seeds;

@@ -6,9 +6,9 @@
 
 use std::vec::Vec;
 
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{ColPivQR, Complex, DMatrix};
 
+use super::balance::{balance, moderated};
 use super::qr::{iterated, of_two};
 use super::vectors::eigenvector;
 use super::{largest, rounding};
@@ -27,11 +27,12 @@ pub(super) fn eigenvalues(matrix: &DMatrix<f64>, unit: f64, is_reversible: bool)
     let mut found = Vec::new();
     for members in parts(matrix) {
         let mut part = matrix.select_rows(&members).select_columns(&members);
-        balance_parlett_reinsch(&mut part);
+        balance(&mut part);
+        let size = moderated(&mut part);
         let (scale, share) = (largest(&part), rounding(members.len(), unit));
         for value in of_part(&part, share * scale)? {
             let value = if is_reversible { settled(&part, value, scale, share) } else { value };
-            found.push(Eigenvalue { value, scale });
+            found.push(Eigenvalue { value: value * size, scale: scale * size });
         }
     }
     Some(found)

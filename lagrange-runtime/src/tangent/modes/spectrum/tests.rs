@@ -98,7 +98,7 @@ fn checked(matrix: &DMatrix<f64>, is_reversible: bool, [sum, residual]: [f64; 2]
     };
     assert_eq!(found.len(), matrix.nrows());
     let mut balanced = matrix.clone();
-    balance_parlett_reinsch(&mut balanced);
+    balance(&mut balanced);
     let size = largest(&balanced);
     let total: f64 = found.iter().map(|found| found.value.re).sum();
     assert!((total - matrix.trace()).abs() <= sum * size, "{total} is not the trace of {matrix}");
