@@ -8,7 +8,7 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
-    /// The mass matrix cannot be inverted: the coordinate with this index has no inertia of its own here.
+    /// The mass matrix is not positive: the coordinate with this index has no inertia of its own here, or a negative one.
     SingularMassMatrix {
         /// Index of the coordinate at which the factorisation stopped.
         pivot: usize,
@@ -97,8 +97,8 @@ impl fmt::Display for Cause {
         match self {
             Self::SingularMassMatrix { pivot } => write!(
                 out,
-                "the mass matrix is singular at coordinate {pivot}: give that coordinate a mass or an inertia, \
-                 or keep away from configurations where it loses it"
+                "the mass matrix is singular or negative at coordinate {pivot}: give that coordinate a mass or an inertia above \
+                 zero, or keep away from configurations where it loses it"
             ),
             Self::PositionViolated { constraint, by } => write!(
                 out,

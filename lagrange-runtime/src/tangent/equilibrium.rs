@@ -191,6 +191,7 @@ where
     }
     let statics = Statics::new(system, &guess, u);
     let rest = statics.rest(statics.feasible(guess.q)?);
+    has_gradients(&rest)?;
     if rest.square.is_finite() { Ok((statics, rest)) } else { Err(not_finite) }
 }
 
@@ -234,6 +235,7 @@ where
         if !verdict.is_balanced {
             return Err(unbalanced(&rest));
         }
+        has_gradients(&rest)?;
         self.resting(&rest)?;
         Ok(Equilibrium {
             state: State::at_rest(rest.q).at_time(self.t),
@@ -259,6 +261,12 @@ where
         }
         EquilibriumError::RanAway { coordinate }
     }
+}
+
+/// Refuses a place at which a constraint restricts nothing.
+fn has_gradients<R, const N: usize, const C: usize>(rest: &Rest<R, N, C>) -> Result<(), EquilibriumError> {
+    let vanishing = rest.vanishing.map(|constraint| Cause::VanishingGradient { constraint });
+    vanishing.map_or(Ok(()), |cause| Err(EquilibriumError::Constraints(cause)))
 }
 
 fn unbalanced<R: Ordered, const N: usize, const C: usize>(rest: &Rest<R, N, C>) -> EquilibriumError {

@@ -256,8 +256,8 @@ where
         found.into_iter().filter(|found| found.value.im >= 0.0).partition(|found| found.value == ZERO);
     let mut vectors: Vec<_> =
         null_vectors(&balanced, unit, zeros.len()).into_iter().map(|vector| (ZERO, vector)).collect();
-    for (k, Eigenvalue { value, scale }) in others.into_iter().enumerate() {
-        vectors.push((value, eigenvector(&balanced, value / size, scale / size, k)?));
+    for (k, Eigenvalue { value, scale, members }) in others.into_iter().enumerate() {
+        vectors.push((value, eigenvector(&balanced, value / size, scale / size, (&members, k))?));
     }
     let basis = columns(&model.displacements);
     let mode = |(value, vector): (Complex<f64>, DVector<Complex<f64>>)| {

@@ -33,6 +33,8 @@ pub(super) struct Rest<R, const N: usize, const C: usize> {
     pub multipliers: [R; C],
     /// How many constraints are independent.
     pub rank: usize,
+    /// A constraint without a gradient.
+    pub vanishing: Option<usize>,
     /// Motions that all constraints allow, orthonormal in the metric.
     pub motions: Directions<R, N>,
     /// Motions that the holonomic constraints allow, where that is not the same.
@@ -229,7 +231,7 @@ where
     pub fn rest(&self, q: [S::Scalar; N]) -> Rest<S::Scalar, N, C> {
         let none = [S::Scalar::zero(); C];
         let gradients = Stored::new(self.variation(&q, &none).gradients);
-        let (rank, multipliers) = self.balancing(&q, &gradients);
+        let (rank, vanishing, multipliers) = self.balancing(&q, &gradients);
         let left = self.imbalance(&q, &multipliers);
         let by_q = Stored::new(self.variation(&q, &multipliers).by_q);
         let motions = Directions::new(&self.metric, &gradients);
@@ -240,21 +242,22 @@ where
             *force = dot(vector, &left);
         }
         let square = dot(&forces, &forces);
-        Rest { q, multipliers, rank, motions, places, by_q, gradients, forces, square, left }
+        Rest { q, multipliers, rank, vanishing, motions, places, by_q, gradients, forces, square, left }
     }
 
-    /// The number of independent constraints, and the multipliers that balance the forces as well as can be.
+    /// The number of independent constraints, one without a gradient, and the multipliers that balance the forces as well as can
+    /// be.
     fn balancing(
         &self,
         q: &[S::Scalar; N],
         gradients: &[[S::Scalar; N]; C],
-    ) -> (usize, [S::Scalar; C]) {
+    ) -> (usize, Option<usize>, [S::Scalar; C]) {
         let none = [S::Scalar::zero(); C];
         if C == 0 {
-            return (0, none);
+            return (0, None, none);
         }
         let saddle = Stored::new(Saddle::factor(&self.metric, gradients));
-        (saddle.rank(), saddle.solve(&self.imbalance(q, &none), &none).1)
+        (saddle.rank(), saddle.vanishing(), saddle.solve(&self.imbalance(q, &none), &none).1)
     }
 
     /// The directions that the coordinates may take.
