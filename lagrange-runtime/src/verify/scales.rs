@@ -92,7 +92,7 @@ mod tests {
         let still = Scales::of(&mass, &State::new([0.0; 2], [0.0; 2]), &[0.0; 2]);
         assert_eq!((still.time, still.places), (1.0, [1.0; 2]));
         // What has no roundings is no scale.
-        let tiny = Scales::of(&mass, &State::new([5e-324, 3e-310], [0.0; 2]), &[1e-160; 2]);
+        let tiny = Scales::of(&mass, &State::new([5e-324, 3e-310], [0.0; 2]), &[1e-320; 2]);
         assert_eq!((tiny.time, tiny.places), (1.0, [1.0; 2]));
         let terms = Scales::of(&mass, &state, &[1e14, 0.0])
             .terms(&state, &[1e14, 0.0], |state| [0.5e-26 * state.v[0] * state.v[0] - 1e-12 * state.q[0]]);
