@@ -18,6 +18,7 @@
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
 //! | [`verify`] | the certificate of a model: identities at sampled states |
+//! | [`stored`] | large tables on the heap where there is one |
 //! | [`structure`] | operation counts and proven facts of a model |
 //! | [`error`] | why and when a motion stopped |
 //!
@@ -57,7 +58,7 @@ pub mod smooth;
 mod solve;
 pub mod state;
 pub mod stepper;
-mod stored;
+pub mod stored;
 pub mod structure;
 pub mod system;
 mod tables;
@@ -83,13 +84,15 @@ pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use smooth::{Series, Smooth};
 pub use state::State;
 pub use stepper::Stepper;
+pub use stored::Stored;
 pub use structure::{Cost, Costs, Structure};
 pub use system::{Blur, System};
 #[cfg(feature = "std")]
 pub use tangent::Mode;
 pub use tangent::{
-    Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel, Response,
-    Sensitive, Sensitivities, Stability, Tangent, Transition, Variation, Variational, VariationalMotion, Varied,
+    Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel,
+    Response, Sensitive, Sensitivities, Stability, Tangent, Transition, Variation, Variational,
+    VariationalMotion, Varied,
 };
 pub use verify::{Certificate, Identity, Violation};
 #[cfg(feature = "wide")]

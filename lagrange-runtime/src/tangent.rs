@@ -30,6 +30,7 @@ use crate::error::MotionError;
 use crate::linearized::Linearized;
 use crate::real::{Ordered, Real};
 use crate::state::State;
+use crate::stored::Stored;
 pub use equilibrium::{Equilibrium, EquilibriumError, FoundBy, Stability};
 pub use inverse_dynamics::InverseDynamics;
 pub use linear_model::{Basis, LinearModel};
@@ -52,26 +53,26 @@ pub struct Imbalance<R, const N: usize, const C: usize> {
 
 /// M, A, and the derivatives of r = f + Aᵀλ − M a and of the constraints at given accelerations and multipliers; rows are
 /// equations.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Variation<R, const N: usize, const K: usize, const C: usize> {
     /// M = −∂r/∂a.
-    pub mass: [[R; N]; N],
+    pub mass: Stored<[[R; N]; N]>,
     /// ∂r/∂q.
-    pub by_q: [[R; N]; N],
+    pub by_q: Stored<[[R; N]; N]>,
     /// ∂r/∂v.
-    pub by_v: [[R; N]; N],
+    pub by_v: Stored<[[R; N]; N]>,
     /// ∂r/∂t.
     pub by_t: [R; N],
     /// ∂r/∂u.
-    pub by_u: [[R; K]; N],
+    pub by_u: Stored<[[R; K]; N]>,
     /// A, so that ∂r/∂λ = Aᵀ.
-    pub gradients: [[R; N]; C],
+    pub gradients: Stored<[[R; N]; C]>,
     /// ∂w/∂q, where w = df/dt of the holonomic constraints and g of the others; ∂w/∂v is A.
-    pub rates_by_q: [[R; N]; C],
+    pub rates_by_q: Stored<[[R; N]; C]>,
     /// ∂(A a − γ)/∂q.
-    pub conditions_by_q: [[R; N]; C],
+    pub conditions_by_q: Stored<[[R; N]; C]>,
     /// ∂(A a − γ)/∂v.
-    pub conditions_by_v: [[R; N]; C],
+    pub conditions_by_v: Stored<[[R; N]; C]>,
     /// ∂(A a − γ)/∂t.
     pub conditions_by_t: [R; C],
 }
@@ -82,15 +83,15 @@ impl<R: Real, const N: usize, const K: usize, const C: usize> Variation<R, N, K,
     #[must_use]
     pub fn zero() -> Self {
         Self {
-            mass: [[R::zero(); N]; N],
-            by_q: [[R::zero(); N]; N],
-            by_v: [[R::zero(); N]; N],
+            mass: Stored::zeros(),
+            by_q: Stored::zeros(),
+            by_v: Stored::zeros(),
             by_t: [R::zero(); N],
-            by_u: [[R::zero(); K]; N],
-            gradients: [[R::zero(); N]; C],
-            rates_by_q: [[R::zero(); N]; C],
-            conditions_by_q: [[R::zero(); N]; C],
-            conditions_by_v: [[R::zero(); N]; C],
+            by_u: Stored::zeros(),
+            gradients: Stored::zeros(),
+            rates_by_q: Stored::zeros(),
+            conditions_by_q: Stored::zeros(),
+            conditions_by_v: Stored::zeros(),
             conditions_by_t: [R::zero(); C],
         }
     }

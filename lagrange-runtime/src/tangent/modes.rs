@@ -67,9 +67,10 @@ where
     let (mass, unit) = (doubled(&model.mass), R::epsilon().into());
     let order = model.order();
     let matrix = DMatrix::from_fn(order, order, |i, j| model.entry(i, j).into());
-    let is_finite = |of: &SMatrix<R, N, N>| of.iter().all(|x| x.is_finite());
     let second_order = [&model.mass, &model.damping, &model.gyroscopic, &model.stiffness];
-    if !(second_order.into_iter().all(is_finite) && matrix.iter().all(|x| x.is_finite())) {
+    if !(second_order.into_iter().all(|of| of.iter().all(|x| x.is_finite()))
+        && matrix.iter().all(|x| x.is_finite()))
+    {
         return Err(Cause::NotFinite);
     }
     let equations = SecondOrder::new(model, &mass);
@@ -100,7 +101,7 @@ pub(super) fn growth<const N: usize, const K: usize>(
     model: &LinearModel<f64, N, K>,
     unit: f64,
 ) -> Option<Growth> {
-    let equations = SecondOrder::new(model, &model.mass);
+    let equations = SecondOrder::new(model, &doubled(&model.mass));
     let is_reversible = equations.is_some_and(|equations| equations.is_reversible(unit));
     let order = model.order();
     let found = eigenvalues(&DMatrix::from_fn(order, order, |i, j| model.entry(i, j)), unit, is_reversible)?;
@@ -142,10 +143,8 @@ pub(super) fn double<R: Ordered>(value: R) -> f64 {
     if value < R::zero() { -size } else { size }
 }
 
-fn doubled<R: Real + Into<f64>, const A: usize, const B: usize>(
-    matrix: &SMatrix<R, A, B>,
-) -> SMatrix<f64, A, B> {
-    matrix.map(Into::into)
+fn doubled<R: Real + Into<f64>, const N: usize>(matrix: &SMatrix<R, N, N>) -> DMatrix<f64> {
+    DMatrix::from_fn(N, N, |i, j| matrix[(i, j)].into())
 }
 
 /// The vectors of a basis as columns.
@@ -170,7 +169,7 @@ struct SecondOrder<const N: usize> {
 
 impl<const N: usize> SecondOrder<N> {
     /// `None` if velocities are not the rates of as many displacements, or have no positive inertia.
-    fn new<R, const K: usize>(model: &LinearModel<R, N, K>, mass: &SMatrix<f64, N, N>) -> Option<Self>
+    fn new<R, const K: usize>(model: &LinearModel<R, N, K>, mass: &DMatrix<f64>) -> Option<Self>
     where
         R: Ordered + Into<f64>,
     {
@@ -203,7 +202,7 @@ impl<const N: usize> SecondOrder<N> {
     }
 
     /// The modes where there is nothing but inertia and a potential; `None` for other systems.
-    fn modes(&self, mass: &SMatrix<f64, N, N>, unit: f64) -> Option<Vec<Mode<N>>> {
+    fn modes(&self, mass: &DMatrix<f64>, unit: f64) -> Option<Vec<Mode<N>>> {
         let pattern = self.stiffness.abs() + self.damping.abs() + self.gyroscopic.abs();
         let mut modes = Vec::new();
         for members in parts(&(&pattern + pattern.transpose())) {
@@ -237,7 +236,7 @@ impl<const N: usize> SecondOrder<N> {
 fn general<R, const N: usize, const K: usize>(
     model: &LinearModel<R, N, K>,
     matrix: DMatrix<f64>,
-    mass: &SMatrix<f64, N, N>,
+    mass: &DMatrix<f64>,
     unit: f64,
     is_reversible: bool,
 ) -> Option<Vec<Mode<N>>>
@@ -273,10 +272,11 @@ where
 fn mode<const N: usize>(
     eigenvalue: Complex<f64>,
     shape: &DVector<Complex<f64>>,
-    mass: &SMatrix<f64, N, N>,
+    mass: &DMatrix<f64>,
 ) -> Mode<N> {
+    let [re, im] = [shape.map(|x| x.re), shape.map(|x| x.im)];
+    let modal = re.dot(&(mass * &re)) + im.dot(&(mass * &im));
     let shape = SVector::<Complex<f64>, N>::from_fn(|i, _| shape[i]);
-    let modal = shape.dotc(&(mass.map(|x| Complex::new(x, 0.0)) * shape)).re;
     let size = |x: &Complex<f64>| x.re.hypot(x.im);
     let leading = shape.iter().fold(ZERO, |most, x| {
         // Of components of equal size the first leads, whatever their roundings.

@@ -100,7 +100,8 @@ fn c14_the_cart_pole_upright() {
     close(modes[0].shape[1].re, 0.0, 1e-12);
     // Under a push nothing rests.
     assert!(CartPole.stationary_point([0.7, 0.3], &[1.0]).is_err());
-    let Err(EquilibriumError::Unbalanced { coordinate: 0, force }) = CartPole.equilibrium([0.7, 0.3], &[1.0]) else {
+    let Err(EquilibriumError::Unbalanced { coordinate: 0, force }) = CartPole.equilibrium([0.7, 0.3], &[1.0])
+    else {
         panic!("a cart that is pushed rests")
     };
     close(f64::from(force.0), 1.0, 1e-6);

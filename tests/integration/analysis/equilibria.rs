@@ -52,7 +52,10 @@ macro_rules! settles {
             let guess: [f64; $coordinates] = core::array::from_fn(|_| samples.number(-1.0, 1.0));
             let rest = $system.equilibrium(guess, &[]).unwrap();
             close($system.potential_energy(&rest.state), $energy, 1e-9);
-            assert_eq!((rest.stability, rest.found_by), (Stability::Neutral { directions: 3 }, FoundBy::Descent));
+            assert_eq!(
+                (rest.stability, rest.found_by),
+                (Stability::Neutral { directions: 3 }, FoundBy::Descent)
+            );
         }
     };
 }
@@ -102,7 +105,10 @@ fn a_guess_that_is_an_equilibrium_is_the_answer() {
     for (guess, down) in [([PI, PI], 2), ([0.0, PI], 1), ([PI, 0.0], 1)] {
         let rest = Pendulums.equilibrium(guess, &[]).unwrap();
         all_close(rest.state.q, guess, 1e-15);
-        assert_eq!((rest.stability, rest.found_by), (Stability::Unstable { directions: down }, FoundBy::Guess));
+        assert_eq!(
+            (rest.stability, rest.found_by),
+            (Stability::Unstable { directions: down }, FoundBy::Guess)
+        );
         // Near it the one falls, and the other does not.
         let near = guess.map(|angle| angle - 0.05);
         let fallen = Pendulums.equilibrium(near, &[]).unwrap();
@@ -265,7 +271,8 @@ impl Column {
 fn followers_have_no_potential_and_flutter() {
     // H. Ziegler, Ing.-Arch. 20 (1952) 49: it flutters from P = (7/2 − √2) c/l on and never buckles.
     let critical = 3.5 - 2.0_f64.sqrt();
-    for (thrust, is_stable) in [(0.5, true), (critical - 0.01, true), (critical + 0.01, false), (3.0, false)] {
+    for (thrust, is_stable) in [(0.5, true), (critical - 0.01, true), (critical + 0.01, false), (3.0, false)]
+    {
         let rest = Column.equilibrium([0.2, -0.1], &[thrust]).unwrap();
         all_close(rest.state.q, [0.0, 0.0], 1e-12);
         assert_eq!(rest.found_by, FoundBy::Newton);

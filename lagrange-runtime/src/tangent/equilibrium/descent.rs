@@ -207,7 +207,13 @@ impl<R: Ordered, const N: usize> Curvature<R, N> {
     pub fn signature(&self, count: usize) -> [usize; 3] {
         let mut signature = [0; 3];
         for &value in self.values.iter().take(count) {
-            let which = if value > self.rounding { 0 } else if value < -self.rounding { 2 } else { 1 };
+            let which = if value > self.rounding {
+                0
+            } else if value < -self.rounding {
+                2
+            } else {
+                1
+            };
             signature[which] += 1;
         }
         signature
@@ -316,7 +322,8 @@ impl<R: Ordered, const N: usize> Model<R, N> {
         }
         let half = R::from_f64(0.5);
         let terms = y.iter().zip(self.values.iter().zip(&self.forces));
-        let predicted = terms.fold(R::zero(), |sum, (&y, (&value, &force))| sum + y * (force - half * value * y));
+        let predicted =
+            terms.fold(R::zero(), |sum, (&y, (&value, &force))| sum + y * (force - half * value * y));
         (y, predicted, is_cut)
     }
 }
@@ -356,9 +363,8 @@ mod tests {
             let size = dot(&y, &y).sqrt();
             assert!(size <= radius * (1.0 + 1e-12));
             assert_eq!(is_cut, size > 0.99 * radius, "{y:?}");
-            let value = |y: [f64; 3]| -> f64 {
-                (0..3).map(|k| y[k] * (0.5 * values[k] * y[k] - forces[k])).sum()
-            };
+            let value =
+                |y: [f64; 3]| -> f64 { (0..3).map(|k| y[k] * (0.5 * values[k] * y[k] - forces[k])).sum() };
             assert!((value(y) + predicted).abs() < 1e-12);
             // No other point of the ball is lower.
             for i in 0..4000 {

@@ -69,7 +69,11 @@ where
     S::Scalar: Ordered,
 {
     /// Goes to a place where the forces vanish, as near as it comes.
-    pub fn balance(&self, mut rest: Rest<S::Scalar, N, C>, search: &mut Search<S::Scalar, N>) -> Rest<S::Scalar, N, C> {
+    pub fn balance(
+        &self,
+        mut rest: Rest<S::Scalar, N, C>,
+        search: &mut Search<S::Scalar, N>,
+    ) -> Rest<S::Scalar, N, C> {
         let number = S::Scalar::from_f64;
         let zero = number(0.0);
         let mut damping = number(DAMPING.0);

@@ -96,7 +96,7 @@ where
     fn moving(&self, rest: &Rest<S::Scalar, N, C>) -> Moving {
         let number = S::Scalar::from_f64;
         let count = rest.motions.count;
-        let variation = Stored::new(self.variation(&rest.q, &rest.multipliers));
+        let variation = self.variation(&rest.q, &rest.multipliers);
         let share = number(16.0 * count as f64) * S::Scalar::epsilon();
         let [lightest, heaviest] = extremes(&rest.motions.table(&variation.mass), count);
         let drag = rest.motions.table(&variation.by_v);

@@ -1,4 +1,6 @@
 //! Places on the constraints: forces, stiffness, and the way from one place to another.
+//!
+//! What needs large tables on the stack for a moment is a function that is not inlined, so that only one of them is there at a time.
 
 use num_traits::Zero;
 
@@ -57,6 +59,7 @@ pub(super) struct Directions<R, const N: usize> {
 }
 
 impl<R: Real, const N: usize> Directions<R, N> {
+    #[inline(never)]
     fn new<const C: usize>(metric: &[[R; N]; N], gradients: &[[R; N]; C]) -> Self {
         let TangentSpace { vectors, count, metric } = TangentSpace::new(metric, gradients);
         let mut vectors = Stored::new(vectors);
@@ -149,6 +152,7 @@ where
     }
 
     /// The derivatives at rest.
+    #[inline(never)]
     pub fn variation(
         &self,
         q: &[S::Scalar; N],
@@ -217,26 +221,23 @@ where
     }
 
     /// The gradients of the holonomic constraints, and the factors of them with the metric.
+    #[inline(never)]
     #[allow(clippy::type_complexity)]
-    fn tangent(
-        &self,
-        q: &[S::Scalar; N],
-    ) -> (Stored<Saddle<S::Scalar, N, C>>, Stored<[[S::Scalar; N]; C]>) {
-        let gradients =
-            Self::holonomic(Stored::new(self.variation(q, &[S::Scalar::zero(); C]).gradients));
+    fn tangent(&self, q: &[S::Scalar; N]) -> (Stored<Saddle<S::Scalar, N, C>>, Stored<[[S::Scalar; N]; C]>) {
+        let gradients = Self::holonomic(self.variation(q, &[S::Scalar::zero(); C]).gradients);
         (Stored::new(Saddle::factor(&self.metric, &gradients)), gradients)
     }
 
     /// Forces and stiffness at coordinates on the constraints.
     pub fn rest(&self, q: [S::Scalar; N]) -> Rest<S::Scalar, N, C> {
         let none = [S::Scalar::zero(); C];
-        let gradients = Stored::new(self.variation(&q, &none).gradients);
+        let gradients = self.variation(&q, &none).gradients;
         let (rank, vanishing, multipliers) = self.balancing(&q, &gradients);
         let left = self.imbalance(&q, &multipliers);
-        let by_q = Stored::new(self.variation(&q, &multipliers).by_q);
+        let by_q = self.variation(&q, &multipliers).by_q;
         let motions = Directions::new(&self.metric, &gradients);
-        let places = (!Self::HOLONOMIC)
-            .then(|| Directions::new(&self.metric, &Self::holonomic(gradients.clone())));
+        let places =
+            (!Self::HOLONOMIC).then(|| Directions::new(&self.metric, &Self::holonomic(gradients.clone())));
         let mut forces = [S::Scalar::zero(); N];
         for (force, vector) in forces.iter_mut().zip(motions.vectors.iter()).take(motions.count) {
             *force = dot(vector, &left);
@@ -247,6 +248,7 @@ where
 
     /// The number of independent constraints, one without a gradient, and the multipliers that balance the forces as well as can
     /// be.
+    #[inline(never)]
     fn balancing(
         &self,
         q: &[S::Scalar; N],
@@ -282,6 +284,7 @@ where
     }
 
     /// Refuses constraints that do not let the system rest.
+    #[inline(never)]
     pub fn resting(&self, rest: &Rest<S::Scalar, N, C>) -> Result<(), EquilibriumError> {
         if C == 0 {
             return Ok(());
