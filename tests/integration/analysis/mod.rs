@@ -4,6 +4,7 @@ mod classical;
 mod constrained;
 mod derivatives;
 mod equilibria;
+mod limits;
 mod modes;
 mod scalars;
 mod seeds;
