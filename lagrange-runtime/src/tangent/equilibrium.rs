@@ -148,7 +148,7 @@ where
                 }
             }
             let signature = statics.curvature(&rest).map(|curvature| curvature.signature(rest.motions.count));
-            if !signature.is_some_and(|[_, _, down]| down > 0) {
+            if signature.is_none_or(|[_, _, down]| down == 0) {
                 break;
             }
         }

@@ -314,11 +314,10 @@ impl<R: Ordered, const N: usize> Model<R, N> {
         }
         // The hard case: no force along the most negative curvature, which leads down both ways.
         let rest = most - dot(&y, &y);
-        if is_cut && self.least < R::zero() && rest > R::from_f64(0.5) * most {
-            if let Some(k) = (0..count).find(|&k| self.values[k] == self.least) {
-                let sign = if self.forces[k] < R::zero() { -R::one() } else { R::one() };
-                y[k] = sign * (rest + y[k] * y[k]).sqrt();
-            }
+        let is_hard = is_cut && self.least < R::zero() && rest > R::from_f64(0.5) * most;
+        if let Some(k) = (0..count).find(|&k| is_hard && self.values[k] == self.least) {
+            let sign = if self.forces[k] < R::zero() { -R::one() } else { R::one() };
+            y[k] = sign * (rest + y[k] * y[k]).sqrt();
         }
         let half = R::from_f64(0.5);
         let terms = y.iter().zip(self.values.iter().zip(&self.forces));
