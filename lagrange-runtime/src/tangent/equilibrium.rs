@@ -15,18 +15,20 @@ mod statics;
 
 use core::fmt;
 
+use num_traits::Zero;
+
 use super::Tangent;
 use crate::constraints::magnitude;
 use crate::error::{Cause, Magnitude};
-use crate::real::{Ordered, Real};
+use crate::real::{Ordered, Real, larger};
 use crate::state::State;
 use descent::Descent;
 use newton::Search;
 pub use stability::Stability;
 use statics::{Rest, Statics};
 
-/// Forces have faded whose squares fell to this share of what they were.
-const FADED: f64 = 1e-6;
+/// Forces have faded that fell to this share of what they were.
+const FADED: f64 = 1e-3;
 
 /// Descents from saddles at which the one before has ended: each is lower than the last.
 const DESCENTS: usize = 16;
@@ -192,7 +194,7 @@ where
     let statics = Statics::new(system, &guess, u);
     let rest = statics.rest(statics.feasible(guess.q)?);
     has_gradients(&rest)?;
-    if rest.square.is_finite() { Ok((statics, rest)) } else { Err(not_finite) }
+    if rest.norm.is_finite() { Ok((statics, rest)) } else { Err(not_finite) }
 }
 
 impl<S, const N: usize, const K: usize, const C: usize> Statics<'_, S, N, K, C>
@@ -202,8 +204,9 @@ where
 {
     /// Whether what is left of the forces at a start is rounding of those that a change by the size of the coordinates makes.
     fn is_stationary(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> bool {
-        let share = S::Scalar::from_f64(16.0 * N as f64) * S::Scalar::epsilon() * self.stiffness(rest).size;
-        rest.square <= share * share * self.reach(rest, search)
+        let share = S::Scalar::from_f64(16.0 * N as f64) * S::Scalar::epsilon() * rest.stiffness.size;
+        let most = rest.forces.iter().fold(S::Scalar::zero(), |most, x| larger(x.abs(), most));
+        most <= share * self.reach(rest, search).sqrt()
     }
 
     /// The last digits of a stationary place, unless they lead elsewhere.
@@ -227,7 +230,7 @@ where
     ) -> Result<Equilibrium<S::Scalar, N, C>, EquilibriumError> {
         let verdict = self.judged(&rest, search);
         let faded = S::Scalar::from_f64(FADED);
-        let fades = rest.square <= faded * search.met && search.goes_on();
+        let fades = rest.norm <= faded * search.met && search.goes_on();
         // Far out all forces are small, or vanish altogether.
         if fades && if verdict.is_balanced { verdict.stiffness <= faded } else { !verdict.ends } {
             return Err(self.ran_away(&rest, search));
@@ -250,7 +253,7 @@ where
     /// The error of a search whose energy falls without end: under a constant force, that force says more.
     fn ran_away(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> EquilibriumError {
         let two = S::Scalar::from_f64(2.0);
-        if rest.square <= two * search.first && search.first <= two * rest.square {
+        if rest.norm <= two * search.first && search.first <= two * rest.norm {
             return unbalanced(rest);
         }
         let travelled = self.travelled(rest, search);

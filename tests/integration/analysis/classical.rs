@@ -229,8 +229,11 @@ impl Well {
 #[test]
 fn nothing_rests_at_infinity() {
     for power in [1.0, -1.0] {
-        let found = Fading { power }.equilibrium([1.0, 0.0], &[]);
+        let found = Fading { power }.stationary_point([1.0, 0.0], &[]);
         assert!(matches!(found, Err(EquilibriumError::RanAway { coordinate: 0 })), "{found:?}");
+        // Into the centre, or away from it to any side.
+        let found = Fading { power }.equilibrium([1.0, 0.0], &[]);
+        assert!(matches!(found, Err(EquilibriumError::RanAway { .. })), "{found:?}");
     }
     let found = FadingFaster.equilibrium([1.0], &[]);
     assert!(matches!(found, Err(EquilibriumError::RanAway { coordinate: 0 })), "{found:?}");

@@ -317,3 +317,30 @@ fn nothing_runs_away_on_a_closed_surface() {
         assert!(!matches!(found, Err(EquilibriumError::RanAway { .. })), "{guess:?}: {found:?}");
     }
 }
+
+/// A well whose walls fade, as a Lagrangian given as a whole, in any precision.
+struct Well<R> {
+    width: R,
+}
+
+#[lagrangian(coordinates = [x], jacobians)]
+impl<R: Real> Well<R> {
+    #[lagrangian]
+    fn lagrangian(&self, q: &Coordinates<R>, v: &Velocities<R>) -> R {
+        0.5 * v.x.powi(2) + (-(q.x / self.width).powi(2)).exp()
+    }
+}
+
+#[test]
+fn a_well_is_found_from_where_the_squares_of_its_forces_are_no_numbers() {
+    // exp(−81) squared is none in single precision, exp(−400) squared none in double.
+    for guess in [0.1, 0.6, 2.0, 8.0, 9.0] {
+        let rest = Well { width: 1.0_f32 }.equilibrium([guess], &[]).unwrap();
+        assert_eq!((rest.state.q, rest.stability), ([0.0], Stability::Stable), "{guess}");
+    }
+    for guess in [0.1, 0.6, 2.0, 9.0, 20.0] {
+        let rest = Well { width: 1e-12 }.equilibrium([1e-12 * guess], &[]).unwrap();
+        close(rest.state.q[0] / 1e-12, 0.0, 1e-12);
+        assert_eq!(rest.stability, Stability::Stable, "{guess}");
+    }
+}

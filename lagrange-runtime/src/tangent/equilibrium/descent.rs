@@ -73,7 +73,7 @@ where
     /// An entry is rounded by 16 N roundings of the magnitudes that it is summed up from at the most, as in the modes.
     pub fn curvature(&self, rest: &Rest<S::Scalar, N, C>) -> Option<Curvature<S::Scalar, N>> {
         let count = rest.motions.count;
-        let mut stiffness = self.stiffness(rest);
+        let mut stiffness = rest.stiffness.clone();
         let share = S::Scalar::from_f64(16.0 * count as f64) * S::Scalar::epsilon();
         let rounding = share * stiffness.size;
         let rows = &mut stiffness.rows;
@@ -120,7 +120,7 @@ where
                 let size = dot(&components, &components).sqrt();
                 if !(size * size > epsilon * epsilon * reach && predicted > zero) {
                     // Into a singularity energy falls and forces grow until coordinates have no more digits.
-                    let is_singular = rest.square >= search.met && falls_on(fallen, last, steps);
+                    let is_singular = rest.norm >= search.met && falls_on(fallen, last, steps);
                     return ended(rest, is_singular);
                 }
                 let turned = curvature.turned(&components, count);
@@ -128,9 +128,10 @@ where
                 let moved = core::array::from_fn(|i| rest.q[i] + change[i]);
                 let found = self.feasible(moved).ok().and_then(|q| self.fallen(&rest, q, predicted, size));
                 if let Some((next, by, way)) = found {
-                    if is_cut && by > number(0.75) * predicted {
+                    let foretold = rest.unit * predicted;
+                    if is_cut && by > number(0.75) * foretold {
                         length = number(2.0) * length;
-                    } else if by < number(0.25) * predicted {
+                    } else if by < number(0.25) * foretold {
                         length = number(0.5) * size;
                     }
                     break (next, by, way);
@@ -160,12 +161,13 @@ where
         let way: [S::Scalar; N] = core::array::from_fn(|i| q[i] - rest.q[i]);
         let length = self.size(&way).sqrt();
         let Fall { by, doubt, crosses_a_hill } = self.fall(rest, &way);
+        let predicted = rest.unit * predicted;
         let is_sure = by - doubt >= number(0.1) * predicted;
         if !is_sure || crosses_a_hill || length > number(2.0) * size {
             return None;
         }
         let next = self.rest(q);
-        next.square.is_finite().then_some((next, by, length))
+        next.norm.is_finite().then_some((next, by, length))
     }
 
     /// The work of the forces along a straight way between two places on the constraints. The multipliers do none, because both
@@ -177,7 +179,7 @@ where
         for (power, (point, fine, rough)) in powers.iter_mut().zip(RULE) {
             let share = number(0.5 * (1.0 + point));
             let q = core::array::from_fn(|i| S::Scalar::mul_add(share, way[i], rest.q[i]));
-            *power = dot(&self.imbalance(&q, &rest.multipliers), way);
+            *power = self.power(&q, &rest.multipliers, way);
             by += number(0.5 * fine) * *power;
             coarse += number(0.5 * rough) * *power;
         }

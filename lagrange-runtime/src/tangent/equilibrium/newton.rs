@@ -20,11 +20,11 @@ const DAMPING: (f64, f64) = (1e-3, 1e12);
 pub(super) struct Search<R, const N: usize> {
     /// Coordinates of the start.
     pub start: [R; N],
-    /// |forces|² at the start.
+    /// The size of the forces at the start.
     pub first: R,
-    /// The largest |forces|².
+    /// The largest size of forces.
     pub met: R,
-    /// The largest singular value squared of the stiffness.
+    /// The largest singular value of the stiffness.
     pub stiffest: R,
     /// Lengths of the steps taken: their sum, the last one, and their number.
     path: [R; 3],
@@ -33,14 +33,14 @@ pub(super) struct Search<R, const N: usize> {
 impl<R: Ordered, const N: usize> Search<R, N> {
     pub fn new<const C: usize>(rest: &Rest<R, N, C>) -> Self {
         let zero = R::zero();
-        Self { start: rest.q, first: rest.square, met: rest.square, stiffest: zero, path: [zero; 3] }
+        Self { start: rest.q, first: rest.norm, met: rest.norm, stiffest: zero, path: [zero; 3] }
     }
 
     /// Takes note of a step of this length.
     pub fn stepped<const C: usize>(&mut self, length: R, next: &Rest<R, N, C>) {
         let [sum, _, count] = self.path;
         self.path = [sum + length, length, count + R::one()];
-        self.met = larger(self.met, next.square);
+        self.met = larger(self.met, next.norm);
     }
 
     /// Whether the way grows with the number n of steps like a power of it: as n^p, the last of them is p/n of the way, and
@@ -59,7 +59,7 @@ pub(super) struct Verdict<R> {
     pub ends: bool,
     /// Whether the stiffness is regular.
     pub is_isolated: bool,
-    /// What is left of the stiffness, squared, as a share of the largest.
+    /// What is left of the stiffness as a share of the largest.
     pub stiffness: R,
 }
 
@@ -77,24 +77,25 @@ where
         let number = S::Scalar::from_f64;
         let zero = number(0.0);
         let mut damping = number(DAMPING.0);
-        let mut values = SingularValues::new(&self.stiffness(&rest).rows);
+        let mut values = SingularValues::new(&rest.stiffness.rows);
         for _ in 0..STEPS {
             let largest = values.largest_square();
-            search.stiffest = larger(search.stiffest, largest);
-            if rest.square == zero || largest == zero {
+            search.stiffest = larger(search.stiffest, rest.unit * largest.sqrt());
+            if rest.norm == zero || largest == zero {
                 return rest;
             }
             loop {
                 let change = self.displacement(&rest, &values, damping * largest);
                 let moved = core::array::from_fn(|i| rest.q[i] + change[i]);
                 let next = self.feasible(moved).ok().map(|q| self.rest(q));
-                if let Some(next) = next.filter(|next| next.square < rest.square) {
+                if let Some(next) = next.filter(|next| next.norm < rest.norm) {
                     let way: [S::Scalar; N] = core::array::from_fn(|i| next.q[i] - rest.q[i]);
                     search.stepped(self.size(&way).sqrt(), &next);
                     // Quadratic convergence needs a damping that vanishes with the forces.
-                    damping = smaller(damping * number(0.1), next.square / search.met);
+                    let share = next.norm / search.met;
+                    damping = smaller(damping * number(0.1), share * share);
                     rest = next;
-                    values = SingularValues::new(&self.stiffness(&rest).rows);
+                    values = SingularValues::new(&rest.stiffness.rows);
                     break;
                 }
                 damping = larger(damping * number(8.0), number(1e-6));
@@ -119,7 +120,7 @@ where
     /// Judges where a search has ended.
     pub fn judged(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> Verdict<S::Scalar> {
         let number = S::Scalar::from_f64;
-        let values = SingularValues::new(&self.stiffness(rest).rows);
+        let values = SingularValues::new(&rest.stiffness.rows);
         let largest = values.largest_square();
         let (step, remainder) =
             (self.size(&self.displacement(rest, &values, number(0.0))), values.remainder(&rest.forces));
@@ -128,12 +129,15 @@ where
         let is_rounding = remainder <= epsilon * epsilon.sqrt() * largest * reach;
         // Forces that fade on the way to infinity are small there, too, but the way does not end.
         let ends = step <= number(1e-6) * reach;
-        let is_small = rest.square <= epsilon * search.met || step <= epsilon * reach;
+        let is_small = rest.norm <= epsilon.sqrt() * search.met || step <= epsilon * reach;
         // Where the stiffness vanishes, Newton's step does not.
-        let stiffest = larger(search.stiffest, largest);
+        let here = rest.unit * largest.sqrt();
+        let stiffest = larger(search.stiffest, here);
+        let stiffness = if stiffest > number(0.0) { here / stiffest } else { number(1.0) };
         let free = rest.motions.count.max(self.allowed(rest).count);
-        let is_isolated = values.rank(epsilon * stiffest) == free && step <= epsilon * reach;
-        let stiffness = if stiffest > number(0.0) { largest / stiffest } else { number(1.0) };
+        // In units of the place, what is no rounding of the stiffest.
+        let least = epsilon * (largest / (stiffness * stiffness));
+        let is_isolated = values.rank(least) == free && step <= epsilon * reach;
         Verdict { is_balanced: is_rounding && ends && is_small, ends, is_isolated, stiffness }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! What needs large tables on the stack for a moment is a function that is not inlined, so that only one of them is there at a time.
 
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 use super::EquilibriumError;
 use crate::constraints::{Extent, INNER};
@@ -41,14 +41,17 @@ pub(super) struct Rest<R, const N: usize, const C: usize> {
     pub motions: Directions<R, N>,
     /// Motions that the holonomic constraints allow, where that is not the same.
     places: Option<Directions<R, N>>,
-    /// ∂r/∂q at these multipliers.
-    by_q: Stored<[[R; N]; N]>,
     pub gradients: Stored<[[R; N]; C]>,
+    /// The unit of `forces` and `stiffness`: the largest of their entries, so that squares of them are numbers where forces fade, or
+    /// grow, by more than the exponents of the scalar.
+    pub unit: R,
     /// f + Aᵀλ along `motions`; zero from their number on.
     pub forces: [R; N],
-    /// |forces|².
-    pub square: R,
-    /// f + Aᵀλ.
+    /// The size of the forces.
+    pub norm: R,
+    /// The derivative of the forces along what the coordinates may do, with the sign changed.
+    pub stiffness: Stiffness<R, N>,
+    /// f + Aᵀλ, in its own units.
     pub left: [R; N],
 }
 
@@ -96,7 +99,8 @@ impl<R: Real, const N: usize> Directions<R, N> {
     }
 }
 
-/// Zᵀ X Z′ of −∂r/∂q, and the largest sum of magnitudes in it, which its roundings are relative to.
+/// A table, and the largest sum of magnitudes in it, which its roundings are relative to.
+#[derive(Clone)]
 pub(super) struct Stiffness<R, const N: usize> {
     pub rows: Stored<[[R; N]; N]>,
     pub size: R,
@@ -162,8 +166,13 @@ where
         self.system.variation_at(&self.constants, &self.place(q, &zeros, multipliers))
     }
 
+    /// The power of forces along a way.
+    pub fn power(&self, q: &[S::Scalar; N], multipliers: &[S::Scalar; C], way: &[S::Scalar; N]) -> S::Scalar {
+        dot(&self.imbalance(q, multipliers), way)
+    }
+
     /// f + Aᵀλ.
-    pub fn imbalance(&self, q: &[S::Scalar; N], multipliers: &[S::Scalar; C]) -> [S::Scalar; N] {
+    fn imbalance(&self, q: &[S::Scalar; N], multipliers: &[S::Scalar; C]) -> [S::Scalar; N] {
         let zeros = [S::Scalar::zero(); N];
         self.system.imbalance_at(&self.constants, &self.place(q, &zeros, multipliers)).forces
     }
@@ -242,8 +251,28 @@ where
         for (force, vector) in forces.iter_mut().zip(motions.vectors.iter()).take(motions.count) {
             *force = dot(vector, &left);
         }
-        let square = dot(&forces, &forces);
-        Rest { q, multipliers, rank, vanishing, motions, places, by_q, gradients, forces, square, left }
+        let mut stiffness = stiffness(&by_q, &motions, places.as_ref().unwrap_or(&motions));
+        let most = forces.iter().fold(stiffness.size, |most, x| larger(x.abs(), most));
+        let scale = most.recip();
+        let is_unit = scale.is_finite() && scale.is_positive();
+        let (unit, scale) = if is_unit { (most, scale) } else { (S::Scalar::one(), S::Scalar::one()) };
+        stiffness.size *= scale;
+        stiffness.rows.iter_mut().flatten().chain(&mut forces).for_each(|x| *x *= scale);
+        let norm = unit * dot(&forces, &forces).sqrt();
+        Rest {
+            q,
+            multipliers,
+            rank,
+            vanishing,
+            motions,
+            places,
+            gradients,
+            unit,
+            forces,
+            norm,
+            stiffness,
+            left,
+        }
     }
 
     /// The number of independent constraints, one without a gradient, and the multipliers that balance the forces as well as can
@@ -265,22 +294,6 @@ where
     /// The directions that the coordinates may take.
     pub fn allowed<'b>(&self, rest: &'b Rest<S::Scalar, N, C>) -> &'b Directions<S::Scalar, N> {
         rest.places.as_ref().unwrap_or(&rest.motions)
-    }
-
-    /// The derivative of the forces that are left along what the coordinates may do, with the sign changed.
-    pub fn stiffness(&self, rest: &Rest<S::Scalar, N, C>) -> Stiffness<S::Scalar, N> {
-        let mut rows = Stored::<[[S::Scalar; N]; N]>::zeros();
-        let allowed = self.allowed(rest);
-        let mut size = S::Scalar::zero();
-        for (l, direction) in allowed.vectors.iter().enumerate().take(allowed.count) {
-            let change = rest.by_q.each_ref().map(|slopes| -dot(slopes, direction));
-            let magnitudes = rest.by_q.each_ref().map(|slopes| size_of(slopes, direction));
-            for (k, z) in rest.motions.vectors.iter().enumerate().take(rest.motions.count) {
-                rows[k][l] = dot(z, &change);
-                size = larger(size_of(z, &magnitudes), size);
-            }
-        }
-        Stiffness { rows, size }
     }
 
     /// Refuses constraints that do not let the system rest.
@@ -312,4 +325,23 @@ pub(super) fn dot<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
 /// Σ |a b|.
 fn size_of<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
     a.iter().zip(b).fold(R::zero(), |sum, (&a, &b)| sum + (a * b).abs())
+}
+
+/// Zᵀ X Z′ of −∂r/∂q, with Z the motions and Z′ what the coordinates may do.
+fn stiffness<R: Ordered, const N: usize>(
+    by_q: &[[R; N]; N],
+    motions: &Directions<R, N>,
+    allowed: &Directions<R, N>,
+) -> Stiffness<R, N> {
+    let mut rows = Stored::<[[R; N]; N]>::zeros();
+    let mut size = R::zero();
+    for (l, direction) in allowed.vectors.iter().enumerate().take(allowed.count) {
+        let change = by_q.each_ref().map(|slopes| -dot(slopes, direction));
+        let magnitudes = by_q.each_ref().map(|slopes| size_of(slopes, direction));
+        for (k, z) in motions.vectors.iter().enumerate().take(motions.count) {
+            rows[k][l] = dot(z, &change);
+            size = larger(size_of(z, &magnitudes), size);
+        }
+    }
+    Stiffness { rows, size }
 }
