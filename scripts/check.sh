@@ -14,6 +14,7 @@ usage: scripts/check.sh NAME …
   lanes       several motions in the lanes of SIMD vectors
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
+  stack       analyses of 100 coordinates on the stack of a common thread
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
               names another part of scripts/firmware.sh
   all         everything above
@@ -41,14 +42,16 @@ long() { cargo test --release --test integration jets::long:: -- --ignored --noc
 
 drift() { cargo test --release --test integration jets::long_constrained:: -- --ignored --nocapture; }
 
+stack() { cargo test --release --test stack; }
+
 firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
-        fmt | clippy | docs | random | benchmarks | lanes | long | drift | firmware) "$name" ;;
-        all) fmt; clippy; docs; random; benchmarks; lanes; long; drift; firmware ;;
-        ci) fmt; clippy; docs; random; benchmarks; lanes; long; drift; FIRMWARE=ci firmware ;;
+        fmt | clippy | docs | random | benchmarks | lanes | long | drift | stack | firmware) "$name" ;;
+        all) fmt; clippy; docs; random; benchmarks; lanes; long; drift; stack; firmware ;;
+        ci) fmt; clippy; docs; random; benchmarks; lanes; long; drift; stack; FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
 done

@@ -740,10 +740,10 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 place.a,
                 place.u,
             );
-            matrices.mass = linearization.mass;
-            matrices.by_q = linearization.by_q;
-            matrices.by_v = linearization.by_v;
-            matrices.by_u = <Self as lagrange::Linearized<
+            *matrices.mass = linearization.mass;
+            *matrices.by_q = linearization.by_q;
+            *matrices.by_v = linearization.by_v;
+            *matrices.by_u = <Self as lagrange::Linearized<
                 2,
                 1,
             >>::by_inputs_at(self, constants, place.t, place.q, place.v, place.u);

@@ -71,7 +71,7 @@ const HALVINGS: usize = 40;
 /// rest, with corrections halved while they lead to larger residuals; one step where p is affine in v.
 ///
 /// # Errors
-/// [`Cause::SingularMassMatrix`], or [`Cause::NotConverged`] where no velocities are found.
+/// [`Cause::SingularMassMatrix`], or [`Cause::NoVelocities`] where no velocities are found.
 pub fn velocities<R: Real, const N: usize>(
     at: impl Fn(&[R; N]) -> ([[R; N]; N], [R; N]),
     t: R,
@@ -115,7 +115,7 @@ pub fn velocities<R: Real, const N: usize>(
             break;
         }
     }
-    Err(error(if v.iter().all(|v| v.is_finite()) { Cause::NotConverged } else { Cause::NotFinite }))
+    Err(error(if v.iter().all(|v| v.is_finite()) { Cause::NoVelocities } else { Cause::NotFinite }))
 }
 
 fn finite<R: Real, const N: usize>(values: [R; N]) -> Option<[R; N]> {

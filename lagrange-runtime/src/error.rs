@@ -8,7 +8,7 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
-    /// The mass matrix cannot be inverted: the coordinate with this index has no inertia of its own here.
+    /// The mass matrix is not positive: the coordinate with this index has no inertia of its own here, or a negative one.
     SingularMassMatrix {
         /// Index of the coordinate at which the factorisation stopped.
         pivot: usize,
@@ -46,9 +46,12 @@ pub enum Cause {
     },
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
-    /// An iteration ended before it found its result: the equations of an implicit step, which is too long for the motion, or
-    /// the eigenvalues of `modes`.
+    /// The equations of an implicit step were not solved: it is too long for the motion.
     NotConverged,
+    /// The eigenvalues of `modes` were not found, or are further apart than numbers reach.
+    NoEigenvalues,
+    /// No velocities with the given momenta were found.
+    NoVelocities,
     /// The tolerance asks for steps below the resolution of time.
     StepTooSmall,
     /// One call took more steps than its limit.
@@ -94,8 +97,8 @@ impl fmt::Display for Cause {
         match self {
             Self::SingularMassMatrix { pivot } => write!(
                 out,
-                "the mass matrix is singular at coordinate {pivot}: give that coordinate a mass or an inertia, \
-                 or keep away from configurations where it loses it"
+                "the mass matrix is singular or negative at coordinate {pivot}: give that coordinate a mass or an inertia above \
+                 zero, or keep away from configurations where it loses it"
             ),
             Self::PositionViolated { constraint, by } => write!(
                 out,
@@ -126,8 +129,15 @@ impl fmt::Display for Cause {
                  the motion reaches a singularity",
             ),
             Self::NotConverged => out.write_str(
-                "an iteration did not converge: if it was that of an implicit step, take shorter steps where the motion is \
-                 this fast; if it was that of eigenvalues, scale the parameters so that the matrices are of similar sizes",
+                "the equations of an implicit step did not converge: take shorter steps where the motion is this fast",
+            ),
+            Self::NoEigenvalues => out.write_str(
+                "no eigenvalues were found: bring the parameters to units in which masses and forces of all parts are of \
+                 similar sizes",
+            ),
+            Self::NoVelocities => out.write_str(
+                "no velocities with these momenta were found: start with momenta nearer to those of a state at rest, or check \
+                 that the Lagrangian lets momenta take these values",
             ),
             Self::StepTooSmall => out.write_str(
                 "the step fell below the resolution of time: the motion is singular here or too stiff, \

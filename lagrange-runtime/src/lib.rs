@@ -18,10 +18,11 @@
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
 //! | [`verify`] | the certificate of a model: identities at sampled states |
+//! | [`stored`] | large tables on the heap where there is one |
 //! | [`structure`] | operation counts and proven facts of a model |
 //! | [`error`] | why and when a motion stopped |
 //!
-//! Nothing allocates, nothing panics, and an error leaves the motion at its last good state.
+//! Nothing allocates but analyses with `std` ([`Stored`]), nothing panics, and an error leaves the motion at its last good state.
 //!
 //! | feature | math functions | use |
 //! | --- | --- | --- |
@@ -57,6 +58,7 @@ pub mod smooth;
 mod solve;
 pub mod state;
 pub mod stepper;
+pub mod stored;
 pub mod structure;
 pub mod system;
 mod tables;
@@ -82,11 +84,13 @@ pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use smooth::{Series, Smooth};
 pub use state::State;
 pub use stepper::Stepper;
+pub use stored::Stored;
 pub use structure::{Cost, Costs, Structure};
 pub use system::{Blur, System};
 pub use tangent::{
-    Basis, ByParameters, Equilibrium, EquilibriumError, Imbalance, InverseDynamics, LinearModel, Response,
-    Sensitive, Sensitivities, Tangent, Transition, Variation, Variational, VariationalMotion,
+    Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel,
+    Response, Sensitive, Sensitivities, Stability, Tangent, Transition, Variation, Variational,
+    VariationalMotion,
 };
 #[cfg(feature = "std")]
 pub use tangent::{Mode, Monodromy};

@@ -242,17 +242,27 @@ where
         Ok(self.state)
     }
 
-    /// Refuses a start that violates constraints, and takes the roundings from one that does not.
+    /// Refuses a start that is no state, masses that are not positive there, and a start that violates constraints, and takes the
+    /// roundings from one that does not.
     #[inline]
     fn begin(&mut self) -> Result<(), MotionError<S::Scalar>> {
-        if S::CONSTRAINED && self.steps().evaluations == 0 {
-            let failed = |cause| MotionError { cause, t: self.state.t };
-            self.system.check_start_at(&self.constants, &self.state).map_err(failed)?;
-            let mut start = self.state;
-            self.system.project_at(&self.constants, &mut start).map_err(failed)?;
-            self.state = start;
-            M::restart(&mut self.memory, start);
+        if self.steps().evaluations > 0 {
+            return Ok(());
         }
+        let State { t, q, v } = self.state;
+        let failed = |cause| MotionError { cause, t };
+        if !self.state.is_finite() {
+            return Err(failed(Cause::NotFinite));
+        }
+        if !S::CONSTRAINED {
+            // Accelerations of a negative mass are finite.
+            return self.system.check_at(&self.constants, t, &q, &v).map_err(failed);
+        }
+        self.system.check_start_at(&self.constants, &self.state).map_err(failed)?;
+        let mut start = self.state;
+        self.system.project_at(&self.constants, &mut start).map_err(failed)?;
+        self.state = start;
+        M::restart(&mut self.memory, start);
         Ok(())
     }
 

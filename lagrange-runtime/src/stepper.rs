@@ -32,8 +32,9 @@ where
     pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
         let constants = system.constants();
         // The start of a constrained motion is checked by the first step; there is no room to remember that in the
-        // stepper of a system without constraints.
-        let residue = S::Scalar::from_f64(if S::CONSTRAINED { f64::NAN } else { 0.0 });
+        // stepper of a system without constraints. Where masses are not positive no step has a time.
+        let is_good = || system.check_at(&constants, start.t, &start.q, &start.v).is_ok();
+        let residue = S::Scalar::from_f64(if S::CONSTRAINED || !is_good() { f64::NAN } else { 0.0 });
         Self { system, constants, memory: M::begin(system), state: start, residue }
     }
 

@@ -6,7 +6,8 @@
 //! | method | what it gives |
 //! | --- | --- |
 //! | [`Tangent::response`] | derivatives of accelerations and multipliers |
-//! | [`Tangent::equilibrium`] | where the system can rest |
+//! | [`Tangent::equilibrium`] | where the system comes to rest, and how stable that is |
+//! | [`Tangent::stationary_point`] | where it can rest, stable or not |
 //! | [`Tangent::linearize`] | M, C, G, K and ẋ = A x + B u about a state |
 //! | [`Tangent::modes`] | frequencies, damping ratios and shapes of small oscillations |
 //! | [`Tangent::inverse_dynamics`] | forces that a given motion needs |
@@ -31,7 +32,8 @@ use crate::error::MotionError;
 use crate::linearized::Linearized;
 use crate::real::{Ordered, Real};
 use crate::state::State;
-pub use equilibrium::{Equilibrium, EquilibriumError};
+use crate::stored::Stored;
+pub use equilibrium::{Equilibrium, EquilibriumError, FoundBy, Stability};
 pub use inverse_dynamics::InverseDynamics;
 pub use linear_model::{Basis, LinearModel};
 #[cfg(feature = "std")]
@@ -54,26 +56,26 @@ pub struct Imbalance<R, const N: usize, const C: usize> {
 
 /// M, A, and the derivatives of r = f + Aᵀλ − M a and of the constraints at given accelerations and multipliers; rows are
 /// equations.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Variation<R, const N: usize, const K: usize, const C: usize> {
     /// M = −∂r/∂a.
-    pub mass: [[R; N]; N],
+    pub mass: Stored<[[R; N]; N]>,
     /// ∂r/∂q.
-    pub by_q: [[R; N]; N],
+    pub by_q: Stored<[[R; N]; N]>,
     /// ∂r/∂v.
-    pub by_v: [[R; N]; N],
+    pub by_v: Stored<[[R; N]; N]>,
     /// ∂r/∂t.
     pub by_t: [R; N],
     /// ∂r/∂u.
-    pub by_u: [[R; K]; N],
+    pub by_u: Stored<[[R; K]; N]>,
     /// A, so that ∂r/∂λ = Aᵀ.
-    pub gradients: [[R; N]; C],
+    pub gradients: Stored<[[R; N]; C]>,
     /// ∂w/∂q, where w = df/dt of the holonomic constraints and g of the others; ∂w/∂v is A.
-    pub rates_by_q: [[R; N]; C],
+    pub rates_by_q: Stored<[[R; N]; C]>,
     /// ∂(A a − γ)/∂q.
-    pub conditions_by_q: [[R; N]; C],
+    pub conditions_by_q: Stored<[[R; N]; C]>,
     /// ∂(A a − γ)/∂v.
-    pub conditions_by_v: [[R; N]; C],
+    pub conditions_by_v: Stored<[[R; N]; C]>,
     /// ∂(A a − γ)/∂t.
     pub conditions_by_t: [R; C],
 }
@@ -84,15 +86,15 @@ impl<R: Real, const N: usize, const K: usize, const C: usize> Variation<R, N, K,
     #[must_use]
     pub fn zero() -> Self {
         Self {
-            mass: [[R::zero(); N]; N],
-            by_q: [[R::zero(); N]; N],
-            by_v: [[R::zero(); N]; N],
+            mass: Stored::zeros(),
+            by_q: Stored::zeros(),
+            by_v: Stored::zeros(),
             by_t: [R::zero(); N],
-            by_u: [[R::zero(); K]; N],
-            gradients: [[R::zero(); N]; C],
-            rates_by_q: [[R::zero(); N]; C],
-            conditions_by_q: [[R::zero(); N]; C],
-            conditions_by_v: [[R::zero(); N]; C],
+            by_u: Stored::zeros(),
+            gradients: Stored::zeros(),
+            rates_by_q: Stored::zeros(),
+            conditions_by_q: Stored::zeros(),
+            conditions_by_v: Stored::zeros(),
             conditions_by_t: [R::zero(); C],
         }
     }
@@ -173,19 +175,28 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         response::response(self, state, u)
     }
 
-    /// The equilibrium near a guess, under steady inputs: coordinates q with f(t, q, 0, u) + Aᵀλ = 0 on the constraints.
+    /// Where the system comes to rest from a guess, under steady inputs: coordinates q with f(t, q, 0, u) + Aᵀλ = 0 on the
+    /// constraints, at a minimum of the potential energy downhill of the guess.
     ///
     /// By the principle of virtual work, f(t, q, 0, u) · δq = 0 for all δq that the constraints allow (Lanczos, *The
-    /// Variational Principles of Mechanics*, chapter III). Nonholonomic constraints restrict δq by G δq = 0 but not
-    /// the positions: with them equilibria come in families, and the one found is near the guess. In rotating
-    /// coordinates f contains the gradient of T₀, so that relative equilibria (stationary points of V − T₀) come out.
+    /// Variational Principles of Mechanics*, chapter III); of the places where this holds a system with the least damping settles
+    /// at a minimum of its potential energy. In rotating coordinates f contains the gradient of T₀, and the minima are those
+    /// of V − T₀; forces of inputs count where they have a potential on the constraints, as forces of constant direction do.
     ///
-    /// The guess is a state, whose velocities do not count, or coordinates alone. It need not obey the constraints.
-    /// Levenberg–Marquardt steps in the null space of A with exact derivatives; singular stiffness (a family of
-    /// equilibria, a bifurcation) and redundant constraints do no harm.
+    /// * Steps of trust regions lead down along forces and along negative curvature, and cross no hill; the last digits are
+    ///   those of Newton's method (Nocedal and Wright, *Numerical Optimization*, 2nd ed., chapter 4).
+    /// * A guess that is an equilibrium up to roundings is the answer, whatever its stability: who writes π for the angle of a
+    ///   pendulum means the top. From 3.14 it falls. [`stationary_point`](Self::stationary_point) finds the top from there as well, and
+    ///   with it what only gyroscopic forces hold, like the triangular points of Lagrange.
+    /// * Where forces have no potential (followers, circulation), and under nonholonomic constraints, it is the same as
+    ///   [`stationary_point`](Self::stationary_point); [`Equilibrium::found_by`] tells.
+    ///
+    /// The guess is a state, whose velocities do not count, or coordinates alone. It need not obey the constraints. Singular
+    /// stiffness (a family of equilibria, a bifurcation) and redundant constraints do no harm.
     ///
     /// # Errors
-    /// [`EquilibriumError`]: constraints that cannot be met or that move, or no equilibrium in reach.
+    /// [`EquilibriumError`]: constraints that cannot be met or that move, energy that falls without end, or no equilibrium in
+    /// reach.
     #[inline]
     fn equilibrium(
         &self,
@@ -197,6 +208,28 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         Self::Scalar: Ordered,
     {
         equilibrium::equilibrium(self, guess.into(), u)
+    }
+
+    /// An equilibrium near a guess, under steady inputs, of any stability: a minimum of the potential energy, a saddle, or a
+    /// maximum. [`Equilibrium::stability`] tells which.
+    ///
+    /// Levenberg–Marquardt steps in the null space of A with exact derivatives. Nonholonomic constraints restrict δq by
+    /// G δq = 0 but not the positions: with them equilibria come in families, and the one found is near the guess. All else is
+    /// as for [`equilibrium`](Self::equilibrium).
+    ///
+    /// # Errors
+    /// [`EquilibriumError`]: constraints that cannot be met or that move, or no equilibrium in reach.
+    #[inline]
+    fn stationary_point(
+        &self,
+        guess: impl Into<State<Self::Scalar, N>>,
+        u: &[Self::Scalar; K],
+    ) -> Result<Equilibrium<Self::Scalar, N, C>, EquilibriumError>
+    where
+        Self: Sized,
+        Self::Scalar: Ordered,
+    {
+        equilibrium::stationary_point(self, guess.into(), u)
     }
 
     /// The linear equations of small deviations from a state, or from the motion through it: mass, damping, gyroscopic
@@ -239,8 +272,8 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// Golub and Van Loan, *Matrix Computations*, 4th ed., chapters 7 and 8.
     ///
     /// # Errors
-    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite; eigenvalues
-    /// that the iteration does not find.
+    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite;
+    /// [`Cause::NoEigenvalues`](crate::Cause::NoEigenvalues).
     #[cfg(feature = "std")]
     #[inline]
     fn modes(

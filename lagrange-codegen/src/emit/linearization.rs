@@ -97,9 +97,9 @@ fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String)
         let mut text = format!(
             "let mut matrices = lagrange::Variation::zero();\n\
              let linearization = {itself}::linearization_at(self, constants, {from_place}, place.a, place.u);\n\
-             matrices.mass = linearization.mass;\nmatrices.by_q = linearization.by_q;\n\
-             matrices.by_v = linearization.by_v;\n\
-             matrices.by_u = {itself}::by_inputs_at(self, constants, {from_place}, place.u);\n"
+             *matrices.mass = linearization.mass;\n*matrices.by_q = linearization.by_q;\n\
+             *matrices.by_v = linearization.by_v;\n\
+             *matrices.by_u = {itself}::by_inputs_at(self, constants, {from_place}, place.u);\n"
         );
         text.push_str(&column("by_t", &zero, values));
         text + "matrices"

@@ -48,7 +48,10 @@ impl<R: Ordered> Limits<R> {
     pub(crate) fn scale(&self) -> Scale<R> {
         let ulp = R::epsilon();
         let absolute = self.absolute.unwrap_or(self.relative);
-        Scale { relative: larger(self.relative, ulp), absolute: larger(absolute, smallest::<R>()) }
+        // The norm squares its inverse, which in single precision is no number.
+        let tiny = smallest::<R>();
+        let least = if (tiny * tiny).recip().is_finite() { tiny } else { ulp * ulp };
+        Scale { relative: larger(self.relative, ulp), absolute: larger(absolute, least) }
     }
 
     /// `h` \[s] within the limit.

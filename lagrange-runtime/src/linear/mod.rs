@@ -11,6 +11,7 @@ mod lu;
 mod saddle;
 mod schur;
 mod singular_values;
+mod symmetric;
 
 pub use ldlt::Ldlt;
 pub use lu::Lu;
@@ -18,6 +19,7 @@ pub(crate) use saddle::TangentSpace;
 pub use saddle::{Defect, Diagonal, Saddle, SaddlePoint};
 pub use schur::Schur;
 pub(crate) use singular_values::SingularValues;
+pub(crate) use symmetric::diagonalise;
 
 #[cfg(test)]
 pub(crate) mod samples;

@@ -5,17 +5,18 @@
 //! K. Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204).
 
 use crate::real::{Ordered, Real, larger};
+use crate::stored::Stored;
 
 /// Sweeps over all pairs; quadratic convergence needs some six to ten.
 const SWEEPS: usize = 40;
 
 /// B = U Σ Vᵀ of a square matrix; rectangular ones are filled up with zeros.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SingularValues<R, const N: usize> {
     /// Columns of U Σ, one a row.
-    left: [[R; N]; N],
+    left: Stored<[[R; N]; N]>,
     /// Columns of V, one a row.
-    right: [[R; N]; N],
+    right: Stored<[[R; N]; N]>,
     /// Squares of the singular values.
     squares: [R; N],
 }
@@ -23,8 +24,10 @@ pub(crate) struct SingularValues<R, const N: usize> {
 impl<R: Ordered, const N: usize> SingularValues<R, N> {
     /// Decomposes a matrix given by its rows.
     pub fn new(rows: &[[R; N]; N]) -> Self {
-        let mut left: [[R; N]; N] = core::array::from_fn(|j| core::array::from_fn(|i| rows[i][j]));
-        let mut right = [[R::zero(); N]; N];
+        let (mut left, mut right) = (Stored::<[[R; N]; N]>::zeros(), Stored::<[[R; N]; N]>::zeros());
+        for (j, column) in left.iter_mut().enumerate() {
+            *column = core::array::from_fn(|i| rows[i][j]);
+        }
         for (i, row) in right.iter_mut().enumerate() {
             row[i] = R::one();
         }
@@ -77,7 +80,7 @@ impl<R: Ordered, const N: usize> SingularValues<R, N> {
     pub fn solve(&self, b: &[R; N], damping: R) -> [R; N] {
         let least = self.least();
         let mut x = [R::zero(); N];
-        for ((left, right), &square) in self.left.iter().zip(&self.right).zip(&self.squares) {
+        for ((left, right), &square) in self.left.iter().zip(self.right.iter()).zip(&self.squares) {
             if square > least {
                 let along = dot(left, b) / (square + damping);
                 for (x, &right) in x.iter_mut().zip(right) {

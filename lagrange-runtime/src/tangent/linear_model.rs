@@ -8,46 +8,47 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::Tangent;
-use super::response::{Factored, columns, factored};
+use super::response::{Factored, factored};
+use super::{Tangent, Variation};
 use crate::error::MotionError;
-use crate::linear::{Ldlt, TangentSpace};
+use crate::linear::{Ldlt, Saddle, SaddlePoint, TangentSpace};
 use crate::real::{Ordered, Real};
 use crate::state::State;
+use crate::stored::Stored;
 
 /// Small deviations from a state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LinearModel<R, const N: usize, const K: usize> {
     /// M.
-    pub mass: SMatrix<R, N, N>,
+    pub mass: Stored<SMatrix<R, N, N>>,
     /// C, symmetric: dissipation.
-    pub damping: SMatrix<R, N, N>,
+    pub damping: Stored<SMatrix<R, N, N>>,
     /// G, skew: forces without power.
-    pub gyroscopic: SMatrix<R, N, N>,
+    pub gyroscopic: Stored<SMatrix<R, N, N>>,
     /// K, with circulatory forces as its skew part.
-    pub stiffness: SMatrix<R, N, N>,
+    pub stiffness: Stored<SMatrix<R, N, N>>,
     /// ∂f/∂u.
-    pub by_inputs: SMatrix<R, N, K>,
+    pub by_inputs: Stored<SMatrix<R, N, K>>,
     /// The changes of coordinates that the holonomic constraints allow.
     pub displacements: Basis<R, N>,
     /// The changes of velocities that all constraints allow.
     pub velocities: Basis<R, N>,
     /// ∂ξ̇/∂ξ, ∂ξ̇/∂η, ∂η̇/∂ξ, ∂η̇/∂η: the leading rows and columns count.
-    blocks: [[SMatrix<R, N, N>; 2]; 2],
+    blocks: [[Stored<SMatrix<R, N, N>>; 2]; 2],
     /// ∂η̇/∂u.
-    input: SMatrix<R, N, K>,
+    input: Stored<SMatrix<R, N, K>>,
     /// ξ̇ and η̇ at the state itself.
     drift: [SVector<R, N>; 2],
 }
 
 /// Vectors that span a space of motions: of unit kinetic energy ½ zᵀ M z = ½ and orthogonal in M where M is positive on that
 /// space; without constraints the coordinates themselves.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Basis<R, const N: usize> {
-    vectors: SMatrix<R, N, N>,
+    vectors: Stored<SMatrix<R, N, N>>,
     count: usize,
     /// What gives the components of a vector: rows.
-    dual: SMatrix<R, N, N>,
+    dual: Stored<SMatrix<R, N, N>>,
 }
 
 impl<R: Real, const N: usize> Basis<R, N> {
@@ -82,51 +83,102 @@ impl<R: Real, const N: usize> Basis<R, N> {
     #[inline]
     #[must_use]
     pub fn components(&self, vector: &SVector<R, N>) -> SVector<R, N> {
-        self.dual * vector
+        *self.dual * vector
     }
 
     /// The coordinates themselves.
     fn identity() -> Self {
-        let vectors = SMatrix::from_fn(|i, j| if i == j { R::one() } else { R::zero() });
-        Self { vectors, count: N, dual: vectors }
+        let vectors: Stored<SMatrix<R, N, N>> = filled(|i, j| if i == j { R::one() } else { R::zero() });
+        Self { dual: vectors.clone(), vectors, count: N }
     }
 
     /// Of a null space: orthonormal in `mass` where that is possible, else in its diagonal.
-    fn new(space: &TangentSpace<R, N>, mass: &SMatrix<R, N, N>) -> Self {
-        let TangentSpace { vectors: rows, count, metric } = *space;
-        let vectors: SMatrix<R, N, N> =
-            SMatrix::from_fn(|i, k| if k < count { rows[k][i] } else { R::zero() });
-        let inertia = vectors.transpose() * mass * vectors;
-        // Beyond the basis the matrix is completed by ones.
-        let completed = |k: usize, l: usize| {
-            if k == l && k >= count { R::one() } else { inertia[(k, l)] }
-        };
-        let lower: [[R; N]; N] = core::array::from_fn(|k| core::array::from_fn(|l| completed(k, l)));
-        if Ldlt::factor(lower).is_err() {
-            let weights = SVector::from(metric);
-            let dual = SMatrix::from_fn(|k, i| vectors[(i, k)] * weights[i]);
-            return Self { vectors, count, dual };
+    #[inline(never)]
+    fn new<const C: usize>(mass: &[[R; N]; N], gradients: &[[R; N]; C]) -> Self {
+        let space = Stored::new(TangentSpace::new(mass, gradients));
+        let count = space.count;
+        if !is_positive(mass, &space) {
+            let dual = filled(|k, i| space.vectors[k][i] * space.metric[i]);
+            return Self { vectors: filled(|i, k| space.vectors[k][i]), count, dual };
         }
-        let mut columns: [SVector<R, N>; N] = core::array::from_fn(|k| vectors.column(k).into_owned());
+        let mut rows = Stored::new(space.vectors);
         for k in 0..count {
             // Twice is enough, as in the Gram–Schmidt of the multipliers.
             for _ in 0..2 {
-                let mut vector = columns[k];
-                for before in columns.iter().take(k) {
-                    vector -= before * product(&vector, mass, before);
+                let (done, rest) = rows.split_at_mut(k);
+                let Some(vector) = rest.first_mut() else { continue };
+                for before in done.iter() {
+                    let along = product(vector, mass, before);
+                    for (x, &y) in vector.iter_mut().zip(before) {
+                        *x -= along * y;
+                    }
                 }
-                columns[k] = vector * product(&vector, mass, &vector).sqrt().recip();
+                let size = product(vector, mass, vector).sqrt().recip();
+                vector.iter_mut().for_each(|x| *x *= size);
             }
         }
-        let vectors = SMatrix::from_fn(|i, k| columns[k][i]);
-        Self { vectors, count, dual: vectors.transpose() * mass }
+        let dual = filled(|k, j| dot(&rows[k], &core::array::from_fn(|i| mass[i][j])));
+        Self { vectors: filled(|i, k| rows[k][i]), count, dual }
     }
 }
 
+/// Whether a mass matrix is positive on a space.
+#[inline(never)]
+fn is_positive<R: Real, const N: usize>(mass: &[[R; N]; N], space: &TangentSpace<R, N>) -> bool {
+    // Beyond the basis the matrix is completed by ones.
+    let mut lower = Stored::<[[R; N]; N]>::zeros();
+    for (l, y) in space.vectors.iter().enumerate() {
+        let image = mass.each_ref().map(|row| dot(row, y));
+        for (k, z) in space.vectors.iter().enumerate() {
+            lower[k][l] = dot(z, &image);
+        }
+        if l >= space.count {
+            lower[l][l] = R::one();
+        }
+    }
+    Ldlt::factor(*lower).is_ok()
+}
+
+/// A matrix of these entries.
+#[inline(never)]
+fn filled<R: Real, const A: usize, const B: usize>(
+    entry: impl Fn(usize, usize) -> R,
+) -> Stored<SMatrix<R, A, B>> {
+    Stored::new(SMatrix::from_fn(entry))
+}
+
+/// X Y, and nothing of it on the stack.
+fn times<R: Real, const N: usize, const D: usize>(
+    x: &SMatrix<R, N, N>,
+    y: &SMatrix<R, N, D>,
+) -> Stored<SMatrix<R, N, D>> {
+    filled(|i, j| (0..N).fold(R::zero(), |sum, k| sum + x[(i, k)] * y[(k, j)]))
+}
+
+/// The derivatives of accelerations by some variables, given by the columns of ∂r/∂x and ∂(A a − γ)/∂x.
+fn columns<R: Real, const N: usize, const C: usize, const D: usize>(
+    saddle: &Saddle<R, N, C>,
+    forces: impl Fn(usize, usize) -> R,
+    conditions: impl Fn(usize, usize) -> R,
+) -> Stored<SMatrix<R, N, D>> {
+    let mut rows = filled(|_, _| R::zero());
+    for j in 0..D {
+        let force = core::array::from_fn(|i| forces(i, j));
+        let (column, _) = saddle.solve(&force, &core::array::from_fn(|c| -conditions(c, j)));
+        for (i, x) in column.into_iter().enumerate() {
+            rows[(i, j)] = x;
+        }
+    }
+    rows
+}
+
+fn dot<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
+    a.iter().zip(b).fold(R::zero(), |sum, (&a, &b)| sum + a * b)
+}
+
 /// xᵀ M y.
-fn product<R: Real, const N: usize>(x: &SVector<R, N>, mass: &SMatrix<R, N, N>, y: &SVector<R, N>) -> R {
-    let image = mass * y;
-    x.iter().zip(&image).fold(R::zero(), |sum, (&a, &b)| sum + a * b)
+fn product<R: Real, const N: usize>(x: &[R; N], mass: &[[R; N]; N], y: &[R; N]) -> R {
+    x.iter().zip(mass).fold(R::zero(), |sum, (&x, row)| sum + x * dot(row, y))
 }
 
 impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
@@ -175,7 +227,32 @@ impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
     /// M, C, G or K on the velocities that the constraints allow: Zᵀ X Z, of which the leading rows and columns count.
     #[must_use]
     pub fn on_tangent_space(&self, matrix: &SMatrix<R, N, N>) -> SMatrix<R, N, N> {
-        self.velocities.vectors.transpose() * matrix * self.displacements.vectors
+        self.velocities.vectors.transpose() * matrix * *self.displacements.vectors
+    }
+
+    /// The same with other numbers.
+    #[cfg(feature = "std")]
+    pub(super) fn map<T: Real>(&self, number: impl Fn(R) -> T + Copy) -> LinearModel<T, N, K> {
+        let basis = |basis: &Basis<R, N>| Basis {
+            vectors: filled(|i, k| number(basis.vectors[(i, k)])),
+            count: basis.count,
+            dual: filled(|k, i| number(basis.dual[(k, i)])),
+        };
+        LinearModel {
+            mass: filled(|i, j| number(self.mass[(i, j)])),
+            damping: filled(|i, j| number(self.damping[(i, j)])),
+            gyroscopic: filled(|i, j| number(self.gyroscopic[(i, j)])),
+            stiffness: filled(|i, j| number(self.stiffness[(i, j)])),
+            by_inputs: filled(|i, j| number(self.by_inputs[(i, j)])),
+            displacements: basis(&self.displacements),
+            velocities: basis(&self.velocities),
+            blocks: self
+                .blocks
+                .each_ref()
+                .map(|row| row.each_ref().map(|block| filled(|i, j| number(block[(i, j)])))),
+            input: filled(|i, j| number(self.input[(i, j)])),
+            drift: self.drift.map(|part| part.map(number)),
+        }
     }
 
     /// The part of x that a component belongs to, and its place there.
@@ -196,44 +273,43 @@ where
 {
     let constants = system.constants();
     let Factored { balance, variation, saddle } = factored(system, &constants, state, u)?;
-    let matrix = |rows: &[[S::Scalar; N]; N]| SMatrix::<S::Scalar, N, N>::from_fn(|i, j| rows[i][j]);
     let half = S::Scalar::from_f64(0.5);
-    let (mass, by_v) = (matrix(&variation.mass), matrix(&variation.by_v));
     let zero = S::Scalar::from_f64(0.0);
-    let (a_by_q, _) = columns(&saddle, &variation.by_q, &variation.conditions_by_q);
-    let (a_by_v, _) = columns(&saddle, &variation.by_v, &variation.conditions_by_v);
-    let (a_by_u, _) = columns(&saddle, &variation.by_u, &[[zero; K]; C]);
+    let Variation { mass, by_q, by_v, by_u, gradients, rates_by_q, conditions_by_q, conditions_by_v, .. } =
+        variation;
+    let a_by_q = columns(&saddle, |i, j| by_q[i][j], |c, j| conditions_by_q[c][j]);
+    let a_by_v = columns(&saddle, |i, j| by_v[i][j], |c, j| conditions_by_v[c][j]);
+    let a_by_u: Stored<SMatrix<S::Scalar, N, K>> = columns(&saddle, |i, j| by_u[i][j], |_, _| zero);
     // The change of velocity that a change of place needs.
-    let (entrained, _) = columns(&saddle, &[[zero; N]; N], &variation.rates_by_q);
+    let entrained = columns(&saddle, |_, _| zero, |c, j| rates_by_q[c][j]);
 
     let (displacements, velocities) = if C == 0 {
         (Basis::identity(), Basis::identity())
     } else {
-        let mut holonomic = variation.gradients;
+        let mut holonomic = gradients.clone();
         for (row, is_holonomic) in holonomic.iter_mut().zip(S::HOLONOMIC) {
             if !is_holonomic {
                 *row = [zero; N];
             }
         }
-        (
-            Basis::new(&TangentSpace::new(&variation.mass, &holonomic), &mass),
-            Basis::new(&TangentSpace::new(&variation.mass, &variation.gradients), &mass),
-        )
+        (Basis::new(&mass, &holonomic), Basis::new(&mass, &gradients))
     };
     let (z, y) = (&displacements.vectors, &velocities.vectors);
-    let carried = entrained * z;
+    let carried = times(&entrained, z);
+    let (by_place, by_carried) = (times(&a_by_q, z), times(&a_by_v, &carried));
+    let both = filled(|i, j| by_place[(i, j)] + by_carried[(i, j)]);
     let blocks = [
-        [displacements.dual * carried, displacements.dual * y],
-        [velocities.dual * (a_by_q * z + a_by_v * carried), velocities.dual * (a_by_v * y)],
+        [times(&displacements.dual, &carried), times(&displacements.dual, y)],
+        [times(&velocities.dual, &both), times(&velocities.dual, &times(&a_by_v, y))],
     ];
     Ok(LinearModel {
-        mass,
-        damping: SMatrix::from_fn(|i, j| -half * (by_v[(i, j)] + by_v[(j, i)])),
-        gyroscopic: SMatrix::from_fn(|i, j| -half * (by_v[(i, j)] - by_v[(j, i)])),
-        stiffness: matrix(&variation.by_q).map(|x| -x),
-        by_inputs: SMatrix::from_fn(|i, j| variation.by_u[i][j]),
+        damping: filled(|i, j| -half * (by_v[i][j] + by_v[j][i])),
+        gyroscopic: filled(|i, j| -half * (by_v[i][j] - by_v[j][i])),
+        stiffness: filled(|i, j| -by_q[i][j]),
+        by_inputs: filled(|i, j| by_u[i][j]),
+        mass: filled(|i, j| mass[i][j]),
         blocks,
-        input: velocities.dual * a_by_u,
+        input: times(&velocities.dual, &a_by_u),
         drift: [
             displacements.components(&state.velocities()),
             velocities.components(&balance.accelerations.into()),

@@ -4,23 +4,28 @@
 //! inertia, K̃ = L⁻¹ K L⁻ᵀ with M = L Lᵀ, and is a symmetric eigenproblem (Golub and Van Loan, *Matrix Computations*, 4th
 //! ed., § 8.7). Otherwise the eigenvalues are those of the balanced state matrix, and inverse iteration gives the shapes.
 
+mod balance;
 mod qr;
 mod spectrum;
 mod vectors;
 
 use std::vec::Vec;
 
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Cholesky, Complex, DMatrix, DVector, SMatrix, SVector, SymmetricEigen};
 
 use super::{Basis, LinearModel};
 use crate::error::Cause;
 use crate::real::{Ordered, Real};
-use spectrum::{Eigenvalue, parts};
+use balance::{balance, moderated};
+use spectrum::{Eigenvalue, eigenvalues, parts};
 use vectors::{eigenvector, null_vectors};
 
 /// Iterations for each eigenvalue of a symmetric matrix before the search is given up.
 const ITERATIONS: usize = 100;
+
+/// The least scale of an eigenvalue beside entries of size one: its pivots are roundings of it, and their squares must be
+/// numbers.
+const SOFTEST: f64 = 1e-120;
 
 const ZERO: Complex<f64> = Complex::new(0.0, 0.0);
 
@@ -60,12 +65,24 @@ where
     R: Ordered + Into<f64>,
 {
     let (mass, unit) = (doubled(&model.mass), R::epsilon().into());
+    let order = model.order();
+    let matrix = DMatrix::from_fn(order, order, |i, j| model.entry(i, j).into());
+    let second_order = [&model.mass, &model.damping, &model.gyroscopic, &model.stiffness];
+    if !(second_order.into_iter().all(|of| of.iter().all(|x| x.is_finite()))
+        && matrix.iter().all(|x| x.is_finite()))
+    {
+        return Err(Cause::NotFinite);
+    }
     let equations = SecondOrder::new(model, &mass);
     let is_reversible = equations.as_ref().is_some_and(|equations| equations.is_reversible(unit));
     let mut modes = match equations.and_then(|equations| equations.modes(&mass, unit)) {
         Some(modes) => modes,
-        None => general(model, &mass, unit, is_reversible).ok_or(Cause::NotConverged)?,
+        None => general(model, matrix, &mass, unit, is_reversible).ok_or(Cause::NoEigenvalues)?,
     };
+    let is_number = |x: &Complex<f64>| x.re.is_finite() && x.im.is_finite();
+    if !modes.iter().all(|mode| is_number(&mode.eigenvalue) && mode.shape.iter().all(is_number)) {
+        return Err(Cause::NotFinite);
+    }
     modes.sort_by(|a, b| {
         let (a, b) = ((a.frequency(), a.eigenvalue.re), (b.frequency(), b.eigenvalue.re));
         a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
@@ -74,15 +91,66 @@ where
 }
 
 /// All eigenvalues of a matrix whose entries have a relative error of `unit`; `None` where the iteration fails.
-pub(super) fn eigenvalues(matrix: &DMatrix<f64>, unit: f64) -> Option<Vec<Complex<f64>>> {
-    let found = spectrum::eigenvalues(matrix, unit, false)?;
+pub(super) fn values(matrix: &DMatrix<f64>, unit: f64) -> Option<Vec<Complex<f64>>> {
+    let found = eigenvalues(matrix, unit, false)?;
     Some(found.into_iter().map(|found| found.value).collect())
 }
 
-fn doubled<R: Real + Into<f64>, const A: usize, const B: usize>(
-    matrix: &SMatrix<R, A, B>,
-) -> SMatrix<f64, A, B> {
-    matrix.map(Into::into)
+/// How many eigenvalues grow, and how many neither grow nor decay.
+pub(super) struct Growth {
+    pub growing: usize,
+    pub still: usize,
+}
+
+/// Counts eigenvalues by the signs of their real parts; `None` where the iteration fails. The numbers err by `unit`.
+pub(super) fn growth<const N: usize, const K: usize>(
+    model: &LinearModel<f64, N, K>,
+    unit: f64,
+) -> Option<Growth> {
+    let equations = SecondOrder::new(model, &doubled(&model.mass));
+    let is_reversible = equations.is_some_and(|equations| equations.is_reversible(unit));
+    let order = model.order();
+    let found = eigenvalues(&DMatrix::from_fn(order, order, |i, j| model.entry(i, j)), unit, is_reversible)?;
+    let share = rounding(order, unit);
+    let count = |is: fn(f64, f64) -> bool| {
+        found.iter().filter(|found| is(found.value.re, share * found.scale)).count()
+    };
+    Some(Growth { growing: count(|re, error| re > error), still: count(|re, error| re.abs() <= error) })
+}
+
+/// A number as a double, by its binary digits, since a scalar of the user's own has no conversion.
+pub(super) fn double<R: Ordered>(value: R) -> f64 {
+    let (mut rest, mut power) = (value.abs(), 1.0_f64);
+    if !rest.is_finite() || rest == R::zero() {
+        return if rest == R::zero() { 0.0 } else { f64::NAN };
+    }
+    // To between one and two.
+    for shift in (0..10).rev().map(|k| 2.0_f64.powi(1 << k)) {
+        let (factor, inverse) = (R::from_f64(shift), R::from_f64(shift.recip()));
+        if rest >= factor {
+            (rest, power) = (rest * inverse, power * shift);
+        } else if rest < inverse {
+            (rest, power) = (rest * factor, power / shift);
+        }
+    }
+    if rest < R::one() {
+        (rest, power) = (rest + rest, 0.5 * power);
+    }
+    let (mut sum, mut digit) = (0.0, 1.0_f64);
+    for _ in 0..f64::MANTISSA_DIGITS {
+        let place = R::from_f64(digit);
+        if rest >= place {
+            rest -= place;
+            sum += digit;
+        }
+        digit *= 0.5;
+    }
+    let size = sum * power;
+    if value < R::zero() { -size } else { size }
+}
+
+fn doubled<R: Real + Into<f64>, const N: usize>(matrix: &SMatrix<R, N, N>) -> DMatrix<f64> {
+    DMatrix::from_fn(N, N, |i, j| matrix[(i, j)].into())
 }
 
 /// The vectors of a basis as columns.
@@ -107,7 +175,7 @@ struct SecondOrder<const N: usize> {
 
 impl<const N: usize> SecondOrder<N> {
     /// `None` if velocities are not the rates of as many displacements, or have no positive inertia.
-    fn new<R, const K: usize>(model: &LinearModel<R, N, K>, mass: &SMatrix<f64, N, N>) -> Option<Self>
+    fn new<R, const K: usize>(model: &LinearModel<R, N, K>, mass: &DMatrix<f64>) -> Option<Self>
     where
         R: Ordered + Into<f64>,
     {
@@ -140,7 +208,7 @@ impl<const N: usize> SecondOrder<N> {
     }
 
     /// The modes where there is nothing but inertia and a potential; `None` for other systems.
-    fn modes(&self, mass: &SMatrix<f64, N, N>, unit: f64) -> Option<Vec<Mode<N>>> {
+    fn modes(&self, mass: &DMatrix<f64>, unit: f64) -> Option<Vec<Mode<N>>> {
         let pattern = self.stiffness.abs() + self.damping.abs() + self.gyroscopic.abs();
         let mut modes = Vec::new();
         for members in parts(&(&pattern + pattern.transpose())) {
@@ -173,24 +241,28 @@ impl<const N: usize> SecondOrder<N> {
 /// The modes of the state matrix; `None` where the iteration fails.
 fn general<R, const N: usize, const K: usize>(
     model: &LinearModel<R, N, K>,
-    mass: &SMatrix<f64, N, N>,
+    matrix: DMatrix<f64>,
+    mass: &DMatrix<f64>,
     unit: f64,
     is_reversible: bool,
 ) -> Option<Vec<Mode<N>>>
 where
     R: Ordered + Into<f64>,
 {
-    let order = model.order();
-    let matrix = DMatrix::from_fn(order, order, |i, j| model.entry(i, j).into());
-    let mut balanced = matrix.clone();
-    let scales = balance_parlett_reinsch(&mut balanced);
-    let found = spectrum::eigenvalues(&matrix, unit, is_reversible)?;
+    let found = eigenvalues(&matrix, unit, is_reversible)?;
+    let mut balanced = matrix;
+    let scales = balance(&mut balanced);
+    let size = moderated(&mut balanced);
+    // Beside parts that are so much stiffer, the vectors of a soft one have no digits.
+    if size != 1.0 && found.iter().any(|found| found.scale > 0.0 && found.scale / size < SOFTEST) {
+        return None;
+    }
     let (zeros, others): (Vec<_>, Vec<_>) =
         found.into_iter().filter(|found| found.value.im >= 0.0).partition(|found| found.value == ZERO);
     let mut vectors: Vec<_> =
         null_vectors(&balanced, unit, zeros.len()).into_iter().map(|vector| (ZERO, vector)).collect();
-    for (k, Eigenvalue { value, scale }) in others.into_iter().enumerate() {
-        vectors.push((value, eigenvector(&balanced, value, scale, k)?));
+    for (k, Eigenvalue { value, scale, members }) in others.into_iter().enumerate() {
+        vectors.push((value, eigenvector(&balanced, value / size, scale / size, (&members, k))?));
     }
     let basis = columns(&model.displacements);
     let mode = |(value, vector): (Complex<f64>, DVector<Complex<f64>>)| {
@@ -206,10 +278,11 @@ where
 fn mode<const N: usize>(
     eigenvalue: Complex<f64>,
     shape: &DVector<Complex<f64>>,
-    mass: &SMatrix<f64, N, N>,
+    mass: &DMatrix<f64>,
 ) -> Mode<N> {
+    let [re, im] = [shape.map(|x| x.re), shape.map(|x| x.im)];
+    let modal = re.dot(&(mass * &re)) + im.dot(&(mass * &im));
     let shape = SVector::<Complex<f64>, N>::from_fn(|i, _| shape[i]);
-    let modal = shape.dotc(&(mass.map(|x| Complex::new(x, 0.0)) * shape)).re;
     let size = |x: &Complex<f64>| x.re.hypot(x.im);
     let leading = shape.iter().fold(ZERO, |most, x| {
         // Of components of equal size the first leads, whatever their roundings.

@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use nalgebra::{ColPivQR, Complex, DMatrix};
 
-use super::modes::eigenvalues;
+use super::modes::values;
 use super::{Sensitive, Transition, Variational, VariationalMotion};
 use crate::error::{Cause, MotionError};
 use crate::real::{Ordered, Real};
@@ -56,7 +56,7 @@ where
     /// another motion's matrix mean little.
     ///
     /// # Errors
-    /// Why and when the motion or a derivative cannot go on; [`Cause::NotConverged`] for eigenvalues that the iteration does not
+    /// Why and when the motion or a derivative cannot go on; [`Cause::NoEigenvalues`] for eigenvalues that the iteration does not
     /// find.
     pub fn monodromy(
         mut self,
@@ -64,7 +64,7 @@ where
     ) -> Result<Monodromy<S::Scalar, N, P>, MotionError<S::Scalar>> {
         let start = self.transition();
         let transition = self.advance_to(start.state.t + period)?;
-        let failed = MotionError { cause: Cause::NotConverged, t: transition.state.t };
+        let failed = MotionError { cause: Cause::NoEigenvalues, t: transition.state.t };
         let multipliers = multipliers(&start, &transition, C > 0).ok_or(failed)?;
         Ok(Monodromy { transition, multipliers })
     }
@@ -92,7 +92,7 @@ where
     if scale == 0.0 {
         return Some(std::vec![Complex::new(0.0, 0.0); matrix.nrows()]);
     }
-    let found = eigenvalues(&(matrix / scale), R::epsilon().into())?;
+    let found = values(&(matrix / scale), R::epsilon().into())?;
     let mut found: Vec<_> = found.into_iter().map(|value| value * scale).collect();
     let size = |x: &Complex<f64>| x.re.hypot(x.im);
     found.sort_by(|a, b| size(b).total_cmp(&size(a)).then(b.im.total_cmp(&a.im)));

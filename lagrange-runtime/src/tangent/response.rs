@@ -11,6 +11,7 @@ use crate::integrator::diagnose;
 use crate::linear::{Saddle, SaddlePoint};
 use crate::real::Real;
 use crate::state::State;
+use crate::stored::Stored;
 
 /// Derivatives of accelerations a and multipliers λ; rows are accelerations or multipliers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,10 +38,11 @@ pub struct Response<R, const N: usize, const K: usize, const C: usize> {
 pub(super) struct Factored<R, const N: usize, const K: usize, const C: usize> {
     pub balance: Balance<R, N, C>,
     pub variation: Variation<R, N, K, C>,
-    pub saddle: Saddle<R, N, C>,
+    pub saddle: Stored<Saddle<R, N, C>>,
 }
 
-/// Evaluates and factors at a state.
+/// Evaluates and factors at a state. Not inlined, so that what a factorisation needs on the stack is free again afterwards.
+#[inline(never)]
 pub(super) fn factored<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     constants: &S::Constants,
@@ -58,8 +60,8 @@ where
     }
     let place = Place { t: *t, q, v, a: &balance.accelerations, multipliers: &balance.multipliers, u };
     let variation = system.variation_at(constants, &place);
-    let saddle = Saddle::factor_indefinite(&variation.mass, &variation.gradients);
-    if is_singular(&saddle) {
+    let saddle = Stored::new(Saddle::factor_indefinite(&variation.mass, &variation.gradients));
+    if is_singular(&*saddle) {
         return Err(failed());
     }
     Ok(Factored { balance, variation, saddle })

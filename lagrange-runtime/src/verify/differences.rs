@@ -15,15 +15,19 @@ const BEYOND: f64 = 1e3;
 /// where consecutive ones agree, and the search ends where they disagree again: further away a function may be flat.
 pub fn derivative<R: Real>(f: impl Fn(R) -> R, scale: R) -> (R, R) {
     let number = R::from_f64;
-    let rounding = f(R::zero()).abs() * R::epsilon();
     let mut h = scale * R::epsilon().sqrt();
-    let mut last = quotient(&f, h);
+    if !h.is_positive() {
+        // No step is short beside such a scale, and nothing is known.
+        return (R::zero(), R::one() / R::zero());
+    }
+    let (mut last, _) = quotient(&f, h);
     let mut before: Option<R> = None;
     let mut best: Option<(R, R)> = None;
     while (h - scale * number(0.5 / GROWTH)).largest() < R::zero().largest() {
         h *= number(GROWTH);
-        let next = quotient(&f, h);
+        let (next, size) = quotient(&f, h);
         let difference = (next - last).abs();
+        let rounding = size * R::epsilon();
         // Two roundings may agree by chance; hardly twice in a row.
         let doubt = before.map(|before| difference + before / number(GROWTH) + rounding / h);
         (last, before) = (next, Some(difference));
@@ -40,9 +44,12 @@ pub fn derivative<R: Real>(f: impl Fn(R) -> R, scale: R) -> (R, R) {
     best.unwrap_or((last, R::one() / R::zero()))
 }
 
-fn quotient<R: Real>(f: &impl Fn(R) -> R, h: R) -> R {
-    let (near, far) = (f(h) - f(-h), f(h + h) - f(-h - h));
-    (R::from_f64(8.0) * near - far) / (R::from_f64(12.0) * h)
+/// The difference, and the size of what it subtracts: beside a place at which f vanishes, roundings are those of the values beside.
+fn quotient<R: Real>(f: &impl Fn(R) -> R, h: R) -> (R, R) {
+    let [before, after] = [f(-h), f(h)];
+    let (near, far) = (after - before, f(h + h) - f(-h - h));
+    let size = before.abs().max(after.abs());
+    ((R::from_f64(8.0) * near - far) / (R::from_f64(12.0) * h), size)
 }
 
 #[cfg(test)]
@@ -68,6 +75,13 @@ mod tests {
             check(&|x| (-(1e3 * x / scale - 1.0).powi(2)).exp(), scale, 2e3 / scale * (-1.0_f64).exp(), 1e-7);
             // Linear functions have no scale.
             check(&|x| 3.0 * x / scale + 5.0, scale, 3.0 / scale, 1e-8);
+        }
+        // What the place itself hides beside a step is not known.
+        let (slope, doubt) = derivative(|x: f64| (1e-160 + x).powi(2), 1.0);
+        assert!((slope - 2e-160).abs() <= doubt, "{slope} ± {doubt}");
+        // Below the smallest numbers there are no steps.
+        for scale in [0.0, 5e-324, -1.0, f64::NAN] {
+            assert_eq!(derivative(|x: f64| x, scale), (0.0, f64::INFINITY));
         }
         let (slope, doubt) = derivative(|x: f32| (1.0 + x).ln(), 1.0);
         assert!((slope - 1.0).abs() <= 2.0 * doubt && doubt < 1e-3, "{slope} ± {doubt}");

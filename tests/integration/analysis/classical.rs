@@ -42,7 +42,7 @@ impl Acrobot {
 #[test]
 fn c13_the_acrobot_upright() {
     let reference = classical("C13_acrobot");
-    let rest = Acrobot.equilibrium([3.0, 0.2], &[0.0]).unwrap();
+    let rest = Acrobot.stationary_point([3.0, 0.2], &[0.0]).unwrap();
     all_close(rest.state.q, [PI, 0.0], 1e-13);
     let model = Acrobot.linearize(&State::at_rest([PI, 0.0]), &[0.0]).unwrap();
     let a = model.state_matrix::<4>().unwrap();
@@ -89,7 +89,7 @@ impl CartPole {
 
 #[test]
 fn c14_the_cart_pole_upright() {
-    let rest = CartPole.equilibrium([0.7, 0.3], &[0.0]).unwrap();
+    let rest = CartPole.stationary_point([0.7, 0.3], &[0.0]).unwrap();
     // Where the cart stands does not matter, so it is left where it was; that is no isolated equilibrium.
     all_close(rest.state.q, [0.7, 0.0], 1e-12);
     assert!(!rest.is_isolated);
@@ -99,7 +99,12 @@ fn c14_the_cart_pole_upright() {
     assert_eq!(modes[0].frequency(), 0.0);
     close(modes[0].shape[1].re, 0.0, 1e-12);
     // Under a push nothing rests.
-    assert!(CartPole.equilibrium([0.7, 0.3], &[1.0]).is_err());
+    assert!(CartPole.stationary_point([0.7, 0.3], &[1.0]).is_err());
+    let Err(EquilibriumError::Unbalanced { coordinate: 0, force }) = CartPole.equilibrium([0.7, 0.3], &[1.0])
+    else {
+        panic!("a cart that is pushed rests")
+    };
+    close(f64::from(force.0), 1.0, 1e-6);
 }
 
 /// Masses between equal springs in a row, walls at both ends.
@@ -224,15 +229,21 @@ impl Well {
 #[test]
 fn nothing_rests_at_infinity() {
     for power in [1.0, -1.0] {
-        let found = Fading { power }.equilibrium([1.0, 0.0], &[]);
+        let found = Fading { power }.stationary_point([1.0, 0.0], &[]);
         assert!(matches!(found, Err(EquilibriumError::RanAway { coordinate: 0 })), "{found:?}");
+        // Into the centre, or away from it to any side.
+        let found = Fading { power }.equilibrium([1.0, 0.0], &[]);
+        assert!(matches!(found, Err(EquilibriumError::RanAway { .. })), "{found:?}");
     }
     let found = FadingFaster.equilibrium([1.0], &[]);
     assert!(matches!(found, Err(EquilibriumError::RanAway { coordinate: 0 })), "{found:?}");
     for guess in [0.6, 3.0] {
-        let found = Well.equilibrium([guess], &[]);
+        let found = Well.stationary_point([guess], &[]);
         let Err(error @ EquilibriumError::RanAway { coordinate: 0 }) = found else { panic!("{found:?}") };
         assert!(error.to_string().contains("ran away along coordinate 0"), "{error}");
+        // Downhill there is the bottom.
+        let rest = Well.equilibrium([guess], &[]).unwrap();
+        close(rest.state.q[0], 0.0, 1e-15);
     }
     assert!(Well.equilibrium([0.3], &[]).unwrap().is_isolated);
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_6, PI};
 
-use lagrangian::{EquilibriumError, prelude::*};
+use lagrangian::{EquilibriumError, Stability, prelude::*};
 
 use crate::support::close::{all_close, close};
 use crate::support::reference::seed;
@@ -102,16 +102,17 @@ fn s05_a_ladder_that_a_force_holds() {
     let reference = seed("S05");
     let ladder = Ladder { m: [2.0, 3.0], a: 0.5 };
     let force = reference.number("F2");
-    let rest = ladder.equilibrium([0.1, 0.6, 0.4, 0.0], &[force]).unwrap();
+    let rest = ladder.stationary_point([0.1, 0.6, 0.4, 0.0], &[force]).unwrap();
     all_close(rest.state.q, [0.0, 0.5, 0.5, 0.0], 1e-12);
     let [wall, floor, bar] = rest.multipliers;
     close(bar, reference.number("bar_compression"), 1e-13);
     close(floor, reference.number("N_floor"), 1e-13);
     close(wall, reference.number("N_wall"), 1e-13);
     // F₂ = −m₁ g (a + x₂) / (a − x₁) in general.
-    let rest = ladder.equilibrium([0.0, 0.5, 0.5, 0.0], &[-30.0]).unwrap();
+    let rest = ladder.stationary_point([0.0, 0.5, 0.5, 0.0], &[-30.0]).unwrap();
     close(rest.state.q[2] / rest.state.q[1], 30.0 / (2.0 * G), 1e-13);
     // The top of a hill: one eigenvalue grows.
+    assert_eq!(rest.stability, Stability::Unstable { directions: 1 });
     let modes = ladder.modes(&rest.state, &[-30.0]).unwrap();
     assert_eq!(modes.len(), 2);
     close(modes[0].eigenvalue.re, -modes[1].eigenvalue.re, 1e-14);
@@ -370,6 +371,6 @@ fn s01_gauss_methods_run_on_constrained_systems() {
     let energy = Pendulum.energy(&start);
     close(motion.energy(), energy, 1e-11);
     close(Pendulum.constraint_residuals(motion.state())[0], 0.0, 1e-12);
-    let top = Pendulum.equilibrium([-0.5, 0.1], &[]).unwrap();
+    let top = Pendulum.stationary_point([-0.5, 0.1], &[]).unwrap();
     close(top.state.q[1].atan2(top.state.q[0]).abs(), PI, 1e-13);
 }

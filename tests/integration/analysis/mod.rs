@@ -3,7 +3,9 @@
 mod classical;
 mod constrained;
 mod derivatives;
+mod equilibria;
 mod floquet;
+mod limits;
 mod modes;
 mod scalars;
 mod seeds;

@@ -1,6 +1,6 @@
 //! Cases of the seed documents: S02, S03, S04, S06, S08, S13, S14 in generalized coordinates.
 
-use lagrangian::{EquilibriumError, prelude::*};
+use lagrangian::{EquilibriumError, Stability, prelude::*};
 use std::f64::consts::{FRAC_PI_6, PI};
 
 use crate::support::close::{all_close, between, close};
@@ -233,7 +233,7 @@ fn s08_small_oscillations_of_a_double_pendulum() {
     }
     // The other three equilibria, all unstable.
     for (guess, expected) in [([0.1, 3.0], [0.0, PI]), ([3.0, 0.2], [PI, 0.0]), ([3.3, -3.0], [PI, -PI])] {
-        let rest = DoublePendulum.equilibrium(guess, &[]).unwrap();
+        let rest = DoublePendulum.stationary_point(guess, &[]).unwrap();
         all_close(rest.state.q, expected, 1e-12);
         let modes = DoublePendulum.modes(&rest.state, &[]).unwrap();
         assert!(modes.iter().any(|mode| mode.eigenvalue.re > 1.0));
@@ -304,9 +304,14 @@ fn s14_equilibria_of_a_whirling_hoop() {
     close(raised.state.q[0], reference.number("phi_eq"), 1e-15);
     let frequency = |hoop: &Hoop, state: &State<f64, 1>| hoop.modes(state, &[]).unwrap()[0].frequency();
     close(frequency(&hoop, &raised.state), reference.number("omega_about_eq"), 1e-14);
-    let bottom = hoop.equilibrium([PI - 0.01], &[]).unwrap();
+    let bottom = hoop.stationary_point([PI - 0.01], &[]).unwrap();
     close(bottom.state.q[0], PI, 1e-15);
     assert!(hoop.modes(&bottom.state, &[]).unwrap().iter().any(|mode| mode.eigenvalue.re > 0.0));
+    assert_eq!(bottom.stability, Stability::Unstable { directions: 1 });
+    // From there it leaves.
+    let left = hoop.equilibrium([PI - 0.01], &[]).unwrap();
+    close(left.state.q[0], reference.number("phi_eq"), 1e-14);
+    assert_eq!((left.stability, raised.stability), (Stability::Stable, Stability::Stable));
 
     let slow = Hoop { rate: 3.0, ..hoop };
     let bottom = slow.equilibrium([2.0], &[]).unwrap();

@@ -2,6 +2,8 @@
 
 use lagrangian::prelude::*;
 
+use crate::support::close::close;
+
 struct Pendulum {
     m: f64,
     l: f64,
@@ -57,10 +59,52 @@ fn a_massless_pendulum_is_singular() {
 }
 
 #[test]
+fn a_negative_mass_names_its_coordinate() {
+    // g without the mass, so that nothing cancels; and even then, since the energy is that of another system.
+    let expected = MotionError { cause: Cause::SingularMassMatrix { pivot: 0 }, t: 3.0 };
+    let negative = Pendulum { m: -1.0, ..GOOD };
+    let mut motion = negative.simulate(start());
+    assert_eq!(motion.advance_to(4.0).unwrap_err(), expected);
+    assert_eq!(motion.state(), &start());
+    assert_eq!(negative.simulate(start()).every(0.1).next(), Some(Err(expected)));
+    let mut stepper = negative.stepper::<Rk4>(start());
+    assert_eq!(stepper.step(0.01, &[0.0]).unwrap_err(), expected);
+    assert_eq!(stepper.state(), &start());
+}
+
+/// T that is negative for some parameters.
+struct Backwards {
+    m: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Backwards {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * v.x.powi(2) + self.m * v.x * v.y + 0.5 * v.y.powi(2)
+    }
+}
+
+#[test]
+fn a_kinetic_energy_that_is_not_positive_names_its_coordinate() {
+    let state = State::new([0.0; 2], [1.0, 0.5]);
+    for (m, is_positive) in [(0.9, true), (-0.9, true), (1.0, false), (1.1, false), (-3.0, false)] {
+        let found = Backwards { m }.simulate(state).advance_to(1.0).map(|_| ()).map_err(|error| error.cause);
+        let expected = if is_positive { Ok(()) } else { Err(Cause::SingularMassMatrix { pivot: 1 }) };
+        assert_eq!(found, expected, "{m}");
+    }
+}
+
+#[test]
 fn bad_starts_and_inputs_are_not_finite() {
     for start in [State::at_rest([f64::NAN]), State::new([0.0], [f64::INFINITY])] {
         let error = GOOD.simulate(start).advance_to(1.0).unwrap_err();
         assert_eq!(error.cause, Cause::NotFinite);
+        // Not even where it is asked for itself.
+        assert_eq!(GOOD.simulate(start).advance_to(start.t).unwrap_err().cause, Cause::NotFinite);
+        let mut motion = GOOD.simulate(start);
+        let samples: Vec<_> = motion.every(0.1).take(3).collect();
+        assert_eq!(samples, [Err(MotionError { cause: Cause::NotFinite, t: start.t })]);
     }
     let mut motion = GOOD.simulate(start()).with_inputs([f64::NAN]);
     assert_eq!(motion.advance_to(4.0).unwrap_err(), MotionError { cause: Cause::NotFinite, t: 3.0 });
@@ -93,4 +137,35 @@ fn feedback_that_fails_stops_the_motion_there() {
     assert_eq!(error.cause, Cause::NotFinite);
     assert!((error.t - 3.5).abs() < 1e-6, "{error}");
     assert!(motion.state().is_finite());
+}
+
+/// A pendulum in any precision.
+struct Precise<R> {
+    l: R,
+}
+
+#[lagrangian(coordinates = [theta])]
+impl<R: Real> Precise<R> {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates<R>) -> Vector2<R> {
+        Vector2::new(self.l * q.theta.sin(), -self.l * q.theta.cos())
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates<R>) -> R {
+        9.81 * self.bob(q).y
+    }
+}
+
+#[test]
+fn a_tolerance_of_zero_means_rounding_in_any_precision() {
+    let exact = *Precise { l: 1.0_f64 }.simulate(State::at_rest([1.0])).advance_to(10.0).unwrap();
+    let mut double =
+        Precise { l: 1.0_f64 }.simulate_with::<Dop853>(State::at_rest([1.0])).with_tolerance(0.0);
+    close(double.advance_to(10.0).unwrap().q[0], exact.q[0], 1e-9);
+    let single = Precise { l: 1.0_f32 };
+    let mut motion = single.simulate_with::<Dop853>(State::at_rest([1.0_f32])).with_tolerance(0.0);
+    close(f64::from(motion.advance_to(10.0).unwrap().q[0]), exact.q[0], 1e-3);
+    let mut motion = single.simulate(State::at_rest([1.0_f32])).with_tolerance(0.0);
+    close(f64::from(motion.advance_to(10.0).unwrap().q[0]), exact.q[0], 1e-3);
 }

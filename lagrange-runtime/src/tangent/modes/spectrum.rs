@@ -4,11 +4,12 @@
 //! its own: what is stiff in one part does not round what is soft in another. A null space takes no iteration, and without
 //! it zeros that depend on each other (a free motion has two) would come out as the root of a rounding.
 
+use std::rc::Rc;
 use std::vec::Vec;
 
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{ColPivQR, Complex, DMatrix};
 
+use super::balance::{balance, moderated};
 use super::qr::{iterated, of_two};
 use super::vectors::eigenvector;
 use super::{largest, rounding};
@@ -19,6 +20,8 @@ pub(super) struct Eigenvalue {
     pub value: Complex<f64>,
     /// The largest entry of the balanced part that it belongs to: what its error is relative to.
     pub scale: f64,
+    /// The rows of that part.
+    pub members: Rc<[usize]>,
 }
 
 /// All eigenvalues of a matrix whose entries have a relative error of `unit`; `None` where the iteration fails. With
@@ -26,12 +29,14 @@ pub(super) struct Eigenvalue {
 pub(super) fn eigenvalues(matrix: &DMatrix<f64>, unit: f64, is_reversible: bool) -> Option<Vec<Eigenvalue>> {
     let mut found = Vec::new();
     for members in parts(matrix) {
-        let mut part = matrix.select_rows(&members).select_columns(&members);
-        balance_parlett_reinsch(&mut part);
+        let members: Rc<[usize]> = members.into();
+        let mut part = matrix.select_rows(&*members).select_columns(&*members);
+        balance(&mut part);
+        let size = moderated(&mut part);
         let (scale, share) = (largest(&part), rounding(members.len(), unit));
         for value in of_part(&part, share * scale)? {
             let value = if is_reversible { settled(&part, value, scale, share) } else { value };
-            found.push(Eigenvalue { value, scale });
+            found.push(Eigenvalue { value: value * size, scale: scale * size, members: members.clone() });
         }
     }
     Some(found)
@@ -90,7 +95,8 @@ fn deflated(part: &DMatrix<f64>, tolerance: f64) -> DMatrix<f64> {
 fn settled(part: &DMatrix<f64>, value: Complex<f64>, scale: f64, share: f64) -> Complex<f64> {
     // Of a pair both alike.
     let above = Complex::new(value.re, value.im.abs());
-    let vector = |matrix: &DMatrix<f64>| eigenvector(matrix, above, scale, 0);
+    let all: Vec<usize> = (0..part.nrows()).collect();
+    let vector = |matrix: &DMatrix<f64>| eigenvector(matrix, above, scale, (&all, 0));
     let (Some(x), Some(y)) = (vector(part), vector(&part.transpose())) else { return value };
     let overlap = x.dot(&y);
     let condition = x.norm() * y.norm() / overlap.re.hypot(overlap.im);

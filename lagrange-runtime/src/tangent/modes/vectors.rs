@@ -8,7 +8,9 @@ use super::spectrum::parts;
 use super::{largest, rounding};
 
 /// The eigenvector of an eigenvalue, from the start with that number, so that equal eigenvalues get different vectors where
-/// they have some; `None` if it is not finite. `scale` is that of the eigenvalue.
+/// they have some; `None` if it is not finite. `scale` is that of the eigenvalue, and only components of its `members` are not
+/// zero in the start: what does not act on them has no part in the vector, not even a rounding, which the scales
+/// of a soft part might make large.
 ///
 /// The shift is the eigenvalue itself, and pivots below the roundings of its scale are put there: no other shift will do for a
 /// defective eigenvalue, whose pivot is the square of a distance from it and so rounds to zero (Wilkinson, *The Algebraic
@@ -17,7 +19,7 @@ pub(super) fn eigenvector(
     matrix: &DMatrix<f64>,
     eigenvalue: Complex<f64>,
     scale: f64,
-    start: usize,
+    (members, start): (&[usize], usize),
 ) -> Option<DVector<Complex<f64>>> {
     let order = matrix.nrows();
     let mut shifted = matrix.map(|x| Complex::new(x, 0.0));
@@ -35,9 +37,10 @@ pub(super) fn eigenvector(
     }
     // That of a real eigenvalue stays real.
     let imaginary = if eigenvalue.im == 0.0 { 0.0 } else { 0.5 };
-    let mut vector = DVector::from_fn(order, |i, _| {
-        Complex::new(((1 + i) as f64 * (1.3 + start as f64)).cos(), imaginary)
-    });
+    let mut vector = DVector::from_element(order, Complex::new(0.0, 0.0));
+    for &i in members {
+        vector[i] = Complex::new(((1 + i) as f64 * (1.3 + start as f64)).cos(), imaginary);
+    }
     // What a step grows by is the inverse of the residual, and near a defective eigenvalue a later step can be worse.
     let (mut best, mut growth) = (None, 0.0);
     for _ in 0..3 {

@@ -98,7 +98,7 @@ fn checked(matrix: &DMatrix<f64>, is_reversible: bool, [sum, residual]: [f64; 2]
     };
     assert_eq!(found.len(), matrix.nrows());
     let mut balanced = matrix.clone();
-    balance_parlett_reinsch(&mut balanced);
+    balance(&mut balanced);
     let size = largest(&balanced);
     let total: f64 = found.iter().map(|found| found.value.re).sum();
     assert!((total - matrix.trace()).abs() <= sum * size, "{total} is not the trace of {matrix}");
@@ -106,11 +106,12 @@ fn checked(matrix: &DMatrix<f64>, is_reversible: bool, [sum, residual]: [f64; 2]
     let zeros = found.iter().filter(|found| found.value == Complex::new(0.0, 0.0)).count();
     let nulls = null_vectors(&balanced, f64::EPSILON, zeros);
     assert!(nulls.iter().all(|vector| (&complex * vector).norm() <= residual * size), "{matrix}");
-    for (k, &Eigenvalue { value, scale }) in found.iter().enumerate() {
+    for (k, Eigenvalue { value, scale, members }) in found.iter().enumerate() {
+        let (value, scale) = (*value, *scale);
         if value == Complex::new(0.0, 0.0) {
             continue;
         }
-        let Some(vector) = eigenvector(&balanced, value, scale, k) else {
+        let Some(vector) = eigenvector(&balanced, value, scale, (members, k)) else {
             panic!("no vector of {value}: {matrix}")
         };
         let off = (&complex * &vector - &vector * value).norm();

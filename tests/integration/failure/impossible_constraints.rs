@@ -1,0 +1,83 @@
+//! Constraints that cannot be met, or restrict nothing where the system is: the same error from everything that asks.
+
+use lagrangian::{EquilibriumError, prelude::*};
+
+/// A circle twice, the second time of another radius.
+struct Twice {
+    square: f64,
+}
+
+#[lagrangian(coordinates = [x, y], jacobians, allow(redundant))]
+impl Twice {
+    #[point(mass = 1.0)]
+    fn bead(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    #[holonomic]
+    fn circle(&self, q: &Coordinates) -> f64 {
+        q.x.powi(2) + q.y.powi(2) - 1.0
+    }
+
+    #[holonomic]
+    fn again(&self, q: &Coordinates) -> f64 {
+        q.x.powi(2) + q.y.powi(2) - self.square
+    }
+}
+
+#[test]
+fn contradictory_constraints_are_named_by_all_that_look_for_a_state() {
+    let (system, guess) = (Twice { square: 2.0 }, State::at_rest([0.6, 0.9]));
+    let expected = Cause::Contradictory { constraint: 1 };
+    assert_eq!(system.consistent(guess).unwrap_err().cause, expected);
+    assert_eq!(system.equilibrium(guess, &[]).unwrap_err(), EquilibriumError::Constraints(expected));
+    assert_eq!(system.stationary_point(guess, &[]).unwrap_err(), EquilibriumError::Constraints(expected));
+    // With the same radius they are no contradiction.
+    let rest = Twice { square: 1.0 }.equilibrium(guess, &[]).unwrap();
+    assert!((rest.state.q[1] + 1.0).abs() < 1e-12 && !rest.are_unique);
+}
+
+/// Two lines that cross, as one constraint.
+struct Cross;
+
+#[lagrangian(coordinates = [x, y], jacobians)]
+impl Cross {
+    #[point(mass = 1.0)]
+    fn bead(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    #[holonomic]
+    fn lines(&self, q: &Coordinates) -> f64 {
+        (q.x - q.y) * q.x
+    }
+}
+
+#[test]
+fn vanishing_gradients_are_named_by_everything() {
+    let state = State::at_rest([0.0, 0.0]);
+    let expected = Cause::VanishingGradient { constraint: 0 };
+    assert_eq!(Cross.accelerations(&state).unwrap_err().cause, expected);
+    assert_eq!(Cross.reactions(&state).unwrap_err().cause, expected);
+    assert_eq!(Cross.consistent(state).unwrap_err().cause, expected);
+    assert_eq!(Cross.simulate(state).advance_to(1.0).unwrap_err().cause, expected);
+    assert_eq!(Cross.simulate(state).every(0.1).next().unwrap().unwrap_err().cause, expected);
+    assert_eq!(Cross.stepper::<Rk4>(state).step(0.1, &[]).unwrap_err().cause, expected);
+    assert_eq!(Cross.jacobians(&state, &[]).unwrap_err().cause, expected);
+    assert_eq!(Cross.response(&state, &[]).unwrap_err().cause, expected);
+    assert_eq!(Cross.linearize(&state, &[]).unwrap_err().cause, expected);
+    assert_eq!(Cross.modes(&state, &[]).unwrap_err().cause, expected);
+    assert_eq!(Cross.inverse_dynamics(&state, &[0.0; 2]).unwrap_err().cause, expected);
+    assert_eq!(Cross.equilibrium(state, &[]).unwrap_err(), EquilibriumError::Constraints(expected));
+    assert_eq!(Cross.stationary_point(state, &[]).unwrap_err(), EquilibriumError::Constraints(expected));
+}
