@@ -27,6 +27,7 @@
 //! | --- | --- | --- |
 //! | `std` (default) | the platform's | fastest where there is an operating system |
 //! | `wide` | | SIMD vectors of the `wide` crate as scalars: [`Batch`] |
+//! | `double-double` | | [`DoubleDouble`], a scalar with 31 digits |
 //! | `libm` | the `libm` crate's | bare metal; the same bits on every target; wins over `std` |
 #![no_std]
 #![forbid(unsafe_code)]
@@ -75,6 +76,8 @@ pub use integrator::{
 pub use linearized::{Jacobians, Linearization, Linearized};
 pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};
+#[cfg(feature = "double-double")]
+pub use real::DoubleDouble;
 #[cfg(feature = "wide")]
 pub use real::Lanes;
 pub use real::{Ordered, Real};

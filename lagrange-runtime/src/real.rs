@@ -13,6 +13,10 @@ use num_traits::{One, Zero};
 
 use crate::math;
 
+#[cfg(feature = "double-double")]
+mod double_double;
+#[cfg(feature = "double-double")]
+pub use double_double::{DoubleDouble, ParseError};
 #[cfg(feature = "wide")]
 mod lanes;
 #[cfg(feature = "wide")]
@@ -46,7 +50,7 @@ pub trait Real:
     /// The largest lane. A NaN lane may be skipped; ask [`Real::is_finite`] first where it matters.
     fn largest(self) -> Self::Lane;
 
-    /// The nearest value to a literal.
+    /// The nearest value to a double.
     fn from_f64(literal: f64) -> Self;
 
     /// Sine and cosine of an angle in radians, together.
@@ -78,6 +82,15 @@ pub trait Real:
 
     /// Whether every lane is strictly above zero; false for NaN.
     fn is_positive(self) -> bool;
+
+    /// The nearest value to a constant that is no double, such as a tenth or ln 2: `high` is the double nearest to it, `low`
+    /// the one nearest to the rest. The default leaves the rest away, which is right where a scalar has no more digits than
+    /// `f64`.
+    #[inline]
+    fn from_parts(high: f64, low: f64) -> Self {
+        let _ = low;
+        Self::from_f64(high)
+    }
 
     /// π.
     #[inline]
