@@ -1,9 +1,9 @@
 //! Sine and cosine, and the angle of a point.
 
 use super::DoubleDouble;
+use super::angle;
 use super::arithmetic::{add, div, mul, mul_add, power_of_two, sub};
 use super::exponential::{INVERSE_FACTORIALS, nearest_integer};
-use super::angle;
 use crate::math;
 
 /// A quarter of a half turn, to the double below.

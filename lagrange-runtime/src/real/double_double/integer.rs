@@ -58,7 +58,11 @@ impl Integer {
         while left > 0 {
             let part = left.min(NINE);
             let factor = 10_u32.pow(part);
-            if power > 0 { self.times_small(factor, 0) } else { self.over_small(factor) }
+            if power > 0 {
+                self.times_small(factor, 0)
+            } else {
+                self.over_small(factor)
+            }
             left -= part;
         }
         self
@@ -70,7 +74,11 @@ impl Integer {
         let mut left = power.unsigned_abs();
         while left > 0 {
             let part = left.min(MOST);
-            if power > 0 { self.times_small(1 << part, 0) } else { self.over_small(1 << part) }
+            if power > 0 {
+                self.times_small(1 << part, 0)
+            } else {
+                self.over_small(1 << part)
+            }
             left -= part;
         }
         self
