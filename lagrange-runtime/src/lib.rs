@@ -76,10 +76,10 @@ pub use integrator::{
 pub use linearized::{Jacobians, Linearization, Linearized};
 pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};
-#[cfg(feature = "double-double")]
-pub use real::DoubleDouble;
 #[cfg(feature = "wide")]
 pub use real::Lanes;
+#[cfg(feature = "double-double")]
+pub use real::{Digits, DoubleDouble};
 pub use real::{Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use smooth::{Series, Smooth};

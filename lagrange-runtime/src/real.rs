@@ -16,7 +16,7 @@ use crate::math;
 #[cfg(feature = "double-double")]
 mod double_double;
 #[cfg(feature = "double-double")]
-pub use double_double::{DoubleDouble, ParseError};
+pub use double_double::{Digits, DoubleDouble, ParseError};
 #[cfg(feature = "wide")]
 mod lanes;
 #[cfg(feature = "wide")]

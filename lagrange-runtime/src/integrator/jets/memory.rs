@@ -3,7 +3,7 @@
 use super::super::adaptive::Steps;
 use super::super::dop853::add;
 use super::super::step_size::{self, Limits};
-use super::{DECAY, GROWTH, HIGHEST, SAFETY, STEEPEST, last_term};
+use super::{DECAY, GROWTH, HIGHEST, SAFETY, last_term};
 use crate::real::{Ordered, Real, larger};
 use crate::smooth::Series;
 use crate::state::State;
@@ -17,6 +17,8 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) orders: usize,
     /// The tolerance that the order is for.
     pub(super) tolerance: R,
+    /// The decay from order to order that this order and tolerance may bring.
+    pub(super) steepest: R,
     /// The point of expansion and what rounding took from it.
     pub(super) start: State<R, N>,
     pub(super) residue: State<R, N>,
@@ -44,6 +46,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             series: Series::default(),
             orders: 0,
             tolerance: -R::one(),
+            steepest: R::one(),
             start,
             residue: zero,
             unit: R::zero(),
@@ -122,7 +125,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// a coefficient is not, infinite for a polynomial.
     ///
     /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
-    /// So the terms before the last two may not exceed the tolerance by more than [`STEEPEST`] for each order either.
+    /// So the terms before the last two may not exceed the tolerance by more than [`super::STEEPEST`] for each order either.
     ///
     /// The size of a component is that of its first terms over `span`, which should be about the length itself. With
     /// `steady` the unit is the last step.
@@ -159,9 +162,9 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// A length that the terms of lower orders bear as well.
     fn bounded(&self, mut length: R, weights_q: &[R; N], weights_v: &[R; N]) -> R {
         let row = |rows: &[[R; N]; HIGHEST], k: usize| rows.get(k - 1).copied().unwrap_or([R::zero(); N]);
-        let mut allowed = R::from_f64(STEEPEST);
+        let mut allowed = self.steepest;
         for order in (self.orders / 2..self.orders - 1).rev() {
-            allowed *= R::from_f64(STEEPEST);
+            allowed *= self.steepest;
             let (q, v) = (row(&self.series.q, order), row(&self.series.v, order));
             let mut term = R::zero();
             for i in 0..N {

@@ -74,14 +74,14 @@ fn halves(x: f64) -> (f64, f64) {
 }
 
 /// `AccurateDWPlusDW` of Joldes et al.
-#[inline(always)]
+#[inline(never)]
 pub(super) fn add(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     let (high, low) = (two_sum(a.high, b.high), two_sum(a.low, b.low));
     let sum = fast_two_sum(high.high, high.low + low.high);
     fast_two_sum(sum.high, low.low + sum.low).or(a.high + b.high)
 }
 
-#[inline(always)]
+#[inline(never)]
 pub(super) fn sub(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     add(a, -b)
 }
@@ -94,13 +94,13 @@ fn loose_product(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
 }
 
 /// `DWTimesDW1` of Joldes et al.
-#[inline(always)]
+#[inline(never)]
 pub(super) fn mul(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     let product = loose_product(a, b);
     fast_two_sum(product.high, product.low).or(a.high * b.high)
 }
 
-#[inline(always)]
+#[inline(never)]
 pub(super) fn mul_add(a: DoubleDouble, b: DoubleDouble, summand: DoubleDouble) -> DoubleDouble {
     let product = loose_product(a, b);
     let (high, low) = (two_sum(product.high, summand.high), two_sum(product.low, summand.low));
@@ -109,7 +109,7 @@ pub(super) fn mul_add(a: DoubleDouble, b: DoubleDouble, summand: DoubleDouble) -
 }
 
 /// A double quotient and one correction by the remainder, as `DWDivDW2` of Joldes et al.
-#[inline]
+#[inline(never)]
 pub(super) fn div(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     let quotient = a.high / b.high;
     let product = two_product(quotient, b.high);
@@ -126,7 +126,7 @@ pub(super) fn times(a: DoubleDouble, b: f64) -> DoubleDouble {
 }
 
 /// A double root and one correction: A. H. Karp, P. Markstein, ACM Trans. Math. Softw. 23 (1997) 561.
-#[inline]
+#[inline(never)]
 pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
     // Below, the square of the root would lose its low part to underflow.
     const SMALL: f64 = f64::from_bits((1023 - 900) << 52);
