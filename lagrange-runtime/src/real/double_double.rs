@@ -84,12 +84,7 @@ impl DoubleDouble {
     /// The number itself where both parts are finite, else `rough`, its value in the arithmetic of `f64`.
     #[inline(always)]
     fn or(self, rough: f64) -> Self {
-        // Finite exactly if the difference is zero: cheaper than two tests.
-        if self.low - self.low == 0.0 && self.high - self.high == 0.0 {
-            self
-        } else {
-            Self::constant(rough, 0.0)
-        }
+        if self.low.is_finite() && self.high.is_finite() { self } else { Self::constant(rough, 0.0) }
     }
 
     /// Times a power of two: exact but for underflow.

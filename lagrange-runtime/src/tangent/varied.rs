@@ -178,6 +178,14 @@ impl<R: Ordered, const N: usize, const P: usize> Real for Varied<R, N, P> {
         Self::constant(R::from_f64(literal))
     }
     #[inline]
+    fn from_parts(high: f64, low: f64) -> Self {
+        Self::constant(R::from_parts(high, low))
+    }
+    #[inline]
+    fn pi() -> Self {
+        Self::constant(R::pi())
+    }
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
         (Self::constant(sin), Self::constant(cos))

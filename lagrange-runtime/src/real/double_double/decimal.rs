@@ -62,7 +62,7 @@ impl FromStr for DoubleDouble {
             }
         }
         // The largest number has 309 digits before the point, the smallest 324 zeros behind it.
-        if value == 0 || exponent > 310 || exponent < -400 {
+        if value == 0 || !(-400..=310).contains(&exponent) {
             return Ok(Self::from(rough));
         }
         let mut integer = Integer::new(value);
