@@ -12,6 +12,7 @@ usage: scripts/check.sh NAME …
   random      10 000 random systems (or CASES of them) against dual numbers
   benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
   lanes       several motions in the lanes of SIMD vectors
+  digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
   stack       analyses of 100 coordinates on the stack of a common thread
@@ -25,18 +26,25 @@ EOF
 fmt() { cargo fmt --all --check; }
 
 clippy() {
-    cargo clippy --workspace --all-targets --features lagrangian/wide -- -D warnings
+    cargo clippy --workspace --all-targets --features lagrangian/wide,lagrangian/double-double -- -D warnings
     cargo clippy -p benchmarks --all-targets --features peers -- -D warnings
-    cargo clippy -p lagrange-runtime --no-default-features --features libm -- -D warnings
+    cargo clippy -p lagrange-runtime --no-default-features --features libm,double-double -- -D warnings
 }
 
-docs() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --exclude benchmarks; }
+docs() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --exclude benchmarks --features lagrangian/double-double; }
 
 random() { PROPTEST_CASES=${CASES:-10000} cargo test --release -p lagrange-codegen --test random; }
 
 benchmarks() { cargo build --release -p benchmarks; }
 
 lanes() { cargo test --features wide --test batch; }
+
+digits() {
+    cargo test -p lagrange-runtime --features double-double --lib double_double
+    cargo test --features double-double --test digits
+    cargo test --features double-double,libm --test digits
+    cargo run --release --features double-double --example true_digits
+}
 
 long() { cargo test --release --test integration jets::long:: -- --ignored --nocapture; }
 
@@ -49,9 +57,9 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
-        fmt | clippy | docs | random | benchmarks | lanes | long | drift | stack | firmware) "$name" ;;
-        all) fmt; clippy; docs; random; benchmarks; lanes; long; drift; stack; firmware ;;
-        ci) fmt; clippy; docs; random; benchmarks; lanes; long; drift; stack; FIRMWARE=ci firmware ;;
+        fmt | clippy | docs | random | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
+        all) fmt; clippy; docs; random; benchmarks; lanes; digits; long; drift; stack; firmware ;;
+        ci) fmt; clippy; docs; random; benchmarks; lanes; digits; long; drift; stack; FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
 done

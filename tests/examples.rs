@@ -64,6 +64,19 @@ mod ten_link_chain;
 #[path = "../examples/whirling_hoop.rs"]
 mod whirling_hoop;
 
+/// Runs where its feature is on, as `scripts/check.sh digits` has it.
+const WITH_FEATURE: &str = "true_digits";
+
+#[cfg(feature = "double-double")]
+#[path = "../examples/true_digits.rs"]
+mod true_digits;
+
+#[cfg(feature = "double-double")]
+#[test]
+fn true_digits() -> Result<(), Box<dyn Error>> {
+    true_digits::main()
+}
+
 #[test]
 fn no_example_is_forgotten() -> Result<(), Box<dyn Error>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
@@ -74,7 +87,7 @@ fn no_example_is_forgotten() -> Result<(), Box<dyn Error>> {
             found.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
         }
     }
-    let run: BTreeSet<String> = EXAMPLES.iter().map(ToString::to_string).collect();
+    let run: BTreeSet<String> = EXAMPLES.iter().chain([&WITH_FEATURE]).map(ToString::to_string).collect();
     assert_eq!(found, run);
     Ok(())
 }

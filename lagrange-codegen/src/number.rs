@@ -1,19 +1,22 @@
 //! Exact constants: rationals until emission.
 //!
 //! A decimal literal is exact (0.1 is one tenth). Where a rational would not fit into 128-bit
-//! numerator and denominator the value becomes a double, marked as such and never exact again.
+//! numerator and denominator the value becomes two doubles, marked as such and never exact again.
 
 use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
+
+mod named;
+mod parts;
 
 /// A constant of the graph.
 #[derive(Clone, Copy, Debug)]
 pub enum Number {
     /// `numerator / denominator` in lowest terms, denominator positive.
     Ratio(i128, i128),
-    /// A value that does not fit into a ratio.
-    Float(f64),
+    /// A value that does not fit into a ratio: a double, as the arithmetic of doubles gives it, and what that lacks.
+    Float(f64, f64),
 }
 
 impl Number {
@@ -58,7 +61,10 @@ impl Number {
             None => (text.as_str(), 0),
         };
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        let float = || text.parse::<f64>().ok().map(Number::Float);
+        let float = || {
+            let value = text.parse().ok()?;
+            Some(Number::Float(value, parts::rest_of_decimal(&text, value)))
+        };
         let Ok(digits) = format!("{whole}{fraction}").parse::<i128>() else { return float() };
         let Some(power) = exponent.checked_sub(fraction.len() as i32) else { return float() };
         let Some(scale) = 10_i128.checked_pow(power.unsigned_abs()) else { return float() };
@@ -78,16 +84,16 @@ impl Number {
                 if numerator.unsigned_abs() <= EXACT && denominator.unsigned_abs() <= EXACT {
                     numerator as f64 / denominator as f64
                 } else {
-                    long_division(numerator, denominator)
+                    self.parts().0
                 }
             }
-            Number::Float(value) => value,
+            Number::Float(value, _) => value,
         }
     }
 
     /// Whether this is 0.
     pub fn is_zero(self) -> bool {
-        self == Number::ZERO || matches!(self, Number::Float(value) if value == 0.0)
+        self == Number::ZERO || matches!(self, Number::Float(value, _) if value == 0.0)
     }
 
     /// Whether this is 1.
@@ -99,7 +105,7 @@ impl Number {
     pub fn is_negative(self) -> bool {
         match self {
             Number::Ratio(numerator, _) => numerator < 0,
-            Number::Float(value) => value < 0.0,
+            Number::Float(value, _) => value < 0.0,
         }
     }
 
@@ -120,7 +126,9 @@ impl Number {
     pub fn recip(self) -> Option<Number> {
         match self {
             Number::Ratio(numerator, denominator) => Number::ratio(denominator, numerator),
-            Number::Float(value) => (value != 0.0).then(|| Number::Float(1.0 / value)),
+            Number::Float(value, rest) => {
+                (value != 0.0).then(|| Number::refined(1.0 / value, parts::reciprocal((value, rest))))
+            }
         }
     }
 
@@ -128,6 +136,11 @@ impl Number {
     pub fn powi(self, exponent: i32) -> Option<Number> {
         let base = if exponent < 0 { self.recip()? } else { self };
         Some((0..exponent.unsigned_abs()).fold(Number::ONE, |power, _| power * base))
+    }
+
+    /// The square root of a number that is not negative.
+    pub fn sqrt(self) -> Number {
+        self.exact_sqrt().unwrap_or_else(|| Number::refined(self.value().sqrt(), parts::root(self.parts())))
     }
 
     /// The square root where it is rational.
@@ -163,7 +176,7 @@ impl std::ops::Add for Number {
                 return sum;
             }
         }
-        Number::Float(self.value() + other.value())
+        Number::refined(self.value() + other.value(), parts::sum(self.parts(), other.parts()))
     }
 }
 
@@ -172,7 +185,7 @@ impl std::ops::Neg for Number {
     fn neg(self) -> Number {
         match self {
             Number::Ratio(numerator, denominator) => Number::Ratio(-numerator, denominator),
-            Number::Float(value) => Number::Float(-value),
+            Number::Float(value, rest) => Number::Float(-value, -rest),
         }
     }
 }
@@ -199,7 +212,7 @@ impl std::ops::Mul for Number {
                 return product;
             }
         }
-        Number::Float(self.value() * other.value())
+        Number::refined(self.value() * other.value(), parts::product(self.parts(), other.parts()))
     }
 }
 
@@ -207,7 +220,9 @@ impl PartialEq for Number {
     fn eq(&self, other: &Number) -> bool {
         match (self, other) {
             (Number::Ratio(a, b), Number::Ratio(c, d)) => a == c && b == d,
-            (Number::Float(a), Number::Float(b)) => a.to_bits() == b.to_bits(),
+            (Number::Float(a, of_a), Number::Float(b, of_b)) => {
+                a.to_bits() == b.to_bits() && of_a.to_bits() == of_b.to_bits()
+            }
             _ => false,
         }
     }
@@ -222,7 +237,10 @@ impl Hash for Number {
                 state.write_i128(*numerator);
                 state.write_i128(*denominator);
             }
-            Number::Float(value) => state.write_u64(value.to_bits()),
+            Number::Float(value, rest) => {
+                state.write_u64(value.to_bits());
+                state.write_u64(rest.to_bits());
+            }
         }
     }
 }
@@ -246,36 +264,13 @@ impl fmt::Display for Number {
                     write!(f, "{numerator}/{denominator}")
                 }
             }
-            Number::Float(value) => write!(f, "{value:?}"),
+            Number::Float(value, _) => write!(f, "{value:?}"),
         }
     }
 }
 
 fn gcd(a: u128, b: u128) -> u128 {
     if b == 0 { a.max(1) } else { gcd(b, a % b) }
-}
-
-/// 40 significant digits, parsed: correctly rounded for all practical purposes, where the
-/// quotient of two rounded doubles would not be.
-fn long_division(numerator: i128, denominator: i128) -> f64 {
-    let divisor = denominator.unsigned_abs();
-    let mut remainder = numerator.unsigned_abs();
-    let mut digits = format!("{}.", remainder / divisor);
-    remainder %= divisor;
-    // Ten times the remainder must fit; beyond that the quotient of doubles is all there is.
-    if divisor > u128::MAX / 10 {
-        return numerator as f64 / denominator as f64;
-    }
-    let mut significant = 0;
-    while remainder != 0 && significant < 40 {
-        remainder *= 10;
-        let digit = remainder / divisor;
-        significant += usize::from(significant > 0 || digit > 0);
-        digits.push(char::from(b'0' + digit as u8));
-        remainder %= divisor;
-    }
-    let value: f64 = digits.parse().unwrap_or(f64::NAN);
-    if numerator < 0 { -value } else { value }
 }
 
 #[cfg(test)]
@@ -288,7 +283,7 @@ mod tests {
         assert_eq!(Number::parse("1_000.50"), Number::ratio(2001, 2));
         assert_eq!(Number::parse("6.674_30e-11"), Number::ratio(667_430, 10_i128.pow(16)));
         assert_eq!(Number::parse("2e3"), Some(Number::integer(2000)));
-        assert!(matches!(Number::parse("1e-300"), Some(Number::Float(_))));
+        assert!(matches!(Number::parse("1e-300"), Some(Number::Float(..))));
     }
 
     #[test]
@@ -304,7 +299,7 @@ mod tests {
     #[test]
     fn overflow_falls_back_to_doubles() {
         let big = Number::integer(i128::MAX / 2);
-        assert!(matches!(big * big, Number::Float(_)));
+        assert!(matches!(big * big, Number::Float(..)));
         assert_eq!((big + big + Number::integer(1)).value(), i128::MAX as f64);
     }
 }

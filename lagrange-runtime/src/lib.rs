@@ -28,6 +28,7 @@
 //! | --- | --- | --- |
 //! | `std` (default) | the platform's | fastest where there is an operating system |
 //! | `wide` | | SIMD vectors of the `wide` crate as scalars: [`Batch`] |
+//! | `double-double` | | [`DoubleDouble`], a scalar with 31 digits |
 //! | `libm` | the `libm` crate's | bare metal; the same bits on every target; wins over `std` |
 #![no_std]
 #![forbid(unsafe_code)]
@@ -79,6 +80,8 @@ pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};
 #[cfg(feature = "wide")]
 pub use real::Lanes;
+#[cfg(feature = "double-double")]
+pub use real::{Digits, DoubleDouble};
 pub use real::{Dual, Ordered, Real};
 pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
 pub use smooth::{Series, Smooth};

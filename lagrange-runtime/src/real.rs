@@ -13,7 +13,11 @@ use num_traits::{One, Zero};
 
 use crate::math;
 
+#[cfg(feature = "double-double")]
+mod double_double;
 mod dual;
+#[cfg(feature = "double-double")]
+pub use double_double::{Digits, DoubleDouble, ParseError};
 pub use dual::Dual;
 #[cfg(feature = "wide")]
 mod lanes;
@@ -48,7 +52,7 @@ pub trait Real:
     /// The largest lane. A NaN lane may be skipped; ask [`Real::is_finite`] first where it matters.
     fn largest(self) -> Self::Lane;
 
-    /// The nearest value to a literal.
+    /// The nearest value to a double.
     fn from_f64(literal: f64) -> Self;
 
     /// Sine and cosine of an angle in radians, together.
@@ -92,6 +96,15 @@ pub trait Real:
     #[must_use]
     fn part(self, _index: usize) -> Self {
         self
+    }
+
+    /// The nearest value to a constant that is no double, such as a tenth or ln 2: `high` is the double nearest to it, `low`
+    /// the one nearest to the rest. The default leaves the rest away, which is right where a scalar has no more digits than
+    /// `f64`.
+    #[inline]
+    fn from_parts(high: f64, low: f64) -> Self {
+        let _ = low;
+        Self::from_f64(high)
     }
 
     /// π.

@@ -18,7 +18,10 @@ pub(super) fn literal(scalar: &Scalar, number: Number, typed: bool) -> String {
         Scalar::Generic(ident) if number.is_one() => format!("{ident}::one()"),
         Scalar::Generic(ident) if number.is_zero() => format!("{ident}::zero()"),
         Scalar::Generic(ident) if value.is_infinite() => format!("{ident}::from_f64(f64::INFINITY)"),
-        Scalar::Generic(ident) => format!("{ident}::from_f64({value:?})"),
+        Scalar::Generic(ident) => match number.parts() {
+            (_, 0.0) => format!("{ident}::from_f64({value:?})"),
+            (_, rest) => format!("{ident}::from_parts({value:?}, {rest:?})"),
+        },
     }
 }
 

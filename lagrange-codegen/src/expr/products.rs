@@ -90,7 +90,7 @@ impl Graph {
                     (Some(power), _) => flat.coefficient = flat.coefficient * power,
                     (None, Some(_)) => {
                         // The negative power of zero: what doubles make of it.
-                        flat.coefficient = flat.coefficient * Number::Float(f64::INFINITY);
+                        flat.coefficient = flat.coefficient * Number::Float(f64::INFINITY, 0.0);
                     }
                     (None, None) => flat.factors.push((factor, exponent)),
                 }

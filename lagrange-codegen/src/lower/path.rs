@@ -33,8 +33,8 @@ impl<'a> Interpreter<'a> {
                     self.refuse(path.origin, catalogue::unknown_path(&path.text, near))
                 }
             },
-            Owner::Other(module) if &**module == "consts" => match mathematical_constant(&path.last) {
-                Some(value) => Value::Scalar(self.graph().constant(Number::Float(value))),
+            Owner::Other(module) if &**module == "consts" => match Number::named(&path.last) {
+                Some(number) => Value::Scalar(self.graph().constant(number)),
                 None => self.foreign_constant(path),
             },
             Owner::Type(_) | Owner::Other(_) if is_constant_name(&path.last) => self.foreign_constant(path),
@@ -186,24 +186,26 @@ impl<'a> Interpreter<'a> {
 
     /// An associated function of the scalar type: `f64::from(x)`, `R::pi()`, `f64::sin(x)`.
     pub fn scalar_function(&mut self, word: &Word, arguments: Vec<Value>, origin: Origin) -> Value {
-        use std::f64::consts;
         let number = match (&*word.name, arguments.as_slice()) {
-            ("zero", []) => Number::ZERO,
-            ("one", []) => Number::ONE,
-            ("pi", []) => Number::Float(consts::PI),
-            ("two_pi", []) => Number::Float(consts::TAU),
-            ("frac_pi_2", []) => Number::Float(consts::FRAC_PI_2),
-            ("frac_pi_3", []) => Number::Float(consts::FRAC_PI_3),
-            ("frac_pi_4", []) => Number::Float(consts::FRAC_PI_4),
-            ("frac_pi_6", []) => Number::Float(consts::FRAC_PI_6),
-            ("frac_pi_8", []) => Number::Float(consts::FRAC_PI_8),
-            ("e", []) => Number::Float(consts::E),
+            ("zero", []) => Some(Number::ZERO),
+            ("one", []) => Some(Number::ONE),
+            ("pi", []) => Number::named("PI"),
+            ("two_pi", []) => Number::named("TAU"),
+            ("frac_pi_2", []) => Number::named("FRAC_PI_2"),
+            ("frac_pi_3", []) => Number::named("FRAC_PI_3"),
+            ("frac_pi_4", []) => Number::named("FRAC_PI_4"),
+            ("frac_pi_6", []) => Number::named("FRAC_PI_6"),
+            ("frac_pi_8", []) => Number::named("FRAC_PI_8"),
+            ("e", []) => Number::named("E"),
             ("from" | "from_f64" | "from_f32" | "from_subset" | "lit", [value]) => {
                 return self.converted(&word.name, value.clone(), origin);
             }
-            _ => return self.first_method(arguments, word, &word.name, origin),
+            _ => None,
         };
-        Value::Scalar(self.graph().constant(number))
+        match number {
+            Some(number) => Value::Scalar(self.graph().constant(number)),
+            None => self.first_method(arguments, word, &word.name, origin),
+        }
     }
 
     /// A conversion into the scalar: exact for constants, part of the path for parameters.
@@ -250,31 +252,4 @@ impl<'a> Interpreter<'a> {
 /// Constants are written in capitals.
 fn is_constant_name(name: &str) -> bool {
     name.chars().any(char::is_alphabetic) && !name.chars().any(char::is_lowercase)
-}
-
-fn mathematical_constant(name: &str) -> Option<f64> {
-    use std::f64::consts::*;
-    let value = match name {
-        "PI" => PI,
-        "TAU" => TAU,
-        "E" => E,
-        "SQRT_2" => SQRT_2,
-        "LN_2" => LN_2,
-        "LN_10" => LN_10,
-        "LOG2_E" => LOG2_E,
-        "LOG10_E" => LOG10_E,
-        "LOG2_10" => LOG2_10,
-        "LOG10_2" => LOG10_2,
-        "FRAC_PI_2" => FRAC_PI_2,
-        "FRAC_PI_3" => FRAC_PI_3,
-        "FRAC_PI_4" => FRAC_PI_4,
-        "FRAC_PI_6" => FRAC_PI_6,
-        "FRAC_PI_8" => FRAC_PI_8,
-        "FRAC_1_PI" => FRAC_1_PI,
-        "FRAC_2_PI" => FRAC_2_PI,
-        "FRAC_2_SQRT_PI" => FRAC_2_SQRT_PI,
-        "FRAC_1_SQRT_2" => FRAC_1_SQRT_2,
-        _ => return None,
-    };
-    Some(value)
 }

@@ -254,7 +254,7 @@ impl Interpreter<'_> {
             return self.refuse(origin, catalogue::axis_not_fixed());
         }
         let square = common.iter().fold(Number::ZERO, |sum, (value, _)| sum + *value * *value);
-        let length = square.exact_sqrt().unwrap_or(Number::Float(square.value().sqrt()));
+        let length = square.sqrt();
         let Some(inverse) = length.recip() else { return Value::Unknown };
         let mut axis = [zero; 3];
         for (&place, (value, _)) in nonzero.iter().zip(&common) {

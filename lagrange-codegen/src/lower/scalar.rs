@@ -175,7 +175,6 @@ impl Interpreter<'_> {
     }
 
     fn one_argument_function(&mut self, name: &str, node: NodeId) -> NodeId {
-        use std::f64::consts;
         let graph = self.graph();
         match name {
             "sqrt" => graph.sqrt(node),
@@ -187,13 +186,13 @@ impl Interpreter<'_> {
                 graph.powf(two, node)
             }
             "log2" | "log10" => {
-                let base = if name == "log2" { consts::LN_2 } else { consts::LN_10 };
+                let base = if name == "log2" { Number::LN_2 } else { Number::LN_10 };
                 let logarithm = graph.unary(Unary::Ln, node);
-                let base = graph.constant(Number::Float(base));
+                let base = graph.constant(base);
                 graph.div(logarithm, base)
             }
-            "to_radians" => graph.scale(node, Number::Float(consts::PI / 180.0)),
-            _ => graph.scale(node, Number::Float(180.0 / consts::PI)),
+            "to_radians" => graph.scale(node, Number::DEGREE),
+            _ => graph.scale(node, Number::RADIAN),
         }
     }
 }

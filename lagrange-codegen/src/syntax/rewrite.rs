@@ -4,13 +4,14 @@
 //! generic block, literals take the precision of the scalar, and the few functions of nalgebra
 //! that ask more of a number than `Real` offers go through the runtime's own door.
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, ImplItem, ItemImpl, Lit};
 
 use super::item::{Record, Scalar};
 use super::role;
+use crate::number::Number;
 
 /// The cleaned impl block. `rate` is an expression from the attribute of the block.
 pub fn clean(
@@ -166,9 +167,46 @@ struct Generalizer<'a> {
 }
 
 impl Generalizer<'_> {
-    fn literal(&self, literal: &TokenStream, span: Span) -> TokenStream {
+    /// A literal with all digits that the scalar has.
+    fn literal(&self, literal: &Lit) -> TokenStream {
         let (parameter, path) = (self.parameter, self.crate_path);
-        quote_spanned!(span=> <#parameter as #path::Real>::from_f64(#literal))
+        self.exact(literal).unwrap_or_else(
+            || quote_spanned!(literal.span()=> <#parameter as #path::Real>::from_f64(#literal)),
+        )
+    }
+
+    /// A literal that is no double.
+    fn exact(&self, literal: &Lit) -> Option<TokenStream> {
+        let digits = match literal {
+            Lit::Float(float) => float.base10_digits(),
+            Lit::Int(int) => int.base10_digits(),
+            _ => return None,
+        };
+        let (_, rest) = Number::parse(digits)?.parts();
+        let size: Literal = format!("{:?}", rest.abs()).parse().ok()?;
+        let sign = (rest < 0.0).then(|| quote!(-));
+        let (parameter, path) = (self.parameter, self.crate_path);
+        let exact =
+            quote_spanned!(literal.span()=> <#parameter as #path::Real>::from_parts(#literal, #sign #size));
+        (rest != 0.0).then_some(exact)
+    }
+
+    /// `R::from_f64(0.1)` and `R::from(0.1)`: the decimal, as everywhere in a description.
+    fn conversion(&self, call: &syn::ExprCall) -> Option<Expr> {
+        let Expr::Path(function) = &*call.func else { return None };
+        let names: Vec<String> =
+            function.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        let of_scalar =
+            matches!(names.as_slice(), [owner, name] if self.parameter == owner && name != "from_f32");
+        match call.args.first()? {
+            Expr::Lit(literal)
+                if of_scalar && call.args.len() == 1 && matches!(literal.lit, Lit::Float(_)) =>
+            {
+                let tokens = self.exact(&literal.lit)?;
+                Some(syn::parse_quote!(#tokens))
+            }
+            _ => None,
+        }
     }
 
     /// The runtime's function for a method of nalgebra's vectors.
@@ -214,8 +252,7 @@ impl Generalizer<'_> {
                 TokenTree::Group(inner).into()
             }
             TokenTree::Literal(literal) if is_float(&Lit::new(literal.clone())) => {
-                let span = literal.span();
-                self.literal(&quote!(#literal), span)
+                self.literal(&Lit::new(literal))
             }
             other => TokenStream::from(other),
         });
@@ -239,7 +276,7 @@ impl VisitMut for Generalizer<'_> {
         match expr {
             Expr::Lit(literal) => {
                 if is_float(&literal.lit) {
-                    let tokens = self.literal(&literal.to_token_stream(), literal.lit.span());
+                    let tokens = self.literal(&literal.lit);
                     *expr = syn::parse_quote!(#tokens);
                 }
                 return;
@@ -248,6 +285,9 @@ impl VisitMut for Generalizer<'_> {
                 if let Expr::Path(path) = call.func.as_mut() {
                     let last = path.path.segments.last().map(|segment| segment.ident.to_string());
                     if last.is_some_and(|last| FLOAT_FUNCTIONS.contains(&last.as_str())) {
+                        if let Some(exact) = self.conversion(call) {
+                            *expr = exact;
+                        }
                         return;
                     }
                     if let Some(function) = self.redirected_call(&path.path) {

@@ -3,8 +3,10 @@
 //! Written for q″ = a(t, q, v): the slope of q at a stage is the velocity of that stage, so nothing of length 2N
 //! is formed. No error estimate; unstable for stiff systems when h times the fastest rate exceeds about 2.8.
 
+use core::array;
+
 use super::FixedStep;
-use super::tableau::rk4::{B, C};
+use super::tableau::rk4::{B, C, REST};
 use crate::error::Cause;
 use crate::real::Real;
 use crate::state::State;
@@ -32,7 +34,7 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
         let mut slope_q = from.v;
         let mut slope_v = system.accelerations_at(constants, from.t, &from.q, &from.v, u);
         // Outside of the loop, where the compiler converts them.
-        let [first, weights @ ..] = B.map(S::Scalar::from_f64);
+        let [first, weights @ ..]: [_; 4] = array::from_fn(|i| S::Scalar::from_parts(B[i], REST[i]));
         let [_, nodes @ ..] = C.map(S::Scalar::from_f64);
         let mut sum_q = slope_q.map(|x| first * x);
         let mut sum_v = slope_v.map(|x| first * x);

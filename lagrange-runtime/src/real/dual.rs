@@ -195,6 +195,10 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
         Self::constant(R::from_f64(literal))
     }
     #[inline(always)]
+    fn from_parts(high: f64, low: f64) -> Self {
+        Self::constant(R::from_parts(high, low))
+    }
+    #[inline(always)]
     fn epsilon() -> Self {
         Self::constant(R::epsilon())
     }

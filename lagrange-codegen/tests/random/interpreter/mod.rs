@@ -300,6 +300,7 @@ impl Interpreter<'_> {
             ("R::zero", []) => Ok(Value::Number(0.0)),
             ("R::one", []) => Ok(Value::Number(1.0)),
             ("R::from_f64", [value]) => value.number().map(Value::Number),
+            ("R::from_parts", [value, _]) => value.number().map(Value::Number),
             _ => match path.strip_prefix("Real::") {
                 Some(name) => real(name, &numbers(&arguments)?),
                 None => unknown(format!("`{path}(…)`")),

@@ -5,7 +5,7 @@ use num_traits::{One, Zero};
 use super::super::adaptive::Steps;
 use super::super::dop853::add;
 use super::super::step_size::{self, Limits};
-use super::{DECAY, GROWTH, HIGHEST, SAFETY, STEEPEST, last_term};
+use super::{DECAY, GROWTH, HIGHEST, SAFETY, last_term};
 use crate::real::{Ordered, Real, larger, smaller};
 use crate::smooth::Series;
 use crate::state::State;
@@ -19,6 +19,8 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) orders: usize,
     /// The tolerance that the order is for.
     pub(super) tolerance: R,
+    /// The decay from order to order that this order and tolerance may bring.
+    pub(super) steepest: R,
     /// The point of expansion and what rounding took from it.
     pub(super) start: State<R, N>,
     pub(super) residue: State<R, N>,
@@ -46,6 +48,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             series: Series::default(),
             orders: 0,
             tolerance: -R::one(),
+            steepest: R::one(),
             start,
             residue: zero,
             unit: R::zero(),
@@ -124,7 +127,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// a coefficient is not, infinite for a polynomial.
     ///
     /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
-    /// So the terms before the last two may not exceed the tolerance by more than [`STEEPEST`] for each order either.
+    /// So the terms before the last two may not exceed the tolerance by more than [`super::STEEPEST`] for each order either.
     ///
     /// The size of a component is that of its first terms over `span`, which should be about the length itself. With
     /// `steady` the unit is the last step.
@@ -188,7 +191,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
 
     /// A length that the terms of lower orders bear as well: `term` gives the weighted size of an order.
     fn bounded(&self, mut length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
-        let steepest = R::Lane::from_f64(STEEPEST);
+        let steepest = self.steepest.largest();
         let mut allowed = steepest;
         for order in (self.orders / 2..self.orders - 1).rev() {
             allowed *= steepest;

@@ -19,7 +19,7 @@ use super::adaptive::{Adaptive, Steps};
 use super::diagnose;
 use super::step_size::Limits;
 use crate::error::{Cause, MotionError};
-use crate::real::Ordered;
+use crate::real::{Ordered, larger};
 use crate::simulation::Held;
 use crate::smooth::Smooth;
 use crate::state::State;
@@ -66,6 +66,14 @@ pub(crate) fn last_term<R: Ordered>(tolerance: R) -> R {
 
 /// Terms of a series decay by less than this from order to order, at a step that follows from the last two.
 pub(crate) const STEEPEST: f64 = 6.0;
+
+/// The same where [`HIGHEST`] leaves fewer orders for a digit than [`ORDERS_PER_DIGIT`], as scalars of more digits than `f64`
+/// do: half as much again as the decay that tolerance and order demand, a factor that [`STEEPEST`] leaves as well.
+#[inline]
+fn steepest<R: Ordered>(relative: R, orders: usize) -> R {
+    let demanded = (-last_term(relative).ln() / R::from_f64(orders as f64)).exp();
+    larger(R::from_f64(STEEPEST), R::from_f64(1.5) * demanded)
+}
 
 /// A step that grows by less than this needs no second look: its error would grow by a few times at most.
 const GROWTH: f64 = 1.1;
@@ -149,6 +157,7 @@ where
     {
         if memory.tolerance != limits.relative {
             (memory.tolerance, memory.orders) = (limits.relative, orders(limits.relative, ORDERS_PER_DIGIT));
+            memory.steepest = steepest(limits.relative, memory.orders);
         }
         while !memory.covers(t) {
             if !memory.ahead(t) {

@@ -50,6 +50,7 @@ where
     let mut remembered = memory.next.is_positive();
     let mut unit = if remembered { memory.next } else { left.abs() };
     let (mut overflowed, mut rescaled, mut retreated, mut blur) = (false, false, false, None);
+    let mut lengthened = false;
     loop {
         if *attempts == 0 {
             return Err(Cause::TooManySteps);
@@ -136,6 +137,10 @@ where
             overflowed |= !is_finite;
             let factor =
                 if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
+            // Two units may each ask for the other: a component that starts with many zero derivatives has no size but in
+            // the unit. The shorter one is sure.
+            overflowed |= lengthened && factor < num_traits::One::one();
+            lengthened |= factor > num_traits::One::one();
             unit *= factor;
             rescaled = true;
             memory.counts.rejected += 1;
