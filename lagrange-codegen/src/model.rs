@@ -21,6 +21,8 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Arrays among the parameters whose length was taken from what they stand beside.
     pub lengths: Vec<Length>,
+    /// What names in the description must mean for it to have been read rightly.
+    pub meanings: Vec<Meaning>,
     /// Particles.
     pub points: Vec<Point>,
     /// Rigid bodies.
@@ -134,6 +136,15 @@ pub struct Length {
     /// The number of its elements.
     pub length: usize,
     /// Where it was used.
+    pub origin: Origin,
+}
+
+/// Rust that compiles only if a name means what the description was read with.
+#[derive(Clone, Debug)]
+pub struct Meaning {
+    /// A statement or an item.
+    pub statement: String,
+    /// Where the name stands.
     pub origin: Origin,
 }
 

@@ -39,6 +39,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         inputs: _,
         parameters: _,
         lengths: _,
+        meanings: _,
         points,
         bodies,
         kinetic,

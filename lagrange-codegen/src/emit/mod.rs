@@ -10,6 +10,7 @@ mod equations;
 mod gather;
 mod jets;
 mod linearization;
+mod meanings;
 mod methods;
 mod names;
 mod parts;
@@ -161,6 +162,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             fn __lengths(&self) { #lengths }
         }
     });
+    let meanings = meanings::meanings(emission.item, emission.model, diagnostics);
     let test = analysis::test(&emission);
     let certificate = certificate.map(|items| {
         let items = parameters.parse(&items);
@@ -194,6 +196,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             impl #impl_generics #self_ty #where_clause {
                 #report
                 #lengths
+                #meanings
                 #methods
             }
 

@@ -3,14 +3,17 @@
 use std::rc::Rc;
 
 use super::parameter::Parameters;
+use super::rounded::Rounded;
 use super::scope::Scope;
 use super::shape::Shape;
 use super::value::Value;
 use crate::collections::Lookup;
 use crate::diagnostics::{Diagnostics, Origin, catalogue};
 use crate::expr::{Graph, NodeId, Variable};
-use crate::model::{Model, Quantity};
+use crate::model::{Meaning, Model, Quantity};
+use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Name, Owner};
+use crate::syntax::integers::Integers;
 use crate::syntax::{Group, Item};
 
 /// Statements and iterations after which a description counts as runaway.
@@ -59,6 +62,12 @@ pub struct Interpreter<'a> {
     pub constants: Vec<Option<Value>>,
     /// The fields of each record, in the order of [`crate::syntax::Record::ALL`].
     pub fields: [Vec<Value>; 3],
+    /// Constants of the blocks around that are not evaluated yet.
+    pub later: Vec<&'a Name>,
+    /// While a closure of a lazy iterator runs: the variables below this position are outside it.
+    pub lazy: Option<usize>,
+    /// Statements that rustc will confirm.
+    meant: Lookup<String, ()>,
     /// Whether an attribute argument such as a mass is evaluated.
     pub in_attribute: bool,
     /// How many variables stand for components of positions.
@@ -93,6 +102,9 @@ impl<'a> Interpreter<'a> {
             calls: Vec::new(),
             constants: vec![None; item.constants.len()],
             fields,
+            later: Vec::new(),
+            lazy: None,
+            meant: Lookup::default(),
             in_attribute: false,
             positions: 0,
             reports: 0,
@@ -103,6 +115,26 @@ impl<'a> Interpreter<'a> {
     /// The graph under construction.
     pub fn graph(&mut self) -> &mut Graph {
         &mut self.model.graph
+    }
+
+    /// A number that stands in the source, or has a name of its own.
+    pub fn constant(&mut self, number: Number) -> Value {
+        Value::Scalar(self.graph().constant(number), Rounded::literal(number))
+    }
+
+    /// An integer result of a type; `None` where Rust would overflow, which is reported.
+    pub fn integer(&mut self, value: i128, types: Integers, origin: Origin) -> Value {
+        match types.holding(value) {
+            Some(types) => Value::Integer(value, types),
+            None => self.refuse(origin, catalogue::integer_overflow()),
+        }
+    }
+
+    /// Notes what rustc has to confirm: a statement that compiles only if a name means what it was taken for.
+    pub fn meaning(&mut self, statement: String, origin: Origin) {
+        if self.meant.insert(statement.clone(), ()).is_none() {
+            self.model.meanings.push(Meaning { statement, origin });
+        }
     }
 
     /// Reports a mistake.
@@ -145,8 +177,8 @@ impl<'a> Interpreter<'a> {
         }
         let origin = expr.origin;
         let value = match &expr.kind {
-            ExprKind::Float(number) => Value::Scalar(self.graph().constant(*number)),
-            ExprKind::Integer(value) => Value::Integer(*value),
+            ExprKind::Float(number) => self.constant(*number),
+            ExprKind::Integer(value, types) => Value::Integer(*value, *types),
             ExprKind::Boolean(value) => Value::Boolean(*value),
             ExprKind::Path(path) => self.path(path),
             ExprKind::Unary(operator, operand) => {
@@ -207,7 +239,7 @@ impl<'a> Interpreter<'a> {
     pub fn scalar_of(&mut self, expr: &'a Expr) -> Option<NodeId> {
         let value = self.expression(expr);
         match self.coerce_of(value, &Shape::Scalar, expr) {
-            Value::Scalar(node) => Some(node),
+            Value::Scalar(node, ..) => Some(node),
             _ => None,
         }
     }
@@ -222,7 +254,7 @@ impl<'a> Interpreter<'a> {
     /// The value of an expression that must be a constant integer.
     pub fn integer_of(&mut self, expr: &'a Expr) -> Option<i128> {
         match self.expression(expr) {
-            Value::Integer(value) => Some(value),
+            Value::Integer(value, ..) => Some(value),
             Value::Unknown => None,
             Value::Parameter(id) => {
                 let text = self.parameters.text(id).to_string();
@@ -301,7 +333,7 @@ fn variables(graph: &mut Graph, groups: &[Group], kind: impl Fn(u32) -> Variable
     let mut next = 0;
     let mut variable = || {
         next += 1;
-        Value::Scalar(graph.variable(kind(next - 1)))
+        Value::scalar(graph.variable(kind(next - 1)))
     };
     groups
         .iter()

@@ -8,6 +8,7 @@
 mod access;
 mod advice;
 mod call;
+mod compare;
 mod constraint;
 mod construct;
 mod control;
@@ -23,6 +24,7 @@ mod pattern;
 mod places;
 mod roles;
 mod rotation;
+mod rounded;
 mod scalar;
 mod scope;
 mod shape;

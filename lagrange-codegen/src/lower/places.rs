@@ -66,7 +66,7 @@ impl Interpreter<'_> {
     /// A value of the same form made of variables.
     fn stand_in(&mut self, value: &Value) -> Value {
         match value {
-            Value::Scalar(_) => Value::Scalar(self.position()),
+            Value::Scalar(..) => Value::scalar(self.position()),
             Value::Vector(nodes) => Value::Vector(nodes.iter().map(|_| self.position()).collect()),
             Value::Point(nodes) => Value::Point(nodes.iter().map(|_| self.position()).collect()),
             Value::Isometry(shift, turn) => {

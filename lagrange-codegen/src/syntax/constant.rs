@@ -10,9 +10,10 @@ pub fn integer(expr: &Expr, constants: &[Constant]) -> Option<i128> {
 /// `depth` bounds the chain of constants that refer to constants, which might be a cycle.
 fn fold(expr: &Expr, constants: &[Constant], depth: usize) -> Option<i128> {
     match &expr.kind {
-        ExprKind::Integer(value) => Some(*value),
+        ExprKind::Integer(value, _) => Some(*value),
         ExprKind::Path(path) if matches!(path.owner, Owner::None | Owner::SelfType) => {
-            let constant = constants.iter().find(|constant| constant.name == path.last)?;
+            let named = |constant: &&Constant| constant.name == path.last && constant.conditional.is_none();
+            let constant = constants.iter().find(named)?;
             fold(&constant.value, constants, depth.checked_sub(1)?)
         }
         ExprKind::Cast(inner, _) => fold(inner, constants, depth),

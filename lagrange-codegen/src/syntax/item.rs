@@ -181,6 +181,8 @@ pub struct Function {
     pub output: Option<Type>,
     /// The body.
     pub body: Block,
+    /// A `cfg` that decides whether the function is there, or what it consists of.
+    pub conditional: Option<Origin>,
 }
 
 /// A parameter of a function.
