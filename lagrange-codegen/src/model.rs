@@ -23,6 +23,8 @@ pub struct Model {
     pub lengths: Vec<Length>,
     /// What names in the description must mean for it to have been read rightly.
     pub meanings: Vec<Meaning>,
+    /// What the functions with a role, and the arguments of roles, were read as.
+    pub readings: Vec<Reading>,
     /// Particles.
     pub points: Vec<Point>,
     /// Rigid bodies.
@@ -146,6 +148,17 @@ pub struct Meaning {
     pub statement: String,
     /// Where the name stands.
     pub origin: Origin,
+}
+
+/// What was read of a function of the user, or of an argument of its role.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// Index of the function in the description.
+    pub function: usize,
+    /// The argument of its role, if it is that.
+    pub argument: Option<&'static str>,
+    /// All numbers of its value, in the order of the runtime's `Numbers`.
+    pub nodes: Vec<NodeId>,
 }
 
 /// A particle.

@@ -239,6 +239,9 @@ where
     /// Refuses a start that violates constraints, and takes the roundings from one that does not.
     #[inline]
     fn begin(&mut self) -> Result<(), MotionError<S::Scalar>> {
+        if S::READ && self.steps().evaluations == 0 {
+            crate::reading::checked(self.system, &self.state, &self.control.inputs(&self.state))?;
+        }
         if S::CONSTRAINED && self.steps().evaluations == 0 {
             let failed = |cause| MotionError { cause, t: self.state.t };
             self.system.check_start_at(&self.constants, &self.state).map_err(failed)?;

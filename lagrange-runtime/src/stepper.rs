@@ -33,7 +33,7 @@ where
         let constants = system.constants();
         // The start of a constrained motion is checked by the first step; there is no room to remember that in the
         // stepper of a system without constraints.
-        let residue = S::Scalar::from_f64(if S::CONSTRAINED { f64::NAN } else { 0.0 });
+        let residue = S::Scalar::from_f64(if S::CONSTRAINED || S::READ { f64::NAN } else { 0.0 });
         Self { system, constants, memory: M::begin(system), state: start, residue }
     }
 
@@ -52,7 +52,8 @@ where
         if !h.is_finite() {
             return Err(MotionError { cause: Cause::InvalidStep, t: self.state.t });
         }
-        if S::CONSTRAINED && !self.residue.is_finite() {
+        if (S::CONSTRAINED || S::READ) && !self.residue.is_finite() {
+            crate::reading::checked(self.system, &self.state, u)?;
             self.check_start()?;
         }
         let from = &self.state;

@@ -139,6 +139,10 @@ messages! {
         `{name}`; use a `for` loop";
     wrong_suffix(suffix, digits, scalar) = "the suffix `{suffix}` does not fit the scalar `{scalar}`; write \
         `{digits}`";
+    too_deep(levels) = "expressions are nested more than {levels} deep here, which would take more stack than the compiler has; \
+        name parts of it by `let`, or add up long sums in a loop";
+    too_large(nodes) = "this description has more than {nodes} different subexpressions, more than can be differentiated in \
+        reasonable time; describe a smaller system";
     runaway(steps) = "this description takes more than {steps} steps to unroll; shorten its loops";
 }
 

@@ -40,6 +40,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         parameters: _,
         lengths: _,
         meanings: _,
+        readings,
         points,
         bodies,
         kinetic,
@@ -57,6 +58,9 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         origins: _,
         locals: _,
     } = model;
+    for reading in readings {
+        reading.nodes.iter_mut().for_each(&mut *each);
+    }
     for point in points {
         point.position.iter_mut().for_each(&mut *each);
     }

@@ -21,7 +21,7 @@ pub(super) fn meanings(item: &Item, model: &Model, diagnostics: &Diagnostics) ->
     let statements: TokenStream = declared.chain(read).collect();
     quote! {
         #[doc(hidden)]
-        #[allow(unused, non_snake_case, non_upper_case_globals)]
+        #[allow(unused, unused_qualifications, unused_results, non_snake_case, non_upper_case_globals)]
         fn __meanings() { #statements }
     }
 }

@@ -15,6 +15,7 @@ mod methods;
 mod names;
 mod parts;
 mod proofs;
+mod readings;
 mod records;
 mod scalar;
 mod stubs;
@@ -80,6 +81,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             (system, None, after)
         }
     };
+    let system = system + &readings::implementation(&mut emission);
     let (mut methods, sides) = methods::methods(&mut emission);
     if surface.is_some() {
         methods.push_str(&constraints::methods(&mut emission));
@@ -162,6 +164,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             fn __lengths(&self) { #lengths }
         }
     });
+    let getters = readings::getters(&emission);
     let meanings = meanings::meanings(emission.item, emission.model, diagnostics);
     let test = analysis::test(&emission);
     let certificate = certificate.map(|items| {
@@ -197,6 +200,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
                 #report
                 #lengths
                 #meanings
+                #getters
                 #methods
             }
 

@@ -4,20 +4,26 @@ use std::rc::Rc;
 
 use super::parameter::Parameters;
 use super::rounded::Rounded;
+use super::scalar::LARGEST_POWER;
 use super::scope::Scope;
 use super::shape::Shape;
 use super::value::Value;
 use crate::collections::Lookup;
 use crate::diagnostics::{Diagnostics, Origin, catalogue};
-use crate::expr::{Graph, NodeId, Variable};
+use crate::expr::{Graph, Node, NodeId, Variable};
 use crate::model::{Meaning, Model, Quantity};
 use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Name, Owner};
 use crate::syntax::integers::Integers;
 use crate::syntax::{Group, Item};
 
-/// Statements and iterations after which a description counts as runaway.
+/// Steps, an expression each, after which a description counts as runaway: about three seconds of an engine without
+/// optimisation. Five hundred coordinates of which each meets each take a third of them, a chain of a hundred links a hundredth.
 const BUDGET: usize = 1_000_000;
+
+/// Subexpressions of the largest description: those of fifty particles that attract each other. Differentiating them takes
+/// most of the time of an expansion.
+const LARGEST: usize = 20_000;
 
 /// Where execution goes after a statement.
 #[derive(Debug)]
@@ -157,17 +163,23 @@ impl<'a> Interpreter<'a> {
     /// Pays for a number of elements.
     pub fn pay_for(&mut self, count: usize, origin: Origin) -> bool {
         let Budget::Left(left) = self.budget else { return false };
-        match left.checked_sub(count) {
-            Some(left) => {
+        let message = match left.checked_sub(count) {
+            Some(left) if self.model.graph.size() <= LARGEST => {
                 self.budget = Budget::Left(left);
-                true
+                return true;
             }
-            None => {
-                self.report(origin, catalogue::runaway(BUDGET));
-                self.budget = Budget::Exhausted;
-                false
-            }
-        }
+            Some(_) => catalogue::too_large(LARGEST),
+            None => catalogue::runaway(BUDGET),
+        };
+        self.report(origin, message);
+        self.budget = Budget::Exhausted;
+        false
+    }
+
+    /// Pays for some copies of a value.
+    fn pay_for_parts(&mut self, value: &Value, copies: usize, origin: Origin) -> bool {
+        let parts = value.parts(BUDGET).saturating_mul(copies);
+        self.pay_for(parts, origin)
     }
 
     /// The value of an expression.
@@ -176,6 +188,10 @@ impl<'a> Interpreter<'a> {
             return Value::Unknown;
         }
         let origin = expr.origin;
+        if !self.pay(origin) {
+            self.stop();
+            return Value::Unknown;
+        }
         let value = match &expr.kind {
             ExprKind::Float(number) => self.constant(*number),
             ExprKind::Integer(value, types) => Value::Integer(*value, *types),
@@ -205,7 +221,9 @@ impl<'a> Interpreter<'a> {
             ExprKind::Repeat(element, length) => {
                 let element = self.expression(element);
                 match self.length(length) {
-                    Some(count) if self.pay_for(count, origin) => Value::array(vec![element; count]),
+                    Some(count) if self.pay_for_parts(&element, count, origin) => {
+                        Value::array(vec![element; count])
+                    }
                     Some(_) | None => Value::Unknown,
                 }
             }
@@ -226,8 +244,18 @@ impl<'a> Interpreter<'a> {
             ExprKind::Closure(_) => self.refuse(origin, catalogue::stored_closure()),
             ExprKind::Unsupported(message) => self.refuse(origin, message.clone()),
         };
+        // Arrays share their elements, but what walks over them pays for each.
+        let is_new = matches!(
+            expr.kind,
+            ExprKind::Array(_) | ExprKind::Tuple(_) | ExprKind::Method(_) | ExprKind::Call(..)
+        );
+        if is_new && !self.pay_for_parts(&value, 1, origin) {
+            self.stop();
+            return Value::Unknown;
+        }
+        let reports = self.reports;
         self.record(&value, origin);
-        value
+        if self.reports > reports { Value::Unknown } else { value }
     }
 
     /// The values of some expressions.
@@ -300,6 +328,11 @@ impl<'a> Interpreter<'a> {
                 continue;
             }
             self.model.origins.insert(node, origin);
+            if let Node::Product(factors) = self.model.graph.node(node)
+                && factors.iter().any(|(_, power)| u128::from(power.0.unsigned_abs()) > 2 * LARGEST_POWER)
+            {
+                self.report(origin, catalogue::bad_power(LARGEST_POWER));
+            }
             self.model.graph.operands(node, |operand| stack.push(operand));
         }
     }

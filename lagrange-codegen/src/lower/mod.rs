@@ -22,6 +22,7 @@ mod parameter;
 mod path;
 mod pattern;
 mod places;
+mod readings;
 mod roles;
 mod rotation;
 mod rounded;

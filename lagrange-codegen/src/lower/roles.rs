@@ -55,6 +55,7 @@ impl<'a> Interpreter<'a> {
             self.baumgarte(rate);
         }
         self.sensitivities();
+        self.readings();
     }
 
     /// The parameters that derivatives are taken by.

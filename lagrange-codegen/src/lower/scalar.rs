@@ -68,7 +68,7 @@ pub const REFUSED: [&str; 11] = [
 ];
 
 /// Larger whole powers are hardly meant, and exact constants would take forever.
-const LARGEST_POWER: u128 = 1024;
+pub const LARGEST_POWER: u128 = 1024;
 
 impl Interpreter<'_> {
     /// `x.method(arguments)` for a number.

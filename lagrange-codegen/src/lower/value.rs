@@ -155,6 +155,23 @@ impl Value {
         }
     }
 
+    /// The number of scalars and the like in nested arrays and tuples, counted up to a limit.
+    pub fn parts(&self, limit: usize) -> usize {
+        match self {
+            Value::Tuple(elements) | Value::Array(elements) | Value::Iterator(elements) => {
+                let mut count = 0;
+                for element in elements.iter() {
+                    count += element.parts(limit.saturating_sub(count));
+                    if count >= limit {
+                        break;
+                    }
+                }
+                count
+            }
+            _ => 1,
+        }
+    }
+
     /// The nodes of a value of linear algebra; none for the rest.
     pub fn nodes(&self) -> &[NodeId] {
         match self {

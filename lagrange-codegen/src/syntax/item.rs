@@ -210,6 +210,8 @@ pub enum Argument {
 pub struct Role {
     /// Its kind and arguments.
     pub kind: RoleKind,
+    /// The arguments as Rust evaluates them, by name.
+    pub written: Vec<(String, syn::Expr)>,
     /// The attribute.
     pub origin: Origin,
 }

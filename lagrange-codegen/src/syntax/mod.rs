@@ -13,6 +13,7 @@ pub mod types;
 
 mod args;
 mod conditional;
+mod depth;
 mod path;
 mod place;
 mod recover;
@@ -28,9 +29,11 @@ use proc_macro2::{Ident, Span, TokenStream};
 use syn::{GenericParam, ImplItem, ItemImpl, TypeParamBound};
 
 pub use args::LINTS;
+pub use depth::{DEEPEST, too_deep};
 use item::Argument;
 pub use item::{Group, Item, Record, Scalar};
 pub use recover::recover;
+pub use rewrite::expression as rewritten;
 pub use signature::{refused, returns};
 
 use crate::diagnostics::{Diagnostics, catalogue};

@@ -119,15 +119,19 @@ pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> Option<Ro
             translator.diagnostics.error(span, catalogue::two_roles(first, &name));
             continue;
         }
-        if let Some(kind) = kind(&name, attribute, translator) {
+        if let Some((kind, written)) = kind(&name, attribute, translator) {
             let origin = translator.origin(span);
-            role = Some((Role { kind, origin }, name));
+            role = Some((Role { kind, written, origin }, name));
         }
     }
     role.map(|(role, _)| role)
 }
 
-fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Option<RoleKind> {
+fn kind(
+    name: &str,
+    attribute: &Attribute,
+    translator: &mut Translator,
+) -> Option<(RoleKind, Vec<(String, Expr)>)> {
     let accepted: &[&str] = match name {
         "point" => &["mass"],
         "body" => &["mass", "inertia"],
@@ -147,7 +151,9 @@ fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Optio
         }
         expr.map(|expr| translator.expression(expr))
     };
-    match name {
+    let written =
+        given.iter().filter_map(|given| Some((given.key.to_string(), given.value.clone()?))).collect();
+    let kind = match name {
         "point" => Some(RoleKind::Point { mass: required("mass", translator)? }),
         "body" => {
             let (mass, inertia) = (required("mass", translator), required("inertia", translator));
@@ -159,7 +165,7 @@ fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Optio
         "dissipation" => Some(RoleKind::Dissipation),
         "holonomic" => {
             let Some(KeyValue { key, value }) = find("eliminate") else {
-                return Some(RoleKind::Holonomic { eliminate: None });
+                return Some((RoleKind::Holonomic { eliminate: None }, written));
             };
             let coordinate = match value {
                 Some(value) => Some(target(value, "eliminate", translator)?),
@@ -178,7 +184,8 @@ fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Optio
             (None, Some(on)) => target(on, "on", translator).map(|(w, i)| RoleKind::Force(Target::On(w, i))),
             (None, None) => Some(RoleKind::Force(Target::Generalized)),
         },
-    }
+    };
+    kind.map(|kind| (kind, written))
 }
 
 struct KeyValue {
