@@ -11,9 +11,10 @@ use crate::syntax::{Group, Item};
 /// A function that is never called and compiles only if names mean what they were taken for. What does not fit is reported
 /// where the user wrote it.
 pub(super) fn meanings(item: &Item, model: &Model, diagnostics: &Diagnostics) -> TokenStream {
-    // A local variable of generated code cannot have the name of a constant or of a unit struct.
-    let declared =
-        item.coordinates.iter().chain(&item.inputs).map(|Group { ident, .. }| quote!(let #ident @ _ = ();));
+    // A local variable of generated code cannot have the name of a constant or of a unit struct. It is never in capitals.
+    let small = |group: &&Group| !group.name().contains(char::is_uppercase);
+    let groups = item.coordinates.iter().chain(&item.inputs).filter(small);
+    let declared = groups.map(|Group { ident, .. }| quote!(let #ident @ _ = ();));
     let read = model.meanings.iter().map(|meaning| {
         let tokens: TokenStream = meaning.statement.parse().unwrap_or_default();
         respan(tokens, diagnostics.span(meaning.origin))

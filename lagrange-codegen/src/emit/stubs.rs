@@ -6,11 +6,12 @@ use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
 use super::{COMPLETIONS, analysis, proofs, records};
+use crate::syntax::item::RoleKind;
 use crate::syntax::{Group, Item, Record, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
-/// themselves are broken.
-pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
+/// themselves are broken. `unknown` is a type of which the compiler says nothing.
+pub(crate) fn stubs(item: &Item, unknown: &TokenStream) -> Option<TokenStream> {
     if !sound(&item.coordinates) || !sound(&item.inputs) {
         return None;
     }
@@ -83,8 +84,8 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     });
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let mut methods = methods(item, &quote!(#scalar), count, inputs);
-    methods.extend(constraint_methods(item, &held, &quote!(#scalar), count, inputs));
-    methods.extend(analysis::stubs(item, &quote!(#scalar), count, inputs));
+    methods.extend(constraint_methods(item, &held, (&quote!(#scalar), unknown), count, inputs));
+    methods.extend(analysis::stubs(item, &quote!(#scalar), count, inputs, unknown));
     let completions = (declared > count).then(|| completions(item, &quote!(#scalar), count));
     Some(quote! {
         #records
@@ -192,7 +193,7 @@ fn is_free(item: &Item, name: &str) -> bool {
 fn constraint_methods(
     item: &Item,
     held: &[Held],
-    scalar: &TokenStream,
+    (scalar, unknown): (&TokenStream, &TokenStream),
     count: usize,
     inputs: usize,
 ) -> TokenStream {
@@ -220,6 +221,17 @@ fn constraint_methods(
         let name = format_ident!("{name}");
         quote!(pub fn #name(&self, _: &#state #inputs) -> #output { loop {} })
     });
+    // Whether a constraint acts on a place is not known.
+    let on_places = item.functions.iter().filter(|function| {
+        matches!(
+            function.role.as_ref().map(|role| &role.kind),
+            Some(RoleKind::Point { .. } | RoleKind::Body { .. })
+        )
+    });
+    let on_places = on_places.map(|function| {
+        let name = format_ident!("{}{}", constraints::PREFIX, &*function.name);
+        quote!(pub fn #name(&self, _: &#state #given) -> #unknown { loop {} })
+    });
     let consistent = is_free("consistent").then(|| {
         let result = result(state.clone());
         quote!(pub fn consistent(&self, state: #state) -> #result { loop {} })
@@ -227,6 +239,7 @@ fn constraint_methods(
     quote! {
         pub const CONSTRAINTS: [&'static str; #total] = [""; #total];
         #(#methods)*
+        #(#on_places)*
         #consistent
     }
 }
