@@ -39,7 +39,7 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
     }
     let messages = diagnostics.to_tokens();
     // With the declarations known, everything that a program may use of a system is there.
-    let stubs = parsed.as_ref().and_then(|item| stubs(item, &diagnostics.as_type()));
+    let stubs = parsed.as_ref().and_then(stubs);
     let recovered = syntax::recover(args, item, stubs.is_none());
     quote!(#messages #recovered #stubs)
 }

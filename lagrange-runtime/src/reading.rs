@@ -118,7 +118,8 @@ impl<R: Real, T: Numbers<R>, const D: usize> Numbers<R> for Isometry<R, T, D> {
 
 /// Compares what a function returns, given by its [`Numbers::each_number`], with what was read of it, number by number.
 ///
-/// `sizes` bound the terms that the numbers are added up from, with the conditions of the functions that they went through
+/// What cancels between the components of a vector or of a rotation leaves rounding of the size of the others, so the
+/// largest size counts for all. `sizes` bound the terms that the numbers are added up from, with the conditions of the functions that they went through
 /// (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 3.3). Rounding is far below half of the
 /// digits of that, and an evaluation that has lost more than half is worth a word too. What is infinite or not a number
 /// lies outside the domain of the function and is not compared.
@@ -131,10 +132,11 @@ pub fn compare<R: Real>(
     read: &[R],
     sizes: &[R],
 ) -> Result<(), Cause> {
+    let size = sizes.iter().copied().fold(R::zero(), R::max);
     let mut place = 0;
     let mut verdict = Ok(());
     found(&mut |found: R| {
-        if let (Some(&read), Some(&size)) = (read.get(place), sizes.get(place)) {
+        if let Some(&read) = read.get(place) {
             let off = (found - read).abs();
             let allowed = R::epsilon().sqrt() * R::from_f64(2.0) * size;
             if off.is_finite() && allowed.is_finite() && (off - allowed).largest() > num_traits::Zero::zero()

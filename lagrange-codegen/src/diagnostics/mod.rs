@@ -63,16 +63,6 @@ impl Diagnostics {
         self.errors.iter().map(|(_, message)| message.as_str())
     }
 
-    /// The first mistake again, in place of a type: what has that type is nothing that the compiler complains of, and the
-    /// same error is shown once.
-    pub fn as_type(&self) -> TokenStream {
-        let first = self
-            .errors
-            .first()
-            .map(|(span, message)| quote_spanned!(*span=> ::core::compile_error! { #message }));
-        first.unwrap_or_default()
-    }
-
     /// One `compile_error!` for each mistake, on the user's tokens.
     pub fn to_tokens(&self) -> TokenStream {
         self.errors

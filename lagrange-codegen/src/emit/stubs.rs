@@ -6,12 +6,15 @@ use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
 use super::{COMPLETIONS, analysis, proofs, records};
+use crate::syntax::body::Expr;
+use crate::syntax::constant;
 use crate::syntax::item::RoleKind;
+use crate::syntax::types::TypeKind;
 use crate::syntax::{Group, Item, Record, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
-/// themselves are broken. `unknown` is a type of which the compiler says nothing.
-pub(crate) fn stubs(item: &Item, unknown: &TokenStream) -> Option<TokenStream> {
+/// themselves are broken.
+pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     if !sound(&item.coordinates) || !sound(&item.inputs) {
         return None;
     }
@@ -84,8 +87,8 @@ pub(crate) fn stubs(item: &Item, unknown: &TokenStream) -> Option<TokenStream> {
     });
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let mut methods = methods(item, &quote!(#scalar), count, inputs);
-    methods.extend(constraint_methods(item, &held, (&quote!(#scalar), unknown), count, inputs));
-    methods.extend(analysis::stubs(item, &quote!(#scalar), count, inputs, unknown));
+    methods.extend(constraint_methods(item, &held, &quote!(#scalar), count, inputs));
+    methods.extend(analysis::stubs(item, &quote!(#scalar), count, inputs));
     let completions = (declared > count).then(|| completions(item, &quote!(#scalar), count));
     Some(quote! {
         #records
@@ -193,7 +196,7 @@ fn is_free(item: &Item, name: &str) -> bool {
 fn constraint_methods(
     item: &Item,
     held: &[Held],
-    (scalar, unknown): (&TokenStream, &TokenStream),
+    scalar: &TokenStream,
     count: usize,
     inputs: usize,
 ) -> TokenStream {
@@ -222,15 +225,15 @@ fn constraint_methods(
         quote!(pub fn #name(&self, _: &#state #inputs) -> #output { loop {} })
     });
     // Whether a constraint acts on a place is not known.
-    let on_places = item.functions.iter().filter(|function| {
-        matches!(
-            function.role.as_ref().map(|role| &role.kind),
-            Some(RoleKind::Point { .. } | RoleKind::Body { .. })
-        )
-    });
-    let on_places = on_places.map(|function| {
-        let name = format_ident!("{}{}", constraints::PREFIX, &*function.name);
-        quote!(pub fn #name(&self, _: &#state #given) -> #unknown { loop {} })
+    let on_places = item.functions.iter().filter_map(|function| {
+        let role = function.role.as_ref().map(|role| &role.kind);
+        if !matches!(role, Some(RoleKind::Point { .. } | RoleKind::Body { .. })) {
+            return None;
+        }
+        let force = force_on(item, &function.output.as_ref()?.kind, scalar)?;
+        let (name, result) =
+            (format_ident!("{}{}", constraints::PREFIX, &*function.name), result(quote!(#record<#force>)));
+        Some(quote!(pub fn #name(&self, _: &#state #given) -> #result { loop {} }))
     });
     let consistent = is_free("consistent").then(|| {
         let result = result(state.clone());
@@ -242,4 +245,23 @@ fn constraint_methods(
         #(#on_places)*
         #consistent
     }
+}
+
+/// The type of the force on what a function of a particle or body returns.
+fn force_on(item: &Item, kind: &TypeKind, scalar: &TokenStream) -> Option<TokenStream> {
+    let length = |length: &Expr| {
+        constant::integer(length, &item.constants).and_then(|length| usize::try_from(length).ok())
+    };
+    let dimension = match kind {
+        TypeKind::Array(element, count) => {
+            let (element, count) = (force_on(item, &element.kind, scalar)?, length(count)?);
+            return Some(quote!([#element; #count]));
+        }
+        TypeKind::Tuple(parts) => return force_on(item, &parts.first()?.kind, scalar),
+        TypeKind::Scalar => 1,
+        TypeKind::Vector(dimension) => length(dimension)?,
+        TypeKind::Point(dimension) | TypeKind::Isometry(dimension) => *dimension,
+        _ => return None,
+    };
+    Some(quote!(lagrange::nalgebra::SVector<#scalar, #dimension>))
 }

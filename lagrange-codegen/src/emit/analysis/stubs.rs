@@ -6,14 +6,8 @@ use quote::{format_ident, quote};
 use crate::syntax::Item;
 
 /// The methods and constants of `analysis`, but for those whose name the user has taken. How many quantities are conserved, and
-/// how many parameters lumped, is not known: arrays of them are of the type `unknown`, of which the compiler says nothing.
-pub(in crate::emit) fn stubs(
-    item: &Item,
-    scalar: &TokenStream,
-    count: usize,
-    inputs: usize,
-    unknown: &TokenStream,
-) -> TokenStream {
+/// how many parameters lumped, is not known: arrays of them fit any length.
+pub(in crate::emit) fn stubs(item: &Item, scalar: &TokenStream, count: usize, inputs: usize) -> TokenStream {
     if !item.analysis {
         return TokenStream::new();
     }
@@ -59,11 +53,12 @@ pub(in crate::emit) fn stubs(
     ];
     let any = any.into_iter().filter(|(name, _)| is_free(name)).map(|(name, arguments)| {
         let name = format_ident!("{name}");
-        quote!(pub fn #name(&self, #arguments) -> #unknown { loop {} })
+        quote!(pub fn #name<const LENGTH: usize>(&self, #arguments) -> [#scalar; LENGTH] { loop {} })
     });
     let regressor = is_free("regressor").then(|| {
         quote! {
-            pub fn regressor(&self, #state, _: &#vector) -> #unknown { loop {} }
+            pub fn regressor<const LENGTH: usize>(&self, #state, _: &#vector)
+                -> lagrange::nalgebra::SMatrix<#scalar, #count, LENGTH> { loop {} }
         }
     });
     quote! {
