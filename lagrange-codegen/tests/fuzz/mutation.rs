@@ -77,7 +77,7 @@ pub const ACCEPTED: [(&str, &str, &str); 6] = [
         "impl Row {
             fn stretch(&self, q: &Coordinates, i: usize) -> f64 {
                 match i { 0 => q.x[0], 1 | 2 => q.x[i] - q.x[i - 1], _ => { let [.., last] = q.x; last - q.x[2] } } }
-            #[kinetic] fn energy(&self, v: &Velocities) -> f64 { v.x.iter().map(|v| 0.5 * self.m * v * v).sum() }
+            #[kinetic] fn motion(&self, v: &Velocities) -> f64 { v.x.iter().map(|v| 0.5 * self.m * v * v).sum() }
             #[potential] fn springs(&self, q: &Coordinates) -> f64 {
                 (0..4).map(|i| self.stretch(q, i)).fold(0.0, |sum, s| sum + 0.5 * self.k * s.powi(2)) }
         }",
