@@ -436,9 +436,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                         "`cart` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self.cart(lagrange::verify::given(&__coordinates)).each_number(take)
-                },
+                |take| self.cart(&__coordinates).each_number(take),
                 &[x, R::zero()],
                 &[abs_x, R::zero()],
             )?;
@@ -449,9 +447,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                         "`tip` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self.tip(lagrange::verify::given(&__coordinates)).each_number(take)
-                },
+                |take| self.tip(&__coordinates).each_number(take),
                 &[tip_x, tip_y],
                 &[
                     abs_x + abs_length * (abs_sin_theta + abs_theta * abs_cos_theta),
@@ -465,11 +461,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                         "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .gravity(lagrange::verify::given(&__coordinates))
-                        .each_number(take)
-                },
+                |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[Real::abs(pole_mass) * abs_length * Real::abs(g) * w1],
             )?;
@@ -480,11 +472,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                         "`bearing` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .bearing(lagrange::verify::given(&__velocities))
-                        .each_number(take)
-                },
+                |take| self.bearing(&__velocities).each_number(take),
                 &[bearing],
                 &[
                     R::from_f64(0.5) * Real::abs(damping)
@@ -498,7 +486,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                         "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| self.motor(lagrange::verify::given(&__inputs)).each_number(take),
+                |take| self.motor(&__inputs).each_number(take),
                 &[motor, R::zero()],
                 &[Real::abs(motor), R::zero()],
             )?;

@@ -558,9 +558,7 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
                         "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self.bob(lagrange::verify::given(&__coordinates)).each_number(take)
-                },
+                |take| self.bob(&__coordinates).each_number(take),
                 &[x, y],
                 &[abs_x, abs_y],
             )?;
@@ -571,11 +569,7 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
                         "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .gravity(lagrange::verify::given(&__coordinates))
-                        .each_number(take)
-                },
+                |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[Real::abs(mass_2) * Real::abs(g) * abs_y],
             )?;
@@ -586,9 +580,7 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
                         "`rod` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self.rod(lagrange::verify::given(&__coordinates)).each_number(take)
-                },
+                |take| self.rod(&__coordinates).each_number(take),
                 &[rod],
                 &[Real::sqrt(abs_x * abs_x + abs_y * abs_y) + Real::abs(length)],
             )?;

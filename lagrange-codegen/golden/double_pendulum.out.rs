@@ -398,9 +398,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         "`upper` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self.upper(lagrange::verify::given(&__coordinates)).each_number(take)
-                },
+                |take| self.upper(&__coordinates).each_number(take),
                 &[upper_x, upper_y],
                 &[w3, w4],
             )?;
@@ -411,9 +409,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         "`lower` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self.lower(lagrange::verify::given(&__coordinates)).each_number(take)
-                },
+                |take| self.lower(&__coordinates).each_number(take),
                 &[lower_x, lower_y],
                 &[w3 + abs_l_1 * (abs_sin_theta_1 + abs_theta_1 * abs_cos_theta_1), w5],
             )?;
@@ -424,11 +420,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .gravity(lagrange::verify::given(&__coordinates))
-                        .each_number(take)
-                },
+                |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[Real::abs(g) * (Real::abs(m_0) * abs_l_0 * w2 + Real::abs(m_1) * w5)],
             )?;

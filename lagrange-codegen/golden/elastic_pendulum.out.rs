@@ -392,9 +392,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self.bob(lagrange::verify::given(&__coordinates)).each_number(take)
-                },
+                |take| self.bob(&__coordinates).each_number(take),
                 &[bob_x, bob_y],
                 &[abs_r * (abs_sin_theta + abs_theta * abs_cos_theta), w1],
             )?;
@@ -405,11 +403,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .gravity(lagrange::verify::given(&__coordinates))
-                        .each_number(take)
-                },
+                |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[Real::abs(mass_2) * Real::abs(g) * w1],
             )?;
@@ -420,11 +414,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         "`spring` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .spring(lagrange::verify::given(&__coordinates))
-                        .each_number(take)
-                },
+                |take| self.spring(&__coordinates).each_number(take),
                 &[spring],
                 &[
                     0.5 * Real::abs(stiffness)
@@ -438,7 +428,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| self.motor(lagrange::verify::given(&__inputs)).each_number(take),
+                |take| self.motor(&__inputs).each_number(take),
                 &[motor],
                 &[Real::abs(motor)],
             )?;

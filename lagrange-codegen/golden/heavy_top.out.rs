@@ -446,11 +446,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         "`gyroscope` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .gyroscope(lagrange::verify::given(&__coordinates))
-                        .each_number(take)
-                },
+                |take| self.gyroscope(&__coordinates).each_number(take),
                 &[
                     gyroscope_x,
                     gyroscope_y,
@@ -487,11 +483,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .gravity(lagrange::verify::given(&__coordinates))
-                        .each_number(take)
-                },
+                |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[Real::abs(mass_2) * abs_arm * Real::abs(g) * w4],
             )?;

@@ -646,14 +646,7 @@ The first identity that does not hold, and by how much.*/
                         "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .bob(
-                            lagrange::verify::given(&__coordinates),
-                            lagrange::verify::given(&state.t),
-                        )
-                        .each_number(take)
-                },
+                |take| self.bob(&__coordinates, state.t).each_number(take),
                 &[bob_x, bob_y, bob_z],
                 &[
                     abs_length * (w1 * (abs_cos + abs_rate_2 * (abs_t * abs_sin))),
@@ -668,14 +661,7 @@ The first identity that does not hold, and by how much.*/
                         "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
-                |take| {
-                    self
-                        .gravity(
-                            lagrange::verify::given(&__coordinates),
-                            lagrange::verify::given(&state.t),
-                        )
-                        .each_number(take)
-                },
+                |take| self.gravity(&__coordinates, state.t).each_number(take),
                 &[gravity],
                 &[Real::abs(mass_2) * abs_length * Real::abs(g) * w2],
             )?;

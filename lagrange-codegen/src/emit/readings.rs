@@ -126,9 +126,12 @@ fn local(record: Record) -> &'static str {
 
 /// A call of a function of the user.
 fn call(function: &Function) -> String {
-    let arguments = function.parameters.iter().filter_map(|parameter| match parameter.argument? {
-        Argument::Time => Some("lagrange::verify::given(&state.t)".to_owned()),
-        Argument::Record(record) => Some(format!("lagrange::verify::given(&{})", local(record))),
+    let arguments = function.parameters.iter().filter_map(|parameter| {
+        let value = match parameter.argument? {
+            Argument::Time => "state.t",
+            Argument::Record(record) => local(record),
+        };
+        Some("&".repeat(parameter.references) + value)
     });
     let name = &function.name;
     let raw = if syn::parse_str::<Ident>(name).is_ok() { "" } else { "r#" };

@@ -316,7 +316,7 @@ impl<'a> Interpreter<'a> {
         let mut entries = Vec::with_capacity(rows * columns);
         for row in 0..rows {
             for column in 0..columns {
-                let index = [row, column].map(|index| Value::index(index));
+                let index = [row, column].map(Value::index);
                 // Nalgebra goes column by column.
                 let value = self.apply_later(function, index.to_vec(), origin);
                 entries.extend(self.scalar(value, origin));

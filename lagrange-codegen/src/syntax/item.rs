@@ -192,6 +192,8 @@ pub struct Parameter {
     pub pattern: Pattern,
     /// The type.
     pub ty: Type,
+    /// How many references stand before it.
+    pub references: usize,
     /// What a role passes for it; `None` in a helper where it is anything else.
     pub argument: Option<Argument>,
 }

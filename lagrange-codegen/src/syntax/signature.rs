@@ -24,7 +24,7 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
             let pattern = translator.pattern(&typed.pat);
             let ty = translator.ty(&typed.ty);
             let argument = argument(&pattern.kind, &ty.kind);
-            parameters.push(Parameter { pattern, ty, argument });
+            parameters.push(Parameter { pattern, ty, references: references(&typed.ty), argument });
         }
     }
     let output = match &function.sig.output {
@@ -55,6 +55,16 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
         body,
         role,
         conditional: if on_role { None } else { translator.conditional(function) },
+    }
+}
+
+/// How many references stand before a type.
+fn references(ty: &syn::Type) -> usize {
+    match ty {
+        syn::Type::Reference(reference) => 1 + references(&reference.elem),
+        syn::Type::Paren(paren) => references(&paren.elem),
+        syn::Type::Group(group) => references(&group.elem),
+        _ => 0,
     }
 }
 
