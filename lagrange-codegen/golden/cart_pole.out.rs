@@ -411,11 +411,11 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let tip_x = x + length * sin_theta;
             let abs_x = Real::abs(x);
             let abs_theta = Real::abs(theta);
-            let abs_theta_dot = Real::abs(theta_dot);
             let abs_sin_theta = Real::abs(sin_theta);
             let abs_cos_theta = Real::abs(cos_theta);
             let w1 = abs_cos_theta + abs_theta * abs_sin_theta;
             let abs_length = Real::abs(length);
+            let abs_theta_dot = Real::abs(theta_dot);
             let tip_y = length * cos_theta;
             let gravity = pole_mass * length * g * cos_theta;
             let bearing = R::from_f64(0.5) * damping * (theta_dot * theta_dot);
@@ -463,7 +463,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 ),
                 |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
-                &[Real::abs(pole_mass) * abs_length * Real::abs(g) * w1],
+                &[abs_length * Real::abs(pole_mass) * Real::abs(g) * w1],
             )?;
             lagrange::reading::compare(
                 lagrange::Function(

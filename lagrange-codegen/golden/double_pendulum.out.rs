@@ -373,11 +373,11 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
             let l_0_cos_theta_0 = l_0 * cos_theta_0;
             let w1 = l_0_cos_theta_0 + l_1 * cos_theta_1;
             let abs_theta_0 = Real::abs(theta_0);
-            let abs_theta_1 = Real::abs(theta_1);
             let abs_sin_theta_0 = Real::abs(sin_theta_0);
             let abs_cos_theta_0 = Real::abs(cos_theta_0);
             let w2 = abs_cos_theta_0 + abs_theta_0 * abs_sin_theta_0;
             let abs_l_0 = Real::abs(l_0);
+            let abs_theta_1 = Real::abs(theta_1);
             let abs_sin_theta_1 = Real::abs(sin_theta_1);
             let abs_cos_theta_1 = Real::abs(cos_theta_1);
             let abs_l_1 = Real::abs(l_1);
@@ -422,7 +422,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                 ),
                 |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
-                &[Real::abs(g) * (Real::abs(m_0) * abs_l_0 * w2 + Real::abs(m_1) * w5)],
+                &[Real::abs(g) * (abs_l_0 * Real::abs(m_0) * w2 + Real::abs(m_1) * w5)],
             )?;
             ::core::result::Result::Ok(())
         }

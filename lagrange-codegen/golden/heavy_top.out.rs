@@ -485,7 +485,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                 ),
                 |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
-                &[Real::abs(mass_2) * abs_arm * Real::abs(g) * w4],
+                &[abs_arm * Real::abs(mass_2) * Real::abs(g) * w4],
             )?;
             ::core::result::Result::Ok(())
         }

@@ -663,7 +663,7 @@ The first identity that does not hold, and by how much.*/
                 ),
                 |take| self.gravity(&__coordinates, state.t).each_number(take),
                 &[gravity],
-                &[Real::abs(mass_2) * abs_length * Real::abs(g) * w2],
+                &[abs_length * Real::abs(mass_2) * Real::abs(g) * w2],
             )?;
             ::core::result::Result::Ok(())
         }

@@ -159,6 +159,8 @@ pub struct Reading {
     pub argument: Option<&'static str>,
     /// All numbers of its value, in the order of the runtime's `Numbers`.
     pub nodes: Vec<NodeId>,
+    /// Their sizes as written, once elimination begins.
+    pub sizes: Vec<NodeId>,
 }
 
 /// A particle.

@@ -59,7 +59,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         locals: _,
     } = model;
     for reading in readings {
-        reading.nodes.iter_mut().for_each(&mut *each);
+        reading.nodes.iter_mut().chain(&mut reading.sizes).for_each(&mut *each);
     }
     for point in points {
         point.position.iter_mut().for_each(&mut *each);

@@ -5,7 +5,6 @@ use quote::{format_ident, quote};
 
 use super::body::{self, Source};
 use super::{COMPLETIONS, Emission};
-use crate::calculus::sizes;
 use crate::expr::NodeId;
 use crate::model::Reading;
 use crate::syntax::item::{Argument, Function};
@@ -19,8 +18,7 @@ pub(super) fn implementation(emission: &mut Emission<'_>) -> String {
     }
     let mut nodes: Vec<NodeId> = readings.iter().flat_map(|reading| reading.nodes.iter().copied()).collect();
     let count = nodes.len();
-    let sizes = sizes(&mut emission.model.graph, &nodes);
-    nodes.extend(sizes);
+    nodes.extend(readings.iter().flat_map(|reading| reading.sizes.iter().copied()));
     let (state, inputs) = (emission.state_type(), emission.input_type());
     let body = body::plain(emission.model, &emission.item.scalar, &nodes, Source::State, |values| {
         let (read, sizes) = values.split_at(count);

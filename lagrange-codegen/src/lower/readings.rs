@@ -34,7 +34,7 @@ impl Interpreter<'_> {
         let mut nodes = Vec::new();
         // A field by itself is what it is.
         if self.flatten(value, &mut nodes).is_some() && !nodes.is_empty() {
-            self.model.readings.push(Reading { function, argument, nodes });
+            self.model.readings.push(Reading { function, argument, nodes, sizes: Vec::new() });
         }
     }
 
