@@ -132,6 +132,22 @@ const _: () = {
             ],
             skipped: &["time: nothing depends on it", "constraints and multipliers"],
         };
+        #[doc(hidden)]
+        #[allow(
+            unused,
+            unused_qualifications,
+            unused_results,
+            non_snake_case,
+            non_upper_case_globals
+        )]
+        fn __meanings() {
+            let x @ _ = ();
+            let theta @ _ = ();
+            let motor @ _ = ();
+            let _: fn(
+                &lagrange::nalgebra::Vector2<R>,
+            ) -> lagrange::nalgebra::Vector2<R> = Vector2::clone;
+        }
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
 
 The mass matrix is dense, solved by a factorisation written out (2 × 2).
@@ -145,6 +161,7 @@ A singular mass matrix, with the coordinate and the time.*/
             state: &lagrange::State<R, 2>,
             inputs: &[R; 1],
         ) -> ::core::result::Result<[R; 2], lagrange::MotionError<R>> {
+            lagrange::reading::checked(self, state, inputs)?;
             let constants = lagrange::System::constants(self);
             let accelerations = lagrange::System::accelerations_at(
                 self,
@@ -372,6 +389,108 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             v: &[R; 2],
         ) -> R {
             self.energy(&lagrange::State { t, q: *q, v: *v })
+        }
+        #[cfg(debug_assertions)]
+        const READ: bool = true;
+        #[cfg(debug_assertions)]
+        #[allow(unused_variables)]
+        fn check_reading_at(
+            &self,
+            state: &lagrange::State<R, 2>,
+            inputs: &[R; 1],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            use lagrange::Real;
+            let [x, theta] = state.q;
+            let [_, theta_dot] = state.v;
+            let [motor] = *inputs;
+            let pole_mass: R = self.pole_mass;
+            let length: R = self.length;
+            let g: R = self.g;
+            let damping: R = self.damping;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let tip_x = x + length * sin_theta;
+            let abs_x = Real::abs(x);
+            let abs_theta = Real::abs(theta);
+            let abs_sin_theta = Real::abs(sin_theta);
+            let abs_cos_theta = Real::abs(cos_theta);
+            let w1 = abs_cos_theta + abs_theta * abs_sin_theta;
+            let abs_length = Real::abs(length);
+            let abs_theta_dot = Real::abs(theta_dot);
+            let tip_y = length * cos_theta;
+            let gravity = pole_mass * length * g * cos_theta;
+            let bearing = R::from_f64(0.5) * damping * (theta_dot * theta_dot);
+            use lagrange::reading::Numbers;
+            let __coordinates = <CartPoleCoordinates<
+                R,
+            > as ::core::convert::From<_>>::from(state.q);
+            let __velocities = <CartPoleVelocities<
+                R,
+            > as ::core::convert::From<_>>::from(state.v);
+            let __inputs = <CartPoleInputs<
+                R,
+            > as ::core::convert::From<_>>::from(*inputs);
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "cart",
+                        "`cart` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.cart(&__coordinates).each_number(take),
+                &[x, R::zero()],
+                &[abs_x, R::zero()],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "tip",
+                        "`tip` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.tip(&__coordinates).each_number(take),
+                &[tip_x, tip_y],
+                &[
+                    abs_x + abs_length * (abs_sin_theta + abs_theta * abs_cos_theta),
+                    abs_length * w1,
+                ],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "gravity",
+                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.gravity(&__coordinates).each_number(take),
+                &[gravity],
+                &[abs_length * Real::abs(pole_mass) * Real::abs(g) * w1],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "bearing",
+                        "`bearing` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.bearing(&__velocities).each_number(take),
+                &[bearing],
+                &[
+                    R::from_f64(0.5) * Real::abs(damping)
+                        * (abs_theta_dot * abs_theta_dot),
+                ],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "motor",
+                        "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.motor(&__inputs).each_number(take),
+                &[motor, R::zero()],
+                &[Real::abs(motor), R::zero()],
+            )?;
+            ::core::result::Result::Ok(())
         }
     }
     impl<R: Real> lagrange::Autonomous<2usize, 1usize> for CartPole<R> {}

@@ -142,6 +142,21 @@ const _: () = {
                 "in Taylor series: momenta, which are the velocities times constants",
             ],
         };
+        #[doc(hidden)]
+        #[allow(
+            unused,
+            unused_qualifications,
+            unused_results,
+            non_snake_case,
+            non_upper_case_globals
+        )]
+        fn __meanings() {
+            let x @ _ = ();
+            let y @ _ = ();
+            let _: fn(
+                &lagrange::nalgebra::Vector2<f64>,
+            ) -> lagrange::nalgebra::Vector2<f64> = Vector2::clone;
+        }
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t) + Aᵀλ, with the multipliers λ of the constraints solved for.
 
 The mass matrix is constant and diagonal, eliminated from the saddle-point system of the constraints.
@@ -154,6 +169,7 @@ A singular system, with its cause and the time.*/
             &self,
             state: &lagrange::State<f64, 2>,
         ) -> ::core::result::Result<[f64; 2], lagrange::MotionError<f64>> {
+            lagrange::reading::checked(self, state, &[])?;
             let constants = lagrange::System::constants(self);
             let accelerations = lagrange::System::accelerations_at(
                 self,
@@ -437,6 +453,7 @@ Constraints that contradict each other, that have no gradient, or that Newton's 
             lagrange::State<f64, 2>,
             lagrange::MotionError<f64>,
         > {
+            lagrange::reading::checked::<Self, 2, 0>(self, &state, &[0.0; 0])?;
             lagrange::constraints::consistent::<Self, 2, 0, 1>(self, state)
         }
         /**The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.
@@ -511,6 +528,63 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             v: &[f64; 2],
         ) -> f64 {
             self.energy(&lagrange::State { t, q: *q, v: *v })
+        }
+        #[cfg(debug_assertions)]
+        const READ: bool = true;
+        #[cfg(debug_assertions)]
+        #[allow(unused_variables)]
+        fn check_reading_at(
+            &self,
+            state: &lagrange::State<f64, 2>,
+            inputs: &[f64; 0],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            use lagrange::Real;
+            let [x, y] = state.q;
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            let length: f64 = self.length;
+            let rod = Real::sqrt(x * x + y * y) - length;
+            let abs_x = Real::abs(x);
+            let abs_y = Real::abs(y);
+            let gravity = mass_2 * g * y;
+            use lagrange::reading::Numbers;
+            let __coordinates = <CartesianPendulumCoordinates<
+                f64,
+            > as ::core::convert::From<_>>::from(state.q);
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "bob",
+                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.bob(&__coordinates).each_number(take),
+                &[x, y],
+                &[abs_x, abs_y],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "gravity",
+                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.gravity(&__coordinates).each_number(take),
+                &[gravity],
+                &[Real::abs(mass_2) * Real::abs(g) * abs_y],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "rod",
+                        "`rod` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.rod(&__coordinates).each_number(take),
+                &[rod],
+                &[Real::sqrt(abs_x * abs_x + abs_y * abs_y) + Real::abs(length)],
+            )?;
+            ::core::result::Result::Ok(())
         }
     }
     #[automatically_derived]

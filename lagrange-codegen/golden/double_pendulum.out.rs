@@ -98,6 +98,20 @@ const _: () = {
                 "constraints and multipliers",
             ],
         };
+        #[doc(hidden)]
+        #[allow(
+            unused,
+            unused_qualifications,
+            unused_results,
+            non_snake_case,
+            non_upper_case_globals
+        )]
+        fn __meanings() {
+            let theta @ _ = ();
+            let _: fn(
+                &lagrange::nalgebra::Vector2<f64>,
+            ) -> lagrange::nalgebra::Vector2<f64> = Vector2::clone;
+        }
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
 
 The mass matrix is dense, solved by a factorisation written out (2 × 2).
@@ -110,6 +124,7 @@ A singular mass matrix, with the coordinate and the time.*/
             &self,
             state: &lagrange::State<f64, 2>,
         ) -> ::core::result::Result<[f64; 2], lagrange::MotionError<f64>> {
+            lagrange::reading::checked(self, state, &[])?;
             let constants = lagrange::System::constants(self);
             let accelerations = lagrange::System::accelerations_at(
                 self,
@@ -334,6 +349,82 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
             v: &[f64; 2],
         ) -> f64 {
             self.energy(&lagrange::State { t, q: *q, v: *v })
+        }
+        #[cfg(debug_assertions)]
+        const READ: bool = true;
+        #[cfg(debug_assertions)]
+        #[allow(unused_variables)]
+        fn check_reading_at(
+            &self,
+            state: &lagrange::State<f64, 2>,
+            inputs: &[f64; 0],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            use lagrange::Real;
+            let [theta_0, theta_1] = state.q;
+            let m_0: f64 = self.m[0];
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let l_1: f64 = self.l[1];
+            let g: f64 = self.g;
+            let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
+            let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
+            let upper_x = l_0 * sin_theta_0;
+            let lower_x = upper_x + l_1 * sin_theta_1;
+            let l_0_cos_theta_0 = l_0 * cos_theta_0;
+            let w1 = l_0_cos_theta_0 + l_1 * cos_theta_1;
+            let abs_theta_0 = Real::abs(theta_0);
+            let abs_sin_theta_0 = Real::abs(sin_theta_0);
+            let abs_cos_theta_0 = Real::abs(cos_theta_0);
+            let w2 = abs_cos_theta_0 + abs_theta_0 * abs_sin_theta_0;
+            let abs_l_0 = Real::abs(l_0);
+            let abs_theta_1 = Real::abs(theta_1);
+            let abs_sin_theta_1 = Real::abs(sin_theta_1);
+            let abs_cos_theta_1 = Real::abs(cos_theta_1);
+            let abs_l_1 = Real::abs(l_1);
+            let w3 = abs_l_0 * (abs_sin_theta_0 + abs_theta_0 * abs_cos_theta_0);
+            let w4 = abs_l_0 * w2;
+            let w5 = w4 + abs_l_1 * (abs_cos_theta_1 + abs_theta_1 * abs_sin_theta_1);
+            let upper_y = -l_0_cos_theta_0;
+            let lower_y = -w1;
+            let gravity = -(g * (m_0 * l_0 * cos_theta_0 + m_1 * w1));
+            use lagrange::reading::Numbers;
+            let __coordinates = <DoublePendulumCoordinates<
+                f64,
+            > as ::core::convert::From<_>>::from(state.q);
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "upper",
+                        "`upper` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.upper(&__coordinates).each_number(take),
+                &[upper_x, upper_y],
+                &[w3, w4],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "lower",
+                        "`lower` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.lower(&__coordinates).each_number(take),
+                &[lower_x, lower_y],
+                &[w3 + abs_l_1 * (abs_sin_theta_1 + abs_theta_1 * abs_cos_theta_1), w5],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "gravity",
+                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.gravity(&__coordinates).each_number(take),
+                &[gravity],
+                &[Real::abs(g) * (abs_l_0 * Real::abs(m_0) * w2 + Real::abs(m_1) * w5)],
+            )?;
+            ::core::result::Result::Ok(())
         }
     }
     impl lagrange::Autonomous<2usize, 0usize> for DoublePendulum {}

@@ -137,6 +137,22 @@ const _: () = {
                 "constraints and multipliers",
             ],
         };
+        #[doc(hidden)]
+        #[allow(
+            unused,
+            unused_qualifications,
+            unused_results,
+            non_snake_case,
+            non_upper_case_globals
+        )]
+        fn __meanings() {
+            let theta @ _ = ();
+            let r @ _ = ();
+            let motor @ _ = ();
+            let _: fn(
+                &lagrange::nalgebra::Vector2<f64>,
+            ) -> lagrange::nalgebra::Vector2<f64> = Vector2::clone;
+        }
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
 
 The mass matrix is diagonal, solved by divisions.
@@ -150,6 +166,7 @@ A singular mass matrix, with the coordinate and the time.*/
             state: &lagrange::State<f64, 2>,
             inputs: &[f64; 1],
         ) -> ::core::result::Result<[f64; 2], lagrange::MotionError<f64>> {
+            lagrange::reading::checked(self, state, inputs)?;
             let constants = lagrange::System::constants(self);
             let accelerations = lagrange::System::accelerations_at(
                 self,
@@ -331,6 +348,91 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             v: &[f64; 2],
         ) -> f64 {
             self.energy(&lagrange::State { t, q: *q, v: *v })
+        }
+        #[cfg(debug_assertions)]
+        const READ: bool = true;
+        #[cfg(debug_assertions)]
+        #[allow(unused_variables)]
+        fn check_reading_at(
+            &self,
+            state: &lagrange::State<f64, 2>,
+            inputs: &[f64; 1],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            use lagrange::Real;
+            let [theta, r] = state.q;
+            let [motor] = *inputs;
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            let stiffness: f64 = self.stiffness;
+            let length: f64 = self.length;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let r_minus_length = r - length;
+            let abs_theta = Real::abs(theta);
+            let abs_r = Real::abs(r);
+            let abs_sin_theta = Real::abs(sin_theta);
+            let abs_cos_theta = Real::abs(cos_theta);
+            let abs_r_plus_abs_length = abs_r + Real::abs(length);
+            let bob_x = r * sin_theta;
+            let r_cos_theta = r * cos_theta;
+            let bob_y = -r_cos_theta;
+            let gravity = -(mass_2 * g * r_cos_theta);
+            let spring = 0.5 * stiffness * (r_minus_length * r_minus_length);
+            let w1 = abs_r * (abs_cos_theta + abs_theta * abs_sin_theta);
+            use lagrange::reading::Numbers;
+            let __coordinates = <ElasticPendulumCoordinates<
+                f64,
+            > as ::core::convert::From<_>>::from(state.q);
+            let __inputs = <ElasticPendulumInputs<
+                f64,
+            > as ::core::convert::From<_>>::from(*inputs);
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "bob",
+                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.bob(&__coordinates).each_number(take),
+                &[bob_x, bob_y],
+                &[abs_r * (abs_sin_theta + abs_theta * abs_cos_theta), w1],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "gravity",
+                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.gravity(&__coordinates).each_number(take),
+                &[gravity],
+                &[Real::abs(mass_2) * Real::abs(g) * w1],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "spring",
+                        "`spring` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.spring(&__coordinates).each_number(take),
+                &[spring],
+                &[
+                    0.5 * Real::abs(stiffness)
+                        * (abs_r_plus_abs_length * abs_r_plus_abs_length),
+                ],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "motor",
+                        "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.motor(&__inputs).each_number(take),
+                &[motor],
+                &[Real::abs(motor)],
+            )?;
+            ::core::result::Result::Ok(())
         }
     }
     impl lagrange::Autonomous<2usize, 1usize> for ElasticPendulum {}

@@ -122,6 +122,28 @@ const _: () = {
                 "constraints and multipliers",
             ],
         };
+        #[doc(hidden)]
+        #[allow(
+            unused,
+            unused_qualifications,
+            unused_results,
+            non_snake_case,
+            non_upper_case_globals
+        )]
+        fn __meanings() {
+            let phi @ _ = ();
+            let theta @ _ = ();
+            let psi @ _ = ();
+            let _: fn(
+                &lagrange::nalgebra::Isometry3<f64>,
+            ) -> lagrange::nalgebra::Isometry3<f64> = Isometry3::clone;
+            let _: fn(
+                &lagrange::nalgebra::Vector3<f64>,
+            ) -> lagrange::nalgebra::Vector3<f64> = Vector3::clone;
+            let _: fn(
+                &lagrange::nalgebra::Rotation3<f64>,
+            ) -> lagrange::nalgebra::Rotation3<f64> = Rotation3::clone;
+        }
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
 
 The mass matrix is block diagonal, solved by a factorisation written out (2 × 2).
@@ -134,6 +156,7 @@ A singular mass matrix, with the coordinate and the time.*/
             &self,
             state: &lagrange::State<f64, 3>,
         ) -> ::core::result::Result<[f64; 3], lagrange::MotionError<f64>> {
+            lagrange::reading::checked(self, state, &[])?;
             let constants = lagrange::System::constants(self);
             let accelerations = lagrange::System::accelerations_at(
                 self,
@@ -355,6 +378,116 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
             v: &[f64; 3],
         ) -> f64 {
             self.energy(&lagrange::State { t, q: *q, v: *v })
+        }
+        #[cfg(debug_assertions)]
+        const READ: bool = true;
+        #[cfg(debug_assertions)]
+        #[allow(unused_variables)]
+        fn check_reading_at(
+            &self,
+            state: &lagrange::State<f64, 3>,
+            inputs: &[f64; 0],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            use lagrange::Real;
+            let [phi, theta, psi] = state.q;
+            let mass_2: f64 = self.mass;
+            let arm: f64 = self.arm;
+            let g: f64 = self.g;
+            let (sin_phi, cos_phi) = Real::sin_cos(phi);
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let (sin_psi, cos_psi) = Real::sin_cos(psi);
+            let cos_phi_cos_psi = cos_phi * cos_psi;
+            let sin_phi_sin_psi = sin_phi * sin_psi;
+            let attitude_00 = cos_phi_cos_psi - cos_theta * sin_phi_sin_psi;
+            let cos_phi_sin_psi = cos_phi * sin_psi;
+            let sin_phi_cos_psi = sin_phi * cos_psi;
+            let attitude_10 = sin_phi_cos_psi + cos_theta * cos_phi_sin_psi;
+            let abs_phi = Real::abs(phi);
+            let abs_theta = Real::abs(theta);
+            let abs_psi = Real::abs(psi);
+            let abs_sin_phi = Real::abs(sin_phi);
+            let abs_cos_phi = Real::abs(cos_phi);
+            let w1 = abs_sin_phi + abs_phi * abs_cos_phi;
+            let w2 = abs_cos_phi + abs_phi * abs_sin_phi;
+            let abs_sin_theta = Real::abs(sin_theta);
+            let abs_cos_theta = Real::abs(cos_theta);
+            let w3 = abs_sin_theta + abs_theta * abs_cos_theta;
+            let w4 = abs_cos_theta + abs_theta * abs_sin_theta;
+            let abs_sin_psi = Real::abs(sin_psi);
+            let abs_cos_psi = Real::abs(cos_psi);
+            let w5 = abs_sin_psi + abs_psi * abs_cos_psi;
+            let w6 = abs_cos_psi + abs_psi * abs_sin_psi;
+            let w7 = w2 * w6;
+            let w8 = w1 * w5;
+            let w9 = w2 * w5;
+            let w10 = w1 * w6;
+            let abs_arm = Real::abs(arm);
+            let attitude_02 = sin_phi * sin_theta;
+            let gyroscope_x = arm * attitude_02;
+            let sin_theta_cos_phi = sin_theta * cos_phi;
+            let gyroscope_y = -(arm * sin_theta_cos_phi);
+            let gyroscope_z = arm * cos_theta;
+            let attitude_01 = -(cos_phi_sin_psi + cos_theta * sin_phi_cos_psi);
+            let attitude_11 = -(sin_phi_sin_psi - cos_theta * cos_phi_cos_psi);
+            let attitude_12 = -sin_theta_cos_phi;
+            let attitude_20 = sin_theta * sin_psi;
+            let attitude_21 = sin_theta * cos_psi;
+            let gravity = mass_2 * arm * g * cos_theta;
+            let w11 = w1 * w3;
+            let w12 = w3 * w2;
+            use lagrange::reading::Numbers;
+            let __coordinates = <TopCoordinates<
+                f64,
+            > as ::core::convert::From<_>>::from(state.q);
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "gyroscope",
+                        "`gyroscope` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.gyroscope(&__coordinates).each_number(take),
+                &[
+                    gyroscope_x,
+                    gyroscope_y,
+                    gyroscope_z,
+                    attitude_00,
+                    attitude_01,
+                    attitude_02,
+                    attitude_10,
+                    attitude_11,
+                    attitude_12,
+                    attitude_20,
+                    attitude_21,
+                    cos_theta,
+                ],
+                &[
+                    abs_arm * w11,
+                    abs_arm * w12,
+                    abs_arm * w4,
+                    w7 + w4 * w8,
+                    w9 + w4 * w10,
+                    w11,
+                    w10 + w4 * w9,
+                    w8 + w4 * w7,
+                    w12,
+                    w3 * w5,
+                    w3 * w6,
+                    w4,
+                ],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "gravity",
+                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.gravity(&__coordinates).each_number(take),
+                &[gravity],
+                &[abs_arm * Real::abs(mass_2) * Real::abs(g) * w4],
+            )?;
+            ::core::result::Result::Ok(())
         }
     }
     impl lagrange::Autonomous<3usize, 0usize> for Top {}

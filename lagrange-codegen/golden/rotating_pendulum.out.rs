@@ -128,6 +128,20 @@ mass·length²·θ̈ + mass·length·g sin θ − mass·length²·rate²·sin θ
                 "in Taylor series: momenta, which are the velocities times constants",
             ],
         };
+        #[doc(hidden)]
+        #[allow(
+            unused,
+            unused_qualifications,
+            unused_results,
+            non_snake_case,
+            non_upper_case_globals
+        )]
+        fn __meanings() {
+            let theta @ _ = ();
+            let _: fn(
+                &lagrange::nalgebra::Vector3<f64>,
+            ) -> lagrange::nalgebra::Vector3<f64> = Vector3::clone;
+        }
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
 
 The mass matrix is constant and diagonal, solved by divisions.
@@ -140,6 +154,7 @@ A singular mass matrix, with the coordinate and the time.*/
             &self,
             state: &lagrange::State<f64, 1>,
         ) -> ::core::result::Result<[f64; 1], lagrange::MotionError<f64>> {
+            lagrange::reading::checked(self, state, &[])?;
             let constants = lagrange::System::constants(self);
             let accelerations = lagrange::System::accelerations_at(
                 self,
@@ -586,6 +601,71 @@ The first identity that does not hold, and by how much.*/
             v: &[f64; 1],
         ) -> f64 {
             self.energy(&lagrange::State { t, q: *q, v: *v })
+        }
+        #[cfg(debug_assertions)]
+        const READ: bool = true;
+        #[cfg(debug_assertions)]
+        #[allow(unused_variables)]
+        fn check_reading_at(
+            &self,
+            state: &lagrange::State<f64, 1>,
+            inputs: &[f64; 0],
+        ) -> ::core::result::Result<(), lagrange::Cause> {
+            use lagrange::Real;
+            let [theta] = state.q;
+            let t = state.t;
+            let mass_2: f64 = self.mass;
+            let length: f64 = self.length;
+            let rate_2: f64 = self.rate;
+            let g: f64 = self.g;
+            let (sin_theta, cos_theta) = Real::sin_cos(theta);
+            let rate_2_t = rate_2 * t;
+            let (sin, cos) = Real::sin_cos(rate_2_t);
+            let abs_theta = Real::abs(theta);
+            let abs_t = Real::abs(t);
+            let abs_sin_theta = Real::abs(sin_theta);
+            let abs_cos_theta = Real::abs(cos_theta);
+            let w1 = abs_sin_theta + abs_theta * abs_cos_theta;
+            let abs_length = Real::abs(length);
+            let abs_rate_2 = Real::abs(rate_2);
+            let abs_sin = Real::abs(sin);
+            let abs_cos = Real::abs(cos);
+            let w2 = abs_cos_theta + abs_theta * abs_sin_theta;
+            let bob_x = length * (sin_theta * cos);
+            let bob_y = length * (sin_theta * sin);
+            let bob_z = -(length * cos_theta);
+            let gravity = -(mass_2 * length * g * cos_theta);
+            use lagrange::reading::Numbers;
+            let __coordinates = <RotatingPendulumCoordinates<
+                f64,
+            > as ::core::convert::From<_>>::from(state.q);
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "bob",
+                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.bob(&__coordinates, state.t).each_number(take),
+                &[bob_x, bob_y, bob_z],
+                &[
+                    abs_length * (w1 * (abs_cos + abs_rate_2 * (abs_t * abs_sin))),
+                    abs_length * (w1 * (abs_sin + abs_rate_2 * (abs_t * abs_cos))),
+                    abs_length * w2,
+                ],
+            )?;
+            lagrange::reading::compare(
+                lagrange::Function(
+                    &[
+                        "gravity",
+                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                    ],
+                ),
+                |take| self.gravity(&__coordinates, state.t).each_number(take),
+                &[gravity],
+                &[abs_length * Real::abs(mass_2) * Real::abs(g) * w2],
+            )?;
+            ::core::result::Result::Ok(())
         }
     }
     impl lagrange::ConstantMass<1usize, 0usize> for RotatingPendulum {}

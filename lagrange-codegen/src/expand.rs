@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
-use crate::diagnostics::{Diagnostics, physics};
+use crate::diagnostics::{Diagnostics, catalogue, physics};
 use crate::emit::{
     ANALYSIS_METHODS, COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, emit, is_force_on_place, stubs,
 };
@@ -21,6 +21,11 @@ use crate::{eliminate, jets, lower, mechanics, syntax};
 /// and as much of the user's item as lets the compiler be silent about the rest.
 pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
+    // Nothing that descends into expressions may see what is too deep, not even to recover.
+    if let Some(span) = [&args, &item].into_iter().find_map(|tokens| syntax::too_deep(tokens.clone())) {
+        diagnostics.error(span, catalogue::too_deep(syntax::DEEPEST));
+        return diagnostics.to_tokens();
+    }
     let mut parsed = None;
     let attempt = || {
         parsed = syntax::parse(args.clone(), item.clone(), default_crate, &mut diagnostics);

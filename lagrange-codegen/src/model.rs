@@ -21,6 +21,10 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Arrays among the parameters whose length was taken from what they stand beside.
     pub lengths: Vec<Length>,
+    /// What names in the description must mean for it to have been read rightly.
+    pub meanings: Vec<Meaning>,
+    /// What the functions with a role, and the arguments of roles, were read as.
+    pub readings: Vec<Reading>,
     /// Particles.
     pub points: Vec<Point>,
     /// Rigid bodies.
@@ -135,6 +139,28 @@ pub struct Length {
     pub length: usize,
     /// Where it was used.
     pub origin: Origin,
+}
+
+/// Rust that compiles only if a name means what the description was read with.
+#[derive(Clone, Debug)]
+pub struct Meaning {
+    /// A statement or an item.
+    pub statement: String,
+    /// Where the name stands.
+    pub origin: Origin,
+}
+
+/// What was read of a function of the user, or of an argument of its role.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// Index of the function in the description.
+    pub function: usize,
+    /// The argument of its role, if it is that.
+    pub argument: Option<&'static str>,
+    /// All numbers of its value, in the order of the runtime's `Numbers`.
+    pub nodes: Vec<NodeId>,
+    /// Their sizes as written, once elimination begins.
+    pub sizes: Vec<NodeId>,
 }
 
 /// A particle.

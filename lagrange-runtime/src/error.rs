@@ -44,6 +44,14 @@ pub enum Cause {
         /// Index of the constraint.
         constraint: usize,
     },
+    /// A function of the description returns something else than what the macro read of it: a name in it means something else
+    /// than usual. Found in builds with `debug_assertions` alone.
+    Misread {
+        /// The function, or the argument of its role.
+        function: Function,
+        /// By how much.
+        by: Magnitude,
+    },
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
     /// The equations of an implicit step were not solved: it is too long for the motion.
@@ -62,6 +70,29 @@ pub enum Cause {
     InvalidStep,
     /// A tolerance is negative, infinite or not a number.
     InvalidTolerance,
+}
+
+/// The name of a function of a description, and what is to be said of it. Small, because errors are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Function(#[doc(hidden)] pub &'static [&'static str; 2]);
+
+impl Function {
+    /// The name, or that of an argument of its role: `gravity`, `mass of bob`.
+    pub fn name(&self) -> &'static str {
+        self.0[0]
+    }
+}
+
+impl fmt::Display for Function {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(self.name())
+    }
+}
+
+impl fmt::Debug for Function {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(self.name())
+    }
 }
 
 /// How large a violation is, for a report: of two digits, because printing all of a float takes several kilobytes of a
@@ -124,6 +155,8 @@ impl fmt::Display for Cause {
                 "the gradient of constraint {constraint} vanishes: where it is a square, give what is squared; else keep away \
                  from this configuration"
             ),
+            // The text comes with the name, so that it is in no program that cannot need it.
+            Self::Misread { function, .. } => out.write_str(function.0[1]),
             Self::NotFinite => out.write_str(
                 "a value is infinite or not a number: check the parameters and the start, or stop before \
                  the motion reaches a singularity",

@@ -53,6 +53,7 @@ pub mod linear;
 pub mod linearized;
 mod math;
 pub mod proved;
+pub mod reading;
 pub mod real;
 pub mod simulation;
 pub mod smooth;
@@ -70,7 +71,7 @@ pub use algebra::PrincipalMoments;
 pub use analysis::InertiaForces;
 pub use batch::Batch;
 pub use constraints::{Constrained, Reactions};
-pub use error::{Cause, Magnitude, MotionError};
+pub use error::{Cause, Function, Magnitude, MotionError};
 pub use integrator::{
     Adaptive, BlanesMoan, BlanesMoan4, BlanesMoan6, Dop853, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Jet,
     Jets, Leapfrog, Rk4, Yoshida, Yoshida4, Yoshida6, Yoshida8,
@@ -106,12 +107,13 @@ pub use wide;
 pub mod __private {
     pub use crate::algebra::{self, PrincipalMoments};
     pub use crate::analysis::{self, InertiaForces};
-    pub use crate::error::{Cause, MotionError};
+    pub use crate::error::{Cause, Function, MotionError};
     pub use crate::linear::{Ldlt, Lu};
     pub use crate::linearized::{Linearization, Linearized};
     pub use crate::proved::{
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
     };
+    pub use crate::reading;
     pub use crate::real::Real;
     pub mod solve {
         //! Solving for the accelerations.

@@ -249,6 +249,9 @@ where
         if self.steps().evaluations > 0 {
             return Ok(());
         }
+        if S::READ {
+            crate::reading::checked(self.system, &self.state, &self.control.inputs(&self.state))?;
+        }
         let State { t, q, v } = self.state;
         let failed = |cause| MotionError { cause, t };
         if !self.state.is_finite() {

@@ -34,7 +34,8 @@ where
         // The start of a constrained motion is checked by the first step; there is no room to remember that in the
         // stepper of a system without constraints. Where masses are not positive no step has a time.
         let is_good = || system.check_at(&constants, start.t, &start.q, &start.v).is_ok();
-        let residue = S::Scalar::from_f64(if S::CONSTRAINED || !is_good() { f64::NAN } else { 0.0 });
+        let residue =
+            S::Scalar::from_f64(if S::CONSTRAINED || S::READ || !is_good() { f64::NAN } else { 0.0 });
         Self { system, constants, memory: M::begin(system), state: start, residue }
     }
 
@@ -53,7 +54,8 @@ where
         if !h.is_finite() {
             return Err(MotionError { cause: Cause::InvalidStep, t: self.state.t });
         }
-        if S::CONSTRAINED && !self.residue.is_finite() {
+        if (S::CONSTRAINED || S::READ) && !self.residue.is_finite() {
+            crate::reading::checked(self.system, &self.state, u)?;
             self.check_start()?;
         }
         let from = &self.state;
@@ -77,6 +79,10 @@ where
     #[cold]
     fn check_start(&mut self) -> Result<(), MotionError<S::Scalar>> {
         let mut start = self.state;
+        if !S::CONSTRAINED {
+            let State { t, q, v } = start;
+            self.system.check_at(&self.constants, t, &q, &v).map_err(|cause| MotionError { cause, t })?;
+        }
         self.system
             .check_start_at(&self.constants, &start)
             .and_then(|()| self.system.project_at(&self.constants, &mut start))

@@ -107,6 +107,24 @@ pub trait System<const N: usize, const K: usize = 0> {
         Blur { q: none, v: none, relative: num_traits::Zero::zero(), growth: num_traits::Zero::zero() }
     }
 
+    /// Whether [`System::check_reading_at`] does anything: in builds with `debug_assertions`.
+    #[doc(hidden)]
+    const READ: bool = false;
+
+    /// Whether the functions of the description return what was read of them.
+    ///
+    /// # Errors
+    /// [`Cause::Misread`] with the function.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn check_reading_at(
+        &self,
+        _state: &State<Self::Scalar, N>,
+        _inputs: &[Self::Scalar; K],
+    ) -> Result<(), Cause> {
+        Ok(())
+    }
+
     /// T + V, or the energy function v·∂L/∂v − L where L is given directly.
     fn energy_at(
         &self,

@@ -13,5 +13,6 @@ mod hygiene;
 mod integrators;
 mod jets;
 mod order;
+mod reading;
 mod structure_of_models;
 mod support;

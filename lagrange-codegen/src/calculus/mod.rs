@@ -9,6 +9,7 @@ mod degree;
 mod forward;
 mod local;
 mod reverse;
+mod sizes;
 mod substitute;
 #[cfg(test)]
 mod tests;
@@ -17,4 +18,5 @@ pub use degree::{Degrees, beyond_degree, velocity_degrees};
 pub use forward::pushforward;
 pub use local::{binary as partial_derivatives, unary as derivative};
 pub use reverse::pullback;
+pub use sizes::sizes;
 pub use substitute::{rebuild, substitute};

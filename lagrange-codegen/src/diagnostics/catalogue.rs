@@ -90,6 +90,8 @@ messages! {
     asynchronous_role(name) = "`{name}` has a role and cannot be `async`; remove `async`";
     conditional_role(name) = "`{name}` has a role and cannot depend on `cfg`; put `cfg` on the impl block, and \
         write one block for each case";
+    conditional_attribute() = "whether this attribute is there is decided after the macro has run; put `cfg` on the impl \
+        block, and write one block for each case";
     no_inputs() = "no inputs are declared; add `inputs = [motor]` to the attribute";
     unnamed_time(name) = "a role takes no number but the time; rename `{name}` to `t` if it is the time, or \
         read it from `self`";
@@ -129,8 +131,18 @@ messages! {
     unbounded_loop() = "the macro cannot tell when this loop ends; use `for` over a constant range";
     if_let() = "`if let` and `let … else` decide at run time; use plain `let`";
     question_mark() = "`?` cannot leave a role early; its result has a value everywhere";
+    conditional_code() = "whether this is there is decided after the macro has run; put `cfg` on the impl block, and write \
+        one block for each case";
+    local_item(name) = "`{name}` is declared inside this function, where the macro does not look into it; use functions and \
+        constants of this impl block";
+    captured_change(name) = "when this closure runs is up to the iterator, so the macro cannot tell what becomes of \
+        `{name}`; use a `for` loop";
     wrong_suffix(suffix, digits, scalar) = "the suffix `{suffix}` does not fit the scalar `{scalar}`; write \
         `{digits}`";
+    too_deep(levels) = "expressions are nested more than {levels} deep here, which would take more stack than the compiler has; \
+        name parts of it by `let`, or add up long sums in a loop";
+    too_large(nodes) = "this description has more than {nodes} different subexpressions, more than can be differentiated in \
+        reasonable time; describe a smaller system";
     runaway(steps) = "this description takes more than {steps} steps to unroll; shorten its loops";
 }
 
@@ -142,6 +154,13 @@ messages! {
     quantity_without_parameter(kind, name, parameter, path) = "`{name}` is {kind}; add \
         `{parameter}` to the parameters and write `{path}`";
     missing_parameter(name, ty) = "there is no variable `{name}` here; add `{name}: {ty}` to the parameters";
+    hidden_by_import(name) = "an import of everything (`use …::*`) may bring another `{name}` into this function; import it \
+        by its name";
+    later_constant(name) = "`{name}` is declared further down; declare a constant before those that use it";
+    constant_in_pattern(name) = "`{name}` may be a constant outside the macro's sight or a new name; write a literal or \
+        `Self::{name}`, or the new name in small letters";
+    other_context(name) = "this `{name}` is not the variable `{name}` of the macro around it; pass it to the macro, or give \
+        it another name";
     unknown_path(path; near) = "`{path}` is neither a constant nor a function that the macro knows{near}; \
         constants are written in capitals";
     unknown_quantity(kind, name, declared; near) = "there is no {kind} `{name}`{near}; declared are \
@@ -203,6 +222,11 @@ messages! {
         skip some with `..`";
     from_fn_length() = "the length of this array is not known to the macro; name it first, as in \
         `let values: [f64; 3] = array::from_fn(…);`";
+    other_precision(scalar) = "this is not the precision of the description, so it rounds; use `{scalar}` throughout";
+    other_constant(path) = "`{path}` is not the number of this name in the standard library; give the constant another name";
+    rounding_decides() = "how rounding decides this comparison is not known to the macro; compare literals, sums and products \
+        of them, or integers";
+    width_decides() = "the width of the target decides what becomes of this integer; use a type of fixed width";
     bad_cast(value) = "{value} cannot be cast like this; cast integers with `as f64`";
     conversion_of_variable(function) = "`{function}` converts constants only; this depends on the state";
     conversion_of_formula(function) = "`{function}` converts one constant or field; convert each by itself \

@@ -191,6 +191,11 @@ pub fn negative_mass(function: &str) -> String {
     format!("the mass of `{function}` is negative; a mass is positive")
 }
 
+/// A negative moment of inertia.
+pub fn negative_inertia(function: &str) -> String {
+    format!("a moment of inertia of `{function}` is negative; moments of inertia are positive")
+}
+
 /// A constant part of an expression without a finite value.
 pub fn not_a_number() -> &'static str {
     "this constant is not a finite number (the root or logarithm of a negative one, a quotient by zero, an overflow); \

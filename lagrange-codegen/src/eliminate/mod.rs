@@ -7,7 +7,7 @@
 
 mod quantities;
 
-use crate::calculus::{pullback, pushforward, substitute};
+use crate::calculus::{pullback, pushforward, sizes, substitute};
 use crate::diagnostics::{Diagnostics, Origin, physics};
 use crate::expr::{Exponent, Graph, Node, NodeId, Variable};
 use crate::mechanics::time_direction;
@@ -22,6 +22,10 @@ struct Solved {
 
 /// Carries out the eliminations of a model, or reports why they cannot be.
 pub fn eliminate(model: &mut Model, diagnostics: &mut Diagnostics) {
+    // As written: what a constraint is solved for cancels in it from here on, but not in the user's function.
+    for reading in &mut model.readings {
+        reading.sizes = sizes(&mut model.graph, &reading.nodes);
+    }
     let eliminations = std::mem::take(&mut model.eliminations);
     let Some(first) = eliminations.first() else { return };
     let named: Vec<usize> = eliminations.iter().filter_map(|elimination| elimination.coordinate).collect();

@@ -39,6 +39,8 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         inputs: _,
         parameters: _,
         lengths: _,
+        meanings: _,
+        readings,
         points,
         bodies,
         kinetic,
@@ -56,6 +58,9 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         origins: _,
         locals: _,
     } = model;
+    for reading in readings {
+        reading.nodes.iter_mut().chain(&mut reading.sizes).for_each(&mut *each);
+    }
     for point in points {
         point.position.iter_mut().for_each(&mut *each);
     }

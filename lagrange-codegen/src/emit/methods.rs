@@ -104,7 +104,8 @@ fn accelerations(emission: &Emission<'_>) -> String {
         emission.scalar,
     );
     let body = format!(
-        "let constants = lagrange::System::constants(self);\n\
+        "lagrange::reading::checked(self, state, {argument})?;\n\
+         let constants = lagrange::System::constants(self);\n\
          let accelerations = lagrange::System::accelerations_at(\
              self, &constants, state.t, &state.q, &state.v, {argument});\n\
          lagrange::solve::finite(self, &constants, state, accelerations)"

@@ -10,11 +10,13 @@ mod equations;
 mod gather;
 mod jets;
 mod linearization;
+mod meanings;
 mod methods;
 mod names;
 mod over;
 mod parts;
 mod proofs;
+mod readings;
 mod records;
 mod scalar;
 mod stubs;
@@ -82,6 +84,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             (system, None, after)
         }
     };
+    let system = system + &readings::implementation(&mut emission);
     let (mut methods, sides) = methods::methods(&mut emission);
     if surface.is_some() {
         methods.push_str(&constraints::methods(&mut emission));
@@ -166,6 +169,8 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             fn __lengths(&self) { #lengths }
         }
     });
+    let getters = readings::getters(&emission);
+    let meanings = meanings::meanings(emission.item, emission.model, diagnostics);
     let test = analysis::test(&emission);
     let certificate = certificate.map(|items| {
         let items = parameters.parse(&items);
@@ -199,6 +204,8 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             impl #impl_generics #self_ty #where_clause {
                 #report
                 #lengths
+                #meanings
+                #getters
                 #methods
             }
 

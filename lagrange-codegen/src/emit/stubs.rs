@@ -6,6 +6,10 @@ use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
 use super::{COMPLETIONS, analysis, over, proofs, records};
+use crate::syntax::body::Expr;
+use crate::syntax::constant;
+use crate::syntax::item::RoleKind;
+use crate::syntax::types::TypeKind;
 use crate::syntax::{Group, Item, Record, Scalar};
 
 /// All items that a program may use of a system, without content. `None` where the declarations
@@ -247,6 +251,17 @@ fn constraint_methods(
         let name = format_ident!("{name}");
         quote!(pub fn #name(&self, _: &#state #inputs) -> #output { loop {} })
     });
+    // Whether a constraint acts on a place is not known.
+    let on_places = item.functions.iter().filter_map(|function| {
+        let role = function.role.as_ref().map(|role| &role.kind);
+        if !matches!(role, Some(RoleKind::Point { .. } | RoleKind::Body { .. })) {
+            return None;
+        }
+        let force = force_on(item, &function.output.as_ref()?.kind, scalar)?;
+        let (name, result) =
+            (format_ident!("{}{}", constraints::PREFIX, &*function.name), result(quote!(#record<#force>)));
+        Some(quote!(pub fn #name(&self, _: &#state #given) -> #result { loop {} }))
+    });
     let consistent = is_free("consistent").then(|| {
         let result = result(state.clone());
         quote!(pub fn consistent(&self, state: #state) -> #result { loop {} })
@@ -254,6 +269,26 @@ fn constraint_methods(
     quote! {
         pub const CONSTRAINTS: [&'static str; #total] = [""; #total];
         #(#methods)*
+        #(#on_places)*
         #consistent
     }
+}
+
+/// The type of the force on what a function of a particle or body returns.
+fn force_on(item: &Item, kind: &TypeKind, scalar: &TokenStream) -> Option<TokenStream> {
+    let length = |length: &Expr| {
+        constant::integer(length, &item.constants).and_then(|length| usize::try_from(length).ok())
+    };
+    let dimension = match kind {
+        TypeKind::Array(element, count) => {
+            let (element, count) = (force_on(item, &element.kind, scalar)?, length(count)?);
+            return Some(quote!([#element; #count]));
+        }
+        TypeKind::Tuple(parts) => return force_on(item, &parts.first()?.kind, scalar),
+        TypeKind::Scalar => 1,
+        TypeKind::Vector(dimension) => length(dimension)?,
+        TypeKind::Point(dimension) | TypeKind::Isometry(dimension) => *dimension,
+        _ => return None,
+    };
+    Some(quote!(lagrange::nalgebra::SVector<#scalar, #dimension>))
 }

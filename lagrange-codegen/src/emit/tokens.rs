@@ -101,7 +101,8 @@ impl Parameters {
     }
 }
 
-fn respan(tokens: TokenStream, span: Span) -> TokenStream {
+/// Puts all tokens onto a span.
+pub(super) fn respan(tokens: TokenStream, span: Span) -> TokenStream {
     tokens
         .into_iter()
         .map(|token| match token {

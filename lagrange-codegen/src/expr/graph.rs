@@ -179,6 +179,11 @@ impl Graph {
         self.constant(Number::ONE)
     }
 
+    /// The number of nodes.
+    pub fn size(&self) -> usize {
+        self.nodes.len()
+    }
+
     /// The node of a variable.
     pub fn variable(&mut self, variable: Variable) -> NodeId {
         self.intern(Node::Variable(variable))

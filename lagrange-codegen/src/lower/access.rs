@@ -17,7 +17,7 @@ impl<'a> Interpreter<'a> {
             Value::Record(record) => self.record_field(*record, word),
             Value::Vector(nodes) | Value::Translation(nodes) | Value::Point(nodes) => {
                 match (&base, name, component(name)) {
-                    (_, _, Some(index)) if index < nodes.len() => Value::Scalar(nodes[index]),
+                    (_, _, Some(index)) if index < nodes.len() => Value::scalar(nodes[index]),
                     (Value::Translation(_), "vector", _) | (Value::Point(_), "coords", _) => {
                         Value::Vector(nodes.clone())
                     }
@@ -36,11 +36,11 @@ impl<'a> Interpreter<'a> {
                     &[row, column]
                         if (1..=matrix.rows).contains(&row) && (1..=matrix.columns).contains(&column) =>
                     {
-                        Value::Scalar(matrix.at(row - 1, column - 1))
+                        Value::scalar(matrix.at(row - 1, column - 1))
                     }
                     _ => match component(name) {
                         Some(index) if matrix.rows == 1 && index < matrix.columns => {
-                            Value::Scalar(matrix.at(0, index))
+                            Value::scalar(matrix.at(0, index))
                         }
                         _ => self.unknown_field(&base, word),
                     },
@@ -59,8 +59,8 @@ impl<'a> Interpreter<'a> {
             }
             Value::Unit
             | Value::Boolean(_)
-            | Value::Integer(_)
-            | Value::Scalar(_)
+            | Value::Integer(..)
+            | Value::Scalar(..)
             | Value::Rotation(_)
             | Value::Array(_)
             | Value::Iterator(_)
@@ -142,9 +142,9 @@ impl<'a> Interpreter<'a> {
         match &value {
             Value::Parameter(id) => Value::Parameter(self.parameter_entry(*id, row, column, origin)),
             Value::Matrix(matrix) if row < matrix.rows && column < matrix.columns => {
-                Value::Scalar(matrix.at(row, column))
+                Value::scalar(matrix.at(row, column))
             }
-            Value::Vector(nodes) if row < nodes.len() && column == 0 => Value::Scalar(nodes[row]),
+            Value::Vector(nodes) if row < nodes.len() && column == 0 => Value::scalar(nodes[row]),
             Value::Rotation(turn) if row < turn.dimension() && column < turn.dimension() => {
                 let matrix = self.rotation_matrix(turn);
                 self.entry(matrix, row, column, origin)
@@ -172,13 +172,13 @@ impl<'a> Interpreter<'a> {
             }
             Value::Array(elements) => (elements.get(index).cloned(), elements.len()),
             Value::Vector(nodes) | Value::Point(nodes) => {
-                (nodes.get(index).copied().map(Value::Scalar), nodes.len())
+                (nodes.get(index).copied().map(Value::scalar), nodes.len())
             }
             // One index runs through a matrix column by column.
             Value::Matrix(matrix) => {
                 let length = matrix.entries.len();
                 let inside = index < length;
-                (inside.then(|| Value::Scalar(matrix.at(index % matrix.rows, index / matrix.rows))), length)
+                (inside.then(|| Value::scalar(matrix.at(index % matrix.rows, index / matrix.rows))), length)
             }
             Value::Record(record) => return self.refuse(origin, self.record_as_value(*record)),
             other => return self.refuse(origin, catalogue::cannot_index(other.describe())),
@@ -191,7 +191,7 @@ impl<'a> Interpreter<'a> {
 
     fn slice(&mut self, value: Value, range: Value, origin: Origin) -> Value {
         match (value, range) {
-            (Value::Array(elements), Value::Range(start, end)) => {
+            (Value::Array(elements), Value::Range(start, end, _)) => {
                 let length = elements.len();
                 let bound = |bound: Option<i128>, default: usize| match bound {
                     Some(bound) => usize::try_from(bound).ok(),

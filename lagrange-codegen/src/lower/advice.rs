@@ -7,15 +7,19 @@ use crate::collections::Lookup;
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::{Dependence, Node, NodeId, Variable};
 use crate::syntax::body::{BinaryOperator, Expr, ExprKind, Owner, Path};
+use crate::syntax::hygiene::written as written_name;
 use crate::syntax::item::{Argument, RoleKind};
 use crate::syntax::{Group, Record, Scalar, refused};
 
 impl<'a> Interpreter<'a> {
     /// A name that is no variable.
     pub fn unknown_name(&mut self, path: &'a Path) -> Value {
-        let name = &path.last;
+        if self.scope.other_context(&path.last) {
+            return self.refuse(path.origin, catalogue::other_context(written_name(&path.last)));
+        }
+        let name = written_name(&path.last);
         let declared = self.declared_as(name);
-        if self.in_attribute && (declared.is_some() || matches!(&**name, "q" | "v" | "t" | "u")) {
+        if self.in_attribute && (declared.is_some() || matches!(name, "q" | "v" | "t" | "u")) {
             return self.refuse(path.origin, catalogue::attribute_depends_on(name));
         }
         if let Some((record, kind)) = declared {
@@ -29,7 +33,7 @@ impl<'a> Interpreter<'a> {
             };
             return self.refuse(path.origin, message);
         }
-        let argument = match &**name {
+        let argument = match name {
             "q" => Some(Argument::Record(Record::Coordinates)),
             "v" => Some(Argument::Record(Record::Velocities)),
             "u" => Some(Argument::Record(Record::Inputs)),
@@ -136,8 +140,8 @@ impl<'a> Interpreter<'a> {
 
     /// A call of a name that is no function of the block: `cos(x)`, `f(x)`.
     pub fn free_call(&mut self, path: &'a Path, arguments: &'a [Expr]) -> Value {
-        let name = &*path.last;
-        match (self.scope.get(name), arguments) {
+        let name = written_name(&path.last);
+        match (self.scope.get(&path.last), arguments) {
             // A closure in a variable is refused already.
             (Some(Value::Unknown), _) => Value::Unknown,
             (Some(_), _) => self.refuse(path.origin, catalogue::call_of_value()),
@@ -161,7 +165,7 @@ impl<'a> Interpreter<'a> {
         let message = match &expr.kind {
             ExprKind::Binary(BinaryOperator::Divide, left, right) => {
                 let real = |expr: &Expr| match &expr.kind {
-                    ExprKind::Integer(value) => format!("{value}.0"),
+                    ExprKind::Integer(value, _) => format!("{value}.0"),
                     _ => format!("{} as {}", written(expr), self.float()),
                 };
                 catalogue::integer_quotient(real(left), real(right))
@@ -205,7 +209,7 @@ impl<'a> Interpreter<'a> {
 fn written(expr: &Expr) -> String {
     match &expr.kind {
         ExprKind::Path(path) if matches!(path.owner, Owner::None | Owner::SelfType) => path.text.to_string(),
-        ExprKind::Integer(value) => value.to_string(),
+        ExprKind::Integer(value, _) => value.to_string(),
         ExprKind::Field(base, word) => format!("{}.{}", written(base), word.name),
         ExprKind::Index(base, index) => format!("{}[{}]", written(base), written(index)),
         _ => "(…)".to_string(),
@@ -248,7 +252,7 @@ pub fn argument_count(name: &str, expected: usize, given: usize) -> String {
 /// Whether an integer is a mistake beside a value: Rust does not convert it.
 pub fn meets_integer(operator: BinaryOperator, other: &Value) -> bool {
     match other {
-        Value::Scalar(_) | Value::Vector(_) | Value::Matrix(_) => operator != BinaryOperator::Remainder,
+        Value::Scalar(..) | Value::Vector(_) | Value::Matrix(_) => operator != BinaryOperator::Remainder,
         Value::Parameter(_) => matches!(
             operator,
             BinaryOperator::Add

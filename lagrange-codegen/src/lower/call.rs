@@ -64,6 +64,9 @@ impl<'a> Interpreter<'a> {
     pub fn call(&mut self, index: usize, arguments: Vec<Value>, origin: Origin) -> Value {
         let item = self.item;
         let function = &item.functions[index];
+        if let Some(origin) = function.conditional {
+            return self.refuse(origin, catalogue::conditional_code());
+        }
         if arguments.len() != function.parameters.len() {
             let message = argument_count(&function.name, function.parameters.len(), arguments.len());
             return self.refuse(origin, message);
@@ -88,6 +91,7 @@ impl<'a> Interpreter<'a> {
         self.calls.push(index);
         let was_in_attribute = std::mem::replace(&mut self.in_attribute, false);
         let mark = self.scope.enter();
+        let (later, lazy) = (std::mem::take(&mut self.later), self.lazy.take());
         for (argument, parameter) in shaped.into_iter().zip(&function.parameters) {
             self.bind(&parameter.pattern, argument);
         }
@@ -108,6 +112,7 @@ impl<'a> Interpreter<'a> {
             None => self.body_value(&function.body, &Shape::Any),
         };
         self.scope.leave(mark);
+        (self.later, self.lazy) = (later, lazy);
         self.calls.pop();
         self.in_attribute = was_in_attribute;
         self.memo.insert(key, value.clone());
@@ -154,6 +159,15 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// Calls a closure at a time, and as often, as is not known here: it may not change what others see.
+    pub fn apply_later(&mut self, callable: Callable<'a>, arguments: Vec<Value>, origin: Origin) -> Value {
+        let inside = self.scope.length();
+        let outer = self.lazy.replace(inside);
+        let value = self.apply(callable, arguments, origin);
+        self.lazy = outer;
+        value
+    }
+
     /// Calls a closure or a function.
     pub fn apply(&mut self, callable: Callable<'a>, arguments: Vec<Value>, origin: Origin) -> Value {
         match callable {
@@ -194,7 +208,7 @@ fn has_value(expr: &Expr) -> bool {
     matches!(
         expr.kind,
         ExprKind::Float(_)
-            | ExprKind::Integer(_)
+            | ExprKind::Integer(..)
             | ExprKind::Path(_)
             | ExprKind::Unary(..)
             | ExprKind::Binary(..)

@@ -37,7 +37,7 @@ impl<'a> Interpreter<'a> {
             Shape::Any
             | Shape::Unit
             | Shape::Boolean
-            | Shape::Integer
+            | Shape::Integer(_)
             | Shape::Array(..)
             | Shape::Slice(_)
             | Shape::Tuple(_)
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
             ("x" | "x_axis", []) => self.basis(length, 0),
             ("y" | "y_axis", []) => self.basis(length, 1),
             ("z" | "z_axis", []) => self.basis(length, 2),
-            ("ith", [Value::Integer(index), value]) => {
+            ("ith", [Value::Integer(index, ..), value]) => {
                 let index = usize::try_from(*index).ok().filter(|index| *index < length)?;
                 let node = self.scalar(value.clone(), origin)?;
                 let mut nodes = self.zeros(length).to_vec();
@@ -305,7 +305,7 @@ impl<'a> Interpreter<'a> {
                 Shape::Matrix(rows, columns) => (rows, columns),
                 _ => return self.refuse(path.origin, catalogue::free_function(&path.text)),
             },
-            Owner::None | Owner::SelfType | Owner::Other(_) => {
+            Owner::None | Owner::SelfType | Owner::Other(_) | Owner::Local(_) => {
                 return self.refuse(path.origin, catalogue::from_fn_length());
             }
         };
@@ -316,8 +316,9 @@ impl<'a> Interpreter<'a> {
         let mut entries = Vec::with_capacity(rows * columns);
         for row in 0..rows {
             for column in 0..columns {
-                let index = [row, column].map(|index| Value::Integer(index as i128));
-                let value = self.apply(function, index.to_vec(), origin);
+                let index = [row, column].map(Value::index);
+                // Nalgebra goes column by column.
+                let value = self.apply_later(function, index.to_vec(), origin);
                 entries.extend(self.scalar(value, origin));
             }
         }
@@ -330,8 +331,7 @@ impl<'a> Interpreter<'a> {
     /// `array::from_fn(|i| …)` where the length is known from the context.
     pub fn array_by_function(&mut self, length: usize, function: &'a Expr, origin: Origin) -> Value {
         let Some(function) = self.callable(function) else { return Value::Unknown };
-        let elements =
-            (0..length).map(|index| self.apply(function, vec![Value::Integer(index as i128)], origin));
+        let elements = (0..length).map(|index| self.apply(function, vec![Value::index(index)], origin));
         Value::array(elements.collect())
     }
 }

@@ -6,6 +6,7 @@ use super::interpreter::{Flow, Interpreter};
 use super::value::Value;
 use crate::diagnostics::{Origin, catalogue};
 use crate::syntax::body::{Arm, Expr, ExprKind, For, If, Name, RangeExpr};
+use crate::syntax::integers::Integers;
 
 impl<'a> Interpreter<'a> {
     /// The truth of a condition; `None` if it is not known, which is reported.
@@ -43,7 +44,7 @@ impl<'a> Interpreter<'a> {
         let value = self.expression(value);
         match &value {
             Value::Unknown => return Value::Unknown,
-            Value::Scalar(node) if self.model.graph.as_constant(*node).is_none() => {
+            Value::Scalar(node, ..) if self.model.graph.as_constant(*node).is_none() => {
                 let on = super::advice::dependence_words(self.model.graph.dependence(*node));
                 return self.refuse(place, catalogue::branch_on_variable(on, self.smooth_thing()));
             }
@@ -124,14 +125,18 @@ impl<'a> Interpreter<'a> {
         let start = bound(self, &range.start);
         let end = bound(self, &range.end);
         match valid {
-            true => Value::Range(start, end.map(|end| end.saturating_add(i128::from(range.inclusive)))),
+            true => {
+                let types = |bound: Option<(i128, Integers)>| bound.map_or(Integers::ANY, |(_, types)| types);
+                let end_of = |(end, _): (i128, Integers)| end.saturating_add(i128::from(range.inclusive));
+                Value::Range(start.map(|(start, _)| start), end.map(end_of), types(start) & types(end))
+            }
             false => Value::Unknown,
         }
     }
 
-    fn bound(&mut self, expr: &'a Expr) -> Option<i128> {
+    fn bound(&mut self, expr: &'a Expr) -> Option<(i128, Integers)> {
         match self.expression(expr) {
-            Value::Integer(value) => Some(value),
+            Value::Integer(value, types) => Some((value, types)),
             Value::Unknown => None,
             Value::Parameter(id) => {
                 let text = self.parameters.text(id).to_string();
@@ -154,22 +159,22 @@ impl<'a> Interpreter<'a> {
     pub fn elements(&mut self, value: Value, origin: Origin) -> Option<Rc<Vec<Value>>> {
         match value {
             Value::Array(elements) | Value::Iterator(elements) => Some(elements),
-            Value::Range(Some(start), Some(end)) => {
+            Value::Range(Some(start), Some(end), types) => {
                 let count = usize::try_from(end.saturating_sub(start).max(0)).unwrap_or(usize::MAX);
                 let affordable = self.pay_for(count, origin);
-                affordable.then(|| Rc::new((start..end).map(Value::Integer).collect()))
+                affordable.then(|| Rc::new((start..end).map(|value| Value::Integer(value, types)).collect()))
             }
             Value::Range(..) => {
                 self.report(origin, catalogue::open_range());
                 None
             }
             Value::Vector(nodes) | Value::Point(nodes) => {
-                Some(Rc::new(nodes.iter().map(|&node| Value::Scalar(node)).collect()))
+                Some(Rc::new(nodes.iter().map(|&node| Value::scalar(node)).collect()))
             }
             Value::Matrix(matrix) => {
                 let column_major = (0..matrix.columns)
                     .flat_map(|column| (0..matrix.rows).map(move |row| (row, column)))
-                    .map(|(row, column)| Value::Scalar(matrix.at(row, column)));
+                    .map(|(row, column)| Value::scalar(matrix.at(row, column)));
                 Some(Rc::new(column_major.collect()))
             }
             Value::Parameter(id) => {

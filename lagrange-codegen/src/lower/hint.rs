@@ -3,12 +3,14 @@
 use super::interpreter::Interpreter;
 use super::value::{Turn, Value};
 use crate::expr::{Node, NodeId};
+use crate::syntax::hygiene::written;
 
 impl Interpreter<'_> {
     /// Suggests names for the nodes of a value: `end`, `end_x`, `joints_3_x`.
     pub fn hint(&mut self, value: &Value, name: &str) {
+        let name = written(name);
         match value {
-            Value::Scalar(node) | Value::Rotation(Turn::Plane(node)) => self.hint_node(*node, name, ""),
+            Value::Scalar(node, ..) | Value::Rotation(Turn::Plane(node)) => self.hint_node(*node, name, ""),
             Value::Vector(nodes) | Value::Point(nodes) | Value::Translation(nodes) => {
                 self.hint_components(nodes, name);
             }
@@ -34,7 +36,7 @@ impl Interpreter<'_> {
             Value::Unknown
             | Value::Unit
             | Value::Boolean(_)
-            | Value::Integer(_)
+            | Value::Integer(..)
             | Value::Parameter(_)
             | Value::Iterator(_)
             | Value::Range(..)

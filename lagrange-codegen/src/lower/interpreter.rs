@@ -3,18 +3,27 @@
 use std::rc::Rc;
 
 use super::parameter::Parameters;
+use super::rounded::Rounded;
+use super::scalar::LARGEST_POWER;
 use super::scope::Scope;
 use super::shape::Shape;
 use super::value::Value;
 use crate::collections::Lookup;
 use crate::diagnostics::{Diagnostics, Origin, catalogue};
-use crate::expr::{Graph, NodeId, Variable};
-use crate::model::{Model, Quantity};
+use crate::expr::{Graph, Node, NodeId, Variable};
+use crate::model::{Meaning, Model, Quantity};
+use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Name, Owner};
+use crate::syntax::integers::Integers;
 use crate::syntax::{Group, Item};
 
-/// Statements and iterations after which a description counts as runaway.
+/// Steps, an expression each, after which a description counts as runaway: about three seconds of an engine without
+/// optimisation. Five hundred coordinates of which each meets each take a third of them, a chain of a hundred links a hundredth.
 const BUDGET: usize = 1_000_000;
+
+/// Subexpressions of the largest description: those of fifty particles that attract each other. Differentiating them takes
+/// most of the time of an expansion.
+const LARGEST: usize = 20_000;
 
 /// Where execution goes after a statement.
 #[derive(Debug)]
@@ -59,6 +68,12 @@ pub struct Interpreter<'a> {
     pub constants: Vec<Option<Value>>,
     /// The fields of each record, in the order of [`crate::syntax::Record::ALL`].
     pub fields: [Vec<Value>; 3],
+    /// Constants of the blocks around that are not evaluated yet.
+    pub later: Vec<&'a Name>,
+    /// While a closure of a lazy iterator runs: the variables below this position are outside it.
+    pub lazy: Option<usize>,
+    /// Statements that rustc will confirm.
+    meant: Lookup<String, ()>,
     /// Whether an attribute argument such as a mass is evaluated.
     pub in_attribute: bool,
     /// How many variables stand for components of positions.
@@ -93,6 +108,9 @@ impl<'a> Interpreter<'a> {
             calls: Vec::new(),
             constants: vec![None; item.constants.len()],
             fields,
+            later: Vec::new(),
+            lazy: None,
+            meant: Lookup::default(),
             in_attribute: false,
             positions: 0,
             reports: 0,
@@ -103,6 +121,26 @@ impl<'a> Interpreter<'a> {
     /// The graph under construction.
     pub fn graph(&mut self) -> &mut Graph {
         &mut self.model.graph
+    }
+
+    /// A number that stands in the source, or has a name of its own.
+    pub fn constant(&mut self, number: Number) -> Value {
+        Value::Scalar(self.graph().constant(number), Rounded::literal(number))
+    }
+
+    /// An integer result of a type; `None` where Rust would overflow, which is reported.
+    pub fn integer(&mut self, value: i128, types: Integers, origin: Origin) -> Value {
+        match types.holding(value) {
+            Some(types) => Value::Integer(value, types),
+            None => self.refuse(origin, catalogue::integer_overflow()),
+        }
+    }
+
+    /// Notes what rustc has to confirm: a statement that compiles only if a name means what it was taken for.
+    pub fn meaning(&mut self, statement: String, origin: Origin) {
+        if self.meant.insert(statement.clone(), ()).is_none() {
+            self.model.meanings.push(Meaning { statement, origin });
+        }
     }
 
     /// Reports a mistake.
@@ -125,17 +163,23 @@ impl<'a> Interpreter<'a> {
     /// Pays for a number of elements.
     pub fn pay_for(&mut self, count: usize, origin: Origin) -> bool {
         let Budget::Left(left) = self.budget else { return false };
-        match left.checked_sub(count) {
-            Some(left) => {
+        let message = match left.checked_sub(count) {
+            Some(left) if self.model.graph.size() <= LARGEST => {
                 self.budget = Budget::Left(left);
-                true
+                return true;
             }
-            None => {
-                self.report(origin, catalogue::runaway(BUDGET));
-                self.budget = Budget::Exhausted;
-                false
-            }
-        }
+            Some(_) => catalogue::too_large(LARGEST),
+            None => catalogue::runaway(BUDGET),
+        };
+        self.report(origin, message);
+        self.budget = Budget::Exhausted;
+        false
+    }
+
+    /// Pays for some copies of a value.
+    fn pay_for_parts(&mut self, value: &Value, copies: usize, origin: Origin) -> bool {
+        let parts = value.parts(BUDGET).saturating_mul(copies);
+        self.pay_for(parts, origin)
     }
 
     /// The value of an expression.
@@ -144,9 +188,13 @@ impl<'a> Interpreter<'a> {
             return Value::Unknown;
         }
         let origin = expr.origin;
+        if !self.pay(origin) {
+            self.stop();
+            return Value::Unknown;
+        }
         let value = match &expr.kind {
-            ExprKind::Float(number) => Value::Scalar(self.graph().constant(*number)),
-            ExprKind::Integer(value) => Value::Integer(*value),
+            ExprKind::Float(number) => self.constant(*number),
+            ExprKind::Integer(value, types) => Value::Integer(*value, *types),
             ExprKind::Boolean(value) => Value::Boolean(*value),
             ExprKind::Path(path) => self.path(path),
             ExprKind::Unary(operator, operand) => {
@@ -173,7 +221,9 @@ impl<'a> Interpreter<'a> {
             ExprKind::Repeat(element, length) => {
                 let element = self.expression(element);
                 match self.length(length) {
-                    Some(count) if self.pay_for(count, origin) => Value::array(vec![element; count]),
+                    Some(count) if self.pay_for_parts(&element, count, origin) => {
+                        Value::array(vec![element; count])
+                    }
                     Some(_) | None => Value::Unknown,
                 }
             }
@@ -194,8 +244,18 @@ impl<'a> Interpreter<'a> {
             ExprKind::Closure(_) => self.refuse(origin, catalogue::stored_closure()),
             ExprKind::Unsupported(message) => self.refuse(origin, message.clone()),
         };
+        // Arrays share their elements, but what walks over them pays for each.
+        let is_new = matches!(
+            expr.kind,
+            ExprKind::Array(_) | ExprKind::Tuple(_) | ExprKind::Method(_) | ExprKind::Call(..)
+        );
+        if is_new && !self.pay_for_parts(&value, 1, origin) {
+            self.stop();
+            return Value::Unknown;
+        }
+        let reports = self.reports;
         self.record(&value, origin);
-        value
+        if self.reports > reports { Value::Unknown } else { value }
     }
 
     /// The values of some expressions.
@@ -207,7 +267,7 @@ impl<'a> Interpreter<'a> {
     pub fn scalar_of(&mut self, expr: &'a Expr) -> Option<NodeId> {
         let value = self.expression(expr);
         match self.coerce_of(value, &Shape::Scalar, expr) {
-            Value::Scalar(node) => Some(node),
+            Value::Scalar(node, ..) => Some(node),
             _ => None,
         }
     }
@@ -222,7 +282,7 @@ impl<'a> Interpreter<'a> {
     /// The value of an expression that must be a constant integer.
     pub fn integer_of(&mut self, expr: &'a Expr) -> Option<i128> {
         match self.expression(expr) {
-            Value::Integer(value) => Some(value),
+            Value::Integer(value, ..) => Some(value),
             Value::Unknown => None,
             Value::Parameter(id) => {
                 let text = self.parameters.text(id).to_string();
@@ -268,6 +328,11 @@ impl<'a> Interpreter<'a> {
                 continue;
             }
             self.model.origins.insert(node, origin);
+            if let Node::Product(factors) = self.model.graph.node(node)
+                && factors.iter().any(|(_, power)| u128::from(power.0.unsigned_abs()) > 2 * LARGEST_POWER)
+            {
+                self.report(origin, catalogue::bad_power(LARGEST_POWER));
+            }
             self.model.graph.operands(node, |operand| stack.push(operand));
         }
     }
@@ -301,7 +366,7 @@ fn variables(graph: &mut Graph, groups: &[Group], kind: impl Fn(u32) -> Variable
     let mut next = 0;
     let mut variable = || {
         next += 1;
-        Value::Scalar(graph.variable(kind(next - 1)))
+        Value::scalar(graph.variable(kind(next - 1)))
     };
     groups
         .iter()

@@ -74,7 +74,7 @@ impl<'a> Interpreter<'a> {
         let elements = self.elements(receiver.clone(), origin)?;
         let mut kept = Vec::new();
         for element in elements.iter() {
-            match self.apply(function, vec![element.clone()], origin) {
+            match self.apply_later(function, vec![element.clone()], origin) {
                 Value::Boolean(true) => kept.push(element.clone()),
                 Value::Boolean(false) => {}
                 Value::Unknown => return None,
@@ -92,7 +92,7 @@ impl<'a> Interpreter<'a> {
         let elements = self.elements(receiver.clone(), origin)?;
         let mut flat = Vec::new();
         for element in elements.iter() {
-            let inner = self.apply(function, vec![element.clone()], origin);
+            let inner = self.apply_later(function, vec![element.clone()], origin);
             flat.extend(self.elements(inner, origin)?.iter().cloned());
         }
         Some(Value::iterator(flat))
@@ -118,7 +118,7 @@ impl<'a> Interpreter<'a> {
             let mapped: Option<Vec<NodeId>> = nodes
                 .iter()
                 .map(|&node| {
-                    let value = self.apply(function, vec![Value::Scalar(node)], origin);
+                    let value = self.apply(function, vec![Value::scalar(node)], origin);
                     self.scalar(value, origin)
                 })
                 .collect();
@@ -129,15 +129,19 @@ impl<'a> Interpreter<'a> {
                 .entries
                 .iter()
                 .map(|&node| {
-                    let value = self.apply(function, vec![Value::Scalar(node)], origin);
+                    // Nalgebra goes column by column.
+                    let value = self.apply_later(function, vec![Value::scalar(node)], origin);
                     self.scalar(value, origin)
                 })
                 .collect();
             return mapped.map_or(Value::Unknown, |e| Value::matrix(matrix.rows, matrix.columns, e));
         }
         let Some(elements) = self.elements(receiver.clone(), origin) else { return Value::Unknown };
-        let mapped =
-            elements.iter().map(|element| self.apply(function, vec![element.clone()], origin)).collect();
+        let mut each = |element: &Value| match receiver {
+            Value::Array(_) => self.apply(function, vec![element.clone()], origin),
+            _ => self.apply_later(function, vec![element.clone()], origin),
+        };
+        let mapped = elements.iter().map(&mut each).collect();
         match receiver {
             Value::Array(_) => Value::array(mapped),
             _ => Value::iterator(mapped),
@@ -153,7 +157,7 @@ impl<'a> Interpreter<'a> {
             .iter()
             .zip(other.iter())
             .map(|(&a, &b)| {
-                let value = self.apply(function, vec![Value::Scalar(a), Value::Scalar(b)], origin);
+                let value = self.apply(function, vec![Value::scalar(a), Value::scalar(b)], origin);
                 self.scalar(value, origin)
             })
             .collect();
@@ -172,10 +176,10 @@ impl<'a> Interpreter<'a> {
         if let ("zip", [other]) = (name, arguments.as_slice()) {
             return self.zipped(receiver, other.clone(), origin);
         }
-        if let ("take", Value::Range(Some(start), None), [Value::Integer(count)]) =
+        if let ("take", Value::Range(Some(start), None, types), [Value::Integer(count, ..)]) =
             (name, &receiver, arguments.as_slice())
         {
-            return Value::Range(Some(*start), Some(start.saturating_add(*count)));
+            return Value::Range(Some(*start), Some(start.saturating_add(*count)), *types);
         }
         let is_array = matches!(receiver, Value::Array(_));
         if !METHODS.contains(&name) {
@@ -185,24 +189,25 @@ impl<'a> Interpreter<'a> {
         let count = |value: i128| usize::try_from(value).unwrap_or(usize::MAX).min(elements.len());
         match (name, arguments.as_slice()) {
             ("iter" | "into_iter" | "copied" | "cloned", []) => Value::Iterator(elements),
-            ("len" | "count", []) => Value::Integer(elements.len() as i128),
+            ("len" | "count", []) => Value::index(elements.len()),
             ("rev", []) => Value::iterator(elements.iter().rev().cloned().collect()),
             ("enumerate", []) => {
-                let pairs = elements.iter().enumerate().map(|(index, element)| {
-                    Value::tuple(vec![Value::Integer(index as i128), element.clone()])
-                });
+                let pairs = elements
+                    .iter()
+                    .enumerate()
+                    .map(|(index, element)| Value::tuple(vec![Value::index(index), element.clone()]));
                 Value::iterator(pairs.collect())
             }
-            ("skip", [Value::Integer(skipped)]) => Value::iterator(elements[count(*skipped)..].to_vec()),
-            ("take", [Value::Integer(taken)]) => Value::iterator(elements[..count(*taken)].to_vec()),
-            ("step_by", [Value::Integer(step)]) if *step > 0 => {
+            ("skip", [Value::Integer(skipped, ..)]) => Value::iterator(elements[count(*skipped)..].to_vec()),
+            ("take", [Value::Integer(taken, ..)]) => Value::iterator(elements[..count(*taken)].to_vec()),
+            ("step_by", [Value::Integer(step, ..)]) if *step > 0 => {
                 Value::iterator(elements.iter().step_by(count(*step).max(1)).cloned().collect())
             }
             ("chain", [other]) => match self.elements(other.clone(), origin) {
                 Some(other) => Value::iterator(elements.iter().chain(other.iter()).cloned().collect()),
                 None => Value::Unknown,
             },
-            ("windows", [Value::Integer(size)]) if *size > 0 && is_array => {
+            ("windows", [Value::Integer(size, ..)]) if *size > 0 && is_array => {
                 let windows = elements.windows(usize::try_from(*size).unwrap_or(usize::MAX));
                 Value::iterator(windows.map(|window| Value::array(window.to_vec())).collect())
             }
@@ -227,7 +232,7 @@ impl<'a> Interpreter<'a> {
                         }
                     });
                 }
-                product.unwrap_or_else(|| Value::Scalar(self.graph().one()))
+                product.unwrap_or_else(|| Value::scalar(self.graph().one()))
             }
             _ => self.refuse(origin, catalogue::bad_arguments(name)),
         }
@@ -236,17 +241,17 @@ impl<'a> Interpreter<'a> {
     fn zipped(&mut self, left: Value, right: Value, origin: Origin) -> Value {
         let (left, right) = match (left, right) {
             // An open range counts along.
-            (Value::Range(Some(start), None), right) => match self.elements(right, origin) {
+            (Value::Range(Some(start), None, types), right) => match self.elements(right, origin) {
                 Some(right) => (
-                    Value::Range(Some(start), Some(start.saturating_add(right.len() as i128))),
+                    Value::Range(Some(start), Some(start.saturating_add(right.len() as i128)), types),
                     Value::Array(right),
                 ),
                 None => return Value::Unknown,
             },
-            (left, Value::Range(Some(start), None)) => match self.elements(left, origin) {
+            (left, Value::Range(Some(start), None, types)) => match self.elements(left, origin) {
                 Some(left) => {
                     let length = left.len() as i128;
-                    (Value::Array(left), Value::Range(Some(start), Some(start.saturating_add(length))))
+                    (Value::Array(left), Value::Range(Some(start), Some(start.saturating_add(length)), types))
                 }
                 None => return Value::Unknown,
             },
@@ -296,7 +301,7 @@ impl<'a> Interpreter<'a> {
                 let sums = columns.iter().map(|column| self.graph().sum(Number::ZERO, column)).collect();
                 Value::Vector(sums)
             }
-            Value::Integer(_) | Value::Matrix(_) => {
+            Value::Integer(..) | Value::Matrix(_) => {
                 let mut total = None;
                 for element in elements {
                     total = Some(match total {
@@ -318,7 +323,7 @@ impl<'a> Interpreter<'a> {
                 None => return Value::Unknown,
             }
         }
-        Value::Scalar(self.graph().sum(Number::ZERO, &terms))
+        Value::scalar(self.graph().sum(Number::ZERO, &terms))
     }
 }
 

@@ -3,12 +3,14 @@
 use super::advice::argument_count;
 use super::interpreter::Interpreter;
 use super::iterate;
+use super::rounded::Rounded;
 use super::scalar;
 use super::value::{ParameterId, Value};
 use super::vector;
 use crate::diagnostics::{Origin, catalogue};
 use crate::syntax::Record;
 use crate::syntax::body::{MethodCall, Word};
+use crate::syntax::integers::Integers;
 use crate::syntax::suggest::nearest;
 
 /// Methods that change nothing here: conversions take effect where the target is known.
@@ -73,8 +75,8 @@ impl<'a> Interpreter<'a> {
         }
         match receiver {
             Value::Unknown => Value::Unknown,
-            Value::Scalar(node) => self.scalar_method(node, word, arguments, origin),
-            Value::Integer(value) => self.integer_method(value, word, arguments, origin),
+            Value::Scalar(node, rounded) => self.scalar_method((node, rounded), word, arguments, origin),
+            Value::Integer(value, types) => self.integer_method(value, types, word, arguments, origin),
             Value::Parameter(id) => self.parameter_value_method(id, word, arguments, origin),
             Value::Vector(ref nodes) | Value::Point(ref nodes) | Value::Translation(ref nodes) => {
                 let nodes = nodes.clone();
@@ -94,14 +96,14 @@ impl<'a> Interpreter<'a> {
     /// No such method: a near miss, or what can be called.
     pub fn unknown_method(&mut self, receiver: &Value, word: &Word) -> Value {
         let candidates: &[&str] = match receiver {
-            Value::Scalar(_) | Value::Parameter(_) => &scalar::METHODS,
+            Value::Scalar(..) | Value::Parameter(_) => &scalar::METHODS,
             Value::Vector(_) | Value::Point(_) | Value::Translation(_) | Value::Matrix(_) => &vector::METHODS,
             Value::Rotation(_) | Value::Isometry(..) => &vector::POSE_METHODS,
             Value::Array(_) | Value::Iterator(_) | Value::Range(..) => &iterate::METHODS,
             Value::Unknown
             | Value::Unit
             | Value::Boolean(_)
-            | Value::Integer(_)
+            | Value::Integer(..)
             | Value::Tuple(_)
             | Value::Record(_) => &["to_array", "as_vector"],
         };
@@ -169,7 +171,7 @@ impl<'a> Interpreter<'a> {
         }
         if scalar::METHODS.contains(&name) || scalar::REFUSED.contains(&name) {
             return match self.scalar_parameter(id, origin) {
-                Some(node) => self.scalar_method(node, word, arguments, origin),
+                Some(node) => self.scalar_method((node, Rounded::UNKNOWN), word, arguments, origin),
                 None => Value::Unknown,
             };
         }
@@ -196,32 +198,41 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn integer_method(&mut self, value: i128, word: &Word, arguments: Vec<Value>, origin: Origin) -> Value {
+    fn integer_method(
+        &mut self,
+        value: i128,
+        types: Integers,
+        word: &Word,
+        arguments: Vec<Value>,
+        origin: Origin,
+    ) -> Value {
         let name = &*word.name;
         let result = match (name, arguments.as_slice()) {
             ("abs", []) => value.checked_abs(),
-            ("pow", [Value::Integer(power)]) => {
+            ("pow", [Value::Integer(power, ..)]) => {
                 u32::try_from(*power).ok().and_then(|power| value.checked_pow(power))
             }
-            ("min", [Value::Integer(other)]) => Some(value.min(*other)),
-            ("max", [Value::Integer(other)]) => Some(value.max(*other)),
-            ("rem_euclid", [Value::Integer(other)]) => value.checked_rem_euclid(*other),
-            ("div_euclid", [Value::Integer(other)]) => value.checked_div_euclid(*other),
-            ("div_ceil", [Value::Integer(other)]) if *other > 0 => {
+            ("min", [Value::Integer(other, ..)]) => Some(value.min(*other)),
+            ("max", [Value::Integer(other, ..)]) => Some(value.max(*other)),
+            ("rem_euclid", [Value::Integer(other, ..)]) => value.checked_rem_euclid(*other),
+            ("div_euclid", [Value::Integer(other, ..)]) => value.checked_div_euclid(*other),
+            ("div_ceil", [Value::Integer(other, ..)]) if *other > 0 => {
                 Some(value.div_euclid(*other) + i128::from(value.rem_euclid(*other) > 0))
             }
-            ("abs_diff", [Value::Integer(other)]) => value.checked_sub(*other).and_then(i128::checked_abs),
-            ("saturating_sub", [Value::Integer(other)]) => Some(value.saturating_sub(*other).max(0)),
-            ("is_multiple_of", [Value::Integer(other)]) => {
+            ("abs_diff", [Value::Integer(other, ..)]) => {
+                value.checked_sub(*other).and_then(i128::checked_abs)
+            }
+            ("saturating_sub", [Value::Integer(other, ..)]) => Some(value.saturating_sub(*other).max(0)),
+            ("is_multiple_of", [Value::Integer(other, ..)]) => {
                 return Value::Boolean(value.checked_rem(*other).unwrap_or(value) == 0);
             }
             _ if scalar::METHODS.contains(&name) => {
                 return self.refuse(origin, catalogue::integer_for_scalar(value));
             }
-            _ => return self.unknown_method(&Value::Integer(value), word),
+            _ => return self.unknown_method(&Value::Integer(value, types), word),
         };
         match result {
-            Some(result) => Value::Integer(result),
+            Some(result) => self.integer(result, types, origin),
             None => self.refuse(origin, catalogue::integer_overflow()),
         }
     }

@@ -8,6 +8,7 @@
 mod access;
 mod advice;
 mod call;
+mod compare;
 mod constraint;
 mod construct;
 mod control;
@@ -21,8 +22,10 @@ mod parameter;
 mod path;
 mod pattern;
 mod places;
+mod readings;
 mod roles;
 mod rotation;
+mod rounded;
 mod scalar;
 mod scope;
 mod shape;

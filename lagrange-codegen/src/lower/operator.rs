@@ -2,13 +2,13 @@
 
 use std::rc::Rc;
 
-use super::advice::{dependence_words, meets_integer};
+use super::advice::meets_integer;
+use super::compare::is_comparison;
 use super::interpreter::Interpreter;
 use super::statement::like;
 use super::value::{Matrix, Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
-use crate::expr::NodeId;
-use crate::number::Number;
+use crate::expr::{Dependence, NodeId};
 use crate::syntax::body::{BinaryOperator, Expr, UnaryOperator};
 use crate::syntax::constant;
 
@@ -18,16 +18,17 @@ impl<'a> Interpreter<'a> {
         match (operator, operand) {
             (_, Value::Unknown) => Value::Unknown,
             (UnaryOperator::Not, Value::Boolean(value)) => Value::Boolean(!value),
-            (UnaryOperator::Negate, Value::Integer(value)) => match value.checked_neg() {
-                Some(value) => Value::Integer(value),
+            (UnaryOperator::Negate, Value::Integer(value, types)) => match value.checked_neg() {
+                Some(value) => self.integer(value, types, origin),
                 None => self.refuse(origin, catalogue::integer_overflow()),
             },
-            (UnaryOperator::Negate, operand @ (Value::Scalar(_) | Value::Parameter(_))) => {
-                match self.scalar(operand, origin) {
-                    Some(node) => Value::Scalar(self.graph().neg(node)),
-                    None => Value::Unknown,
-                }
+            (UnaryOperator::Negate, Value::Scalar(node, rounded)) => {
+                Value::Scalar(self.graph().neg(node), rounded.negated())
             }
+            (UnaryOperator::Negate, operand @ Value::Parameter(_)) => match self.scalar(operand, origin) {
+                Some(node) => Value::scalar(self.graph().neg(node)),
+                None => Value::Unknown,
+            },
             (UnaryOperator::Negate, Value::Vector(nodes)) => {
                 Value::Vector(nodes.iter().map(|&node| self.graph().neg(node)).collect())
             }
@@ -64,10 +65,10 @@ impl<'a> Interpreter<'a> {
             _ => {
                 let second = self.expression(right);
                 match (&first, &second) {
-                    (Value::Integer(value), other) if meets_integer(operator, other) => {
+                    (Value::Integer(value, ..), other) if meets_integer(operator, other) => {
                         self.integer_as_number(*value, left)
                     }
-                    (other, Value::Integer(value)) if meets_integer(operator, other) => {
+                    (other, Value::Integer(value, ..)) if meets_integer(operator, other) => {
                         self.integer_as_number(*value, right)
                     }
                     _ => self.arithmetic(operator, first, second, origin),
@@ -87,15 +88,31 @@ impl<'a> Interpreter<'a> {
         if left.is_unknown() || right.is_unknown() {
             return Value::Unknown;
         }
-        if let (Value::Integer(a), Value::Integer(b)) = (&left, &right)
+        if let (Value::Integer(a, first), Value::Integer(b, second)) = (&left, &right)
             && !is_comparison(operator)
         {
             return match constant::arithmetic(operator, *a, *b) {
-                Some(value) => Value::Integer(value),
+                Some(value) => self.integer(value, *first & *second, origin),
                 None if *b == 0 => self.refuse(origin, catalogue::integer_division_by_zero()),
                 None => self.refuse(origin, catalogue::integer_overflow()),
             };
         }
+        if let (Value::Scalar(_, first), Value::Scalar(_, second)) = (&left, &right)
+            && !is_comparison(operator)
+        {
+            let rounded = first.arithmetic(operator, *second);
+            return match self.exact(operator, left, right, origin) {
+                Value::Scalar(node, _) if self.model.graph.dependence(node) == Dependence::NONE => {
+                    Value::Scalar(node, rounded)
+                }
+                other => other,
+            };
+        }
+        self.exact(operator, left, right, origin)
+    }
+
+    /// An operator on two values, the constants among them exact.
+    fn exact(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
         match operator {
             BinaryOperator::Add | BinaryOperator::Subtract => self.additive(operator, left, right, origin),
             BinaryOperator::Multiply => self.multiply(left, right, origin),
@@ -116,14 +133,21 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn mismatch(&mut self, operator: BinaryOperator, left: &Value, right: &Value, origin: Origin) -> Value {
+    /// Operands that do not go together.
+    pub fn mismatch(
+        &mut self,
+        operator: BinaryOperator,
+        left: &Value,
+        right: &Value,
+        origin: Origin,
+    ) -> Value {
         let (a, b) = (left.describe(), right.describe());
         let message = match (operator, left, right) {
             (_, Value::Record(record), _) | (_, _, Value::Record(record)) => self.record_as_value(*record),
-            (_, Value::Integer(value), other) | (_, other, Value::Integer(value))
+            (_, Value::Integer(value, ..), other) | (_, other, Value::Integer(value, ..))
                 if matches!(
                     other,
-                    Value::Scalar(_) | Value::Parameter(_) | Value::Vector(_) | Value::Matrix(_)
+                    Value::Scalar(..) | Value::Parameter(_) | Value::Vector(_) | Value::Matrix(_)
                 ) =>
             {
                 catalogue::integer_for_scalar(value)
@@ -147,14 +171,14 @@ impl<'a> Interpreter<'a> {
             (Value::Parameter(a), Value::Parameter(b)) => {
                 let (a, b) = (self.scalar_parameter(a, origin), self.scalar_parameter(b, origin));
                 match (a, b) {
-                    (Some(a), Some(b)) => (Value::Scalar(a), Value::Scalar(b)),
+                    (Some(a), Some(b)) => (Value::scalar(a), Value::scalar(b)),
                     _ => return Value::Unknown,
                 }
             }
-            (left @ Value::Parameter(_), right) if !matches!(right, Value::Integer(_)) => {
+            (left @ Value::Parameter(_), right) if !matches!(right, Value::Integer(..)) => {
                 (self.coerce(left, &like(&right), origin), right)
             }
-            (left, right @ Value::Parameter(_)) if !matches!(left, Value::Integer(_)) => {
+            (left, right @ Value::Parameter(_)) if !matches!(left, Value::Integer(..)) => {
                 let shape = match &left {
                     // A point moves by a vector; the difference of points needs an annotation.
                     Value::Point(nodes) => super::shape::Shape::Vector(nodes.len()),
@@ -167,7 +191,7 @@ impl<'a> Interpreter<'a> {
         };
         match (&left, &right) {
             (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
-            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(combine(self.graph(), *a, *b)),
+            (Value::Scalar(a, ..), Value::Scalar(b, ..)) => Value::scalar(combine(self.graph(), *a, *b)),
             (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
                 Value::Vector(self.zip_nodes(a, b, combine))
             }
@@ -223,21 +247,23 @@ impl<'a> Interpreter<'a> {
             }
             (Value::Parameter(id), right) => {
                 let Some(node) = self.scalar_parameter(id, origin) else { return Value::Unknown };
-                (Value::Scalar(node), self.parameter_scalar(right, origin))
+                (Value::scalar(node), self.parameter_scalar(right, origin))
             }
             (left, right) => (left, self.parameter_scalar(right, origin)),
         };
         match (&left, &right) {
             (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
-            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.graph().mul(*a, *b)),
-            (Value::Scalar(factor), Value::Vector(nodes)) | (Value::Vector(nodes), Value::Scalar(factor)) => {
+            (Value::Scalar(a, ..), Value::Scalar(b, ..)) => Value::scalar(self.graph().mul(*a, *b)),
+            (Value::Scalar(factor, ..), Value::Vector(nodes))
+            | (Value::Vector(nodes), Value::Scalar(factor, ..)) => {
                 Value::Vector(nodes.iter().map(|&node| self.graph().mul(*factor, node)).collect())
             }
-            (Value::Scalar(factor), Value::Point(nodes)) | (Value::Point(nodes), Value::Scalar(factor)) => {
+            (Value::Scalar(factor, ..), Value::Point(nodes))
+            | (Value::Point(nodes), Value::Scalar(factor, ..)) => {
                 Value::Point(nodes.iter().map(|&node| self.graph().mul(*factor, node)).collect())
             }
-            (Value::Scalar(factor), Value::Matrix(matrix))
-            | (Value::Matrix(matrix), Value::Scalar(factor)) => {
+            (Value::Scalar(factor, ..), Value::Matrix(matrix))
+            | (Value::Matrix(matrix), Value::Scalar(factor, ..)) => {
                 self.scale_matrix(matrix, |graph, node| graph.mul(*factor, node))
             }
             (Value::Matrix(matrix), Value::Vector(nodes)) if matrix.columns == nodes.len() => {
@@ -293,28 +319,28 @@ impl<'a> Interpreter<'a> {
     /// A parameter among operands of known shape is a scalar.
     fn parameter_scalar(&mut self, value: Value, origin: Origin) -> Value {
         match value {
-            Value::Parameter(id) => self.scalar_parameter(id, origin).map_or(Value::Unknown, Value::Scalar),
+            Value::Parameter(id) => self.scalar_parameter(id, origin).map_or(Value::Unknown, Value::scalar),
             known => known,
         }
     }
 
     fn divide(&mut self, left: Value, right: Value, origin: Origin) -> Value {
         let (left, right) = (self.parameter_scalar(left, origin), self.parameter_scalar(right, origin));
-        if let Value::Scalar(divisor) = right
+        if let Value::Scalar(divisor, ..) = right
             && self.graph().is_zero(divisor)
         {
             return self.refuse(origin, catalogue::division_by_zero());
         }
         match (&left, &right) {
             (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
-            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.graph().div(*a, *b)),
-            (Value::Vector(nodes), Value::Scalar(b)) => {
+            (Value::Scalar(a, ..), Value::Scalar(b, ..)) => Value::scalar(self.graph().div(*a, *b)),
+            (Value::Vector(nodes), Value::Scalar(b, ..)) => {
                 Value::Vector(nodes.iter().map(|&node| self.graph().div(node, *b)).collect())
             }
-            (Value::Point(nodes), Value::Scalar(b)) => {
+            (Value::Point(nodes), Value::Scalar(b, ..)) => {
                 Value::Point(nodes.iter().map(|&node| self.graph().div(node, *b)).collect())
             }
-            (Value::Matrix(matrix), Value::Scalar(b)) => {
+            (Value::Matrix(matrix), Value::Scalar(b, ..)) => {
                 self.scale_matrix(matrix, |graph, node| graph.div(node, *b))
             }
             (Value::Rotation(turn), Value::Rotation(other)) if turn.dimension() == other.dimension() => {
@@ -325,50 +351,6 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn compare(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
-        use std::cmp::Ordering::{Equal, Greater, Less};
-        let ordering = match (&left, &right) {
-            (Value::Integer(a), Value::Integer(b)) => Some(a.cmp(b)),
-            (Value::Boolean(a), Value::Boolean(b)) => Some(a.cmp(b)),
-            (Value::Scalar(_) | Value::Parameter(_), Value::Scalar(_) | Value::Parameter(_)) => {
-                let (a, b) = (self.scalar(left, origin), self.scalar(right, origin));
-                let (Some(a), Some(b)) = (a, b) else { return Value::Unknown };
-                let graph = self.graph();
-                match (graph.as_constant(a), graph.as_constant(b)) {
-                    (Some(a), Some(b)) => Number::partial_cmp(&a, &b),
-                    _ => {
-                        let dependence = graph.dependence(a).union(graph.dependence(b));
-                        let on = dependence_words(dependence);
-                        return self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()));
-                    }
-                }
-            }
-            (Value::Integer(_) | Value::Boolean(_), Value::Parameter(id))
-            | (Value::Parameter(id), Value::Integer(_) | Value::Boolean(_)) => {
-                let text = self.parameters.text(*id).to_string();
-                let on = format!("the parameter `{text}`");
-                return self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()));
-            }
-            _ => return self.mismatch(operator, &left, &right, origin),
-        };
-        let Some(ordering) = ordering else { return Value::Boolean(false) };
-        Value::Boolean(match operator {
-            BinaryOperator::Equal => ordering == Equal,
-            BinaryOperator::NotEqual => ordering != Equal,
-            BinaryOperator::Less => ordering == Less,
-            BinaryOperator::LessEqual => ordering != Greater,
-            BinaryOperator::Greater => ordering == Greater,
-            BinaryOperator::GreaterEqual => ordering != Less,
-            BinaryOperator::Add
-            | BinaryOperator::Subtract
-            | BinaryOperator::Multiply
-            | BinaryOperator::Divide
-            | BinaryOperator::Remainder
-            | BinaryOperator::And
-            | BinaryOperator::Or => false,
-        })
-    }
-
     /// The composition of two rotations.
     pub fn compose(&mut self, left: &Turn, right: &Turn) -> Option<Turn> {
         match (left, right) {
@@ -376,23 +358,5 @@ impl<'a> Interpreter<'a> {
             (Turn::Space(a), Turn::Space(b)) => Some(Turn::Space(Rc::new(self.rotation_product(a, b)))),
             (Turn::Plane(_), Turn::Space(_)) | (Turn::Space(_), Turn::Plane(_)) => None,
         }
-    }
-}
-
-fn is_comparison(operator: BinaryOperator) -> bool {
-    match operator {
-        BinaryOperator::Equal
-        | BinaryOperator::NotEqual
-        | BinaryOperator::Less
-        | BinaryOperator::LessEqual
-        | BinaryOperator::Greater
-        | BinaryOperator::GreaterEqual => true,
-        BinaryOperator::Add
-        | BinaryOperator::Subtract
-        | BinaryOperator::Multiply
-        | BinaryOperator::Divide
-        | BinaryOperator::Remainder
-        | BinaryOperator::And
-        | BinaryOperator::Or => false,
     }
 }

@@ -1,11 +1,14 @@
 //! Names and paths: variables, constants, and what lies outside the macro's sight.
 
 use super::interpreter::Interpreter;
+use super::rounded::Rounded;
 use super::value::Value;
 use crate::diagnostics::{Origin, catalogue};
+use crate::expr::Dependence;
 use crate::number::Number;
 use crate::syntax::Scalar;
 use crate::syntax::body::{Expr, ExprKind, Name, Owner, Path, Word};
+use crate::syntax::hygiene::written;
 use crate::syntax::types::{Type, TypeKind};
 
 impl<'a> Interpreter<'a> {
@@ -13,8 +16,15 @@ impl<'a> Interpreter<'a> {
     pub fn path(&mut self, path: &'a Path) -> Value {
         match &path.owner {
             Owner::None => {
-                if let Some(value) = self.scope.get(&path.last) {
-                    return value.clone();
+                if self.later.iter().any(|later| ***later == *written(&path.last)) {
+                    return self.refuse(path.origin, catalogue::later_constant(written(&path.last)));
+                }
+                let slot = self.scope.find(&path.last);
+                if is_constant_name(&path.last) && slot.is_some_and(|slot| self.scope.is_globbed(slot)) {
+                    return self.refuse(path.origin, catalogue::hidden_by_import(written(&path.last)));
+                }
+                if let Some(slot) = slot {
+                    return self.scope.slot(slot).clone();
                 }
                 if &*path.last == "self" {
                     return Value::Parameter(self.self_parameter(path.origin));
@@ -24,6 +34,11 @@ impl<'a> Interpreter<'a> {
                 }
                 self.unknown_name(path)
             }
+            Owner::Local(name) => match self.scope.get(&path.last) {
+                // Of two things of one name, a type and a variable, the word alone is the variable.
+                Some(value) if !path.text.contains("::") => value.clone(),
+                _ => self.refuse(path.origin, catalogue::local_item(name)),
+            },
             Owner::SelfType => match self.associated_constant(&path.last) {
                 Some(value) => value,
                 None if is_constant_name(&path.last) => self.foreign_constant(path),
@@ -34,7 +49,16 @@ impl<'a> Interpreter<'a> {
                 }
             },
             Owner::Other(module) if &**module == "consts" => match Number::named(&path.last) {
-                Some(number) => Value::Scalar(self.graph().constant(number)),
+                Some(number) => {
+                    let value = number.value();
+                    let message = catalogue::other_constant(&path.text);
+                    let code = &path.code;
+                    self.meaning(
+                        format!("const _: () = ::core::assert!({code} == {value:?}, {message:?});"),
+                        path.origin,
+                    );
+                    self.constant(number)
+                }
                 None => self.foreign_constant(path),
             },
             Owner::Type(_) | Owner::Other(_) if is_constant_name(&path.last) => self.foreign_constant(path),
@@ -46,8 +70,8 @@ impl<'a> Interpreter<'a> {
 
     /// A constant that the macro cannot see: a parameter of the description.
     fn foreign_constant(&mut self, path: &Path) -> Value {
-        let label = path.last.to_lowercase();
-        Value::Parameter(self.parameters.intern(path.text.to_string(), label, path.origin))
+        let label = written(&path.last).to_lowercase();
+        Value::Parameter(self.parameters.intern(path.code.to_string(), label, path.origin))
     }
 
     /// A constant of the impl block.
@@ -60,11 +84,13 @@ impl<'a> Interpreter<'a> {
         // A cycle of constants finds this and is left to rustc.
         self.constants[index] = Some(Value::Unknown);
         let constant = &item.constants[index];
-        let mark = self.scope.enter();
-        let value = self.expression(&constant.value);
-        let shape = self.shape(&constant.ty);
-        let value = self.coerce(value, &shape, constant.value.origin);
+        if let Some(origin) = constant.conditional {
+            return Some(self.refuse(origin, catalogue::conditional_code()));
+        }
+        let (mark, later) = (self.scope.enter(), std::mem::take(&mut self.later));
+        let value = self.expression_of_type(&constant.value, &constant.ty);
         self.scope.leave(mark);
+        self.later = later;
         self.constants[index] = Some(value.clone());
         Some(value)
     }
@@ -74,19 +100,32 @@ impl<'a> Interpreter<'a> {
         let value = self.expression(value);
         match (&value, &ty.kind) {
             (Value::Unknown, _) => Value::Unknown,
-            (Value::Integer(integer), TypeKind::Scalar) => Value::Scalar(self.graph().integer(*integer)),
-            (Value::Scalar(_), TypeKind::Scalar) | (Value::Integer(_), TypeKind::Integer) => value,
-            (Value::Boolean(truth), TypeKind::Integer) => Value::Integer(i128::from(*truth)),
-            (Value::Parameter(id), TypeKind::Scalar) => {
-                let target = match &self.item.scalar {
-                    Scalar::F32 => "f32",
-                    Scalar::F64 | Scalar::Generic(_) => "f64",
-                };
-                let text = format!("({} as {target})", self.parameters.text(*id));
+            (Value::Integer(integer, _), TypeKind::Scalar) => {
+                Value::Scalar(self.graph().integer(*integer), Rounded::integer(*integer))
+            }
+            (Value::Scalar(..), TypeKind::Scalar) => value,
+            (Value::Integer(integer, _), TypeKind::Integer(types)) => match types.cast(*integer) {
+                Some(integer) => self.integer(integer, *types, origin),
+                None => self.refuse(origin, catalogue::width_decides()),
+            },
+            (Value::Scalar(node, rounded), TypeKind::Integer(types))
+                if self.model.graph.dependence(*node) == Dependence::NONE =>
+            {
+                match rounded.value(&self.item.scalar).and_then(|value| types.saturated(value)) {
+                    Some(integer) => self.integer(integer, *types, origin),
+                    None => self.refuse(origin, catalogue::rounding_decides()),
+                }
+            }
+            (Value::Boolean(truth), TypeKind::Integer(types)) => Value::Integer(i128::from(*truth), *types),
+            (Value::Parameter(id), TypeKind::Scalar | TypeKind::Integer(_) | TypeKind::OtherFloat) => {
+                let text = format!("({} as {})", self.parameters.text(*id), ty.written);
                 let label = self.parameters.label(*id).to_string();
                 Value::Parameter(self.parameters.intern(text, label, origin))
             }
-            (Value::Parameter(_), TypeKind::Integer) => value,
+            (_, TypeKind::OtherFloat) => {
+                let scalar = self.item.scalar.to_string();
+                self.refuse(origin, catalogue::other_precision(scalar))
+            }
             _ => self.refuse(origin, catalogue::bad_cast(value.describe())),
         }
     }
@@ -106,6 +145,9 @@ impl<'a> Interpreter<'a> {
             let word = Word { name: path.last.clone(), origin: path.origin };
             return self.call_helper(&word, values, with_self, origin);
         }
+        if let Owner::Local(name) = &path.owner {
+            return self.refuse(path.origin, catalogue::local_item(name));
+        }
         let values = self.expressions(arguments);
         if let Owner::None = path.owner
             && self.item.functions.iter().all(|function| function.name != path.last)
@@ -117,7 +159,7 @@ impl<'a> Interpreter<'a> {
         {
             let reports = self.reports;
             for (value, argument) in values.iter().zip(arguments) {
-                if let Value::Integer(number) = value {
+                if let Value::Integer(number, ..) = value {
                     self.integer_as_number(*number, argument);
                 }
             }
@@ -145,6 +187,7 @@ impl<'a> Interpreter<'a> {
                 };
                 self.refuse(path.origin, message)
             }
+            Owner::Local(name) => self.refuse(path.origin, catalogue::local_item(name)),
             Owner::Type(ty) => self.construct(ty, &word, arguments, origin),
             Owner::Other(owner) => match (&**owner, &*path.last) {
                 ("Unit", "new_normalize") => self.first_method(arguments, &word, "normalize", origin),
@@ -203,7 +246,7 @@ impl<'a> Interpreter<'a> {
             _ => None,
         };
         match number {
-            Some(number) => Value::Scalar(self.graph().constant(number)),
+            Some(number) => self.constant(number),
             None => self.first_method(arguments, word, &word.name, origin),
         }
     }
@@ -211,7 +254,9 @@ impl<'a> Interpreter<'a> {
     /// A conversion into the scalar: exact for constants, part of the path for parameters.
     fn converted(&mut self, function: &str, value: Value, origin: Origin) -> Value {
         match value {
-            Value::Integer(integer) => Value::Scalar(self.graph().integer(integer)),
+            Value::Integer(integer, ..) => {
+                Value::Scalar(self.graph().integer(integer), Rounded::integer(integer))
+            }
             Value::Parameter(id) => {
                 let text = self.parameters.text(id);
                 let text = match (&self.item.scalar, function) {
@@ -223,7 +268,7 @@ impl<'a> Interpreter<'a> {
                 let label = self.parameters.label(id).to_string();
                 Value::Parameter(self.parameters.intern(text, label, origin))
             }
-            Value::Scalar(node) => {
+            Value::Scalar(node, rounded) => {
                 let generic = matches!(self.item.scalar, Scalar::Generic(_));
                 if generic && !self.graph().dependence(node).is_fixed() {
                     return self.refuse(origin, catalogue::conversion_of_variable(function));
@@ -231,7 +276,7 @@ impl<'a> Interpreter<'a> {
                 if generic && self.graph().as_constant(node).is_none() {
                     return self.refuse(origin, catalogue::conversion_of_formula(function));
                 }
-                Value::Scalar(node)
+                Value::Scalar(node, if generic { rounded.converted() } else { rounded })
             }
             other => self.refuse(origin, catalogue::wrong_shape("a scalar", other.describe())),
         }
@@ -250,6 +295,7 @@ impl<'a> Interpreter<'a> {
 }
 
 /// Constants are written in capitals.
-fn is_constant_name(name: &str) -> bool {
+pub fn is_constant_name(name: &str) -> bool {
+    let name = written(name);
     name.chars().any(char::is_alphabetic) && !name.chars().any(char::is_lowercase)
 }

@@ -2,9 +2,11 @@
 
 use super::advice::counted;
 use super::interpreter::Interpreter;
+use super::path::is_constant_name;
 use super::value::Value;
 use crate::diagnostics::catalogue;
 use crate::syntax::body::{Name, Pattern, PatternKind};
+use crate::syntax::hygiene::written;
 use crate::syntax::suggest::nearest;
 
 impl<'a> Interpreter<'a> {
@@ -105,9 +107,15 @@ impl<'a> Interpreter<'a> {
     pub fn matches(&mut self, pattern: &'a Pattern, value: &Value) -> Option<bool> {
         match &pattern.kind {
             PatternKind::Wild | PatternKind::Rest => Some(true),
-            PatternKind::Name(name) => match self.named_constant(name) {
+            PatternKind::Name(name) => match self.scope.item(name) {
                 Some(constant) => self.equal(&constant, value, pattern),
+                None if is_constant_name(name) => {
+                    self.report(pattern.origin, catalogue::constant_in_pattern(written(name)));
+                    None
+                }
                 None => {
+                    // A constant outside the macro's sight may have small letters too.
+                    self.meaning(format!("let {} @ _ = ();", written(name)), pattern.origin);
                     self.scope.bind(name.clone(), value.clone());
                     Some(true)
                 }
@@ -117,7 +125,7 @@ impl<'a> Interpreter<'a> {
                 self.equal(&constant, value, pattern)
             }
             PatternKind::Range(range) => match (self.range(range), value) {
-                (Value::Range(start, end), Value::Integer(value)) => {
+                (Value::Range(start, end, _), Value::Integer(value, ..)) => {
                     Some(start.is_none_or(|start| start <= *value) && end.is_none_or(|end| *value < end))
                 }
                 (Value::Unknown, _) | (_, Value::Unknown) => None,
@@ -161,20 +169,9 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// A constant that a plain name in a pattern refers to.
-    fn named_constant(&mut self, name: &Name) -> Option<Value> {
-        if name.chars().any(char::is_lowercase) {
-            return None;
-        }
-        if let Some(value) = self.scope.get(name) {
-            return Some(value.clone());
-        }
-        self.associated_constant(name)
-    }
-
     fn equal(&mut self, constant: &Value, value: &Value, pattern: &'a Pattern) -> Option<bool> {
         match (constant, value) {
-            (Value::Integer(a), Value::Integer(b)) => Some(a == b),
+            (Value::Integer(a, ..), Value::Integer(b, ..)) => Some(a == b),
             (Value::Boolean(a), Value::Boolean(b)) => Some(a == b),
             (Value::Unknown, _) | (_, Value::Unknown) => None,
             (_, other) => {

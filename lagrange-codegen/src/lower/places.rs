@@ -45,19 +45,19 @@ impl Interpreter<'_> {
         // What a second evaluation may complain of, the first did not.
         let memo = std::mem::replace(&mut self.memo, stand_ins);
         let hints = self.model.hints.clone();
-        let mut constraint = 0;
         for (index, function) in item.functions.iter().enumerate() {
             if !item.is_kept_constraint(function) {
                 continue;
             }
-            let count = item.components(function).unwrap_or(1);
-            let holonomic = self.model.constraints[constraint].kind == ConstraintKind::Holonomic;
-            if let (true, Some(value)) = (holonomic, self.result(index)) {
-                for (number, node) in nodes(&value).into_iter().enumerate() {
-                    self.model.constraints[constraint + number].through = Some(node);
+            let Some(value) = self.result(index) else { continue };
+            // None of a function whose value is not known, which rustc says why.
+            let own =
+                self.model.constraints.iter_mut().filter(|constraint| *constraint.name == *function.name);
+            for (constraint, node) in own.zip(nodes(&value)) {
+                if constraint.kind == ConstraintKind::Holonomic {
+                    constraint.through = Some(node);
                 }
             }
-            constraint += count;
         }
         self.memo = memo;
         self.model.hints = hints;
@@ -66,7 +66,7 @@ impl Interpreter<'_> {
     /// A value of the same form made of variables.
     fn stand_in(&mut self, value: &Value) -> Value {
         match value {
-            Value::Scalar(_) => Value::Scalar(self.position()),
+            Value::Scalar(..) => Value::scalar(self.position()),
             Value::Vector(nodes) => Value::Vector(nodes.iter().map(|_| self.position()).collect()),
             Value::Point(nodes) => Value::Point(nodes.iter().map(|_| self.position()).collect()),
             Value::Isometry(shift, turn) => {

@@ -55,6 +55,7 @@ impl<'a> Interpreter<'a> {
             self.baumgarte(rate);
         }
         self.sensitivities();
+        self.readings();
     }
 
     /// The parameters that derivatives are taken by.
@@ -97,7 +98,7 @@ impl<'a> Interpreter<'a> {
                 // The lack of inputs is reported.
                 Argument::Record(Record::Inputs) if self.item.inputs.is_empty() => Value::Unknown,
                 Argument::Record(record) => Value::Record(record),
-                Argument::Time => Value::Scalar(self.graph().variable(Variable::Time)),
+                Argument::Time => Value::scalar(self.graph().variable(Variable::Time)),
             });
         }
         Some(arguments)
@@ -127,7 +128,7 @@ impl<'a> Interpreter<'a> {
         if function.output.is_some() && shape != Shape::Scalar {
             return self.wrong_return(function, &shape);
         }
-        if let Some(Value::Scalar(value)) = self.result(index)
+        if let Some(Value::Scalar(value, ..)) = self.result(index)
             && !self.looks_into_self(&[value])
         {
             let term = Term { name: function.name.to_string(), value, origin: function.origin };
@@ -206,7 +207,7 @@ impl<'a> Interpreter<'a> {
                 .enumerate()
                 .flat_map(|(index, element)| self.placed(&format!("{name}[{index}]"), element))
                 .collect(),
-            Value::Scalar(_) | Value::Vector(_) | Value::Point(_) => {
+            Value::Scalar(..) | Value::Vector(_) | Value::Point(_) => {
                 vec![Placed { name: name.into(), position: value.nodes().to_vec(), turn: None }]
             }
             Value::Isometry(shift, turn) => {
@@ -215,7 +216,7 @@ impl<'a> Interpreter<'a> {
             Value::Tuple(parts) => match parts.as_slice() {
                 [Value::Vector(shift) | Value::Point(shift), turn] => {
                     let turn = match turn {
-                        Value::Scalar(angle) => Some(Turn::Plane(*angle)),
+                        Value::Scalar(angle, ..) => Some(Turn::Plane(*angle)),
                         Value::Rotation(turn) => Some(turn.clone()),
                         _ => None,
                     };
@@ -292,7 +293,7 @@ impl<'a> Interpreter<'a> {
                 (elements.len() == 3 || count.is_none())
                     && elements
                         .iter()
-                        .all(|e| matches!(e, Value::Scalar(_) | Value::Parameter(_) | Value::Integer(_)))
+                        .all(|e| matches!(e, Value::Scalar(..) | Value::Parameter(_) | Value::Integer(..)))
             }
             _ => false,
         };

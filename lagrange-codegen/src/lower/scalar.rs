@@ -1,9 +1,10 @@
 //! Methods of numbers.
 
 use super::interpreter::Interpreter;
+use super::rounded::Rounded;
 use super::value::Value;
 use crate::diagnostics::{Origin, catalogue};
-use crate::expr::{NodeId, Unary};
+use crate::expr::{Dependence, NodeId, Unary};
 use crate::number::Number;
 use crate::syntax::body::Word;
 
@@ -67,18 +68,26 @@ pub const REFUSED: [&str; 11] = [
 ];
 
 /// Larger whole powers are hardly meant, and exact constants would take forever.
-const LARGEST_POWER: u128 = 1024;
+pub const LARGEST_POWER: u128 = 1024;
 
 impl Interpreter<'_> {
     /// `x.method(arguments)` for a number.
     pub fn scalar_method(
         &mut self,
-        node: NodeId,
+        (node, rounded): (NodeId, Rounded),
         word: &Word,
         arguments: Vec<Value>,
         origin: Origin,
     ) -> Value {
         let name = &*word.name;
+        let constants: Option<Vec<Rounded>> = arguments
+            .iter()
+            .map(|argument| match argument {
+                Value::Scalar(_, rounded) => Some(*rounded),
+                _ => None,
+            })
+            .collect();
+        let rounded = constants.map_or(Rounded::UNKNOWN, |others| rounded.function(name, &others));
         if REFUSED.contains(&name) {
             return self.refuse(word.origin, catalogue::not_smooth(name, alternative(name)));
         }
@@ -93,7 +102,7 @@ impl Interpreter<'_> {
                     return Value::Unknown;
                 }
                 let pair = [first, second].map(|function| self.graph().unary(function, node));
-                return Value::tuple(pair.map(Value::Scalar).to_vec());
+                return Value::tuple(pair.map(Value::scalar).to_vec());
             }
             "clamp" => {
                 let Some(bounds) = self.exactly::<2>(word, arguments, origin) else { return Value::Unknown };
@@ -121,7 +130,7 @@ impl Interpreter<'_> {
                 let function = Unary::ALL.into_iter().find(|function| function.name() == name);
                 let known = function.is_some() || METHODS.contains(&name);
                 if !known {
-                    return self.unknown_method(&Value::Scalar(node), word);
+                    return self.unknown_method(&Value::scalar(node), word);
                 }
                 if self.exactly::<0>(word, arguments, origin).is_none() {
                     return Value::Unknown;
@@ -132,7 +141,13 @@ impl Interpreter<'_> {
                 })
             }
         };
-        value.map_or(Value::Unknown, Value::Scalar)
+        match value {
+            Some(node) if self.model.graph.dependence(node) == Dependence::NONE => {
+                Value::Scalar(node, rounded)
+            }
+            Some(node) => Value::scalar(node),
+            None => Value::Unknown,
+        }
     }
 
     fn whole_power(
@@ -144,7 +159,7 @@ impl Interpreter<'_> {
     ) -> Option<NodeId> {
         let [power] = self.exactly(word, arguments, origin)?;
         match power {
-            Value::Integer(power) if power.unsigned_abs() <= LARGEST_POWER => {
+            Value::Integer(power, ..) if power.unsigned_abs() <= LARGEST_POWER => {
                 Some(self.graph().powi(node, power as i32))
             }
             Value::Unknown => None,

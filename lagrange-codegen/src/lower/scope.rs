@@ -2,12 +2,31 @@
 
 use super::value::Value;
 use crate::syntax::body::Name;
+use crate::syntax::hygiene::written;
 
 /// The variables in sight.
 #[derive(Debug, Default)]
 pub struct Scope {
-    variables: Vec<(Name, Value)>,
+    variables: Vec<Entry>,
     base: usize,
+}
+
+#[derive(Debug)]
+struct Entry {
+    name: Name,
+    value: Value,
+    kind: Kind,
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// A variable.
+    Variable,
+    /// A constant declared in a function body: the same name in any syntax context.
+    Item,
+    /// `use a::*;`: from here inwards constants may have other meanings.
+    Glob,
 }
 
 /// A position on the stack to return to.
@@ -21,6 +40,11 @@ impl Scope {
     /// Where the stack stands.
     pub fn mark(&self) -> Mark {
         Mark { length: self.variables.len(), base: self.base }
+    }
+
+    /// How many variables there are.
+    pub fn length(&self) -> usize {
+        self.variables.len()
     }
 
     /// Hides the variables of the caller.
@@ -38,27 +62,62 @@ impl Scope {
 
     /// Makes a variable.
     pub fn bind(&mut self, name: Name, value: Value) {
-        self.variables.push((name, value));
+        self.variables.push(Entry { name, value, kind: Kind::Variable });
+    }
+
+    /// Makes a constant of a function body.
+    pub fn bind_item(&mut self, name: Name, value: Value) {
+        self.variables.push(Entry { name, value, kind: Kind::Item });
+    }
+
+    /// Notes an import of everything.
+    pub fn bind_glob(&mut self) {
+        self.variables.push(Entry { name: "".into(), value: Value::Unknown, kind: Kind::Glob });
+    }
+
+    /// Whether an import of everything may hide what is declared further out than a position.
+    pub fn is_globbed(&self, slot: usize) -> bool {
+        self.variables[slot.max(self.base)..].iter().any(|entry| entry.kind == Kind::Glob)
+    }
+
+    /// Whether the innermost variable of a name comes from another syntax context.
+    pub fn other_context(&self, name: &str) -> bool {
+        let own = &self.variables[self.base..];
+        own.iter().any(|entry| {
+            entry.kind == Kind::Variable && *entry.name != *name && written(&entry.name) == written(name)
+        })
+    }
+
+    /// The constant of a function body that a name in a pattern refers to.
+    pub fn item(&self, name: &str) -> Option<Value> {
+        let slot = self.find(name)?;
+        let entry = &self.variables[slot];
+        (entry.kind == Kind::Item).then(|| entry.value.clone())
     }
 
     /// The position of a variable, the innermost of its name.
     pub fn find(&self, name: &str) -> Option<usize> {
         let own = &self.variables[self.base..];
-        own.iter().rposition(|(other, _)| **other == *name).map(|position| self.base + position)
+        let fits = |entry: &Entry| match entry.kind {
+            Kind::Variable => *entry.name == *name,
+            Kind::Item => *entry.name == *written(name),
+            Kind::Glob => false,
+        };
+        own.iter().rposition(fits).map(|position| self.base + position)
     }
 
     /// The value of a variable.
     pub fn get(&self, name: &str) -> Option<&Value> {
-        self.find(name).map(|slot| &self.variables[slot].1)
+        self.find(name).map(|slot| &self.variables[slot].value)
     }
 
     /// The value at a position.
     pub fn slot(&mut self, slot: usize) -> &mut Value {
-        &mut self.variables[slot].1
+        &mut self.variables[slot].value
     }
 
     /// The names in sight.
     pub fn names(&self) -> Vec<Name> {
-        self.variables[self.base..].iter().map(|(name, _)| name.clone()).collect()
+        self.variables[self.base..].iter().map(|entry| entry.name.clone()).collect()
     }
 }

@@ -8,6 +8,7 @@ use crate::diagnostics::{Origin, catalogue};
 use crate::expr::NodeId;
 use crate::syntax::Record;
 use crate::syntax::body::Expr;
+use crate::syntax::integers::Integers;
 use crate::syntax::types::{Type, TypeKind};
 
 /// A resolved type.
@@ -19,8 +20,8 @@ pub enum Shape {
     Unit,
     /// `bool`.
     Boolean,
-    /// Any integer.
-    Integer,
+    /// An integer of one of some types.
+    Integer(Integers),
     /// The scalar.
     Scalar,
     /// A vector of some length.
@@ -54,7 +55,7 @@ impl Shape {
             Shape::Any => "any value".into(),
             Shape::Unit => "`()`".into(),
             Shape::Boolean => "a `bool`".into(),
-            Shape::Integer => "an integer".into(),
+            Shape::Integer(_) => "an integer".into(),
             Shape::Scalar => "a scalar".into(),
             Shape::Vector(length) => vector_name(*length),
             Shape::Point(length) => format!("a Point{length}"),
@@ -77,9 +78,17 @@ const LARGEST_MATRIX: usize = 10_000;
 impl<'a> Interpreter<'a> {
     /// Resolves a type. Unknown types and wrong lengths tell nothing: rustc complains.
     pub fn shape(&mut self, ty: &'a Type) -> Shape {
+        if let Some(statement) = &ty.meaning {
+            self.meaning(statement.to_string(), ty.origin);
+        }
         match &ty.kind {
+            TypeKind::OtherFloat => {
+                let scalar = self.item.scalar.to_string();
+                self.report(ty.origin, catalogue::other_precision(scalar));
+                Shape::Any
+            }
             TypeKind::Scalar => Shape::Scalar,
-            TypeKind::Integer => Shape::Integer,
+            TypeKind::Integer(types) => Shape::Integer(*types),
             TypeKind::Boolean => Shape::Boolean,
             TypeKind::Unit => Shape::Unit,
             TypeKind::Vector(length) => match self.length(length) {
@@ -121,15 +130,17 @@ impl<'a> Interpreter<'a> {
             (value @ Value::Unknown, _) | (value, Shape::Any) => value,
             (value @ Value::Unit, Shape::Unit) => value,
             (value @ Value::Boolean(_), Shape::Boolean) => value,
-            (value @ Value::Integer(_), Shape::Integer) => value,
-            (value @ Value::Scalar(_), Shape::Scalar) => value,
+            (Value::Integer(value, types), Shape::Integer(expected)) => {
+                self.integer(value, types & *expected, origin)
+            }
+            (value @ Value::Scalar(..), Shape::Scalar) => value,
             // A scalar or an integer in disguise: an opaque constant of an integer type.
-            (Value::Integer(number), Shape::Scalar) => {
+            (Value::Integer(number, ..), Shape::Scalar) => {
                 self.report(origin, catalogue::integer_for_scalar(number));
                 Value::Unknown
             }
-            (Value::Scalar(node), Shape::Vector(1)) => Value::Vector([node].into()),
-            (Value::Vector(nodes), Shape::Scalar) if nodes.len() == 1 => Value::Scalar(nodes[0]),
+            (Value::Scalar(node, ..), Shape::Vector(1)) => Value::Vector([node].into()),
+            (Value::Vector(nodes), Shape::Scalar) if nodes.len() == 1 => Value::scalar(nodes[0]),
             (
                 Value::Vector(nodes) | Value::Point(nodes) | Value::Translation(nodes),
                 Shape::Vector(length),
@@ -156,7 +167,7 @@ impl<'a> Interpreter<'a> {
             (Value::Vector(nodes), Shape::Array(element, length))
                 if nodes.len() == *length && **element == Shape::Scalar =>
             {
-                Value::array(nodes.iter().map(|&node| Value::Scalar(node)).collect())
+                Value::array(nodes.iter().map(|&node| Value::scalar(node)).collect())
             }
             (Value::Matrix(matrix), Shape::Matrix(rows, columns))
                 if matrix.rows == *rows && matrix.columns == *columns =>
@@ -203,7 +214,7 @@ impl<'a> Interpreter<'a> {
     /// Brings the value of an expression into a shape.
     pub fn coerce_of(&mut self, value: Value, shape: &Shape, expr: &'a Expr) -> Value {
         match (value, shape) {
-            (Value::Integer(number), Shape::Scalar) => self.integer_as_number(number, expr),
+            (Value::Integer(number, ..), Shape::Scalar) => self.integer_as_number(number, expr),
             (value, shape) => self.coerce(value, shape, expr.origin),
         }
     }
@@ -223,8 +234,8 @@ impl<'a> Interpreter<'a> {
     /// A parameter of known shape as components, each a parameter of its own.
     fn unfold(&mut self, id: ParameterId, shape: &Shape, origin: Origin) -> Value {
         match shape {
-            Shape::Any | Shape::Integer | Shape::Boolean | Shape::Slice(_) => Value::Parameter(id),
-            Shape::Scalar => self.scalar_parameter(id, origin).map_or(Value::Unknown, Value::Scalar),
+            Shape::Any | Shape::Integer(_) | Shape::Boolean | Shape::Slice(_) => Value::Parameter(id),
+            Shape::Scalar => self.scalar_parameter(id, origin).map_or(Value::Unknown, Value::scalar),
             Shape::Vector(length) => Value::Vector(self.components(id, *length, origin)),
             Shape::Point(length) => Value::Point(self.components(id, *length, origin)),
             Shape::Translation(length) => {
@@ -302,7 +313,7 @@ impl<'a> Interpreter<'a> {
     /// The node of a scalar.
     pub fn scalar(&mut self, value: Value, origin: Origin) -> Option<NodeId> {
         match self.coerce(value, &Shape::Scalar, origin) {
-            Value::Scalar(node) => Some(node),
+            Value::Scalar(node, ..) => Some(node),
             _ => None,
         }
     }

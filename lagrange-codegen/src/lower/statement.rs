@@ -2,11 +2,14 @@
 
 use super::advice::{valid_entries, valid_indices};
 use super::interpreter::{Flow, Interpreter};
+use super::path::is_constant_name;
 use super::shape::Shape;
 use super::value::Value;
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::NodeId;
 use crate::syntax::body::{BinaryOperator, Block, Expr, ExprKind, Owner, Pattern, PatternKind, Statement};
+use crate::syntax::hygiene::written;
+use crate::syntax::types::Type;
 
 /// A variable, or a part of one, that is assigned to.
 struct Place {
@@ -33,21 +36,26 @@ impl<'a> Interpreter<'a> {
     pub fn block_as(&mut self, block: &'a Block, shape: &Shape) -> Value {
         let mark = self.scope.mark();
         for statement in &block.statements {
-            // Items are in sight in the whole block.
+            // Items are in sight in the whole block, imports by name before those of everything.
             match statement {
-                Statement::Constant(constant) => {
-                    let value = self.expression(&constant.value);
-                    let shape = self.shape(&constant.ty);
-                    let value = self.coerce(value, &shape, constant.value.origin);
-                    self.scope.bind(constant.name.clone(), value);
-                }
-                Statement::Use(name, path) => {
-                    if name.chars().any(char::is_uppercase) && !name.chars().any(char::is_lowercase) {
-                        let value = self.path(path);
-                        self.scope.bind(name.clone(), value);
-                    }
-                }
-                Statement::Let(..) | Statement::Expression(_) => {}
+                Statement::Glob => self.scope.bind_glob(),
+                Statement::Constant(constant) => self.later.push(&constant.name),
+                Statement::Use(..) | Statement::Let(..) | Statement::Expression(_) => {}
+            }
+        }
+        for statement in &block.statements {
+            if let Statement::Use(name, path) = statement
+                && is_constant_name(name)
+            {
+                let value = self.path(path);
+                self.scope.bind_item(name.clone(), value);
+            }
+        }
+        for statement in &block.statements {
+            if let Statement::Constant(constant) = statement {
+                let value = self.expression_of_type(&constant.value, &constant.ty);
+                self.later.retain(|name| **name != constant.name);
+                self.scope.bind_item(constant.name.clone(), value);
             }
         }
         let mut value = Value::Unit;
@@ -95,8 +103,15 @@ impl<'a> Interpreter<'a> {
                 }
                 self.expression(expr);
             }
-            Statement::Constant(_) | Statement::Use(..) => {}
+            Statement::Constant(_) | Statement::Use(..) | Statement::Glob => {}
         }
+    }
+
+    /// The value of a constant.
+    pub fn expression_of_type(&mut self, expr: &'a Expr, ty: &'a Type) -> Value {
+        let value = self.expression(expr);
+        let shape = self.shape(ty);
+        self.coerce_of(value, &shape, expr)
     }
 
     /// Leaves the function after a runaway.
@@ -154,7 +169,7 @@ impl<'a> Interpreter<'a> {
         if let Some(place) = self.place(place) {
             let before = self.read(&place);
             let value = match (&value, &before) {
-                (Value::Parameter(_), Value::Scalar(_) | Value::Vector(_) | Value::Matrix(_)) => {
+                (Value::Parameter(_), Value::Scalar(..) | Value::Vector(_) | Value::Matrix(_)) => {
                     let shape = like(&before);
                     self.coerce(value, &shape, origin)
                 }
@@ -178,7 +193,7 @@ impl<'a> Interpreter<'a> {
         if let Some(place) = self.place(place) {
             let before = self.read(&place);
             let after = match (&before, operand) {
-                (Value::Scalar(_) | Value::Vector(_), Value::Integer(number)) => {
+                (Value::Scalar(..) | Value::Vector(_), Value::Integer(number, ..)) => {
                     self.integer_as_number(number, value)
                 }
                 (_, operand) => self.arithmetic(operator, before, operand, origin),
@@ -191,12 +206,14 @@ impl<'a> Interpreter<'a> {
     fn place(&mut self, expr: &'a Expr) -> Option<Place> {
         match &expr.kind {
             ExprKind::Path(path) if matches!(path.owner, Owner::None) => match self.scope.find(&path.last) {
-                Some(slot) => Some(Place { slot, steps: Vec::new(), name: path.last.to_string() }),
+                Some(slot) => Some(Place { slot, steps: Vec::new(), name: written(&path.last).to_string() }),
                 None => {
-                    let message = if &*path.last == "self" {
+                    let message = if self.scope.other_context(&path.last) {
+                        catalogue::other_context(written(&path.last))
+                    } else if &*path.last == "self" {
                         catalogue::assignment_to_self()
                     } else {
-                        catalogue::assignment_to_unknown(&path.last)
+                        catalogue::assignment_to_unknown(written(&path.last))
                     };
                     self.report(path.origin, message);
                     self.scope.bind(path.last.clone(), Value::Unknown);
@@ -292,16 +309,20 @@ impl<'a> Interpreter<'a> {
                 _ => return Value::Unknown,
             };
             debug_assert_eq!(position + 1, place.steps.len(), "statement: a step into a scalar");
-            return Value::Scalar(node);
+            return Value::scalar(node);
         }
         value.clone()
     }
 
     fn write(&mut self, place: &Place, new: Value, origin: Origin) {
+        if self.lazy.is_some_and(|outside| place.slot < outside) {
+            let name = place.name.split('_').next().unwrap_or_default();
+            return self.report(origin, catalogue::captured_change(name));
+        }
         let component = match place.steps.is_empty() {
             true => None,
             false => match new.clone() {
-                Value::Scalar(node) => Some(node),
+                Value::Scalar(node, ..) => Some(node),
                 Value::Parameter(id) => self.scalar_parameter(id, origin),
                 _ => None,
             },
@@ -349,7 +370,7 @@ fn set_component(value: &mut Value, step: Step, node: NodeId) {
 /// The shape of a value of linear algebra.
 pub fn like(value: &Value) -> Shape {
     match value {
-        Value::Scalar(_) => Shape::Scalar,
+        Value::Scalar(..) => Shape::Scalar,
         Value::Vector(nodes) => Shape::Vector(nodes.len()),
         Value::Point(nodes) => Shape::Point(nodes.len()),
         Value::Matrix(matrix) => Shape::Matrix(matrix.rows, matrix.columns),

@@ -5,9 +5,11 @@
 
 use std::rc::Rc;
 
+use super::rounded::Rounded;
 use crate::expr::NodeId;
 use crate::model::Rotation;
 use crate::syntax::Record;
+use crate::syntax::integers::Integers;
 
 /// A value.
 #[derive(Clone, Debug)]
@@ -18,10 +20,10 @@ pub enum Value {
     Unit,
     /// A constant truth value.
     Boolean(bool),
-    /// A constant integer.
-    Integer(i128),
-    /// A number of the scalar type.
-    Scalar(NodeId),
+    /// A constant integer, and the types that it may have.
+    Integer(i128, Integers),
+    /// A number of the scalar type, and what Rust computes for it where it is a constant.
+    Scalar(NodeId, Rounded),
     /// A field of the user's struct (or a constant outside the macro's sight) whose shape
     /// nothing has told yet.
     Parameter(ParameterId),
@@ -44,7 +46,7 @@ pub enum Value {
     /// An iterator, unrolled.
     Iterator(Rc<Vec<Value>>),
     /// `start..end`.
-    Range(Option<i128>, Option<i128>),
+    Range(Option<i128>, Option<i128>, Integers),
     /// The generalized coordinates, velocities, or inputs.
     Record(Record),
 }
@@ -91,6 +93,16 @@ impl Turn {
 }
 
 impl Value {
+    /// A number of which no more is known than its node.
+    pub fn scalar(node: NodeId) -> Value {
+        Value::Scalar(node, Rounded::UNKNOWN)
+    }
+
+    /// A length or an index.
+    pub fn index(value: usize) -> Value {
+        Value::Integer(value as i128, Integers::USIZE)
+    }
+
     /// A matrix, or a vector if there is one column.
     pub fn matrix(rows: usize, columns: usize, entries: Vec<NodeId>) -> Value {
         debug_assert_eq!(rows * columns, entries.len(), "value: matrix entries");
@@ -126,8 +138,8 @@ impl Value {
             Value::Unknown => "an unknown value".into(),
             Value::Unit => "`()`".into(),
             Value::Boolean(_) => "a `bool`".into(),
-            Value::Integer(_) => "an integer".into(),
-            Value::Scalar(_) => "a scalar".into(),
+            Value::Integer(..) => "an integer".into(),
+            Value::Scalar(..) => "a scalar".into(),
             Value::Parameter(_) => "a parameter".into(),
             Value::Vector(components) => vector_name(components.len()),
             Value::Point(components) => format!("a Point{}", components.len()),
@@ -143,10 +155,27 @@ impl Value {
         }
     }
 
+    /// The number of scalars and the like in nested arrays and tuples, counted up to a limit.
+    pub fn parts(&self, limit: usize) -> usize {
+        match self {
+            Value::Tuple(elements) | Value::Array(elements) | Value::Iterator(elements) => {
+                let mut count = 0;
+                for element in elements.iter() {
+                    count += element.parts(limit.saturating_sub(count));
+                    if count >= limit {
+                        break;
+                    }
+                }
+                count
+            }
+            _ => 1,
+        }
+    }
+
     /// The nodes of a value of linear algebra; none for the rest.
     pub fn nodes(&self) -> &[NodeId] {
         match self {
-            Value::Scalar(node) | Value::Rotation(Turn::Plane(node)) => std::slice::from_ref(node),
+            Value::Scalar(node, ..) | Value::Rotation(Turn::Plane(node)) => std::slice::from_ref(node),
             Value::Vector(nodes) | Value::Point(nodes) | Value::Translation(nodes) => nodes,
             Value::Isometry(nodes, _) => nodes,
             Value::Matrix(matrix) => &matrix.entries,
@@ -154,7 +183,7 @@ impl Value {
             Value::Unknown
             | Value::Unit
             | Value::Boolean(_)
-            | Value::Integer(_)
+            | Value::Integer(..)
             | Value::Parameter(_)
             | Value::Tuple(_)
             | Value::Array(_)
@@ -183,8 +212,13 @@ impl Value {
             Value::Unknown => words.push(0),
             Value::Unit => words.push(1),
             Value::Boolean(value) => words.extend([2, u64::from(*value)]),
-            Value::Integer(value) => words.extend([3, *value as u64, (*value >> 64) as u64]),
-            Value::Scalar(_) => nodes(words, 4, self.nodes()),
+            Value::Integer(value, types) => {
+                words.extend([3, *value as u64, (*value >> 64) as u64, u64::from(types.bits())]);
+            }
+            Value::Scalar(_, rounded) => {
+                nodes(words, 4, self.nodes());
+                words.extend(rounded.bits());
+            }
             Value::Parameter(id) => words.extend([5, id.0 as u64]),
             Value::Vector(_) => nodes(words, 6, self.nodes()),
             Value::Point(_) => nodes(words, 7, self.nodes()),
@@ -202,10 +236,11 @@ impl Value {
             Value::Tuple(elements) => list(words, 12, elements),
             Value::Array(elements) => list(words, 13, elements),
             Value::Iterator(elements) => list(words, 14, elements),
-            Value::Range(start, end) => {
+            Value::Range(start, end, types) => {
                 words.push(15);
                 bound(words, *start);
                 bound(words, *end);
+                words.push(u64::from(types.bits()));
             }
             Value::Record(record) => words.extend([16, *record as u64]),
         }

@@ -124,7 +124,7 @@ impl Interpreter<'_> {
                 let Some(other) = self.vector(other, length, origin) else { return Value::Unknown };
                 let difference: Vec<NodeId> =
                     nodes.iter().zip(other.iter()).map(|(&a, &b)| self.graph().sub(a, b)).collect();
-                Value::Scalar(self.norm(&difference))
+                Value::scalar(self.norm(&difference))
             }
             "scale" | "add_scalar" => {
                 let Some([factor]) = self.exactly(word, arguments, origin) else { return Value::Unknown };
@@ -155,13 +155,13 @@ impl Interpreter<'_> {
 
     fn vector_pair(&mut self, receiver: Value, nodes: &[NodeId], other: &[NodeId], word: &Word) -> Value {
         match (&*word.name, nodes.len()) {
-            ("dot", _) => Value::Scalar(self.dot(nodes, other)),
+            ("dot", _) => Value::scalar(self.dot(nodes, other)),
             ("tr_mul", _) => Value::Vector([self.dot(nodes, other)].into()),
             ("cross", 3) => Value::Vector(self.cross(nodes, other)),
             ("perp", 2) => {
                 let graph = self.graph();
                 let (plus, minus) = (graph.mul(nodes[0], other[1]), graph.mul(nodes[1], other[0]));
-                Value::Scalar(graph.sub(plus, minus))
+                Value::scalar(graph.sub(plus, minus))
             }
             ("component_mul", _) => {
                 let pairs = nodes.iter().zip(other);
@@ -180,19 +180,19 @@ impl Interpreter<'_> {
 
     fn vector_property(&mut self, receiver: Value, nodes: &[NodeId], word: &Word) -> Value {
         match (&*word.name, nodes) {
-            ("norm" | "magnitude", _) => Value::Scalar(self.norm(nodes)),
-            ("norm_squared" | "magnitude_squared", _) => Value::Scalar(self.norm_squared(nodes)),
+            ("norm" | "magnitude", _) => Value::scalar(self.norm(nodes)),
+            ("norm_squared" | "magnitude_squared", _) => Value::scalar(self.norm_squared(nodes)),
             ("normalize", _) => Value::Vector(self.normalized(nodes)),
             ("transpose", _) => Value::matrix(1, nodes.len(), nodes.to_vec()),
             ("sum", _) => {
                 let terms: Vec<(NodeId, Number)> = nodes.iter().map(|&node| (node, Number::ONE)).collect();
-                Value::Scalar(self.graph().sum(Number::ZERO, &terms))
+                Value::scalar(self.graph().sum(Number::ZERO, &terms))
             }
-            ("len", _) => Value::Integer(nodes.len() as i128),
+            ("len", _) => Value::index(nodes.len()),
             ("iter" | "into_iter", _) => {
-                Value::iterator(nodes.iter().map(|&node| Value::Scalar(node)).collect())
+                Value::iterator(nodes.iter().map(|&node| Value::scalar(node)).collect())
             }
-            ("to_scalar", [node]) => Value::Scalar(*node),
+            ("to_scalar", [node]) => Value::scalar(*node),
             ("xy", [x, y, ..]) => Value::Vector([*x, *y].into()),
             ("cross_matrix", [x, y, z]) => {
                 let graph = self.graph();
@@ -228,19 +228,23 @@ impl Interpreter<'_> {
             }
             ("trace", []) if rows == columns => {
                 let terms: Vec<_> = (0..rows).map(|i| (matrix.at(i, i), Number::ONE)).collect();
-                Value::Scalar(self.graph().sum(Number::ZERO, &terms))
+                Value::scalar(self.graph().sum(Number::ZERO, &terms))
             }
             ("diagonal", []) => Value::Vector((0..rows.min(columns)).map(|i| matrix.at(i, i)).collect()),
-            ("determinant", []) if rows == columns && rows <= 3 => Value::Scalar(self.determinant(&matrix)),
+            ("determinant", []) if rows == columns && rows <= 3 => Value::scalar(self.determinant(&matrix)),
             ("iter" | "into_iter", []) => match self.elements(Value::Matrix(matrix), origin) {
                 Some(elements) => Value::Iterator(elements),
                 None => Value::Unknown,
             },
-            ("row", [Value::Integer(index)]) => match usize::try_from(*index).ok().filter(|i| *i < rows) {
-                Some(row) => Value::matrix(1, columns, matrix.entries[row * columns..][..columns].to_vec()),
-                None => self.refuse(origin, catalogue::index_out_of_range(index, valid_indices(rows))),
-            },
-            ("column", [Value::Integer(index)]) => {
+            ("row", [Value::Integer(index, ..)]) => {
+                match usize::try_from(*index).ok().filter(|i| *i < rows) {
+                    Some(row) => {
+                        Value::matrix(1, columns, matrix.entries[row * columns..][..columns].to_vec())
+                    }
+                    None => self.refuse(origin, catalogue::index_out_of_range(index, valid_indices(rows))),
+                }
+            }
+            ("column", [Value::Integer(index, ..)]) => {
                 match usize::try_from(*index).ok().filter(|i| *i < columns) {
                     Some(column) => Value::Vector((0..rows).map(|row| matrix.at(row, column)).collect()),
                     None => self.refuse(origin, catalogue::index_out_of_range(index, valid_indices(columns))),
@@ -252,17 +256,17 @@ impl Interpreter<'_> {
                 let multiply = crate::syntax::body::BinaryOperator::Multiply;
                 self.arithmetic(multiply, transposed, other, origin)
             }
-            ("norm", []) => Value::Scalar(self.norm(&matrix.entries)),
-            ("norm_squared", []) => Value::Scalar(self.norm_squared(&matrix.entries)),
+            ("norm", []) => Value::scalar(self.norm(&matrix.entries)),
+            ("norm_squared", []) => Value::scalar(self.norm_squared(&matrix.entries)),
             ("sum", []) => {
                 let terms: Vec<_> = matrix.entries.iter().map(|&node| (node, Number::ONE)).collect();
-                Value::Scalar(self.graph().sum(Number::ZERO, &terms))
+                Value::scalar(self.graph().sum(Number::ZERO, &terms))
             }
             ("component_mul" | "dot", [Value::Matrix(other)])
                 if other.rows == rows && other.columns == columns =>
             {
                 if &*word.name == "dot" {
-                    return Value::Scalar(self.dot(&matrix.entries, &other.entries));
+                    return Value::scalar(self.dot(&matrix.entries, &other.entries));
                 }
                 let pairs = matrix.entries.iter().zip(&other.entries);
                 let entries = pairs.map(|(&a, &b)| self.model.graph.mul(a, b)).collect();
@@ -309,7 +313,7 @@ impl Interpreter<'_> {
                 Turn::Plane(angle) => {
                     let graph = self.graph();
                     let (sine, cosine) = (graph.unary(Unary::Sin, *angle), graph.unary(Unary::Cos, *angle));
-                    Value::Scalar(graph.atan2(sine, cosine))
+                    Value::scalar(graph.atan2(sine, cosine))
                 }
                 Turn::Space(_) => {
                     let message = catalogue::wrong_dimension("angle", Value::Rotation(turn).describe());

@@ -15,7 +15,7 @@ use super::translate::{Translator, bare};
 use crate::diagnostics::{Diagnostics, catalogue};
 
 /// The checks that `allow(…)` can switch off.
-pub const LINTS: [&str; 4] = ["unused_input", "no_effect", "redundant", "integrable"];
+pub const LINTS: [&str; 5] = ["unused_input", "no_effect", "redundant", "integrable", "misread"];
 
 const KNOWN: [&str; 9] = [
     "coordinates",

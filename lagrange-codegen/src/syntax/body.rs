@@ -6,11 +6,13 @@
 
 use std::rc::Rc;
 
+use super::integers::Integers;
 use super::types::Type;
 use crate::diagnostics::Origin;
 use crate::number::Number;
 
-/// An identifier without its raw prefix.
+/// An identifier without its raw prefix. That of a local variable which comes from another macro than the block itself has
+/// a mark behind it, see [`super::hygiene`].
 pub type Name = Rc<str>;
 
 /// An expression.
@@ -27,8 +29,8 @@ pub struct Expr {
 pub enum ExprKind {
     /// A literal with a decimal point, an exponent or a float suffix.
     Float(Number),
-    /// A literal without.
-    Integer(i128),
+    /// A literal without, and the types that its suffix allows.
+    Integer(i128, Integers),
     /// `true` or `false`.
     Boolean(bool),
     /// A variable, a constant, or the name of a function.
@@ -99,8 +101,10 @@ pub struct Word {
 pub struct Path {
     /// Where it stands.
     pub origin: Origin,
-    /// The whole path as Rust text.
+    /// The whole path as the user wrote it.
     pub text: Rc<str>,
+    /// Rust text that means the same outside the function: with the imports that are in force where it stands.
+    pub code: Rc<str>,
     /// The last segment.
     pub last: Name,
     /// What stands before the last segment.
@@ -118,6 +122,8 @@ pub enum Owner {
     Type(Type),
     /// A module, a trait or an unknown type, by its last segment.
     Other(Name),
+    /// Something declared inside the function, by its name.
+    Local(Name),
 }
 
 /// A method call.
@@ -162,6 +168,8 @@ pub enum Statement {
     Constant(Constant),
     /// `use a::B as C;` gives the local name and the path.
     Use(Name, Path),
+    /// `use a::*;`, which may hide constants declared further out.
+    Glob,
     /// `expression;`
     Expression(Expr),
 }
@@ -175,6 +183,8 @@ pub struct Constant {
     pub ty: Type,
     /// Its value.
     pub value: Expr,
+    /// The `cfg` that decides whether it is there.
+    pub conditional: Option<Origin>,
 }
 
 /// A conditional.

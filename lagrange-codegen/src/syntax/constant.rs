@@ -4,24 +4,29 @@ use super::body::{BinaryOperator, Constant, Expr, ExprKind, Owner};
 
 /// The value of an integer expression, if it is constant.
 pub fn integer(expr: &Expr, constants: &[Constant]) -> Option<i128> {
-    fold(expr, constants, constants.len())
+    fold(expr, constants, constants.len(), &mut { LONGEST })
 }
 
+/// Steps of a calculation of a length: constants that each take twice what the one before takes double them.
+const LONGEST: usize = 10_000;
+
 /// `depth` bounds the chain of constants that refer to constants, which might be a cycle.
-fn fold(expr: &Expr, constants: &[Constant], depth: usize) -> Option<i128> {
+fn fold(expr: &Expr, constants: &[Constant], depth: usize, steps: &mut usize) -> Option<i128> {
+    *steps = steps.checked_sub(1)?;
     match &expr.kind {
-        ExprKind::Integer(value) => Some(*value),
+        ExprKind::Integer(value, _) => Some(*value),
         ExprKind::Path(path) if matches!(path.owner, Owner::None | Owner::SelfType) => {
-            let constant = constants.iter().find(|constant| constant.name == path.last)?;
-            fold(&constant.value, constants, depth.checked_sub(1)?)
+            let named = |constant: &&Constant| constant.name == path.last && constant.conditional.is_none();
+            let constant = constants.iter().find(named)?;
+            fold(&constant.value, constants, depth.checked_sub(1)?, steps)
         }
-        ExprKind::Cast(inner, _) => fold(inner, constants, depth),
+        ExprKind::Cast(inner, _) => fold(inner, constants, depth, steps),
         ExprKind::Block(block) if block.statements.is_empty() => {
-            fold(block.value.as_deref()?, constants, depth)
+            fold(block.value.as_deref()?, constants, depth, steps)
         }
         ExprKind::Binary(operator, left, right) => {
-            let left = fold(left, constants, depth)?;
-            let right = fold(right, constants, depth)?;
+            let left = fold(left, constants, depth, steps)?;
+            let right = fold(right, constants, depth, steps)?;
             arithmetic(*operator, left, right)
         }
         _ => None,

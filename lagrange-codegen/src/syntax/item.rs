@@ -181,6 +181,8 @@ pub struct Function {
     pub output: Option<Type>,
     /// The body.
     pub body: Block,
+    /// A `cfg` that decides whether the function is there, or what it consists of.
+    pub conditional: Option<Origin>,
 }
 
 /// A parameter of a function.
@@ -190,6 +192,8 @@ pub struct Parameter {
     pub pattern: Pattern,
     /// The type.
     pub ty: Type,
+    /// How many references stand before it.
+    pub references: usize,
     /// What a role passes for it; `None` in a helper where it is anything else.
     pub argument: Option<Argument>,
 }
@@ -208,6 +212,8 @@ pub enum Argument {
 pub struct Role {
     /// Its kind and arguments.
     pub kind: RoleKind,
+    /// The arguments as Rust evaluates them, by name.
+    pub written: Vec<(String, syn::Expr)>,
     /// The attribute.
     pub origin: Origin,
 }

@@ -5,11 +5,16 @@
 
 pub mod body;
 pub mod constant;
+pub mod hygiene;
+pub mod integers;
 pub mod item;
 pub mod suggest;
 pub mod types;
 
 mod args;
+mod conditional;
+mod depth;
+mod path;
 mod place;
 mod recover;
 mod rewrite;
@@ -24,9 +29,11 @@ use proc_macro2::{Ident, Span, TokenStream};
 use syn::{GenericParam, ImplItem, ItemImpl, TypeParamBound};
 
 pub use args::LINTS;
+pub use depth::{DEEPEST, too_deep};
 use item::Argument;
 pub use item::{Group, Item, Record, Scalar};
 pub use recover::recover;
+pub use rewrite::expression as rewritten;
 pub use signature::{refused, returns};
 
 use crate::diagnostics::{Diagnostics, catalogue};
@@ -50,7 +57,7 @@ pub fn parse(
         }
     };
     let args = args::parse(args, diagnostics);
-    let scalar = scalar(&block, diagnostics);
+    let (scalar, mixed) = scalar(&block, diagnostics);
     let crate_path = match args.crate_path.clone() {
         Some(path) => path,
         None => syn::parse_str(default_crate).ok()?,
@@ -62,7 +69,8 @@ pub fn parse(
         }
     }
     let cleaned = rewrite::clean(&block, &name, &scalar, &crate_path, args.baumgarte.as_ref());
-    let mut translator = Translator { diagnostics, scalar, self_name: name.to_string() };
+    let mut translator = Translator::new(diagnostics, scalar, name.to_string(), block.impl_token.span);
+    translator.mixed = mixed;
     let mut constants = Vec::new();
     let mut functions = Vec::new();
     for item in &block.items {
@@ -71,6 +79,7 @@ pub fn parse(
                 name: bare(&constant.ident),
                 ty: translator.ty(&constant.ty),
                 value: translator.expression(&constant.expr),
+                conditional: translator.conditional(constant),
             }),
             ImplItem::Fn(function) => functions.push(signature::parse(function, &mut translator)),
             _ => {}
@@ -184,14 +193,15 @@ fn unbound_scalar(block: &ItemImpl) -> Option<Ident> {
         .cloned()
 }
 
-/// The scalar of a description: the parameter bound by `Real`, else the float of the roles.
-fn scalar(block: &ItemImpl, diagnostics: &mut Diagnostics) -> Scalar {
+/// The scalar of a description: the parameter bound by `Real`, else the float of the roles. Whether they mix floats, which is
+/// reported.
+fn scalar(block: &ItemImpl, diagnostics: &mut Diagnostics) -> (Scalar, bool) {
     if let Some(ident) = generic_scalar(&block.generics) {
-        return Scalar::Generic(ident);
+        return (Scalar::Generic(ident), false);
     }
     if let Some(ident) = unbound_scalar(block) {
         diagnostics.error(ident.span(), catalogue::missing_bound(&ident));
-        return Scalar::Generic(ident);
+        return (Scalar::Generic(ident), false);
     }
     let mut first: Option<bool> = None;
     let mut mixed: Option<Span> = None;
@@ -209,5 +219,5 @@ fn scalar(block: &ItemImpl, diagnostics: &mut Diagnostics) -> Scalar {
     if let Some(span) = mixed {
         diagnostics.error(span, catalogue::mixed_precision());
     }
-    if first == Some(true) { Scalar::F32 } else { Scalar::F64 }
+    (if first == Some(true) { Scalar::F32 } else { Scalar::F64 }, mixed.is_some())
 }

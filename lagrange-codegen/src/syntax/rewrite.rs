@@ -52,6 +52,15 @@ pub fn clean(
     block.into_token_stream()
 }
 
+/// An expression of an attribute as it is evaluated in the impl block.
+pub fn expression(expr: &Expr, scalar: &Scalar, crate_path: &syn::Path) -> TokenStream {
+    let mut expr = expr.clone();
+    if let Scalar::Generic(parameter) = scalar {
+        Generalizer { parameter, crate_path }.visit_expr_mut(&mut expr);
+    }
+    expr.into_token_stream()
+}
+
 /// The impl block with the full names of the generated structs.
 pub fn rename(mut block: ItemImpl, name: &Ident, scalar: &Scalar) -> ItemImpl {
     for item in &mut block.items {

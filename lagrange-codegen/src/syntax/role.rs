@@ -1,5 +1,6 @@
 //! Role attributes: which function means what.
 
+use proc_macro2::TokenTree;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
@@ -53,7 +54,8 @@ const FOREIGN: [&str; 16] = [
 
 /// Whether an attribute is one of ours, misspelt ones included.
 pub fn is_role(attribute: &Attribute) -> bool {
-    name(attribute).is_some_and(|name| known(&name) || misspelt(&name).is_some())
+    let conditional = || attribute.path().is_ident("cfg_attr") && mentions_role(attribute);
+    name(attribute).is_some_and(|name| known(&name) || misspelt(&name).is_some()) || conditional()
 }
 
 fn name(attribute: &Attribute) -> Option<String> {
@@ -71,6 +73,13 @@ fn misspelt(name: &str) -> Option<&'static str> {
     nearest(&name.to_lowercase(), SUPPORTED.into_iter().chain(PLANNED)).or_else(|| {
         SUPPORTED.into_iter().chain(PLANNED).find(|role| *role == name.to_lowercase() && *role != name)
     })
+}
+
+/// Whether the arguments of an attribute contain the name of a role.
+fn mentions_role(attribute: &Attribute) -> bool {
+    let Meta::List(list) = &attribute.meta else { return false };
+    let is_role = |tree: TokenTree| matches!(tree, TokenTree::Ident(ident) if known(&ident.to_string()));
+    list.tokens.clone().into_iter().any(is_role)
 }
 
 /// Reports roles on anything but a function.
@@ -92,6 +101,10 @@ pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> Option<Ro
     for attribute in attributes {
         let Some(name) = name(attribute) else { continue };
         let span = place::span(attribute.path());
+        if name == "cfg_attr" && mentions_role(attribute) {
+            translator.diagnostics.error(span, catalogue::conditional_attribute());
+            continue;
+        }
         if !known(&name) {
             if let Some(near) = misspelt(&name) {
                 translator.diagnostics.error(span, catalogue::unknown_role(&name, near));
@@ -106,15 +119,19 @@ pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> Option<Ro
             translator.diagnostics.error(span, catalogue::two_roles(first, &name));
             continue;
         }
-        if let Some(kind) = kind(&name, attribute, translator) {
+        if let Some((kind, written)) = kind(&name, attribute, translator) {
             let origin = translator.origin(span);
-            role = Some((Role { kind, origin }, name));
+            role = Some((Role { kind, written, origin }, name));
         }
     }
     role.map(|(role, _)| role)
 }
 
-fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Option<RoleKind> {
+fn kind(
+    name: &str,
+    attribute: &Attribute,
+    translator: &mut Translator,
+) -> Option<(RoleKind, Vec<(String, Expr)>)> {
     let accepted: &[&str] = match name {
         "point" => &["mass"],
         "body" => &["mass", "inertia"],
@@ -134,7 +151,9 @@ fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Optio
         }
         expr.map(|expr| translator.expression(expr))
     };
-    match name {
+    let written =
+        given.iter().filter_map(|given| Some((given.key.to_string(), given.value.clone()?))).collect();
+    let kind = match name {
         "point" => Some(RoleKind::Point { mass: required("mass", translator)? }),
         "body" => {
             let (mass, inertia) = (required("mass", translator), required("inertia", translator));
@@ -146,7 +165,7 @@ fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Optio
         "dissipation" => Some(RoleKind::Dissipation),
         "holonomic" => {
             let Some(KeyValue { key, value }) = find("eliminate") else {
-                return Some(RoleKind::Holonomic { eliminate: None });
+                return Some((RoleKind::Holonomic { eliminate: None }, written));
             };
             let coordinate = match value {
                 Some(value) => Some(target(value, "eliminate", translator)?),
@@ -165,7 +184,8 @@ fn kind(name: &str, attribute: &Attribute, translator: &mut Translator) -> Optio
             (None, Some(on)) => target(on, "on", translator).map(|(w, i)| RoleKind::Force(Target::On(w, i))),
             (None, None) => Some(RoleKind::Force(Target::Generalized)),
         },
-    }
+    };
+    kind.map(|kind| (kind, written))
 }
 
 struct KeyValue {

@@ -4,11 +4,11 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{FnArg, ImplItemFn, ReceiverKind, ReturnType};
 
-use super::body::PatternKind;
+use super::body::{Name, PatternKind};
 use super::item::{Argument, Function, Parameter, Record, Role, RoleKind};
-use super::role;
 use super::translate::{Translator, bare};
 use super::types::TypeKind;
+use super::{hygiene, role};
 use crate::diagnostics::catalogue;
 
 /// Reads a function.
@@ -16,19 +16,23 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
     let role = role::parse(&function.attrs, translator);
     let name = bare(&function.sig.ident);
     let origin = translator.origin(function.sig.ident.span());
+    let generics = translator.hidden.len();
+    translator.hidden.extend(own_generics(function));
     let mut parameters = Vec::new();
     for input in &function.sig.inputs {
         if let FnArg::Typed(typed) = input {
             let pattern = translator.pattern(&typed.pat);
             let ty = translator.ty(&typed.ty);
             let argument = argument(&pattern.kind, &ty.kind);
-            parameters.push(Parameter { pattern, ty, argument });
+            parameters.push(Parameter { pattern, ty, references: references(&typed.ty), argument });
         }
     }
     let output = match &function.sig.output {
         ReturnType::Default => None,
         ReturnType::Type(_, ty) => Some(translator.ty(ty)),
     };
+    // On a role it is reported here.
+    let on_role = role.is_some() && function.attrs.iter().any(|attribute| attribute.path().is_ident("cfg"));
     if let Some(role) = &role {
         check_form(function, translator);
         for attribute in function.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg")) {
@@ -40,22 +44,46 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
             translator.diagnostics.at(origin, catalogue::missing_return_type(&name, returns(&role.kind)));
         }
     }
+    let body = translator.block(&function.block);
+    translator.hidden.truncate(generics);
     Function {
         name,
         origin,
         receiver: function.sig.receiver().is_some(),
         parameters,
         output,
-        body: translator.block(&function.block),
+        body,
         role,
+        conditional: if on_role { None } else { translator.conditional(function) },
     }
+}
+
+/// How many references stand before a type.
+fn references(ty: &syn::Type) -> usize {
+    match ty {
+        syn::Type::Reference(reference) => 1 + references(&reference.elem),
+        syn::Type::Paren(paren) => references(&paren.elem),
+        syn::Type::Group(group) => references(&group.elem),
+        _ => 0,
+    }
+}
+
+/// Type and constant parameters of a function, which have no meaning outside it.
+fn own_generics(function: &ImplItemFn) -> impl Iterator<Item = Name> {
+    function.sig.generics.params.iter().filter_map(|parameter| match parameter {
+        syn::GenericParam::Type(ty) => Some(bare(&ty.ident)),
+        syn::GenericParam::Const(constant) => Some(bare(&constant.ident)),
+        syn::GenericParam::Lifetime(_) => None,
+    })
 }
 
 /// Structs are recognised by type, time by its name.
 fn argument(pattern: &PatternKind, ty: &TypeKind) -> Option<Argument> {
     match (ty, pattern) {
         (TypeKind::Record(record), _) => Some(Argument::Record(*record)),
-        (TypeKind::Scalar, PatternKind::Name(name)) if matches!(&**name, "t" | "time" | "_t" | "_time") => {
+        (TypeKind::Scalar, PatternKind::Name(name))
+            if matches!(hygiene::written(name), "t" | "time" | "_t" | "_time") =>
+        {
             Some(Argument::Time)
         }
         _ => None,
@@ -88,7 +116,9 @@ fn check_parameters(role: &Role, parameters: &[Parameter], translator: &mut Tran
     for parameter in parameters {
         let Some(argument) = parameter.argument else {
             let message = match (&parameter.ty.kind, &parameter.pattern.kind) {
-                (TypeKind::Scalar, PatternKind::Name(name)) => catalogue::unnamed_time(name),
+                (TypeKind::Scalar, PatternKind::Name(name)) => {
+                    catalogue::unnamed_time(hygiene::written(name))
+                }
                 (TypeKind::Other(name), _) if near_record(name).is_some() => {
                     catalogue::misspelt_record(name, near_record(name).unwrap_or_default())
                 }

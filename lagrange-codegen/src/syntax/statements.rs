@@ -15,6 +15,7 @@ use crate::diagnostics::catalogue;
 impl Translator<'_> {
     /// Translates a block.
     pub fn block(&mut self, block: &syn::Block) -> Block {
+        let outside = self.enter(block);
         let mut statements = Vec::with_capacity(block.stmts.len());
         let mut value = None;
         for (position, statement) in block.stmts.iter().enumerate() {
@@ -33,6 +34,7 @@ impl Translator<'_> {
                 }
             }
         }
+        self.leave(outside);
         Block { statements, value }
     }
 
@@ -55,7 +57,16 @@ impl Translator<'_> {
                 name: bare(&constant.ident),
                 ty: self.ty(&constant.ty),
                 value: self.expression(&constant.expr),
+                conditional: None,
             })),
+            syn::Item::Static(constant) if matches!(constant.mutability, syn::StaticMutability::None) => {
+                statements.push(Statement::Constant(Constant {
+                    name: bare(&constant.ident),
+                    ty: self.ty(&constant.ty),
+                    value: self.expression(&constant.expr),
+                    conditional: None,
+                }));
+            }
             syn::Item::Use(import) => {
                 let leading = import.leading_colon;
                 self.imports(&import.tree, leading, &mut Vec::new(), statements);
@@ -75,7 +86,9 @@ impl Translator<'_> {
         let mut import = |translator: &mut Self, prefix: &[syn::Ident], name: &syn::Ident, local: Name| {
             let segments = prefix.iter().chain([name]).cloned().map(syn::PathSegment::from).collect();
             let path = syn::Path { leading_colon: leading, segments };
-            statements.push(Statement::Use(local, translator.path(None, &path)));
+            // What the local name stands for, and, in the emitted code, the local name itself.
+            let code = translator.imported(&local);
+            statements.push(Statement::Use(local, Path { code, ..translator.path(None, &path) }));
         };
         match tree {
             syn::UseTree::Path(path) => {
@@ -90,7 +103,7 @@ impl Translator<'_> {
                     self.imports(tree, leading, prefix, statements);
                 }
             }
-            _ => {}
+            syn::UseTree::Glob(_) => statements.push(Statement::Glob),
         }
     }
 
@@ -113,7 +126,7 @@ impl Translator<'_> {
         let kind = match pattern {
             Pat::Wild(_) => PatternKind::Wild,
             Pat::Rest(_) => PatternKind::Rest,
-            Pat::Ident(ident) if ident.subpat.is_none() => PatternKind::Name(bare(&ident.ident)),
+            Pat::Ident(ident) if ident.subpat.is_none() => PatternKind::Name(self.variable(&ident.ident)),
             Pat::Paren(paren) => return self.pattern(&paren.pat),
             Pat::Reference(reference) => return self.pattern(&reference.pat),
             Pat::Tuple(tuple) => PatternKind::Tuple(tuple.elems.iter().map(|p| self.pattern(p)).collect()),

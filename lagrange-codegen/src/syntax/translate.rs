@@ -5,16 +5,14 @@ use std::rc::Rc;
 use proc_macro2::Span;
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
-use syn::spanned::Spanned;
 use syn::{BinOp, Lit, Member, Token, UnOp};
 
 use super::body::{
-    BinaryOperator, Closure, Expr, ExprKind, For, If, MethodCall, Name, Owner, Path, RangeExpr,
-    UnaryOperator, Word,
+    BinaryOperator, Closure, Expr, ExprKind, For, If, MethodCall, Name, RangeExpr, UnaryOperator, Word,
 };
+use super::integers::Integers;
 use super::item::Scalar;
-use super::place;
-use super::types::{Type, TypeKind};
+use super::{conditional, hygiene, place};
 use crate::diagnostics::{Diagnostics, Origin, catalogue};
 use crate::number::Number;
 
@@ -26,6 +24,14 @@ pub struct Translator<'d> {
     pub scalar: Scalar,
     /// The name of the type.
     pub self_name: String,
+    /// Names of items declared inside the function, and of its own generic parameters.
+    pub hidden: Vec<Name>,
+    /// The imports in force, an entry for each block.
+    pub imports: Vec<String>,
+    /// The syntax context of the impl block.
+    home: Option<u32>,
+    /// Whether the roles mix precisions, which is reported.
+    pub mixed: bool,
 }
 
 /// The text of an identifier without the raw prefix.
@@ -34,7 +40,39 @@ pub fn bare(ident: &syn::Ident) -> Name {
     Rc::from(text.strip_prefix("r#").unwrap_or(&text))
 }
 
+impl<'d> Translator<'d> {
+    /// A translator for a block whose `impl` stands at a span.
+    pub fn new(
+        diagnostics: &'d mut Diagnostics,
+        scalar: Scalar,
+        self_name: String,
+        home: Span,
+    ) -> Translator<'d> {
+        let home = hygiene::context(home);
+        Translator {
+            diagnostics,
+            scalar,
+            self_name,
+            hidden: Vec::new(),
+            imports: Vec::new(),
+            home,
+            mixed: false,
+        }
+    }
+}
+
 impl Translator<'_> {
+    /// The name of a local variable.
+    pub fn variable(&self, ident: &syn::Ident) -> Name {
+        hygiene::variable(ident, self.home)
+    }
+
+    /// The place of a `cfg` in some tokens.
+    pub fn conditional(&mut self, tokens: &dyn ToTokens) -> Option<Origin> {
+        let span = conditional::find(tokens.to_token_stream())?;
+        Some(self.origin(span))
+    }
+
     /// Registers the place of some tokens.
     pub fn place(&mut self, tokens: &dyn ToTokens) -> Origin {
         let span = place::span(tokens);
@@ -216,7 +254,7 @@ impl Translator<'_> {
             BinOp::Ge(_) => BinaryOperator::GreaterEqual,
             BinOp::BitXor(_) | BinOp::BitXorAssign(_) => {
                 let power = match &right.kind {
-                    ExprKind::Integer(power) => format!("powi({power})"),
+                    ExprKind::Integer(power, _) => format!("powi({power})"),
                     _ => "powf(…)".to_string(),
                 };
                 return ExprKind::Unsupported(catalogue::caret(power));
@@ -256,7 +294,7 @@ impl Translator<'_> {
                 self.float(int.base10_digits(), int.suffix())
             }
             Lit::Int(int) => match int.base10_parse::<i128>() {
-                Ok(value) => ExprKind::Integer(value),
+                Ok(value) => ExprKind::Integer(value, Integers::named(int.suffix()).unwrap_or(Integers::ANY)),
                 Err(_) => ExprKind::Unsupported(catalogue::integer_overflow()),
             },
             Lit::Bool(boolean) => ExprKind::Boolean(boolean.value),
@@ -278,45 +316,12 @@ impl Translator<'_> {
         }
     }
 
-    /// Translates a path.
-    pub fn path(&mut self, qself: Option<&syn::QSelf>, path: &syn::Path) -> Path {
-        let origin = self.origin(path.span());
-        let whole = syn::ExprPath { attrs: Vec::new(), qself: qself.cloned(), path: path.clone() };
-        let text = self.text(&whole);
-        let last = path.segments.last().map_or_else(|| Rc::from(""), |segment| bare(&segment.ident));
-        let owner = match (qself, path.segments.len()) {
-            (Some(qself), _) => self.owner_type(&qself.ty),
-            (None, 0 | 1) => Owner::None,
-            (None, count) => {
-                let before = &path.segments[count - 2];
-                let name = before.ident.to_string();
-                if count == 2 && (name == "Self" || name == self.self_name) {
-                    Owner::SelfType
-                } else {
-                    let owners = path.segments.iter().take(count - 1);
-                    match self.path_type(owners, path) {
-                        Type { kind: TypeKind::Other(_), .. } => Owner::Other(bare(&before.ident)),
-                        known => Owner::Type(known),
-                    }
-                }
-            }
-        };
-        Path { origin, text, last, owner }
-    }
-
-    fn owner_type(&mut self, ty: &syn::Type) -> Owner {
-        match self.ty(ty) {
-            Type { kind: TypeKind::Other(name), .. } if &*name == "Self" || *name == *self.self_name => {
-                Owner::SelfType
-            }
-            Type { kind: TypeKind::Other(name), .. } => Owner::Other(name),
-            known => Owner::Type(known),
-        }
-    }
-
     /// Translates `vector!`, `matrix!` and `point!`; refuses the others.
     pub fn macro_call(&mut self, call: &syn::Macro) -> ExprKind {
         let name = call.path.segments.last().map_or_else(String::new, |segment| segment.ident.to_string());
+        if self.is_local(&call.path) {
+            return ExprKind::Unsupported(catalogue::local_item(name));
+        }
         let list =
             |input: syn::parse::ParseStream| Punctuated::<syn::Expr, Token![,]>::parse_terminated(input);
         match name.as_str() {

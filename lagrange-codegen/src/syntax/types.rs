@@ -1,11 +1,10 @@
 //! Types that the language knows, read from signatures, annotations and paths.
 
-use std::rc::Rc;
-
 use syn::{GenericArgument, PathArguments};
 
 use super::body::{Expr, ExprKind, Name};
-use super::item::Record;
+use super::integers::Integers;
+use super::item::{Record, Scalar};
 use super::translate::Translator;
 use crate::diagnostics::Origin;
 
@@ -16,6 +15,10 @@ pub struct Type {
     pub origin: Origin,
     /// What it is.
     pub kind: TypeKind,
+    /// Rust that compiles only if it is nalgebra's type of this name.
+    pub meaning: Option<Name>,
+    /// As the user wrote it.
+    pub written: Name,
 }
 
 /// The types of the language. Lengths are expressions: literals or constants of the block.
@@ -23,8 +26,10 @@ pub struct Type {
 pub enum TypeKind {
     /// The scalar of the description.
     Scalar,
-    /// Any integer.
-    Integer,
+    /// An integer.
+    Integer(Integers),
+    /// A float of the other precision.
+    OtherFloat,
     /// `bool`.
     Boolean,
     /// `()`.
@@ -77,7 +82,7 @@ impl Translator<'_> {
             }
             _ => TypeKind::Other(self.text(ty)),
         };
-        Type { origin: self.place(ty), kind }
+        Type { origin: self.place(ty), kind, meaning: None, written: self.text(ty) }
     }
 
     /// Reads the type named by some segments of a path.
@@ -88,15 +93,55 @@ impl Translator<'_> {
     ) -> Type {
         let segments: Vec<&syn::PathSegment> = segments.collect();
         let origin = self.place(whole);
-        let Some(last) = segments.last() else {
-            return Type { origin, kind: TypeKind::Other(Rc::from("")) };
+        let Some(last) = segments.last().filter(|_| !self.is_local(whole)) else {
+            let written = self.text(whole);
+            return Type { origin, kind: TypeKind::Other(written.clone()), meaning: None, written };
         };
         let arguments = generic_arguments(last);
         let kind = match self.path_kind(&last.ident.to_string(), &arguments, segments.len() == 1, origin) {
             Some(kind) => kind,
             None => TypeKind::Other(self.text(whole)),
         };
-        Type { origin, kind }
+        let meaning = match kind {
+            TypeKind::Vector(_)
+            | TypeKind::Point(_)
+            | TypeKind::Matrix(..)
+            | TypeKind::Translation(_)
+            | TypeKind::Rotation(_)
+            | TypeKind::Quaternion
+            | TypeKind::Isometry(_) => Some(self.meaning(&segments, whole)),
+            _ => None,
+        };
+        Type { origin, kind, meaning, written: self.text(whole) }
+    }
+
+    /// A function that takes nalgebra's type of a name, assigned from one of the type that the user calls so. In an expression
+    /// the compiler finds out the generic arguments that the user left out.
+    fn meaning(&mut self, segments: &[&syn::PathSegment], whole: &syn::Path) -> Name {
+        // Without generic arguments, so that a type is confirmed once.
+        let segments_only = segments.iter().map(|segment| syn::PathSegment::from(segment.ident.clone()));
+        let path = syn::Path { leading_colon: whole.leading_colon, segments: segments_only.collect() };
+        let ours = match segments.last() {
+            Some(last) => self.ours(last),
+            None => String::new(),
+        };
+        let text = self.text(&path);
+        let function = format!("{text}::clone");
+        let theirs = if whole.leading_colon.is_some() { function.into() } else { self.imported(&function) };
+        format!("let _: fn(&{ours}) -> {ours} = {theirs};").into()
+    }
+
+    /// Nalgebra's type of a name with the generic arguments as written, of the scalar where there are none.
+    fn ours(&mut self, segment: &syn::PathSegment) -> String {
+        let written = generic_arguments(segment);
+        let arguments: Vec<String> = match written.as_slice() {
+            [GenericArgument::Type(syn::Type::Path(inner))] if segment.ident == "Unit" => {
+                inner.path.segments.last().map(|inner| self.ours(inner)).into_iter().collect()
+            }
+            [] => vec![self.scalar.to_string()],
+            list => list.iter().map(|argument| self.text(argument).to_string()).collect(),
+        };
+        format!("lagrange::nalgebra::{}<{}>", segment.ident, arguments.join(", "))
     }
 
     fn path_kind(
@@ -107,17 +152,25 @@ impl Translator<'_> {
         origin: Origin,
     ) -> Option<TypeKind> {
         let constant = |value: usize| {
-            Box::new(Expr { origin, kind: ExprKind::Integer(i128::try_from(value).unwrap_or(0)) })
+            Box::new(Expr {
+                origin,
+                kind: ExprKind::Integer(i128::try_from(value).unwrap_or(0), Integers::USIZE),
+            })
         };
         if single && self.is_scalar(name) {
             return Some(TypeKind::Scalar);
         }
+        let is_other = |argument: &GenericArgument| {
+            matches!(argument, GenericArgument::Type(syn::Type::Path(path))
+                if path.path.get_ident().is_some_and(|name| name == self.other_float()))
+        };
+        if arguments.first().is_some_and(|argument| is_other(argument)) {
+            return Some(TypeKind::OtherFloat);
+        }
         match name {
+            "f32" | "f64" if name == self.other_float() => return Some(TypeKind::OtherFloat),
             "f32" | "f64" => return Some(TypeKind::Scalar),
-            "i8" | "i16" | "i32" | "i64" | "i128" | "isize" | "u8" | "u16" | "u32" | "u64" | "u128"
-            | "usize" => {
-                return Some(TypeKind::Integer);
-            }
+            name if let Some(types) = Integers::named(name) => return Some(TypeKind::Integer(types)),
             "bool" => return Some(TypeKind::Boolean),
             "Rotation2" | "UnitComplex" => return Some(TypeKind::Rotation(2)),
             "Rotation3" => return Some(TypeKind::Rotation(3)),
@@ -153,6 +206,15 @@ impl Translator<'_> {
                 Some(TypeKind::Matrix(constant(rows.parse().ok()?), constant(columns.parse().ok()?)))
             }
             _ => None,
+        }
+    }
+
+    /// The float that numbers of the description are not made of. A generic one takes its constants from doubles.
+    fn other_float(&self) -> &'static str {
+        match &self.scalar {
+            _ if self.mixed => "",
+            Scalar::F32 => "f64",
+            Scalar::F64 | Scalar::Generic(_) => "f32",
         }
     }
 

@@ -4,7 +4,7 @@ use super::record_ident;
 use crate::emit::body::{self, Source};
 use crate::emit::methods::{arguments, method};
 use crate::emit::names::{Names, name_accelerations};
-use crate::emit::{Emission, block, docs};
+use crate::emit::{Emission, block, docs, scalar as number};
 use crate::expr::NodeId;
 use crate::schedule::plan;
 use crate::simplify::simplify;
@@ -84,7 +84,11 @@ pub(in crate::emit) fn methods(emission: &mut Emission<'_>) -> String {
          # Errors\n\nConstraints that contradict each other, that have no gradient, or that Newton's method cannot satisfy \
          from here: the constraint, and how far off it is.",
         &format!("consistent(&self, state: {state}) -> {}", result(&state)),
-        &format!("lagrange::constraints::consistent::<Self, {count}, {given}, {held}>(self, state)"),
+        &format!(
+            "lagrange::reading::checked::<Self, {count}, {given}>(self, &state, &[{}; {given}])?;\n\
+             lagrange::constraints::consistent::<Self, {count}, {given}, {held}>(self, state)",
+            number::zero(&emission.item.scalar)
+        ),
     ));
     text
 }

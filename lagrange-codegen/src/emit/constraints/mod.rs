@@ -14,6 +14,7 @@ mod surface;
 
 pub(crate) use methods::METHODS;
 pub(super) use methods::{balance_at, methods, of_balance};
+pub(in crate::emit) use places::PREFIX;
 pub(crate) use places::is_generated as is_force_on_place;
 pub(super) use record::{Held, declared, held, record, record_ident};
 pub(super) use surface::{implementations, system};

@@ -7,7 +7,7 @@ use crate::emit::methods::method;
 use crate::expr::{NodeId, Variable};
 
 /// What stands before the name of a particle or body.
-const PREFIX: &str = "reactions_on_";
+pub(in crate::emit) const PREFIX: &str = "reactions_on_";
 
 /// Whether a name is that of a method for one of these functions.
 pub(crate) fn is_generated(name: &str, mut places: impl Iterator<Item = String>) -> bool {

@@ -235,3 +235,25 @@ fn names_of_the_user_become_hints() {
     }
     assert_eq!(names, ["height", "tip_y", "energy"]);
 }
+
+#[test]
+fn constants_are_those_of_rust() {
+    agrees!(|self, q, v, t| (300_i32 as u8) as f64 * q.x + (-1_i32 as u32) as f64 + (200_i32 as i8) as f64);
+    agrees!(|self, q, v, t| (2.6 as i32) as f64 * q.x
+        + (-2.6 as i32) as f64
+        + (-2.6 as u8) as f64
+        + (1e9 as i16) as f64);
+    agrees!(|self, q, v, t| (true as i32) as f64 * q.x + (7 / 2 % 2) as f64 + (-7 / 2) as f64);
+    agrees!(|self, q, v, t| if 0.1 + 0.2 == 0.3 { q.x } else { q.y });
+    agrees!(|self, q, v, t| if (1e20 + 1.0) - 1e20 > 0.5 { q.x } else { q.y });
+    agrees!(|self, q, v, t| let k = 0.1 * 3.0; if k <= 0.3 { q.x } else { q.y });
+    agrees!(|self, q, v, t| if 2.0_f64.sqrt() * 2.0_f64.sqrt() == 2.0 { q.x } else { q.y });
+    agrees!(|self, q, v, t| if ((0.1 + 0.7) * 10.0) as i32 == 8 { q.x } else { q.y });
+    agrees!(|self, q, v, t| static G: f64 = 3.0; const N: u8 = 2; match 2 { N => G * q.x, _ => q.y });
+    agrees!(|self, q, v, t| {
+        #![allow(unused_imports)]
+        use std::f64::consts;
+        consts::PI * q.x
+    });
+    agrees!(|self, q, v, t| let n = 3; match n { k if k > 2 => k as f64 * q.x, _ => q.y });
+}

@@ -69,6 +69,14 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         } else if graph.as_constant(body.mass).is_some_and(Number::is_negative) {
             complain(body.origin, physics::negative_mass(&body.name), diagnostics);
         }
+        let moments = match &body.attitude {
+            Attitude::Planar { inertia, .. } => vec![*inertia],
+            Attitude::Spatial { inertia, .. } => (0..3).map(|axis| inertia[axis][axis]).collect(),
+        };
+        let negative = |&moment: &NodeId| graph.as_constant(moment).is_some_and(Number::is_negative);
+        if moments.iter().any(negative) {
+            complain(body.origin, physics::negative_inertia(&body.name), diagnostics);
+        }
         if fixed(&body.position) && !turns {
             complain(body.origin, physics::fixed_in_space("body", &body.name, eliminated), diagnostics);
         }

@@ -1,0 +1,28 @@
+//! What rustc has to confirm of the reading: the macro takes names for what they usually mean, the compiler knows.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::tokens::respan;
+use crate::diagnostics::Diagnostics;
+use crate::model::Model;
+use crate::syntax::{Group, Item};
+
+/// A function that is never called and compiles only if names mean what they were taken for. What does not fit is reported
+/// where the user wrote it.
+pub(super) fn meanings(item: &Item, model: &Model, diagnostics: &Diagnostics) -> TokenStream {
+    // A local variable of generated code cannot have the name of a constant or of a unit struct. It is never in capitals.
+    let small = |group: &&Group| !group.name().contains(char::is_uppercase);
+    let groups = item.coordinates.iter().chain(&item.inputs).filter(small);
+    let declared = groups.map(|Group { ident, .. }| quote!(let #ident @ _ = ();));
+    let read = model.meanings.iter().map(|meaning| {
+        let tokens: TokenStream = meaning.statement.parse().unwrap_or_default();
+        respan(tokens, diagnostics.span(meaning.origin))
+    });
+    let statements: TokenStream = declared.chain(read).collect();
+    quote! {
+        #[doc(hidden)]
+        #[allow(unused, unused_qualifications, unused_results, non_snake_case, non_upper_case_globals)]
+        fn __meanings() { #statements }
+    }
+}

@@ -1,0 +1,66 @@
+//! Comparisons of constants, which decide the branches.
+
+use super::advice::dependence_words;
+use super::interpreter::Interpreter;
+use super::rounded::holds;
+use super::value::Value;
+use crate::diagnostics::{Origin, catalogue};
+use crate::expr::Dependence;
+use crate::syntax::body::BinaryOperator;
+
+impl Interpreter<'_> {
+    /// A comparison of two values, decided as Rust decides it.
+    pub fn compare(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
+        let verdict = match (&left, &right) {
+            (Value::Integer(a, ..), Value::Integer(b, ..)) => holds(operator, a, b),
+            (Value::Boolean(a), Value::Boolean(b)) => holds(operator, a, b),
+            (Value::Scalar(..) | Value::Parameter(_), Value::Scalar(..) | Value::Parameter(_)) => {
+                let rounded = match (&left, &right) {
+                    (Value::Scalar(_, a), Value::Scalar(_, b)) => a.compare(operator, *b, &self.item.scalar),
+                    _ => None,
+                };
+                let (a, b) = (self.scalar(left, origin), self.scalar(right, origin));
+                let (Some(a), Some(b)) = (a, b) else { return Value::Unknown };
+                let graph = self.graph();
+                let dependence = graph.dependence(a).union(graph.dependence(b));
+                match rounded {
+                    Some(verdict) => verdict,
+                    None if dependence == Dependence::NONE => {
+                        return self.refuse(origin, catalogue::rounding_decides());
+                    }
+                    None => {
+                        let on = dependence_words(dependence);
+                        return self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()));
+                    }
+                }
+            }
+            (Value::Integer(..) | Value::Boolean(_), Value::Parameter(id))
+            | (Value::Parameter(id), Value::Integer(..) | Value::Boolean(_)) => {
+                let text = self.parameters.text(*id).to_string();
+                let on = format!("the parameter `{text}`");
+                return self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()));
+            }
+            _ => return self.mismatch(operator, &left, &right, origin),
+        };
+        Value::Boolean(verdict)
+    }
+}
+
+/// Whether the result of an operator is a truth value.
+pub fn is_comparison(operator: BinaryOperator) -> bool {
+    match operator {
+        BinaryOperator::Equal
+        | BinaryOperator::NotEqual
+        | BinaryOperator::Less
+        | BinaryOperator::LessEqual
+        | BinaryOperator::Greater
+        | BinaryOperator::GreaterEqual => true,
+        BinaryOperator::Add
+        | BinaryOperator::Subtract
+        | BinaryOperator::Multiply
+        | BinaryOperator::Divide
+        | BinaryOperator::Remainder
+        | BinaryOperator::And
+        | BinaryOperator::Or => false,
+    }
+}

@@ -1,0 +1,21 @@
+use lagrangian::prelude::*;
+
+struct System {
+    mass: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl System {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x * v.x
+    }
+
+    #[potential]
+    fn height(&self, q: &Coordinates) -> f64 {
+        let zeros = [[[0.0; 1000]; 1000]; 1000];
+        zeros[0][0][0] * q.x
+    }
+}
+
+fn main() {}

@@ -1,0 +1,26 @@
+use lagrangian::prelude::*;
+
+#[allow(non_upper_case_globals)]
+const count: i32 = 2;
+
+struct System {
+    mass: f64,
+}
+
+#[lagrangian(coordinates = [x])]
+impl System {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x * v.x
+    }
+
+    #[potential]
+    fn height(&self, q: &Coordinates) -> f64 {
+        match 2 {
+            count => count as f64 * q.x,
+            _ => q.x,
+        }
+    }
+}
+
+fn main() {}
