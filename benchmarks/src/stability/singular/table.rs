@@ -1,0 +1,68 @@
+//! Counts over the runs of a case by a method, as a table.
+
+use std::collections::BTreeMap;
+
+use super::runs::{Errors, Method, Outcome};
+
+/// A case by a method.
+pub struct Row {
+    /// The case.
+    pub case: &'static str,
+    /// The method.
+    pub method: Method,
+    /// One for each run.
+    pub outcomes: Vec<Outcome>,
+}
+
+impl Row {
+    /// Runs with a wrong energy; with a right energy at a wrong place.
+    pub fn wrong(&self) -> (usize, usize) {
+        let ends = || self.outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok());
+        let energy = ends().filter(|errors| errors.energy_is_wrong()).count();
+        (energy, ends().filter(|errors| errors.place_is_wrong() && !errors.energy_is_wrong()).count())
+    }
+
+    /// The wrong run with the largest offset: the easiest to look into.
+    pub fn example(&self) -> Option<&Outcome> {
+        let wrong =
+            self.outcomes.iter().filter(|outcome| outcome.result.as_ref().is_ok_and(|errors| errors.are_wrong()));
+        wrong.max_by(|a, b| a.offset.abs().total_cmp(&b.offset.abs()))
+    }
+
+    /// How many runs ended in each cause.
+    pub fn causes(&self) -> BTreeMap<&str, usize> {
+        let mut causes = BTreeMap::new();
+        for cause in self.outcomes.iter().filter_map(|outcome| outcome.result.as_ref().err()) {
+            *causes.entry(cause.as_str()).or_default() += 1;
+        }
+        causes
+    }
+
+    /// The largest of a number over the runs that ended.
+    fn worst(&self, of: impl Fn(&Errors) -> f64) -> f64 {
+        let ends = self.outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok());
+        ends.map(of).fold(0.0, |worst, x| if x > worst || x.is_nan() { x } else { worst })
+    }
+
+    /// A line of the table.
+    pub fn line(&self) -> String {
+        let (energy, place) = self.wrong();
+        let causes: Vec<String> = self.causes().into_iter().map(|(cause, n)| format!("{n} {cause}")).collect();
+        let count = self.outcomes.len().max(1) as f64;
+        let steps = self.outcomes.iter().map(|outcome| outcome.steps as f64).sum::<f64>() / count;
+        let us = self.outcomes.iter().map(|outcome| outcome.us).sum::<f64>() / count;
+        format!(
+            "| {} | {} | {} | {energy} | {place} | {:.1e} | {:.1e} | {steps:.0} | {us:.0} | {} |",
+            self.case,
+            self.method.name(),
+            self.outcomes.len(),
+            self.worst(|errors| errors.energy),
+            self.worst(|errors| errors.place),
+            if causes.is_empty() { "–".to_owned() } else { causes.join(", ") }
+        )
+    }
+}
+
+/// The head of the table.
+pub const HEAD: &str = "| case | method | runs | energy wrong | place wrong | worst energy error | worst place error | steps | µs | errors |\n\
+    | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |";
