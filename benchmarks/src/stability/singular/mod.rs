@@ -7,3 +7,5 @@ pub mod cases;
 mod curve;
 pub mod runs;
 pub mod table;
+
+pub use curve::run as along;

@@ -14,7 +14,41 @@ pub struct Row {
     pub outcomes: Vec<Outcome>,
 }
 
+/// A row as it is written to JSON.
+#[derive(serde::Serialize)]
+pub struct Record {
+    benchmark: &'static str,
+    case: &'static str,
+    method: String,
+    runs: usize,
+    energy_wrong: usize,
+    place_wrong: usize,
+    errors: BTreeMap<String, usize>,
+    worst_energy: f64,
+    worst_place: f64,
+    steps: f64,
+    us: f64,
+}
+
 impl Row {
+    /// The row for JSON.
+    pub fn record(&self) -> Record {
+        let ((energy_wrong, place_wrong), runs) = (self.wrong(), self.outcomes.len());
+        Record {
+            benchmark: "singular",
+            case: self.case,
+            method: self.method.name(),
+            runs,
+            energy_wrong,
+            place_wrong,
+            errors: self.causes().into_iter().map(|(cause, n)| (cause.to_owned(), n)).collect(),
+            worst_energy: self.worst(|errors| errors.energy),
+            worst_place: self.worst(|errors| errors.place),
+            steps: self.steps(),
+            us: self.mean(|outcome| outcome.us),
+        }
+    }
+
     /// Runs with a wrong energy; with a right energy at a wrong place.
     pub fn wrong(&self) -> (usize, usize) {
         let ends = || self.outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok());
@@ -39,18 +73,26 @@ impl Row {
     }
 
     /// The largest of a number over the runs that ended.
-    fn worst(&self, of: impl Fn(&Errors) -> f64) -> f64 {
+    pub fn worst(&self, of: impl Fn(&Errors) -> f64) -> f64 {
         let ends = self.outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok());
         ends.map(of).fold(0.0, |worst, x| if x > worst || x.is_nan() { x } else { worst })
+    }
+
+    /// Steps of a run, on average.
+    pub fn steps(&self) -> f64 {
+        self.mean(|outcome| outcome.steps as f64)
+    }
+
+    /// The mean of a number over all runs.
+    fn mean(&self, of: impl Fn(&Outcome) -> f64) -> f64 {
+        self.outcomes.iter().map(of).sum::<f64>() / self.outcomes.len().max(1) as f64
     }
 
     /// A line of the table.
     pub fn line(&self) -> String {
         let (energy, place) = self.wrong();
         let causes: Vec<String> = self.causes().into_iter().map(|(cause, n)| format!("{n} {cause}")).collect();
-        let count = self.outcomes.len().max(1) as f64;
-        let steps = self.outcomes.iter().map(|outcome| outcome.steps as f64).sum::<f64>() / count;
-        let us = self.outcomes.iter().map(|outcome| outcome.us).sum::<f64>() / count;
+        let (steps, us) = (self.steps(), self.mean(|outcome| outcome.us));
         format!(
             "| {} | {} | {} | {energy} | {place} | {:.1e} | {:.1e} | {steps:.0} | {us:.0} | {} |",
             self.case,
