@@ -53,17 +53,20 @@ impl Outcome {
     /// Whether the result is worse than the method promises, and nothing says so.
     pub fn is_silently_wrong(&self) -> bool {
         match self {
-            Self::Done { error, allowed: Some(allowed), .. } => !(error <= allowed),
+            Self::Done { error, allowed: Some(allowed), .. } => error > allowed || error.is_nan(),
             Self::Done { error, allowed: None, .. } => !error.is_finite(),
             Self::Failed { .. } | Self::NotOffered => false,
         }
     }
 }
 
+/// The distance of a state from the true one.
+pub type Distance<R, const N: usize> = Box<dyn Fn(&State<R, N>) -> f64>;
+
 /// What the error of a task is.
 pub enum Measure<R, const N: usize> {
-    /// A function of the state at the end: its distance from the true one.
-    End(Box<dyn Fn(&State<R, N>) -> f64>),
+    /// That of the state at the end.
+    End(Distance<R, N>),
     /// The largest change of the energy, in its unit.
     Energy,
 }
@@ -104,7 +107,8 @@ impl Growth {
     /// The slope of the logarithms of error and time by least squares; none where the error is rounding of the energy itself.
     fn exponent(&self, noise: f64) -> Option<f64> {
         let last = self.octaves[OCTAVES as usize - 1];
-        if !(last > 64.0 * noise) || self.octaves.iter().any(|error| !(*error > 0.0)) {
+        let is_rounding = last.is_nan() || last <= 64.0 * noise;
+        if is_rounding || self.octaves.iter().any(|error| error.is_nan() || *error <= 0.0) {
             return None;
         }
         let middle = f64::from(OCTAVES - 1) / 2.0;
@@ -132,12 +136,10 @@ where
 
     /// Instants of observation as shares of the whole in units of 1/(64 · 16), octave by octave.
     fn instants() -> impl Iterator<Item = (usize, u64)> {
-        (0..OCTAVES).flat_map(|octave| {
-            (1..=SAMPLES).map(move |i| (octave as usize, (SAMPLES + i) << octave))
-        })
+        (0..OCTAVES).flat_map(|octave| (1..=SAMPLES).map(move |i| (octave as usize, (SAMPLES + i) << octave)))
     }
 
-    /// All starts by a motion that goes to an instant, given as a share of [`Task::instants`]'s last.
+    /// All starts; `go` moves a motion to an instant, a share of the whole, and tells the state there and the steps so far.
     fn follow<M>(
         &self,
         method: &'static str,
@@ -146,10 +148,9 @@ where
         mut go: impl FnMut(&mut M, u64, u64) -> Result<(State<S::Scalar, N>, u64), MotionError<S::Scalar>>,
     ) -> Cell {
         let whole = (2 * SAMPLES) << (OCTAVES - 1);
-        let (mut error, mut steps, mut drift) = (0.0, 0, None);
+        let (mut error, mut steps, mut drift, mut failed) = (0.0, 0, None, None);
         let begun = Instant::now();
-        let cell = |outcome| Cell { benchmark: "stability", task: self.name, method, outcome };
-        for (start, measure) in self.starts.iter().zip(self.measure.iter().cycle()) {
+        'starts: for (start, measure) in self.starts.iter().zip(self.measure.iter().cycle()) {
             let first = self.energy(start);
             let mut motion = begin(*start);
             let mut growth = Growth { octaves: [0.0; OCTAVES as usize] };
@@ -161,7 +162,8 @@ where
                     Err(MotionError { cause, t }) => {
                         let cause = format!("{cause:?}");
                         let cause = cause.split([' ', '{', '(']).next().unwrap_or_default().to_owned();
-                        return cell(Outcome::Failed { cause, t: t.into() });
+                        failed.get_or_insert(Outcome::Failed { cause, t: t.into() });
+                        continue 'starts;
                     }
                 }
                 let Some(unit) = self.energy else { continue };
@@ -170,6 +172,7 @@ where
             }
             let off = match measure {
                 Measure::End(measure) => measure(&end),
+                Measure::Energy if self.energy.is_none() => f64::NAN,
                 Measure::Energy => growth.octaves.into_iter().fold(0.0, largest),
             };
             (error, steps) = (largest(error, off), steps + taken);
@@ -178,9 +181,12 @@ where
         let us = begun.elapsed().as_secs_f64() * 1e6 / self.starts.len() as f64;
         let steps = steps / self.starts.len() as u64;
         // An error within the tolerance in each step adds up to no more than their number, or a hundred where they are few.
-        let allowed = tolerance
-            .map(|tolerance| self.condition * (tolerance + self.noise) * (steps as f64).max(100.0));
-        cell(Outcome::Done { error, allowed, drift, us, steps })
+        let allowed =
+            tolerance.map(|tolerance| self.condition * (tolerance + self.noise) * (steps as f64).max(100.0));
+        let done = Outcome::Done { error, allowed, drift, us, steps };
+        // An error of one start doesn't excuse what another start is wrong by.
+        let outcome = if done.is_silently_wrong() { done } else { failed.unwrap_or(done) };
+        Cell { benchmark: "stability", task: self.name, method, outcome }
     }
 
     /// By a method under error control.

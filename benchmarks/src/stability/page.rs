@@ -44,14 +44,17 @@ pub fn tables(cells: &[Cell], linkages: &[Row]) -> String {
             }
         });
         text += "\n";
-        text += &passes(linkages, "Largest energy error of a run that ended, relative to the kinetic energy at the start.", |row| {
-            format!("{:.0e}", row.worst(|errors| errors.energy))
-        });
+        text += &passes(
+            linkages,
+            "Largest energy error of a run that ended, relative to the kinetic energy at the start.",
+            |row| format!("{:.0e}", row.worst(|errors| errors.energy)),
+        );
         text += "\n";
         text += &passes(linkages, "Steps of a run, mean.", |row| format!("{:.0}", row.steps()));
         text += "\nCauses of the errors:\n\n";
         for row in linkages.iter().filter(|row| !row.causes().is_empty()) {
-            let causes: Vec<String> = row.causes().into_iter().map(|(cause, n)| format!("{n} `{cause}`")).collect();
+            let causes: Vec<String> =
+                row.causes().into_iter().map(|(cause, n)| format!("{n} `{cause}`")).collect();
             let _ = writeln!(text, "* {}, {}: {}", row.case, row.method.name(), causes.join(", "));
         }
     }
@@ -61,9 +64,9 @@ pub fn tables(cells: &[Cell], linkages: &[Row]) -> String {
 /// The tasks whose energy is conserved, as far as some method shows a drift.
 fn conservative(cells: &[Cell]) -> Vec<Cell> {
     let drifts = |task: &str| {
-        cells.iter().any(|cell| {
-            cell.task == task && matches!(cell.outcome, Outcome::Done { drift: Some(_), .. })
-        })
+        cells
+            .iter()
+            .any(|cell| cell.task == task && matches!(cell.outcome, Outcome::Done { drift: Some(_), .. }))
     };
     cells.iter().filter(|cell| drifts(cell.task)).cloned().collect()
 }

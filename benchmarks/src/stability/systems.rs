@@ -1,10 +1,8 @@
 //! The systems of the page, each with what makes one thing hard.
 
-use std::marker::PhantomData;
-
 use lagrangian::prelude::*;
 
-/// A mass that damping of rate 10⁴ pulls to a moving place: after y. Prothero and A. Robinson (Math. Comp. 28 (1974) 145), x = cos t
+/// A mass that damping of rate 10⁴ pulls to a moving place: after A. Prothero and A. Robinson (Math. Comp. 28 (1974) 145), x = cos t
 /// is a motion whatever the rates are, here 1 and `rate`.
 #[derive(Clone, Copy, Debug)]
 pub struct Relaxing {
@@ -187,36 +185,36 @@ impl Thrice {
 
 /// A parallelogram of three uniform bars of 1 m and 1 kg on a ground of 1 m.
 #[derive(Clone, Copy, Debug)]
-pub struct Parallelogram<R>(pub PhantomData<R>);
+pub struct Parallelogram;
 
 #[lagrangian(coordinates = [a, b, c], jacobians)]
-impl<R: Real> Parallelogram<R> {
-    fn along(angle: R) -> Vector2<R> {
+impl Parallelogram {
+    fn along(angle: f64) -> Vector2<f64> {
         Vector2::new(angle.cos(), angle.sin())
     }
 
     #[body(mass = 1.0, inertia = 1.0 / 12.0)]
-    fn crank(&self, q: &Coordinates<R>) -> (Vector2<R>, R) {
+    fn crank(&self, q: &Coordinates) -> (Vector2<f64>, f64) {
         (Self::along(q.a) * 0.5, q.a)
     }
 
     #[body(mass = 1.0, inertia = 1.0 / 12.0)]
-    fn coupler(&self, q: &Coordinates<R>) -> (Vector2<R>, R) {
+    fn coupler(&self, q: &Coordinates) -> (Vector2<f64>, f64) {
         (Self::along(q.a) + Self::along(q.b) * 0.5, q.b)
     }
 
     #[body(mass = 1.0, inertia = 1.0 / 12.0)]
-    fn rocker(&self, q: &Coordinates<R>) -> (Vector2<R>, R) {
+    fn rocker(&self, q: &Coordinates) -> (Vector2<f64>, f64) {
         (Vector2::new(1.0, 0.0) + Self::along(q.c) * 0.5, q.c)
     }
 
     #[potential]
-    fn gravity(&self, q: &Coordinates<R>) -> R {
+    fn gravity(&self, q: &Coordinates) -> f64 {
         9.81 * (self.crank(q).0.y + self.coupler(q).0.y + self.rocker(q).0.y)
     }
 
     #[holonomic]
-    fn hinge(&self, q: &Coordinates<R>) -> Vector2<R> {
+    fn hinge(&self, q: &Coordinates) -> Vector2<f64> {
         Self::along(q.a) + Self::along(q.b) - Self::along(q.c) - Vector2::new(1.0, 0.0)
     }
 }

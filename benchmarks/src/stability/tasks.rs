@@ -1,7 +1,6 @@
 //! The tasks: rows of the tables.
 
 use std::error::Error;
-use std::marker::PhantomData;
 
 use lagrangian::prelude::*;
 
@@ -56,11 +55,7 @@ pub fn rows() -> Result<Vec<Row>, Box<dyn Error>> {
 }
 
 /// Distance from a state that is known, in units of a length.
-fn from<R: Real + Into<f64>, const N: usize>(
-    problem: &Problem,
-    origin: f64,
-    size: f64,
-) -> Measure<R, N> {
+fn from<R: Real + Into<f64>, const N: usize>(problem: &Problem, origin: f64, size: f64) -> Measure<R, N> {
     let problem = problem.clone();
     Measure::End(Box::new(move |state| {
         let place = |x: R| (x.into() - origin) / size;
@@ -168,18 +163,15 @@ fn galaxy(name: &'static str, problem: &Problem, size: f64, mass: f64) -> Vec<Ce
 fn singular() -> Vec<Cell> {
     // Each start is that much before the flat position, where it arrives in the first tenth of the run.
     let starts: Vec<f64> = (0..16).map(|i| -10_f64.powf(-6.0 + 5.0 * f64::from(i) / 15.0)).collect();
-    // Cranks and coupler turn as one pendulum, a point of 5/3 kg with a weight of 2 kg at 1 m: its energy and its place at the end are
-    // compared with those of the free angle.
-    let system = Parallelogram(PhantomData::<f64>);
     let flat = |state: &State<f64, 3>| state.q[1].sin().abs().max((state.q[2] - state.q[0]).sin().abs());
     let curve = |s: f64| ([s, 0.0, s], [1.0, 0.0, 1.0]);
     let runs: Vec<_> = starts
         .into_iter()
-        .filter_map(|a| super::singular::along(Parallelogram(PhantomData::<f64>), curve, a, 5.0, 0.5, 0.1))
+        .filter_map(|a| super::singular::along(Parallelogram, curve, a, 5.0, 0.5, 0.1))
         .collect();
     let task = Task {
         name: "singular",
-        system,
+        system: Parallelogram,
         starts: runs.iter().map(|run| run.start).collect(),
         span: 0.5,
         steps: 512,
@@ -189,7 +181,7 @@ fn singular() -> Vec<Cell> {
             .map(|run| {
                 Measure::End(Box::new(move |state: &State<f64, 3>| {
                     flat(state).max((state.q[0] - run.end.q[0]).abs())
-                }) as Box<dyn Fn(&State<f64, 3>) -> f64>)
+                }))
             })
             .collect(),
         condition: 10.0,

@@ -1,4 +1,4 @@
-//! Counts over the runs of a case by a method, as a table.
+//! Counts over the runs of a case by a method.
 
 use std::collections::BTreeMap;
 
@@ -24,6 +24,8 @@ pub struct Record {
     energy_wrong: usize,
     place_wrong: usize,
     errors: BTreeMap<String, usize>,
+    /// Offset of the wrong run that starts furthest away [rad].
+    example: Option<f64>,
     worst_energy: f64,
     worst_place: f64,
     steps: f64,
@@ -42,6 +44,7 @@ impl Row {
             energy_wrong,
             place_wrong,
             errors: self.causes().into_iter().map(|(cause, n)| (cause.to_owned(), n)).collect(),
+            example: self.example().map(|outcome| outcome.offset),
             worst_energy: self.worst(|errors| errors.energy),
             worst_place: self.worst(|errors| errors.place),
             steps: self.steps(),
@@ -57,9 +60,11 @@ impl Row {
     }
 
     /// The wrong run with the largest offset: the easiest to look into.
-    pub fn example(&self) -> Option<&Outcome> {
-        let wrong =
-            self.outcomes.iter().filter(|outcome| outcome.result.as_ref().is_ok_and(|errors| errors.are_wrong()));
+    fn example(&self) -> Option<&Outcome> {
+        let wrong = self
+            .outcomes
+            .iter()
+            .filter(|outcome| outcome.result.as_ref().is_ok_and(|errors| errors.are_wrong()));
         wrong.max_by(|a, b| a.offset.abs().total_cmp(&b.offset.abs()))
     }
 
@@ -84,27 +89,7 @@ impl Row {
     }
 
     /// The mean of a number over all runs.
-    fn mean(&self, of: impl Fn(&Outcome) -> f64) -> f64 {
+    pub fn mean(&self, of: impl Fn(&Outcome) -> f64) -> f64 {
         self.outcomes.iter().map(of).sum::<f64>() / self.outcomes.len().max(1) as f64
     }
-
-    /// A line of the table.
-    pub fn line(&self) -> String {
-        let (energy, place) = self.wrong();
-        let causes: Vec<String> = self.causes().into_iter().map(|(cause, n)| format!("{n} {cause}")).collect();
-        let (steps, us) = (self.steps(), self.mean(|outcome| outcome.us));
-        format!(
-            "| {} | {} | {} | {energy} | {place} | {:.1e} | {:.1e} | {steps:.0} | {us:.0} | {} |",
-            self.case,
-            self.method.name(),
-            self.outcomes.len(),
-            self.worst(|errors| errors.energy),
-            self.worst(|errors| errors.place),
-            if causes.is_empty() { "–".to_owned() } else { causes.join(", ") }
-        )
-    }
 }
-
-/// The head of the table.
-pub const HEAD: &str = "| case | method | runs | energy wrong | place wrong | worst energy error | worst place error | steps | µs | errors |\n\
-    | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |";

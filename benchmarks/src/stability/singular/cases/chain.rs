@@ -3,9 +3,9 @@
 
 use lagrangian::prelude::*;
 
-use super::Starts;
 use super::super::curve::offsets;
 use super::super::runs::Run;
+use super::Starts;
 
 /// Uniform rods of 1 m.
 #[derive(Clone, Copy, Debug)]
@@ -16,31 +16,36 @@ pub struct Chain {
 
 #[lagrangian(coordinates = [angle: [4]])]
 impl Chain {
+    fn along(angle: f64) -> Vector2<f64> {
+        Vector2::new(angle.cos(), angle.sin())
+    }
+
+    /// Where a rod begins.
+    fn joint(q: &Coordinates, rod: usize) -> Vector2<f64> {
+        let mut place = Vector2::zeros();
+        for angle in q.angle.iter().take(rod) {
+            place += Self::along(*angle);
+        }
+        place
+    }
+
     #[body(mass = self.m[..], inertia = [self.m[0] / 12.0, self.m[1] / 12.0, self.m[2] / 12.0, self.m[3] / 12.0])]
     fn rods(&self, q: &Coordinates) -> [(Vector2<f64>, f64); 4] {
-        let mut rods = [(Vector2::zeros(), 0.0); 4];
-        let mut end = Vector2::zeros();
-        for i in 0..4 {
-            let rod = Vector2::new(q.angle[i].cos(), q.angle[i].sin());
-            rods[i] = (end + 0.5 * rod, q.angle[i]);
-            end += rod;
-        }
-        rods
+        core::array::from_fn(|i| (Self::joint(q, i) + 0.5 * Self::along(q.angle[i]), q.angle[i]))
     }
 
     #[potential]
     fn gravity(&self, q: &Coordinates) -> f64 {
         let rods = self.rods(q);
-        9.81 * (self.m[0] * rods[0].0.y + self.m[1] * rods[1].0.y + self.m[2] * rods[2].0.y + self.m[3] * rods[3].0.y)
+        9.81 * (self.m[0] * rods[0].0.y
+            + self.m[1] * rods[1].0.y
+            + self.m[2] * rods[2].0.y
+            + self.m[3] * rods[3].0.y)
     }
 
     #[holonomic]
     fn end(&self, q: &Coordinates) -> Vector2<f64> {
-        let mut end = Vector2::zeros();
-        for angle in q.angle {
-            end += Vector2::new(angle.cos(), angle.sin());
-        }
-        end
+        Self::joint(q, 4)
     }
 }
 
@@ -62,7 +67,10 @@ impl Rhombus {
     #[potential]
     fn gravity(&self, q: &Coordinates) -> f64 {
         let rods = self.rods(q);
-        9.81 * (self.m[0] * rods[0].0.y + self.m[1] * rods[1].0.y + self.m[2] * rods[2].0.y + self.m[3] * rods[3].0.y)
+        9.81 * (self.m[0] * rods[0].0.y
+            + self.m[1] * rods[1].0.y
+            + self.m[2] * rods[2].0.y
+            + self.m[3] * rods[3].0.y)
     }
 }
 

@@ -2,8 +2,8 @@
 
 use lagrangian::prelude::*;
 
-use super::Starts;
 use super::super::curve::{Point, offsets, run};
+use super::Starts;
 
 /// One coupler on several cranks.
 macro_rules! cranks {
@@ -78,14 +78,11 @@ impl Row4 {
 
     #[body(mass = 1.0, inertia = 0.08)]
     fn couplers(&self, q: &Coordinates) -> [(Vector2<f64>, f64); 3] {
-        let mut bodies = [(Vector2::zeros(), 0.0); 3];
-        let mut foot = Vector2::zeros();
-        for i in 0..3 {
+        core::array::from_fn(|i| {
             let middle = 0.5 * Self::GAPS[i] * Self::along(q.coupler[i]);
-            bodies[i] = (foot + Self::along(q.crank[i]) + middle, q.coupler[i]);
-            foot.x += Self::GAPS[i];
-        }
-        bodies
+            let foot = Vector2::new(Self::GAPS.iter().take(i).sum(), 0.0);
+            (foot + Self::along(q.crank[i]) + middle, q.coupler[i])
+        })
     }
 
     #[potential]

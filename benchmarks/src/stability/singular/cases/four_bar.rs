@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use lagrangian::prelude::*;
 
-use super::Starts;
 use super::super::curve::{Point, Random, offsets, run};
 use super::super::runs::Run;
+use super::Starts;
 
 /// Three moving bars (crank, coupler, rocker) and the ground.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,8 @@ impl FourBar {
     #[potential]
     fn gravity(&self, q: &Coordinates) -> f64 {
         let down = Vector2::new(self.g[0], self.g[1]);
-        -(self.m[0] * self.crank(q).0 + self.m[1] * self.coupler(q).0 + self.m[2] * self.rocker(q).0).dot(&down)
+        -(self.m[0] * self.crank(q).0 + self.m[1] * self.coupler(q).0 + self.m[2] * self.rocker(q).0)
+            .dot(&down)
     }
 
     #[holonomic]
@@ -86,7 +87,10 @@ fn parallel(s: f64) -> Point<3> {
 
 /// The table of the design: equal bars, through flat or away from it at 5 rad/s.
 pub fn equal(count: usize) -> Starts<FourBar, 3> {
-    Starts { name: "angles", runs: offsets(count).filter_map(|d| run(EQUAL, parallel, d, 5.0, SPAN, SHARE)).collect() }
+    Starts {
+        name: "angles",
+        runs: offsets(count).filter_map(|d| run(EQUAL, parallel, d, 5.0, SPAN, SHARE)).collect(),
+    }
 }
 
 /// Masses and proportions of the parallelogram at random, in both directions.
@@ -135,7 +139,8 @@ fn flat(offset: f64, random: &mut Random) -> Option<Run<FourBar, 3>> {
     let ground = signed[0] + signed[1] - signed[2];
     // Proportions that are almost those of a parallelogram or a kite have another singular position at once.
     let apart = |a: f64, b: f64| (a.abs() - b.abs()).abs() > 0.1;
-    if ground < 0.2 || !apart(l[0], l[2]) || !apart(l[1], l[2]) || !apart(l[0], l[1]) || !apart(l[2], ground) {
+    if ground < 0.2 || !apart(l[0], l[2]) || !apart(l[1], l[2]) || !apart(l[0], l[1]) || !apart(l[2], ground)
+    {
         return None;
     }
     let down = random.between(-PI, PI);
@@ -186,14 +191,12 @@ impl Conic {
         let side = (middle + half).signum();
         let (k, k1) = ((middle + half * s.cos()) * side, -half * s.sin() * side);
         let (u, u1) = (self.u * s.sin(), self.u * s.cos());
-        let (crank, crank1) =
-            (2.0 * (u * side).atan2(k), 2.0 * side * (u1 * k - u * k1) / (k * k + u * u));
+        let (crank, crank1) = (2.0 * (u * side).atan2(k), 2.0 * side * (u1 * k - u * k1) / (k * k + u * u));
         let (rocker, rocker1) = (2.0 * u.atan(), 2.0 * u1 / (1.0 + u * u));
         let x = self.ground + c * rocker.cos() - a * crank.cos();
         let y = c * rocker.sin() - a * crank.sin();
         let coupler = (y / b).atan2(x / b);
-        let coupler1 =
-            (c * rocker1 * (rocker - coupler).cos() - a * crank1 * (crank - coupler).cos()) / b;
+        let coupler1 = (c * rocker1 * (rocker - coupler).cos() - a * crank1 * (crank - coupler).cos()) / b;
         ([crank, coupler, rocker], [crank1, coupler1, rocker1])
     }
 }

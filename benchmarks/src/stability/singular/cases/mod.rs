@@ -17,8 +17,6 @@ use super::table::Row;
 
 /// Starts of one kind of linkage, whatever its type.
 pub trait Case {
-    /// Its name in all reports.
-    fn name(&self) -> &'static str;
     /// All runs by a method.
     fn measure(&self, method: Method) -> Row;
 }
@@ -33,10 +31,6 @@ impl<S, const N: usize> Case for Starts<S, N>
 where
     S: System<N, 0, Scalar = f64> + Smooth<N, 0>,
 {
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
     fn measure(&self, method: Method) -> Row {
         Row { case: self.name, method, outcomes: self.runs.iter().map(|run| run.measure(method)).collect() }
     }

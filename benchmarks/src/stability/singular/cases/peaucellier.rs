@@ -4,8 +4,8 @@
 
 use lagrangian::prelude::*;
 
-use super::Starts;
 use super::super::curve::{Point, offsets, run};
+use super::Starts;
 
 /// By the places of the four joints: the led one, the two at the long rods, the one on the line; 1 kg each.
 #[derive(Clone, Copy, Debug)]

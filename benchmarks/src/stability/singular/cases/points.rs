@@ -2,8 +2,8 @@
 
 use lagrangian::prelude::*;
 
-use super::Starts;
 use super::super::curve::{Point, Random, offsets, run};
+use super::Starts;
 
 /// Uniform bars between joints that have masses of their own.
 #[derive(Clone, Copy, Debug)]
@@ -52,11 +52,7 @@ impl Joints {
 }
 
 /// Starts of one linkage each.
-fn starts(
-    name: &'static str,
-    count: usize,
-    mut system: impl FnMut() -> (Joints, f64),
-) -> Starts<Joints, 4> {
+fn starts(name: &'static str, count: usize, mut system: impl FnMut() -> (Joints, f64)) -> Starts<Joints, 4> {
     let runs = offsets(count).filter_map(|d| {
         let (system, rate) = system();
         let [l, ground] = system.l;

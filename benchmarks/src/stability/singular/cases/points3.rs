@@ -2,8 +2,8 @@
 
 use lagrangian::prelude::*;
 
-use super::Starts;
 use super::super::curve::{Point, offsets, run};
+use super::Starts;
 
 /// Bars of 1 m without mass between joints of 1 kg and 1.5 kg.
 #[derive(Clone, Copy, Debug)]
@@ -58,5 +58,8 @@ fn curve(s: f64) -> Point<6> {
 
 /// Through flat at 5 rad/s.
 pub fn starts(count: usize) -> Starts<Leaning, 6> {
-    Starts { name: "points3", runs: offsets(count).filter_map(|d| run(Leaning, curve, d, 5.0, 0.5, 0.1)).collect() }
+    Starts {
+        name: "points3",
+        runs: offsets(count).filter_map(|d| run(Leaning, curve, d, 5.0, 0.5, 0.1)).collect(),
+    }
 }

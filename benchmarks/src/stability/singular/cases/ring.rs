@@ -5,9 +5,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use lagrangian::prelude::*;
 
-use super::Starts;
 use super::super::curve::offsets;
 use super::super::runs::Run;
+use super::Starts;
 
 /// With three rows for the rotation.
 #[derive(Clone, Copy, Debug)]
@@ -76,10 +76,10 @@ pub fn starts(count: usize) -> Starts<Ring, 6> {
     let Ok(rest) = Lean.consistent(rest) else { return Starts { name: "ring", runs: Vec::new() } };
     let mut lean = Lean.simulate(rest).with_tolerance(1e-14);
     let mut at = |t: f64| lean.advance_to(t).copied().ok();
-    let mut run = |from: f64| {
+    let run = |from: f64| {
         let start = at(NARROW + from)?.at_time(0.0);
         let regular = at(NARROW + from + 0.15)?.at_time(0.15);
         Some(Run { system: Ring, start, offset: from, regular, end: at(NARROW + from + 0.25)?.at_time(0.25) })
     };
-    Starts { name: "ring", runs: offsets(count).filter_map(|d| run(d)).collect() }
+    Starts { name: "ring", runs: offsets(count).filter_map(run).collect() }
 }

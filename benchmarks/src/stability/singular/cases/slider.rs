@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use lagrangian::prelude::*;
 
-use super::Starts;
 use super::super::curve::{Point, Random, offsets, run};
+use super::Starts;
 
 /// Equal bars.
 #[derive(Clone, Copy, Debug)]
