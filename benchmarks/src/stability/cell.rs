@@ -270,3 +270,23 @@ where
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn growth_has_its_exponent() {
+        let octaves = std::array::from_fn(|i| 1e-9 * 2.0_f64.powf(1.5 * i as f64));
+        let exponent = Growth { octaves }.exponent(f64::EPSILON).expect("growth");
+        assert!((exponent - 1.5).abs() < 1e-12, "{exponent}");
+        assert_eq!(Growth { octaves: [1e-15; 6] }.exponent(f64::EPSILON), None);
+    }
+
+    #[test]
+    fn what_is_no_number_is_wrong() {
+        let done = |error, allowed| Outcome::Done { error, allowed, drift: None, us: 0.0, steps: 0 };
+        assert!(done(f64::NAN, Some(1.0)).is_silently_wrong() && done(f64::NAN, None).is_silently_wrong());
+        assert!(done(2.0, Some(1.0)).is_silently_wrong() && !done(0.5, Some(1.0)).is_silently_wrong());
+    }
+}

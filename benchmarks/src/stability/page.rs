@@ -18,7 +18,7 @@ pub fn write(cells: &[Cell], linkages: &[Row]) -> String {
         machine::compiler(),
         machine::date()
     );
-    format!("{}\n{built}\n{}", GUIDE.trim_end(), tables(cells, linkages))
+    format!("{}\n\n{built}\n{}", GUIDE.trim_end(), tables(cells, linkages))
 }
 
 /// All tables, as far as something was measured.

@@ -80,9 +80,15 @@ where
         }
         (s, left) = (next, left - needed);
     }
-    let from = s;
-    for _ in 0..8 {
+    // The end is in the next interval, and so are Newton's iterates: speeds beyond it may be no numbers.
+    let (from, next) = (s, s + direction * INTERVAL);
+    for _ in 0..20 {
         s += direction * speed(s) * (left - time(from, s));
+        s = s.clamp(from.min(next), from.max(next));
+    }
+    let missed = (left - time(from, s)).abs();
+    if missed.is_nan() || missed > 1e-14 * span.max(1.0) {
+        return None;
     }
     let (q, tangent) = curve(s);
     let v = tangent.map(|x| x * direction * speed(s));

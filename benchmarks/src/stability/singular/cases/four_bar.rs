@@ -200,3 +200,28 @@ impl Conic {
         ([crank, coupler, rocker], [crank1, coupler1, rocker1])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Starts, later states and ends: the curve is that of the constraints, and so is its tangent.
+    #[test]
+    fn curves_are_on_the_constraints() {
+        let starts = [equal(20), unequal(20), random(200)];
+        assert!(starts.iter().all(|starts| starts.runs.len() >= 19));
+        for run in starts.iter().flat_map(|starts| &starts.runs) {
+            for state in [run.start, run.regular, run.end] {
+                let fastest = state.v.iter().fold(1.0_f64, |max, v| max.max(v.abs()));
+                for residual in run.system.constraint_residuals(&state) {
+                    assert!(residual.abs() < 1e-14, "{residual:e}");
+                }
+                for rate in run.system.constraint_rates(&state) {
+                    assert!(rate.abs() < 1e-13 * fastest, "{rate:e}");
+                }
+            }
+            let energy = run.system.energy(&run.start);
+            assert!((run.system.energy(&run.end) - energy).abs() < 1e-12 * (1.0 + energy.abs()));
+        }
+    }
+}
