@@ -1,4 +1,4 @@
-//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report`.
+//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report | stability`.
 //!
 //! A figure counts only as a ratio within one run: all subjects of a system are timed in turn,
 //! on the same states, and absolute times drift between machines.
@@ -10,6 +10,7 @@ mod problem;
 mod record;
 mod report;
 mod rhs;
+mod stability;
 mod systems;
 
 use std::error::Error;
@@ -88,6 +89,14 @@ enum Benchmark {
         #[command(flatten)]
         runs: Runs,
     },
+    /// All integrators on what is hard for integrators, into STABILITY.md and its picture.
+    Stability {
+        #[command(flatten)]
+        common: Common,
+        /// Starts each linkage hundreds of times instead of dozens: ten times as long.
+        #[arg(long)]
+        full: bool,
+    },
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -101,6 +110,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         Benchmark::Report { common: Common { system, json }, runs } => {
             report::run(system.as_deref(), json.as_deref(), runs.prepare()?)
+        }
+        Benchmark::Stability { common: Common { system, json }, full } => {
+            native::pin();
+            stability::run(system.as_deref(), json.as_deref(), full)
         }
     }
 }

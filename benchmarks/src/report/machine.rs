@@ -36,7 +36,7 @@ fn locked(lock: &str, name: &str) -> Option<String> {
 }
 
 /// The processor's own name, where the system tells.
-fn processor() -> String {
+pub fn processor() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let names: Vec<&str> = text.lines().filter(|line| line.starts_with("model name")).collect();
     match names.first().and_then(|line| line.split_once(':')) {
@@ -46,14 +46,14 @@ fn processor() -> String {
 }
 
 /// Name and version of the compiler.
-fn compiler() -> String {
+pub fn compiler() -> String {
     let output = Command::new("rustc").arg("--version").output();
     let text = output.ok().and_then(|output| String::from_utf8(output.stdout).ok());
     text.map_or_else(|| "rustc".to_owned(), |text| text.trim().to_owned())
 }
 
 /// Today, UTC.
-fn date() -> String {
+pub fn date() -> String {
     calendar(SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs()) / 86_400)
 }
 

@@ -1,6 +1,6 @@
 //! The report: ours and all peers in one run on one core, as tables and plots.
 
-mod machine;
+pub mod machine;
 mod tables;
 
 use std::error::Error;
