@@ -146,7 +146,7 @@ const _: () = {
             let motor @ _ = ();
             let _: fn(
                 &lagrange::nalgebra::Vector2<R>,
-            ) -> lagrange::nalgebra::Vector2<R> = Vector2::clone;
+            ) -> lagrange::nalgebra::Vector2<R> = <Vector2<R>>::clone;
         }
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
 

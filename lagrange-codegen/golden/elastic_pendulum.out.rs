@@ -151,7 +151,7 @@ const _: () = {
             let motor @ _ = ();
             let _: fn(
                 &lagrange::nalgebra::Vector2<f64>,
-            ) -> lagrange::nalgebra::Vector2<f64> = Vector2::clone;
+            ) -> lagrange::nalgebra::Vector2<f64> = <Vector2<f64>>::clone;
         }
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
 

@@ -136,7 +136,7 @@ const _: () = {
             let psi @ _ = ();
             let _: fn(
                 &lagrange::nalgebra::Isometry3<f64>,
-            ) -> lagrange::nalgebra::Isometry3<f64> = Isometry3::clone;
+            ) -> lagrange::nalgebra::Isometry3<f64> = <Isometry3<f64>>::clone;
             let _: fn(
                 &lagrange::nalgebra::Vector3<f64>,
             ) -> lagrange::nalgebra::Vector3<f64> = Vector3::clone;

@@ -140,7 +140,7 @@ mass·length²·θ̈ + mass·length·g sin θ − mass·length²·rate²·sin θ
             let theta @ _ = ();
             let _: fn(
                 &lagrange::nalgebra::Vector3<f64>,
-            ) -> lagrange::nalgebra::Vector3<f64> = Vector3::clone;
+            ) -> lagrange::nalgebra::Vector3<f64> = <Vector3<f64>>::clone;
         }
         /**Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t).
 

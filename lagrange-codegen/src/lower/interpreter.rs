@@ -138,7 +138,12 @@ impl<'a> Interpreter<'a> {
 
     /// Notes what rustc has to confirm: a statement that compiles only if a name means what it was taken for.
     pub fn meaning(&mut self, statement: String, origin: Origin) {
-        if self.meant.insert(statement.clone(), ()).is_none() {
+        self.meant(statement.clone(), statement, origin);
+    }
+
+    /// The same for a name of which one confirmation is enough.
+    pub fn meant(&mut self, name: String, statement: String, origin: Origin) {
+        if self.meant.insert(name, ()).is_none() {
             self.model.meanings.push(Meaning { statement, origin });
         }
     }

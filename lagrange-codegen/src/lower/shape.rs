@@ -9,7 +9,7 @@ use crate::expr::NodeId;
 use crate::syntax::Record;
 use crate::syntax::body::Expr;
 use crate::syntax::integers::Integers;
-use crate::syntax::types::{Type, TypeKind};
+use crate::syntax::types::{Meaning, Type, TypeKind};
 
 /// A resolved type.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,8 +78,8 @@ const LARGEST_MATRIX: usize = 10_000;
 impl<'a> Interpreter<'a> {
     /// Resolves a type. Unknown types and wrong lengths tell nothing: rustc complains.
     pub fn shape(&mut self, ty: &'a Type) -> Shape {
-        if let Some(statement) = &ty.meaning {
-            self.meaning(statement.to_string(), ty.origin);
+        if let Some(Meaning { path, statement }) = &ty.meaning {
+            self.meant(path.to_string(), statement.to_string(), ty.origin);
         }
         match &ty.kind {
             TypeKind::OtherFloat => {

@@ -16,9 +16,18 @@ pub struct Type {
     /// What it is.
     pub kind: TypeKind,
     /// Rust that compiles only if it is nalgebra's type of this name.
-    pub meaning: Option<Name>,
+    pub meaning: Option<Meaning>,
     /// As the user wrote it.
     pub written: Name,
+}
+
+/// What confirms that a type is nalgebra's.
+#[derive(Clone, Debug)]
+pub struct Meaning {
+    /// The path without generic arguments: it is confirmed once.
+    pub path: Name,
+    /// A statement that compiles only then.
+    pub statement: Name,
 }
 
 /// The types of the language. Lengths are expressions: literals or constants of the block.
@@ -117,7 +126,7 @@ impl Translator<'_> {
 
     /// A function that takes nalgebra's type of a name, assigned from one of the type that the user calls so. In an expression
     /// the compiler finds out the generic arguments that the user left out.
-    fn meaning(&mut self, segments: &[&syn::PathSegment], whole: &syn::Path) -> Name {
+    fn meaning(&mut self, segments: &[&syn::PathSegment], whole: &syn::Path) -> Meaning {
         // Without generic arguments, so that a type is confirmed once.
         let segments_only = segments.iter().map(|segment| syn::PathSegment::from(segment.ident.clone()));
         let path = syn::Path { leading_colon: whole.leading_colon, segments: segments_only.collect() };
@@ -126,9 +135,17 @@ impl Translator<'_> {
             None => String::new(),
         };
         let text = self.text(&path);
-        let function = format!("{text}::clone");
+        let function = match segments.last().map(|last| &last.arguments) {
+            Some(PathArguments::AngleBracketed(_)) => {
+                let segments = segments.iter().copied().cloned().collect();
+                let full = syn::Path { leading_colon: whole.leading_colon, segments };
+                format!("<{}>::clone", self.text(&full))
+            }
+            _ => format!("{text}::clone"),
+        };
         let theirs = if whole.leading_colon.is_some() { function.into() } else { self.imported(&function) };
-        format!("let _: fn(&{ours}) -> {ours} = {theirs};").into()
+        let path = if whole.leading_colon.is_some() { text } else { self.imported(&text) };
+        Meaning { path, statement: format!("let _: fn(&{ours}) -> {ours} = {theirs};").into() }
     }
 
     /// Nalgebra's type of a name with the generic arguments as written, of the scalar where there are none.
