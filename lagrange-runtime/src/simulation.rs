@@ -263,7 +263,7 @@ where
         }
         self.system.check_start_at(&self.constants, &self.state).map_err(failed)?;
         let mut start = self.state;
-        self.system.project_at(&self.constants, &mut start).map_err(failed)?;
+        self.system.project_at(&self.constants, &mut start, None).map_err(failed)?;
         self.state = start;
         M::restart(&mut self.memory, start);
         Ok(())

@@ -14,6 +14,7 @@ use num_traits::Zero;
 use super::Field;
 use super::adaptive::Steps;
 use super::dense::Dense;
+use super::landing::Determined;
 use super::step_size::{self, Limits};
 use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
 use crate::error::{Cause, MotionError};
@@ -48,6 +49,8 @@ pub struct Dop853Memory<R, const N: usize> {
     /// Polynomial through the step, once a sample has asked for it.
     pub(crate) dense: Option<Dense<R, N>>,
     pub(crate) counts: Steps,
+    /// What constraints have determined so far; `None` before the first step.
+    pub(crate) determined: Option<Determined<R>>,
 }
 
 /// The weighted sum Σⱼ `weights[j]` `slopes[j]` of the first `M` slopes. `weights[0]` is not zero.
@@ -109,6 +112,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             length: R::zero(),
             dense: None,
             counts: Steps::default(),
+            determined: None,
         }
     }
 
@@ -138,6 +142,17 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             self.slope = Some(self.slopes[0]);
             self.dense = None;
         }
+    }
+
+    /// Returns to the start of the step, to take another of this `length` \[s].
+    pub(crate) fn retry(&mut self, length: R) {
+        self.rewind();
+        self.length = length;
+    }
+
+    /// The length of the next step \[s]; zero if not known.
+    pub(crate) fn length(&self) -> R {
+        self.length
     }
 
     /// Whether `t` lies in the step, ends included.

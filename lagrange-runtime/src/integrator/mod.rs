@@ -9,6 +9,7 @@ pub(crate) mod dop853;
 mod gauss;
 mod jet;
 pub(crate) mod jets;
+pub(crate) mod landing;
 mod rk4;
 #[cfg(test)]
 pub(crate) mod samples;

@@ -218,7 +218,7 @@ where
                 let (system, mut varied) = (over(self.system, first), free.varied(first));
                 let constants = system.constants();
                 system.check_start_at(&constants, &varied).map_err(failed)?;
-                system.project_at(&constants, &mut varied).map_err(failed)?;
+                system.project_at(&constants, &mut varied, None).map_err(failed)?;
                 transition.take(first, &varied);
             }
         }

@@ -46,10 +46,15 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
         String::new()
     } else {
         format!(
-            "#[inline]\nfn project_at(&self, _constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>) \
+            "#[inline]\nfn project_at(&self, _constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>, \
+             from: ::core::option::Option<&lagrange::State<{scalar}, {count}>>) \
              -> ::core::result::Result<(), lagrange::Cause> \
-             {{\nlagrange::constraints::project::<Self, {count}, {given}, {held}>(self, state)\n}}\n\
-             fn blur_at(&self, {place}) -> lagrange::Blur<{scalar}, {count}> {{\nlagrange::constraints::blur::<Self, {count}, {given}, {held}>(self, t, q, v)\n}}\n"
+             {{\nlagrange::constraints::project::<Self, {count}, {given}, {held}>(self, state, from)\n}}\n\
+             #[inline]\nfn land_at(&self, _constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>) \
+             -> ::core::result::Result<lagrange::Footing<{scalar}, {count}>, lagrange::Cause> \
+             {{\nlagrange::constraints::land::<Self, {count}, {given}, {held}>(self, state)\n}}\n\
+             fn uncertainty_at(&self, state: &lagrange::State<{scalar}, {count}>) -> lagrange::Uncertainty<{scalar}, {count}> \
+             {{\nlagrange::constraints::uncertainty::<Self, {count}, {given}, {held}>(self, state)\n}}\n"
         )
     };
     let energy = format!(
@@ -79,7 +84,7 @@ pub(in crate::emit) fn implementations(emission: &Emission<'_>) -> String {
          #[inline]\nfn reactions_at(&self, constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) \
          -> lagrange::Reactions<{record}<{scalar}>> {{\n\
          let balance = <Self as lagrange::Surface<{count}, {given}, {held}>>::balance_at(self, constants, t, q, v, u);\n\
-         lagrange::Reactions::new(balance.multipliers.into(), balance.rank == {held})\n}}\n"
+         lagrange::Reactions::new(balance.multipliers.into(), balance.independence.rank == {held})\n}}\n"
     )
 }
 

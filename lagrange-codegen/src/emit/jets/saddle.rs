@@ -132,8 +132,10 @@ impl SaddlePoint {
         }
         text.push_str(&body::lower_triangle(scalar, constraints, &schur));
         text.push_str(&format!(
-            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor(mass);\n\
-             if !{factors}.is_finite() || {factors}.vanishing().is_some() {{ return false; }}\n"
+            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor::<{count}>(mass, || ([{}], {}));\n\
+             if !{factors}.is_finite() || {factors}.vanishing().is_some() {{ return false; }}\n",
+            inverses.join(", "),
+            matrix(&gradients)
         ));
         (text, SaddleStart::Diagonal { inverses, gradients, weighted })
     }

@@ -4,8 +4,10 @@ use num_traits::{One, Zero};
 
 use super::super::adaptive::Steps;
 use super::super::dop853::add;
+use super::super::landing::Determined;
 use super::super::step_size::{self, Limits};
 use super::{DECAY, GROWTH, HIGHEST, SAFETY, last_term};
+use crate::error::Cause;
 use crate::real::{Ordered, Real, larger, smaller};
 use crate::smooth::Series;
 use crate::state::State;
@@ -32,8 +34,10 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) last: R,
     /// The largest accelerations that were met where steps were probed.
     pub(super) strongest: [R; N],
-    /// Shrinking steps that need not ask for the noise of constraints, because it was far from mattering.
-    pub(super) calm: u8,
+    /// What constraints have determined so far; `None` before the first step.
+    pub(super) determined: Option<Determined<R>>,
+    /// Ulps below which neither coordinates nor velocities are known through the constraints that couple them.
+    pub(super) ulps: [[R; N]; 2],
     pub(super) end: State<R, N>,
     pub(super) end_residue: State<R, N>,
     pub(super) counts: Steps,
@@ -55,7 +59,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             next: R::zero(),
             last: R::zero(),
             strongest: [R::zero(); N],
-            calm: 0,
+            determined: None,
+            ulps: [[R::zero(); N]; 2],
             end: start,
             end_residue: zero,
             counts: Steps::default(),
@@ -90,6 +95,17 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         state
     }
 
+    /// The state at `theta` units of the scaled time.
+    pub(super) fn place(&self, theta: R) -> State<R, N> {
+        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
+        let mut state = self.start.at_time(self.start.t + theta * self.unit);
+        for i in 0..N {
+            state.q[i] += gain_q[i];
+            state.v[i] += gain_v[i];
+        }
+        state
+    }
+
     /// Moves the end of the step to `length` units of the scaled time.
     #[inline]
     pub(super) fn reach(&mut self, length: R) {
@@ -99,6 +115,29 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             (self.end.q[i], self.end_residue.q[i]) = add(self.start.q[i], self.residue.q[i], gain_q[i]);
             (self.end.v[i], self.end_residue.v[i]) = add(self.start.v[i], self.residue.v[i], gain_v[i]);
         }
+    }
+
+    /// Time runs in the other direction: odd coefficients of the coordinates change their sign, and all of them the unit.
+    pub(super) fn turn(&mut self) {
+        self.unit = -self.unit;
+        for rows in [&mut self.series.q, &mut self.series.v] {
+            for row in rows.iter_mut().step_by(2) {
+                *row = row.map(|x| -x);
+            }
+        }
+    }
+
+    /// No step: the motion stays where it was, for this reason.
+    #[cold]
+    pub(super) fn stay(&mut self, cause: Cause) -> Cause {
+        (self.end, self.end_residue) = (self.start, self.residue);
+        cause
+    }
+
+    /// The shortest step that time resolves at the start \[s].
+    #[inline]
+    pub(super) fn resolution(&self) -> R {
+        R::from_f64(4.0) * R::epsilon() * self.start.t.abs() + step_size::smallest()
     }
 
     /// Replaces the end of the step by a state beside it.
@@ -132,25 +171,16 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// The size of a component is that of its first terms over `span`, which should be about the length itself. With
     /// `steady` the unit is the last step.
     ///
-    /// Terms below the `noise` of coordinates and velocities are nothing.
-    ///
     /// Of numbers with derivatives each component of each derivative has its own size, as coordinates have.
     #[inline]
-    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool, noise: [&[R; N]; 2]) -> R {
-        let length = |part| self.tolerated_by(limits, span, steady, noise, part);
+    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool) -> R {
+        let length = |part| self.tolerated_by(limits, span, steady, part);
         R::splat((1..R::PARTS).fold(length(0), |least, part| smaller(least, length(part))))
     }
 
     /// The same for the values or one of their derivatives.
     #[inline]
-    fn tolerated_by(
-        &self,
-        limits: &Limits<R>,
-        span: R,
-        steady: bool,
-        noise: [&[R; N]; 2],
-        part: usize,
-    ) -> R::Lane {
+    fn tolerated_by(&self, limits: &Limits<R>, span: R, steady: bool, part: usize) -> R::Lane {
         let (number, zero) = (R::Lane::from_f64, R::Lane::zero());
         let [relative, absolute, span] =
             [last_term(limits.relative), limits.absolute.unwrap_or_else(R::zero), span].map(Real::largest);
@@ -170,8 +200,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let whole = if part == 0 { R::Lane::one() } else { sizes.iter().flatten().fold(zero, column) };
         let absolute = number(SAFETY) * absolute * whole + step_size::smallest::<R::Lane>();
         let weights: [[R::Lane; N]; 2] = core::array::from_fn(|k| {
-            let noise = if part == 0 { *noise[k] } else { [R::zero(); N] };
-            core::array::from_fn(|i| (of(noise[i]) + (relative * sizes[k][i] + absolute)).recip())
+            let ulps = if part == 0 { self.ulps[k] } else { [R::zero(); N] };
+            core::array::from_fn(|i| (of(ulps[i]) + (relative * sizes[k][i] + absolute)).recip())
         });
         let term = |order: usize| {
             let (q, v) = (series.q.get(order - 1), series.v.get(order - 1));

@@ -1,0 +1,138 @@
+//! A motion that starts in a configuration in which constraints depend on each other.
+//!
+//! There the equations do not give the multipliers, and beside it they give them with few digits. But the motion is smooth, and
+//! a little later it is well determined. So the step is expanded about its **end**: a state on the constraints whose series
+//! leads back to the start. It is found by shooting, with free flight as the approximation of the flow, which leaves an error
+//! of the square of the time. The velocity of the start decides along which of the motions that meet there it goes on.
+
+use super::super::adaptive::Adaptive;
+use super::super::landing::Check;
+use super::super::step_size::Limits;
+use super::{Determined, Jets};
+use crate::constraints::Footing;
+use crate::error::Cause;
+use crate::linear::Independence;
+use crate::real::{Ordered, Real};
+use crate::simulation::Held;
+use crate::smooth::Smooth;
+use crate::state::State;
+
+/// Lengths of the step that are tried, each half of the one before, from half of the way to go.
+const LENGTHS: usize = 64;
+
+/// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over the time in which
+/// accelerations change.
+const CORRECTIONS: usize = 24;
+
+/// Takes the first step about its end. False where the constraints depend on each other beside the start as well, so that it is
+/// as good as any other state.
+///
+/// # Errors
+/// [`Cause::Undetermined`] where they are independent beside it, but no motion leads there with this velocity.
+#[cold]
+#[inline(never)]
+#[allow(clippy::too_many_arguments)]
+pub(super) fn start<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    constants: &S::Constants,
+    control: &Held<S::Scalar, K>,
+    limits: &Limits<S::Scalar>,
+    left: S::Scalar,
+    here: &Independence<S::Scalar>,
+) -> Result<bool, Cause>
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    let half = S::Scalar::from_f64(0.5);
+    let kept = *memory;
+    let mut time = half * left;
+    let mut leads_out = false;
+    for _ in 0..LENGTHS {
+        *memory = kept;
+        let mut beyond = kept.start.at_time(kept.start.t + time);
+        for (q, v) in beyond.q.iter_mut().zip(beyond.v) {
+            *q += time * v;
+        }
+        let there = if beyond.is_finite() { system.land_at(constants, &mut beyond).ok() } else { None };
+        if let Some(there) = there {
+            if there.independence.improves(here) {
+                leads_out = true;
+                if shoot(memory, system, constants, control, limits, &kept.start, beyond, &there) {
+                    memory.determined = Some(Determined::at_start(&there.independence));
+                    memory.ulps = [there.ulps_q, there.ulps_v];
+                    return Ok(true);
+                }
+            }
+        }
+        time *= half;
+    }
+    *memory = kept;
+    if leads_out {
+        let constraint = here.weakest;
+        return Err(memory.stay(Cause::Undetermined { constraint }));
+    }
+    Ok(false)
+}
+
+/// Moves `beyond` until its series leads to `from`. The memory then holds the step between them.
+#[allow(clippy::too_many_arguments)]
+fn shoot<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    constants: &S::Constants,
+    control: &Held<S::Scalar, K>,
+    limits: &Limits<S::Scalar>,
+    from: &State<S::Scalar, N>,
+    mut beyond: State<S::Scalar, N>,
+    footing: &Footing<S::Scalar, N>,
+) -> bool
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    let time = beyond.t - from.t;
+    let one: S::Scalar = num_traits::One::one();
+    // The end of the step stands for the start that it is to lead to.
+    let ahead = beyond;
+    let check = Check { system, constants, inputs: &control.0, limits, from: &ahead };
+    for _ in 0..CORRECTIONS {
+        memory.start = beyond;
+        memory.unit = -time;
+        memory.counts.evaluations += 1;
+        let super::JetsMemory { constants: jet, tables, series, orders, unit, .. } = memory;
+        let State { t, q, v } = &beyond;
+        if !system.jet_at(jet, *t, q, v, &control.0, *unit, *orders, tables, series)
+            || !memory.is_finite()
+            || memory.tolerated(limits, one, false) < one
+        {
+            return false;
+        }
+        let (gain_q, gain_v) = memory.series.gain(one, memory.orders);
+        let mut back = beyond.at_time(from.t);
+        for i in 0..N {
+            back.q[i] += gain_q[i];
+            back.v[i] += gain_v[i];
+        }
+        if !back.is_finite() {
+            return false;
+        }
+        if check.is_near(&back, from, footing, None) {
+            memory.series.recentre(one, memory.orders);
+            memory.turn();
+            (memory.start, memory.end) = (*from, beyond);
+            (memory.next, memory.last) = (time.abs(), time.abs());
+            return true;
+        }
+        for i in 0..N {
+            let (lack_q, lack_v) = (from.q[i] - back.q[i], from.v[i] - back.v[i]);
+            beyond.q[i] += lack_q + time * lack_v;
+            beyond.v[i] += lack_v;
+        }
+        if !beyond.is_finite() || system.project_at(constants, &mut beyond, None).is_err() {
+            return false;
+        }
+    }
+    false
+}
