@@ -341,6 +341,8 @@ impl Interpreter<'_> {
                 self.place(&index.expr, locals)?.at(&indices)
             }
             Expr::Field(field) => self.place(&field.base, locals)?.field_mut(&text(&field.member)),
+            // A table on the heap is a place like any other here.
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => self.place(&unary.expr, locals),
             _ => unknown(text(expr)),
         }
     }
