@@ -33,6 +33,7 @@ impl<R: Real> DoublePendulum<R> {
     }
 }
 
+/// Prints the upper angle and how many of its digits two runs in doubles have.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A parameter that is no double would differ between the two: then the decimal, "0.7".parse(), is what is meant.
     let exact = DoublePendulum { length: DoubleDouble::from(0.5) };
