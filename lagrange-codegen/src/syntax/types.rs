@@ -148,7 +148,7 @@ impl Translator<'_> {
         Meaning { path, statement: format!("let _: fn(&{ours}) -> {ours} = {theirs};").into() }
     }
 
-    /// Nalgebra's type of a name with the generic arguments as written, of the scalar where there are none.
+    /// The type of nalgebra that a name stands for. Generic arguments are those written, or else the scalar.
     fn ours(&mut self, segment: &syn::PathSegment) -> String {
         let written = generic_arguments(segment);
         let arguments: Vec<String> = match written.as_slice() {

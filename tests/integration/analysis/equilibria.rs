@@ -333,7 +333,7 @@ impl<R: Real> Well<R> {
 
 #[test]
 fn a_well_is_found_from_where_the_squares_of_its_forces_are_no_numbers() {
-    // exp(−81) squared is none in single precision, exp(−400) squared none in double.
+    // The square of exp(−81) underflows to zero in single precision, that of exp(−400) in double.
     for guess in [0.1, 0.6, 2.0, 8.0, 9.0] {
         let rest = Well { width: 1.0_f32 }.equilibrium([guess], &[]).unwrap();
         assert_eq!((rest.state.q, rest.stability), ([0.0], Stability::Stable), "{guess}");

@@ -122,7 +122,7 @@ impl Errors {
     }
 }
 
-/// The end of a motion by a method, or why there is none; and the steps.
+/// The end of a motion by a method, or the error that stopped it, and the number of steps.
 fn advance<S, const N: usize>(
     system: &S,
     start: State<f64, N>,

@@ -33,7 +33,7 @@ pub enum Stability {
         /// How many.
         directions: usize,
     },
-    /// So many independent motions grow: without gyroscopic forces these are the directions in which the potential energy
+    /// The number of independent motions that grow: without gyroscopic forces these are the directions in which the potential energy
     /// falls, one for a saddle between two valleys.
     Unstable {
         /// How many.
