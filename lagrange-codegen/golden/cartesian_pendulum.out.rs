@@ -265,7 +265,10 @@ A singular system, with its cause and the time.*/
             );
             lagrange::constraints::finite::<Self, 2, 0, 1>(self, state, &balance)?;
             ::core::result::Result::Ok(
-                lagrange::Reactions::new(balance.multipliers.into(), balance.rank == 1),
+                lagrange::Reactions::new(
+                    balance.multipliers.into(),
+                    balance.independence.rank == 1,
+                ),
             )
         }
         /**Generalized forces λ ∂f/∂q of the constraints, by name, components in the order of the coordinates.
@@ -501,23 +504,36 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
         ) -> ::core::result::Result<(), lagrange::Cause> {
             lagrange::constraints::check::<Self, 2, 0, 1>(self, t, q, v)
         }
-        fn check_start_at(
+        fn begin_at(
             &self,
             _constants: &Self::Constants,
-            start: &lagrange::State<f64, 2>,
+            start: &mut lagrange::State<f64, 2>,
         ) -> ::core::result::Result<(), lagrange::Cause> {
-            lagrange::constraints::check_start::<Self, 2, 0, 1>(self, start)
+            lagrange::constraints::begin::<Self, 2, 0, 1>(self, start)
         }
         #[inline]
         fn project_at(
             &self,
             _constants: &Self::Constants,
             state: &mut lagrange::State<f64, 2>,
+            from: ::core::option::Option<&lagrange::State<f64, 2>>,
         ) -> ::core::result::Result<(), lagrange::Cause> {
-            lagrange::constraints::project::<Self, 2, 0, 1>(self, state)
+            lagrange::constraints::project::<Self, 2, 0, 1>(self, state, from)
         }
-        fn blur_at(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> lagrange::Blur<f64, 2> {
-            lagrange::constraints::blur::<Self, 2, 0, 1>(self, t, q, v)
+        #[inline]
+        fn land_at(
+            &self,
+            _constants: &Self::Constants,
+            state: &mut lagrange::State<f64, 2>,
+        ) -> ::core::result::Result<lagrange::Footing<f64, 2>, lagrange::Cause> {
+            lagrange::constraints::land::<Self, 2, 0, 1>(self, state)
+        }
+        fn tangential_at(
+            &self,
+            state: &lagrange::State<f64, 2>,
+            change: &[f64; 2],
+        ) -> [f64; 2] {
+            lagrange::constraints::tangential::<Self, 2, 0, 1>(self, state, change)
         }
         #[inline]
         fn energy_at(
@@ -686,7 +702,10 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
                 0,
                 1,
             >>::balance_at(self, constants, t, q, v, u);
-            lagrange::Reactions::new(balance.multipliers.into(), balance.rank == 1)
+            lagrange::Reactions::new(
+                balance.multipliers.into(),
+                balance.independence.rank == 1,
+            )
         }
     }
     impl lagrange::ConstantMass<2usize, 0usize> for CartesianPendulum {}
@@ -736,7 +755,10 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             let rod_y_weighted: f64 = y * inverse_mass_2;
             let mut mass = [[0.0; 1]; 1];
             mass[0][0] = rod_x_weighted * x + rod_y_weighted * y;
-            let saddle = lagrange::saddle::Schur::<f64, 1>::factor(mass);
+            let saddle = lagrange::saddle::Schur::<
+                f64,
+                1,
+            >::factor::<2>(mass, || ([inverse_mass_2, inverse_mass_2], [[x, y]]));
             if !saddle.is_finite() || saddle.vanishing().is_some() {
                 return false;
             }

@@ -782,8 +782,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                     1,
                 >>::accelerations_at(self, constants, t, q, v, u),
                 multipliers: [],
-                rank: 0,
-                is_doubtful: false,
+                independence: lagrange::Independence::clear(0),
             }
         }
         #[inline]

@@ -318,8 +318,7 @@ A singular system, with its cause and the time.*/
             let balance = lagrange::Balance::<_, 1, 0> {
                 accelerations: self.accelerations(state)?,
                 multipliers: [],
-                rank: 0,
-                is_doubtful: false,
+                independence: lagrange::Independence::clear(0),
             };
             let ([], accelerations) = (balance.multipliers, &balance.accelerations);
             let [theta] = state.q;

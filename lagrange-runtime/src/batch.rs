@@ -129,8 +129,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         }
         if S::CONSTRAINED && self.expansions == 0 {
             let (constants, mut start) = (self.system.constants(), self.state);
-            self.system.check_start_at(&constants, &start)?;
-            self.system.project_at(&constants, &mut start)?;
+            self.system.begin_at(&constants, &mut start)?;
             self.state = start;
         }
         let target = S::Scalar::splat(t);
@@ -307,7 +306,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         }
         if S::CONSTRAINED {
             let free = state;
-            self.system.project_at(&self.system.constants(), &mut state)?;
+            self.system.project_at(&self.system.constants(), &mut state, None)?;
             for i in 0..N {
                 // What rounding took belongs to the numbers that were rounded.
                 if state.q[i] != free.q[i] {

@@ -52,6 +52,15 @@ pub enum Cause {
         /// By how much.
         by: Magnitude,
     },
+    /// Constraints depend on each other in this configuration, and neither the velocity nor the accelerations say how the motion
+    /// goes on.
+    Undetermined {
+        /// Index of the constraint that is closest to depending on the others.
+        constraint: usize,
+    },
+    /// A step in fixed steps is too long for its constraints: bringing its end back onto them would change the state by more
+    /// than the step itself did.
+    StepTooLong,
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
     /// The equations of an implicit step were not solved: it is too long for the motion.
@@ -157,6 +166,15 @@ impl fmt::Display for Cause {
             ),
             // The text comes with the name, so that it is in no program that cannot need it.
             Self::Misread { function, .. } => out.write_str(function.0[1]),
+            Self::Undetermined { constraint } => write!(
+                out,
+                "constraint {constraint} depends on the others in this configuration, and neither velocities nor accelerations \
+                 say how the motion goes on: start beside it, or with a velocity along one of the motions that meet there"
+            ),
+            Self::StepTooLong => out.write_str(
+                "the step is too long for the constraints: bringing its end back onto them would change more than the step \
+                 did; take shorter steps",
+            ),
             Self::NotFinite => out.write_str(
                 "a value is infinite or not a number: check the parameters and the start, or stop before \
                  the motion reaches a singularity",

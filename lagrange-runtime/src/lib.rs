@@ -70,12 +70,13 @@ pub mod verify;
 pub use algebra::PrincipalMoments;
 pub use analysis::InertiaForces;
 pub use batch::Batch;
-pub use constraints::{Constrained, Reactions};
+pub use constraints::{Constrained, Footing, Reactions};
 pub use error::{Cause, Function, Magnitude, MotionError};
 pub use integrator::{
     Adaptive, BlanesMoan, BlanesMoan4, BlanesMoan6, Dop853, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Jet,
     Jets, Leapfrog, Rk4, Yoshida, Yoshida4, Yoshida6, Yoshida8,
 };
+pub use linear::Independence;
 pub use linearized::{Jacobians, Linearization, Linearized};
 pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};
@@ -90,7 +91,7 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use stored::Stored;
 pub use structure::{Cost, Costs, Structure};
-pub use system::{Blur, System};
+pub use system::System;
 pub use tangent::{
     Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel,
     Response, Sensitive, Sensitivities, Stability, Tangent, Transition, Variation, Variational,
@@ -108,7 +109,7 @@ pub mod __private {
     pub use crate::algebra::{self, PrincipalMoments};
     pub use crate::analysis::{self, InertiaForces};
     pub use crate::error::{Cause, Function, MotionError};
-    pub use crate::linear::{Ldlt, Lu};
+    pub use crate::linear::{Independence, Ldlt, Lu};
     pub use crate::linearized::{Linearization, Linearized};
     pub use crate::proved::{
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
@@ -122,7 +123,7 @@ pub mod __private {
         };
     }
     pub use crate::columns::Columns;
-    pub use crate::constraints::{self, Balance, Constrained, Reactions, Residuals, Surface};
+    pub use crate::constraints::{self, Balance, Constrained, Footing, Reactions, Residuals, Surface};
     pub use crate::integrator::{Dop853, Jets};
     pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;
@@ -140,7 +141,7 @@ pub mod __private {
         };
     }
     pub use crate::structure::{Cost, Costs, Structure};
-    pub use crate::system::{Blur, System};
+    pub use crate::system::System;
     pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;
 }

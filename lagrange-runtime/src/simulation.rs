@@ -261,11 +261,8 @@ where
             // Accelerations of a negative mass are finite.
             return self.system.check_at(&self.constants, t, &q, &v).map_err(failed);
         }
-        self.system.check_start_at(&self.constants, &self.state).map_err(failed)?;
-        let mut start = self.state;
-        self.system.project_at(&self.constants, &mut start).map_err(failed)?;
-        self.state = start;
-        M::restart(&mut self.memory, start);
+        self.system.begin_at(&self.constants, &mut self.state).map_err(failed)?;
+        M::restart(&mut self.memory, self.state);
         Ok(())
     }
 

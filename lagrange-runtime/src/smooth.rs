@@ -1,5 +1,6 @@
 //! [`Smooth`]: systems whose motion has a Taylor series, and the series.
 
+use crate::linear::Independence;
 use crate::real::Real;
 use crate::system::System;
 
@@ -28,7 +29,7 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
     fn jet_constants(&self) -> Self::JetConstants;
 
     /// Taylor coefficients of the motion through a state, of the orders 1 to `orders` ≤ `P`, in time scaled by `h` \[s]:
-    /// coefficient k is x⁽ᵏ⁾ hᵏ / k!. The inputs are held. False where the mass matrix has no inverse; coefficients
+    /// coefficient k is x⁽ᵏ⁾ hᵏ / k!. The inputs are held. False where the equations have no solution; coefficients
     /// are not finite where the equations are not.
     #[allow(clippy::too_many_arguments)]
     fn jet_at<const P: usize>(
@@ -52,12 +53,14 @@ pub struct Series<R, const N: usize, const P: usize> {
     pub q: [[R; N]; P],
     /// Of the velocities.
     pub v: [[R; N]; P],
+    /// How independent the constraints are at the point of expansion.
+    pub independence: Independence<R>,
 }
 
 impl<R: Real, const N: usize, const P: usize> Default for Series<R, N, P> {
     #[inline]
     fn default() -> Self {
-        Self { q: [[R::zero(); N]; P], v: [[R::zero(); N]; P] }
+        Self { q: [[R::zero(); N]; P], v: [[R::zero(); N]; P], independence: Independence::clear(0) }
     }
 }
 
@@ -97,6 +100,40 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
             odd.1[i] = R::mul_add(even.1[i], square, odd.1[i] * theta);
         }
         odd
+    }
+
+    /// Derivatives of the velocities by the scaled time, `theta` units after the point of expansion: accelerations in units of
+    /// it.
+    pub(crate) fn slopes(&self, theta: R, orders: usize) -> [R; N] {
+        let mut slopes = [R::zero(); N];
+        let mut order = R::from_f64(orders as f64);
+        for row in self.v.iter().take(orders).rev() {
+            for i in 0..N {
+                slopes[i] = R::mul_add(slopes[i], theta, order * row[i]);
+            }
+            order -= R::one();
+        }
+        slopes
+    }
+
+    /// The series about a place `shift` units from the present one: the same polynomials without their values there.
+    /// (Knuth, "The Art of Computer Programming", vol. 2, § 4.6.4: repeated synthetic division.)
+    pub(crate) fn recentre(&mut self, shift: R, orders: usize) {
+        // Twice down to the first order: the division that gives the value, which is not kept, and the one that gives its own.
+        for pass in 0..=orders {
+            for k in (pass.saturating_sub(1)..orders.saturating_sub(1)).rev() {
+                for rows in [&mut self.q, &mut self.v] {
+                    let Some([low, high]) =
+                        rows.get_mut(k..k + 2).and_then(|pair| pair.as_chunks_mut().0.first_mut())
+                    else {
+                        continue;
+                    };
+                    for i in 0..N {
+                        low[i] = R::mul_add(shift, high[i], low[i]);
+                    }
+                }
+            }
+        }
     }
 
     /// What coordinates and velocities gain in one unit of the scaled time, all orders, smallest terms first.

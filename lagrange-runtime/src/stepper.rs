@@ -68,7 +68,7 @@ where
             return Err(MotionError { cause, t: from.t });
         }
         self.system
-            .project_at(&self.constants, &mut next)
+            .project_at(&self.constants, &mut next, Some(from))
             .map_err(|cause| MotionError { cause, t: from.t })?;
         self.residue = increment - (next.t - from.t);
         self.state = next;
@@ -84,8 +84,7 @@ where
             self.system.check_at(&self.constants, t, &q, &v).map_err(|cause| MotionError { cause, t })?;
         }
         self.system
-            .check_start_at(&self.constants, &start)
-            .and_then(|()| self.system.project_at(&self.constants, &mut start))
+            .begin_at(&self.constants, &mut start)
             .map_err(|cause| MotionError { cause, t: start.t })?;
         (self.state, self.residue) = (start, num_traits::Zero::zero());
         Ok(())

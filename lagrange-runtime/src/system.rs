@@ -1,24 +1,13 @@
 //! [`System`]: what generated code implements, and the two ways to run it.
 
+use crate::constraints::Footing;
 use crate::error::Cause;
 use crate::integrator::{Adaptive, FixedStep};
+use crate::linear::Independence;
 use crate::real::{Ordered, Real};
 use crate::simulation::{Held, Simulation};
 use crate::state::State;
 use crate::stepper::Stepper;
-
-/// How uncertain a state is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Blur<R, const N: usize> {
-    /// Of each coordinate.
-    pub q: [R; N],
-    /// Of each velocity.
-    pub v: [R; N],
-    /// Of the velocities, relative to their size.
-    pub relative: R,
-    /// How much that grows along the motion; negative where it becomes less.
-    pub growth: R,
-}
 
 /// A mechanical system with `N` coordinates and `K` inputs: a = M⁻¹ f(t, q, v, u).
 pub trait System<const N: usize, const K: usize = 0> {
@@ -47,6 +36,20 @@ pub trait System<const N: usize, const K: usize = 0> {
         u: &[Self::Scalar; K],
     ) -> [Self::Scalar; N];
 
+    /// The same of a state on the constraints. Those of other states, as the stages of a method, may be better taken from
+    /// states on them.
+    #[inline(always)]
+    fn accelerations_on_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> [Self::Scalar; N] {
+        self.accelerations_at(constants, t, q, v, u)
+    }
+
     /// Whether the mass matrix can be inverted at a state: asked where accelerations are not finite.
     ///
     /// # Errors
@@ -65,16 +68,19 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Whether constraints restrict the states.
     const CONSTRAINED: bool = false;
 
-    /// Whether a motion may begin at a state.
+    /// Whether there are several constraints, which may come to depend on each other.
+    const COUPLED: bool = false;
+
+    /// Begins a motion at a state: refuses one that violates constraints by more than the last digits of nine-digit numbers, and
+    /// takes roundings from one that does not.
     ///
     /// # Errors
-    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`] where it is off the constraints by more than roundings
-    /// of its numbers, and what is wrong with the constraints themselves.
+    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`], and what is wrong with the constraints themselves.
     #[inline(always)]
-    fn check_start_at(
+    fn begin_at(
         &self,
         _constants: &Self::Constants,
-        _start: &State<Self::Scalar, N>,
+        _start: &mut State<Self::Scalar, N>,
     ) -> Result<(), Cause> {
         Ok(())
     }
@@ -82,29 +88,44 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Moves a state that a step has left near the constraints onto them: coordinates, then velocities, each by the
     /// smallest change in the metric of the mass matrix.
     ///
+    /// With `from`, the state before a step of fixed length, a change that is larger than the step itself is an error.
+    ///
     /// # Errors
-    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`] where that fails, and what is wrong with the constraints
-    /// themselves.
+    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`] where that fails, [`Cause::StepTooLong`], and what is wrong
+    /// with the constraints themselves.
     #[inline(always)]
     fn project_at(
         &self,
         _constants: &Self::Constants,
         _state: &mut State<Self::Scalar, N>,
+        _from: Option<&State<Self::Scalar, N>>,
     ) -> Result<(), Cause> {
         Ok(())
     }
 
-    /// How uncertain a state is through what rounding leaves of the constraints: by a few roundings, but more beside a
-    /// configuration in which constraints depend on each other. No error control can ask for less.
+    /// The same for the end of a step under error control, which is to be looked at: returns how well the
+    /// constraints determine the state.
+    ///
+    /// # Errors
+    /// As [`System::project_at`].
     #[inline(always)]
-    fn blur_at(
+    fn land_at(
         &self,
-        _t: Self::Scalar,
-        _q: &[Self::Scalar; N],
-        _v: &[Self::Scalar; N],
-    ) -> Blur<Self::Scalar, N> {
+        _constants: &Self::Constants,
+        _state: &mut State<Self::Scalar, N>,
+    ) -> Result<Footing<Self::Scalar, N>, Cause> {
         let none = [num_traits::Zero::zero(); N];
-        Blur { q: none, v: none, relative: num_traits::Zero::zero(), growth: num_traits::Zero::zero() }
+        Ok(Footing { independence: Independence::clear(0), ulps_q: none, ulps_v: none, units: none })
+    }
+
+    /// The part of a change of coordinates or velocities along the constraints at a state.
+    #[inline(always)]
+    fn tangential_at(
+        &self,
+        _state: &State<Self::Scalar, N>,
+        change: &[Self::Scalar; N],
+    ) -> [Self::Scalar; N] {
+        *change
     }
 
     /// Whether [`System::check_reading_at`] does anything: in builds with `debug_assertions`.

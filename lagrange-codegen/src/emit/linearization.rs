@@ -111,7 +111,7 @@ fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String)
     let balance = format!(
         "lagrange::Balance {{ accelerations: \
          <Self as lagrange::System<{count}, {inputs}>>::accelerations_at(self, constants, t, q, v, u), \
-         multipliers: [], rank: 0, is_doubtful: false }}"
+         multipliers: [], independence: lagrange::Independence::clear(0) }}"
     );
     let deviations =
         "lagrange::Residuals { positions: [], position_sizes: [], rates: [], rate_sizes: [] }".to_owned();

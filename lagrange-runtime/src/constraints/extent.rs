@@ -14,7 +14,11 @@ pub(crate) struct Extent<R>(R);
 impl<R: Real> Extent<R> {
     /// Of the numbers `x`.
     pub(crate) fn of<const N: usize, const C: usize>(saddle: &impl SaddlePoint<R, N, C>, x: &[R; N]) -> Self {
-        let units = saddle.units();
+        Self::in_units(&saddle.units(), x)
+    }
+
+    /// Of numbers in given units.
+    pub(crate) fn in_units<const N: usize>(units: &[R; N], x: &[R; N]) -> Self {
         let mut largest = R::zero();
         for i in 0..N {
             if units[i].is_positive() {

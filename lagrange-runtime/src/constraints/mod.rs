@@ -6,24 +6,28 @@
 //! *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*, 1992.
 
 mod extent;
-mod noise;
-mod projection;
+mod residuals;
+mod retraction;
 mod solution;
+mod stages;
 mod start;
+mod tangential;
 
 use core::ops::Deref;
 
 use crate::error::Magnitude;
-use crate::linear::SaddlePoint;
+use crate::linear::{Independence, SaddlePoint};
 use crate::real::{Ordered, Real};
 use crate::state::State;
 use crate::system::System;
 pub(crate) use extent::Extent;
-pub use noise::blur;
-pub(crate) use projection::INNER;
-pub use projection::project;
-pub use solution::{accelerations, balance, check, finite, forces, is_singular, matrix, regular};
-pub use start::{check_start, consistent};
+pub(crate) use residuals::Level;
+pub use residuals::Residuals;
+pub use retraction::{Footing, land, project};
+pub use solution::{balance, check, finite, forces, independence, is_singular, matrix, regular};
+pub use stages::accelerations;
+pub use start::{begin, consistent};
+pub use tangential::tangential;
 
 /// A system with constraints.
 #[diagnostic::on_unimplemented(
@@ -78,19 +82,6 @@ impl<T> Deref for Reactions<T> {
     }
 }
 
-/// How far a state is off its constraints.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Residuals<R, const C: usize> {
-    /// f; zero for nonholonomic constraints.
-    pub positions: [R; C],
-    /// Σ |summands of f|: what rounding errors are relative to.
-    pub position_sizes: [R; C],
-    /// df/dt, or g.
-    pub rates: [R; C],
-    /// Σ |summands of df/dt or g|.
-    pub rate_sizes: [R; C],
-}
-
 /// Accelerations with multipliers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Balance<R, const N: usize, const C: usize> {
@@ -98,10 +89,8 @@ pub struct Balance<R, const N: usize, const C: usize> {
     pub accelerations: [R; N],
     /// λ.
     pub multipliers: [R; C],
-    /// How many constraints are independent.
-    pub rank: usize,
-    /// [`SaddlePoint::is_doubtful`].
-    pub is_doubtful: bool,
+    /// How independent the constraints are.
+    pub independence: Independence<R>,
 }
 
 /// What generated code implements for `C` scalar constraints.

@@ -2,10 +2,10 @@
 
 use nalgebra::SMatrix;
 
-use super::{Balance, Surface, project};
+use super::{Balance, Surface};
 use crate::error::{Cause, MotionError};
 use crate::integrator::diagnose;
-use crate::linear::{Defect, SaddlePoint};
+use crate::linear::{Defect, Independence, SaddlePoint};
 use crate::real::Real;
 use crate::state::State;
 
@@ -20,58 +20,21 @@ pub fn balance<R: Real, const N: usize, const C: usize>(
     if saddle.vanishing().is_some() {
         accelerations = [R::from_f64(f64::NAN); N];
     }
-    Balance { accelerations, multipliers, rank: saddle.rank(), is_doubtful: saddle.is_doubtful() }
-}
-
-/// Accelerations beside the constraints, where the stages of a method for ordinary differential equations lie.
-///
-/// Rows of A that depend on each other where the constraints hold need not do so beside them, and what they then demand
-/// together is no motion. Where that may be, the accelerations are those of the nearest state on the constraints: as good a
-/// continuation of the equations, and a smooth one.
-#[inline]
-pub fn accelerations<S, const N: usize, const K: usize, const C: usize>(
-    system: &S,
-    constants: &S::Constants,
-    t: S::Scalar,
-    q: &[S::Scalar; N],
-    v: &[S::Scalar; N],
-    u: &[S::Scalar; K],
-) -> [S::Scalar; N]
-where
-    S: Surface<N, K, C>,
-{
-    let balance = system.balance_at(constants, t, q, v, u);
-    if balance.is_doubtful {
-        return settled(system, constants, &State { t, q: *q, v: *v }, u).unwrap_or(balance.accelerations);
-    }
-    balance.accelerations
-}
-
-/// Accelerations of the nearest state on the constraints, if that is another one and rows do depend on each other there.
-#[cold]
-#[inline(never)]
-fn settled<S, const N: usize, const K: usize, const C: usize>(
-    system: &S,
-    constants: &S::Constants,
-    state: &State<S::Scalar, N>,
-    u: &[S::Scalar; K],
-) -> Option<[S::Scalar; N]>
-where
-    S: Surface<N, K, C>,
-{
-    let mut near = *state;
-    project(system, &mut near).ok()?;
-    if near == *state {
-        return None;
-    }
-    let balance = system.balance_at(constants, near.t, &near.q, &near.v, u);
-    (balance.rank < C).then_some(balance.accelerations)
+    Balance { accelerations, multipliers, independence: saddle.independence() }
 }
 
 /// Whether there are no accelerations.
 #[inline(always)]
 pub fn is_singular<R: Real, const N: usize, const C: usize>(saddle: &impl SaddlePoint<R, N, C>) -> bool {
     saddle.defect().is_some() || saddle.vanishing().is_some()
+}
+
+/// How independent the constraints are.
+#[inline(always)]
+pub fn independence<R: Real, const N: usize, const C: usize>(
+    saddle: &impl SaddlePoint<R, N, C>,
+) -> Independence<R> {
+    saddle.independence()
 }
 
 /// What is wrong with the factors, if anything.

@@ -1,84 +1,119 @@
 //! Where a motion may begin, and the nearest such state.
 
 use super::extent::Extent;
-use super::noise::Noise;
-use super::projection::is_within;
+use super::residuals::{Level, ULPS};
+use super::retraction::{From, Retraction, slopes};
 use super::solution::regular;
-use super::{Residuals, Surface, moved};
+use super::{Residuals, Surface};
 use crate::error::{Cause, MotionError};
 use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 
-/// A start is good where the corrections that it needs are below this share of √ε of its numbers: as good as numbers
-/// written with nine digits, or with five in single precision.
+/// A start is good where what it violates is below this share of √ε of its numbers: as good as numbers written with nine
+/// digits, or with five in single precision.
 const SHARE: f64 = 1.0 / 16.0;
 
-/// Newton steps before a projection is given up.
-const STEPS: usize = 60;
-
-/// A step is halved at most so often.
-const HALVINGS: usize = 12;
-
-/// A step is no longer than so many distances from the constraints: where these nearly depend on each other, Newton's steps
-/// lead far away.
-const FAR: f64 = 4.0;
-
-/// Whether a motion may begin at a state.
+/// Begins a motion at a state: refuses one that violates constraints, and takes the roundings from one that does not.
+///
+/// A state is as good as its numbers. What it violates by no more than their last digits stays as it is: beside a
+/// configuration in which constraints depend on each other a retraction would make large changes of these digits.
 ///
 /// # Errors
 /// The constraint that is violated, and constraints without a gradient.
 #[cold]
-pub fn check_start<S, const N: usize, const K: usize, const C: usize>(
+pub fn begin<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
-    start: &State<S::Scalar, N>,
+    start: &mut State<S::Scalar, N>,
 ) -> Result<(), Cause>
 where
     S: Surface<N, K, C>,
 {
-    let number = S::Scalar::from_f64;
     if !start.is_finite() {
         return Err(Cause::NotFinite);
     }
     let residuals = system.residuals_at(start.t, &start.q, &start.v);
-    let (saddle, gradients) = system.saddle_at(start.t, &start.q, &start.v);
-    regular(&saddle)?;
-    let tolerance = number(SHARE) * S::Scalar::epsilon().sqrt();
-    let none = [num_traits::Zero::zero(); N];
-    for (of_positions, numbers) in [(true, &start.q), (false, &start.v)] {
-        if residuals.level_is_roundings(of_positions) {
-            continue;
-        }
-        let (values, sizes) = residuals.level(of_positions);
-        let by_state = Extent::of(&saddle, numbers).sizes(&saddle, &gradients);
-        let good = |own: &[S::Scalar; C]| {
-            values.iter().zip(own).all(|(&value, &size)| is_within(value, tolerance * size))
-        };
-        // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic metric.
-        let is_small = || {
-            let (change, _) = saddle.solve(&none, values);
-            let largest = |values: &[S::Scalar; N]| {
-                values.iter().fold(num_traits::Zero::zero(), |largest: S::Scalar, x| largest.max(x.abs()))
-            };
-            is_within(largest(&change), tolerance * largest(numbers))
-        };
-        let both = core::array::from_fn(|c| sizes[c] + by_state[c]);
-        let is_noise = || {
-            Noise::of(system, start, &saddle, &gradients, &residuals, of_positions).explains(
-                &residuals,
-                of_positions,
-                &saddle,
-            )
-        };
-        if !(good(sizes) || good(&both) && is_small() || is_noise()) {
-            return Err(residuals.cause(of_positions, &Extent::unit().sizes(&saddle, &gradients)));
+    let mut retraction = Retraction::new(system, start, residuals);
+    regular(&retraction.saddle)?;
+    let last_digits = last_digits(system, start, &residuals);
+    let ulps = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon();
+    let levels = [Level::Positions, Level::Velocities];
+    for level in levels {
+        if !residuals.is_within(level, ulps, last_digits.sizes(level)) {
+            check(&retraction, &residuals, level)?;
         }
     }
+    for (i, level) in levels.into_iter().enumerate() {
+        // Coordinates that have moved change the velocities that belong to them.
+        if levels.iter().take(i + 1).any(|&level| !residuals.is_within(level, ulps, last_digits.sizes(level)))
+        {
+            retraction.level(system, level, From::Near)?;
+        }
+    }
+    *start = retraction.state;
+    slopes(system, start);
     Ok(())
 }
 
-/// A state on the constraints by Newton's method: coordinates, then velocities. Each step is the shortest in the metric of
-/// the mass matrix where it is taken, so the coordinates are the nearest ones up to the square of the distance, and the
+/// Whether a state is as near the constraints as a start has to be.
+///
+/// # Errors
+/// The constraint that is violated.
+fn check<S, const N: usize, const K: usize, const C: usize>(
+    at: &Retraction<S, N, K, C>,
+    residuals: &Residuals<S::Scalar, C>,
+    level: Level,
+) -> Result<(), Cause>
+where
+    S: Surface<N, K, C>,
+{
+    let Retraction { state, saddle, gradients, .. } = at;
+    let part = S::Scalar::from_f64(SHARE) * S::Scalar::epsilon().sqrt();
+    let numbers = if level == Level::Positions { &state.q } else { &state.v };
+    // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic metric.
+    let by_state = Extent::of(saddle, numbers).sizes(saddle, gradients);
+    let is_small = || {
+        let (change, _) = saddle.solve(&[num_traits::Zero::zero(); N], residuals.values(level));
+        let largest = |values: &[S::Scalar; N]| {
+            values.iter().fold(num_traits::Zero::zero(), |largest: S::Scalar, x| largest.max(x.abs()))
+        };
+        let excess = largest(&change) - part * largest(numbers);
+        excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
+    };
+    if residuals.is_within(level, part, &[num_traits::Zero::zero(); C])
+        || residuals.is_within(level, part, &by_state) && is_small()
+    {
+        return Ok(());
+    }
+    Err(residuals.cause(level, &Extent::unit().sizes(saddle, gradients)))
+}
+
+/// What the last digits of the coordinates make of the residuals, as sizes of which an ulp is that.
+fn last_digits<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    residuals: &Residuals<S::Scalar, C>,
+) -> Residuals<S::Scalar, C>
+where
+    S: Surface<N, K, C>,
+{
+    let ulp = S::Scalar::epsilon();
+    let none = [num_traits::Zero::zero(); C];
+    let mut sizes = Residuals { positions: none, position_sizes: none, rates: none, rate_sizes: none };
+    for i in 0..N {
+        let mut q = state.q;
+        q[i] += ulp * q[i];
+        let beside = system.residuals_at(state.t, &q, &state.v);
+        for c in 0..C {
+            sizes.position_sizes[c] += (beside.positions[c] - residuals.positions[c]).abs() / ulp;
+            sizes.rate_sizes[c] += (beside.rates[c] - residuals.rates[c]).abs() / ulp;
+        }
+    }
+    sizes
+}
+
+/// A state on the constraints by Newton's method: coordinates, then velocities. Each correction is the shortest in the metric of
+/// the mass matrix where it is made, so the coordinates are the nearest ones up to the square of the distance, and the
 /// velocities the nearest of all at these coordinates.
 ///
 /// # Errors
@@ -95,115 +130,28 @@ where
     if !start.is_finite() {
         return Err(failed(Cause::NotFinite));
     }
-    let state = search(system, start, true).map_err(failed)?;
-    search(system, state, false).map_err(failed)
-}
-
-fn search<S, const N: usize, const K: usize, const C: usize>(
-    system: &S,
-    start: State<S::Scalar, N>,
-    of_positions: bool,
-) -> Result<State<S::Scalar, N>, Cause>
-where
-    S: Surface<N, K, C>,
-{
-    let none = [num_traits::Zero::zero(); N];
-    let one: S::Scalar = num_traits::One::one();
-    let mut state = start;
-    let mut residuals = system.residuals_at(state.t, &state.q, &state.v);
-    for _ in 0..STEPS {
-        if residuals.level_is_roundings(of_positions) {
-            break;
+    let residuals = system.residuals_at(start.t, &start.q, &start.v);
+    let mut retraction = Retraction::new(system, &start, residuals);
+    regular(&retraction.saddle).map_err(failed)?;
+    let ulps = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon();
+    for level in [Level::Positions, Level::Velocities] {
+        let Retraction { state, residuals, .. } = &retraction;
+        if residuals.is_within(level, ulps, last_digits(system, state, residuals).sizes(level)) {
+            continue;
         }
-        let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
-        regular(&saddle)?;
-        // A gradient that is itself noise says nothing about the velocities.
-        let noise = || Noise::of(system, &state, &saddle, &gradients, &residuals, of_positions);
-        if !of_positions && noise().explains(&residuals, of_positions, &saddle) {
-            return Ok(state);
-        }
-        let values = if of_positions { residuals.positions } else { residuals.rates };
-        let (change, _) = saddle.solve(&none, &values.map(|value| -value));
-        if !change.iter().all(|x| x.is_finite()) {
-            return Err(Cause::NotFinite);
-        }
-        let slopes = Extent::unit().sizes(&saddle, &gradients);
-        let before = distance(&residuals, &slopes, of_positions);
-        let mut share = one;
-        if of_positions {
-            let far = S::Scalar::from_f64(FAR) * S::Scalar::splat(before).sqrt();
-            share = one.min(far / Extent::of(&saddle, &change).size());
-        }
-        let mut better = None;
-        for _ in 0..HALVINGS {
-            let (q, v) = if of_positions { (&change, &none) } else { (&none, &change) };
-            let next = moved(&state, q, v, share);
-            let there = system.residuals_at(next.t, &next.q, &next.v);
-            if distance(&there, &slopes, of_positions) < before {
-                better = Some((next, there));
-                break;
-            }
-            share *= S::Scalar::from_f64(0.5);
-        }
-        match better {
-            Some(found) => (state, residuals) = found,
-            None => break,
-        }
+        retraction.level(system, level, From::Far).map_err(|cause| {
+            failed(match cause {
+                Cause::PositionViolated { constraint, .. } | Cause::VelocityViolated { constraint, .. }
+                    if retraction.saddle.independence().rank < C =>
+                {
+                    Cause::Contradictory { constraint }
+                }
+                Cause::PositionViolated { constraint, by } | Cause::VelocityViolated { constraint, by } => {
+                    Cause::NoConsistentState { constraint, by }
+                }
+                other => other,
+            })
+        })?;
     }
-    let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
-    regular(&saddle)?;
-    let extent =
-        |state: &State<S::Scalar, N>| Extent::of(&saddle, if of_positions { &state.q } else { &state.v });
-    let by_state = extent(&start).max(extent(&state)).sizes(&saddle, &gradients);
-    if on_surface(&residuals, &gradients, &state, &by_state, of_positions) {
-        return Ok(state);
-    }
-    Err(match residuals.cause(of_positions, &by_state) {
-        Cause::PositionViolated { constraint, by } | Cause::VelocityViolated { constraint, by } => {
-            if saddle.rank() < C {
-                Cause::Contradictory { constraint }
-            } else {
-                Cause::NoConsistentState { constraint, by }
-            }
-        }
-        other => other,
-    })
-}
-
-/// Σ (f / |∂f/∂q|)² with gradients in units of the kinetic metric: how far the constraints are, whatever their units.
-fn distance<R: Real, const C: usize>(
-    residuals: &Residuals<R, C>,
-    slopes: &[R; C],
-    of_positions: bool,
-) -> R::Lane {
-    let (values, _) = residuals.level(of_positions);
-    let mut sum = R::zero();
-    for (&value, &slope) in values.iter().zip(slopes) {
-        if value != R::zero() {
-            let distance = value / slope;
-            sum = R::mul_add(distance, distance, sum);
-        }
-    }
-    sum.largest()
-}
-
-/// Whether what is left of the constraints are roundings, of their summands or of the state.
-fn on_surface<R: Real, const N: usize, const C: usize>(
-    residuals: &Residuals<R, C>,
-    gradients: &[[R; N]; C],
-    state: &State<R, N>,
-    by_state: &[R; C],
-    of_positions: bool,
-) -> bool {
-    const ROUNDINGS: f64 = 64.0;
-    let (values, sizes) = residuals.level(of_positions);
-    let of = if of_positions { &state.q } else { &state.v };
-    let tolerance = R::from_f64(ROUNDINGS) * R::epsilon();
-    (0..C).all(|c| {
-        let mut size = sizes[c] + by_state[c];
-        for i in 0..N {
-            size += (gradients[c][i] * of[i]).abs();
-        }
-        is_within(values[c], tolerance * size)
-    })
+    Ok(retraction.state)
 }

@@ -1,10 +1,12 @@
 //! [`Adaptive`]: methods that choose their own steps, and Dormand–Prince as one of them.
 
 use super::dop853::Dop853Memory;
-use super::step_size::Limits;
+use super::landing::{Check, Determined};
+use super::lengths::{Lengths, Next, Outcome};
+use super::step_size::{self, Limits};
 use super::{Field, diagnose};
 use crate::error::{Cause, MotionError};
-use crate::real::Ordered;
+use crate::real::{Ordered, Real, larger};
 use crate::simulation::Control;
 use crate::state::State;
 use crate::system::System;
@@ -125,12 +127,16 @@ where
     where
         S::Scalar: Ordered,
     {
+        let driven = Driven { system, constants, control };
         if memory.end.state.t != t && !memory.ahead(t) {
             memory.rewind();
         }
         while memory.end.state.t != t {
-            memory.step(&Driven { system, constants, control }, limits, t, true, attempts)?;
-            project(memory, system, constants)?;
+            driven.step(memory, limits, t, true, attempts)?;
+            // A step that could not end at the target went beyond it.
+            if !memory.ahead(t) {
+                return driven.inside(memory, t);
+            }
         }
         Ok(memory.end.state)
     }
@@ -153,36 +159,10 @@ where
             if !memory.ahead(t) {
                 memory.rewind();
             }
-            memory.step(&driven, limits, t, false, attempts)?;
-            project(memory, system, constants)?;
+            driven.step(memory, limits, t, false, attempts)?;
         }
-        let end = memory.end.state.t;
-        let failed = |cause| MotionError { cause, t: end };
-        let mut state = memory.sample(&driven, t).map_err(failed)?;
-        system.project_at(constants, &mut state).map_err(failed)?;
-        Ok(state)
+        driven.inside(memory, t)
     }
-}
-
-/// Moves the end of a step back onto the constraints.
-#[inline(always)]
-fn project<S: System<N, K>, const N: usize, const K: usize>(
-    memory: &mut Dop853Memory<S::Scalar, N>,
-    system: &S,
-    constants: &S::Constants,
-) -> Result<(), MotionError<S::Scalar>>
-where
-    S::Scalar: Ordered,
-{
-    if S::CONSTRAINED {
-        let mut end = memory.end.state;
-        if let Err(cause) = system.project_at(constants, &mut end) {
-            memory.rewind();
-            return Err(MotionError { cause, t: memory.end.state.t });
-        }
-        memory.correct(end);
-    }
-    Ok(())
 }
 
 /// A system under control, as the integrator wants it.
@@ -190,6 +170,105 @@ struct Driven<'a, S: System<N, K>, C, const N: usize, const K: usize> {
     system: &'a S,
     constants: &'a S::Constants,
     control: &'a C,
+}
+
+impl<S, C, const N: usize, const K: usize> Driven<'_, S, C, N, K>
+where
+    S: System<N, K>,
+    S::Scalar: Ordered,
+    C: Control<S::Scalar, N, K>,
+{
+    /// One step towards `target`; with `exactly`, one that ends on it if it would lead beyond.
+    #[inline]
+    fn step(
+        &self,
+        memory: &mut Dop853Memory<S::Scalar, N>,
+        limits: &Limits<S::Scalar>,
+        target: S::Scalar,
+        exactly: bool,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>> {
+        if S::COUPLED && memory.independence.is_none() {
+            let from = memory.end.state;
+            let found = self.system.land_at(self.constants, &mut from.clone());
+            memory.independence = Some(found.map_err(|cause| MotionError { cause, t: from.t })?.independence);
+        }
+        let natural = memory.length();
+        memory.step(self, limits, target, exactly, attempts)?;
+        if S::CONSTRAINED {
+            self.land(memory, limits, target, natural, attempts)?;
+        }
+        Ok(())
+    }
+
+    /// Brings the end of a step back onto the constraints, or takes another one that can be.
+    fn land(
+        &self,
+        memory: &mut Dop853Memory<S::Scalar, N>,
+        limits: &Limits<S::Scalar>,
+        target: S::Scalar,
+        natural: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>> {
+        let from = memory.start.state;
+        let inputs = self.control.inputs(&from);
+        let check =
+            Check { system: self.system, constants: self.constants, inputs: &inputs, limits, from: &from };
+        let failed = |cause| MotionError { cause, t: from.t };
+        let here = match memory.independence {
+            Some(here) => here,
+            None => self.system.land_at(self.constants, &mut from.clone()).map_err(failed)?.independence,
+        };
+        let mut determined = memory.determined.unwrap_or_else(|| Determined::at_start(&here));
+        let mut length = (memory.end.state.t - from.t).abs();
+        let resolution =
+            S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
+        let longest = larger(natural, length);
+        let mut lengths = Lengths::new(determined, &here, limits.relative, [longest, longest, length]);
+        loop {
+            let landed = check.land(&memory.end.state, None);
+            let (outcome, cause) = match &landed {
+                Ok(landing) if landing.is_right => {
+                    let there = landing.footing.independence;
+                    (Outcome::Right(there), Cause::Undetermined { constraint: there.weakest })
+                }
+                Ok(_) => (Outcome::Wrong, Cause::StepTooSmall),
+                Err(cause) => (Outcome::Wrong, *cause),
+            };
+            let leaves = || landed.as_ref().is_ok_and(|landing| check.leaves(landing));
+            match (lengths.next(length, outcome, leaves), landed) {
+                (Next::Take(taken), Ok(landing)) if taken == length => {
+                    determined.learn(&landing.footing.independence);
+                    (memory.determined, memory.independence) =
+                        (Some(determined), Some(landing.footing.independence));
+                    memory.correct(landing.end);
+                    return Ok(());
+                }
+                (Next::Try(next) | Next::Take(next), _) if !step_size::is_below(next, resolution) => {
+                    length = next;
+                }
+                _ => {
+                    memory.retry(num_traits::Zero::zero());
+                    return Err(failed(cause));
+                }
+            }
+            memory.retry(length);
+            memory.step(self, limits, target, false, attempts)?;
+        }
+    }
+
+    /// The state at a time inside the step.
+    fn inside(
+        &self,
+        memory: &mut Dop853Memory<S::Scalar, N>,
+        t: S::Scalar,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
+        let end = memory.end.state.t;
+        let failed = |cause| MotionError { cause, t: end };
+        let mut state = memory.sample(self, t).map_err(failed)?;
+        self.system.project_at(self.constants, &mut state, None).map_err(failed)?;
+        Ok(state)
+    }
 }
 
 impl<S, C, const N: usize, const K: usize> Field<S::Scalar, N> for Driven<'_, S, C, N, K>
@@ -201,6 +280,11 @@ where
     fn accelerations(&self, t: S::Scalar, q: &[S::Scalar; N], v: &[S::Scalar; N]) -> [S::Scalar; N] {
         let u = self.control.inputs(&State { t, q: *q, v: *v });
         self.system.accelerations_at(self.constants, t, q, v, &u)
+    }
+
+    #[inline]
+    fn along(&self, state: &State<S::Scalar, N>, change: [S::Scalar; N]) -> [S::Scalar; N] {
+        self.system.tangential_at(state, &change)
     }
 
     #[cold]

@@ -5,7 +5,8 @@
 //! of the order of the tolerance. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.6 and II.10.
 
 use super::Field;
-use super::dop853::{Dop853Memory, Slope, combine, reach};
+use super::dop853::Dop853Memory;
+use super::slopes::{Slope, combine, reach};
 use super::tableau::dop853::{A, C, D, STAGES, STAGES_DENSE};
 use crate::error::Cause;
 use crate::real::Ordered;

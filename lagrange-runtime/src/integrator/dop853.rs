@@ -14,18 +14,14 @@ use num_traits::Zero;
 use super::Field;
 use super::adaptive::Steps;
 use super::dense::Dense;
+use super::landing::{Determined, difference};
+use super::slopes::{Slope, combine, reach};
 use super::step_size::{self, Limits};
 use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
 use crate::error::{Cause, MotionError};
+use crate::linear::Independence;
 use crate::real::{Ordered, Real, larger, smaller};
 use crate::state::State;
-
-/// (dq/dt, dv/dt) at a stage.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Slope<R, const N: usize> {
-    pub q: [R; N],
-    pub v: [R; N],
-}
 
 /// A state and what rounding took from it: the exact sum is `state + residue`.
 #[derive(Clone, Copy, Debug)]
@@ -48,45 +44,10 @@ pub struct Dop853Memory<R, const N: usize> {
     /// Polynomial through the step, once a sample has asked for it.
     pub(crate) dense: Option<Dense<R, N>>,
     pub(crate) counts: Steps,
-}
-
-/// The weighted sum Σⱼ `weights[j]` `slopes[j]` of the first `M` slopes. `weights[0]` is not zero.
-#[inline(always)]
-pub(crate) fn combine<R: Real, const N: usize, const M: usize, const W: usize, const L: usize>(
-    weights: &[f64; W],
-    slopes: &[Slope<R, N>; L],
-) -> Slope<R, N> {
-    let first = R::from_f64(weights[0]);
-    let mut sum = Slope { q: slopes[0].q.map(|x| first * x), v: slopes[0].v.map(|x| first * x) };
-    // Written out because LLVM leaves a loop over the stages standing, and with it tests that are on constants.
-    macro_rules! terms {
-        ($($j:literal)*) => {$(
-            if $j < M && weights[$j] != 0.0 {
-                let weight = R::from_f64(weights[$j]);
-                for n in 0..N {
-                    sum.q[n] += weight * slopes[$j].q[n];
-                    sum.v[n] += weight * slopes[$j].v[n];
-                }
-            }
-        )*};
-    }
-    terms!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
-    sum
-}
-
-/// `from` + h · `slope`, without its residue: coordinates and velocities of a stage.
-#[inline(always)]
-pub(crate) fn reach<R: Real, const N: usize>(
-    from: &State<R, N>,
-    h: R,
-    slope: &Slope<R, N>,
-) -> ([R; N], [R; N]) {
-    let (mut q, mut v) = (from.q, from.v);
-    for n in 0..N {
-        q[n] += h * slope.q[n];
-        v[n] += h * slope.v[n];
-    }
-    (q, v)
+    /// What constraints have determined so far; `None` before the first step.
+    pub(crate) determined: Option<Determined<R>>,
+    /// How independent constraints are at the end of the step; `None` before the first one.
+    pub(crate) independence: Option<Independence<R>>,
 }
 
 /// Compensated x + d (Kahan).
@@ -109,6 +70,8 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             length: R::zero(),
             dense: None,
             counts: Steps::default(),
+            determined: None,
+            independence: None,
         }
     }
 
@@ -138,6 +101,17 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             self.slope = Some(self.slopes[0]);
             self.dense = None;
         }
+    }
+
+    /// Returns to the start of the step, to take another of this `length` \[s].
+    pub(crate) fn retry(&mut self, length: R) {
+        self.rewind();
+        self.length = length;
+    }
+
+    /// The length of the next step \[s]; zero if not known.
+    pub(crate) fn length(&self) -> R {
+        self.length
     }
 
     /// Whether `t` lies in the step, ends included.
@@ -259,12 +233,19 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         stages!(1 2 3 4 5 6 7 8 9 10 11);
 
         let mean = combine::<R, N, STAGES, _, _>(&B, slopes);
-        let fifth = combine::<R, N, STAGES, _, _>(&E5, slopes);
+        let mut fifth = combine::<R, N, STAGES, _, _>(&E5, slopes);
         let embedded = combine::<R, N, STAGES, _, _>(&B3, slopes);
+        let mut third = Slope { q: difference(&mean.q, &embedded.q), v: difference(&mean.v, &embedded.v) };
         let mut end = self.start;
         for n in 0..N {
             (end.state.q[n], end.residue.q[n]) = add(from.q[n], end.residue.q[n], h * mean.q[n]);
             (end.state.v[n], end.residue.v[n]) = add(from.v[n], end.residue.v[n], h * mean.v[n]);
+        }
+        // Beside a configuration in which constraints depend on each other, roundings make large accelerations across them.
+        if self.independence.is_some_and(|here| !here.is_clear()) {
+            for change in [&mut fifth.q, &mut fifth.v, &mut third.q, &mut third.v] {
+                *change = f.along(&end.state, *change);
+            }
         }
         let mut error = R::zero();
         for part in 0..R::PARTS {
@@ -275,8 +256,8 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
                 let weight_q = scale.weight(of(from.q[n]), of(end.state.q[n]));
                 let weight_v = scale.weight(of(from.v[n]), of(end.state.v[n]));
                 let (q5, v5) = (of(fifth.q[n]) * weight_q, of(fifth.v[n]) * weight_v);
-                let q3 = of(mean.q[n] - embedded.q[n]) * weight_q;
-                let v3 = of(mean.v[n] - embedded.v[n]) * weight_v;
+                let q3 = of(third.q[n]) * weight_q;
+                let v3 = of(third.v[n]) * weight_v;
                 sum5 += q5 * q5 + v5 * v5;
                 sum3 += q3 * q3 + v3 * v3;
             }

@@ -9,10 +9,14 @@ pub(crate) mod dop853;
 mod gauss;
 mod jet;
 pub(crate) mod jets;
+pub(crate) mod landing;
+mod lengths;
 mod rk4;
 #[cfg(test)]
 pub(crate) mod samples;
+mod slopes;
 mod splitting;
+mod stages;
 pub(crate) mod step_size;
 mod tableau;
 
@@ -61,6 +65,10 @@ pub(crate) trait Field<R, const N: usize> {
     fn accelerations(&self, t: R, q: &[R; N], v: &[R; N]) -> [R; N];
     /// Why it is not finite there.
     fn cause(&self, t: R, q: &[R; N], v: &[R; N]) -> Cause;
+    /// The part of a change of coordinates or velocities along the constraints at a state.
+    fn along(&self, _state: &State<R, N>, change: [R; N]) -> [R; N] {
+        change
+    }
 }
 
 /// Why the motion fails at a state.

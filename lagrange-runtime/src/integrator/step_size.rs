@@ -5,10 +5,11 @@
 //! First step: an explicit Euler probe estimates the second derivative. Hairer, Nørsett, Wanner, "Solving ODEs
 //! I", 2nd ed., II.4 and II.10. The estimate presumes smooth accelerations; at a jump it only shortens steps.
 
+use core::cmp::Ordering;
+
 use crate::error::Cause;
 use crate::real::{Ordered, Real, larger, smaller};
 use crate::state::State;
-use crate::system::Blur;
 
 /// What the caller asks of the control.
 #[derive(Clone, Copy, Debug)]
@@ -61,30 +62,10 @@ impl<R: Ordered> Limits<R> {
     }
 }
 
-/// Noise may grow by this in a step, so that the step leads across the configuration that the noise comes from.
-pub(crate) const ACROSS: f64 = 1e3;
-
-/// So many roundings of the velocities are no noise that steps need be told of.
-const ROUNDINGS: f64 = 4096.0;
-
-/// Velocities that are more uncertain than this, or than the tolerance where that is coarser, are too uncertain to approach
-/// the configuration that makes them so.
-const TOO_UNCERTAIN: f64 = 1e-9;
-
-/// Whether noise hides where a motion goes.
-pub(crate) fn is_noisy<R: Ordered, const N: usize>(blur: &Blur<R, N>) -> bool {
-    blur.growth.is_positive() && blur.relative > R::from_f64(ROUNDINGS) * R::epsilon()
-}
-
-/// Whether noise is far from hiding where a motion goes: it grows with the square of the distance to where it does.
-pub(crate) fn is_clear<R: Ordered, const N: usize>(blur: &Blur<R, N>) -> bool {
-    blur.relative < R::from_f64(0.25 * ROUNDINGS) * R::epsilon()
-}
-
-/// Whether enough is known of a state to go on from it.
-pub(crate) fn is_known<R: Ordered, const N: usize>(blur: &Blur<R, N>, limits: &Limits<R>) -> bool {
-    let most = larger(R::from_f64(TOO_UNCERTAIN), R::from_f64(16.0 * ROUNDINGS) * R::epsilon());
-    blur.relative <= larger(most, limits.relative / R::from_f64(ACROSS))
+/// Whether a length is not above the resolution of time; true for NaN.
+#[inline]
+pub(crate) fn is_below<R: Ordered>(length: R, resolution: R) -> bool {
+    length.partial_cmp(&resolution) != Some(Ordering::Greater)
 }
 
 /// A length far below any other in the arithmetic of `R`, but representable: ε⁴.

@@ -6,6 +6,7 @@
 //! included; [`Schur`] is what is left of such a system once the velocities are eliminated.
 
 pub(crate) mod complex;
+mod independence;
 mod ldlt;
 mod lu;
 mod saddle;
@@ -13,6 +14,8 @@ mod schur;
 mod singular_values;
 mod symmetric;
 
+pub use independence::Independence;
+pub(crate) use independence::determined;
 pub use ldlt::Ldlt;
 pub use lu::Lu;
 pub(crate) use saddle::TangentSpace;

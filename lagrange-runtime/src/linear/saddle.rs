@@ -24,14 +24,15 @@
 //! for each other. Solutions are as accurate as those of the factors; residuals are a few roundings where the scaled A
 //! and Zᵀ M Z are well conditioned, and grow with their condition, which those of factors would not.
 
+use super::Independence;
 use crate::real::Real;
 
 mod diagonal;
 mod partition;
-mod range;
+pub(super) mod range;
 mod reduced;
 pub(super) mod redundant;
-mod scaled;
+pub(super) mod scaled;
 mod tangent_space;
 pub(super) mod vectors;
 
@@ -42,7 +43,7 @@ use partition::partition;
 use range::Range;
 use reduced::Reduced;
 use scaled::Scaled;
-use vectors::{add_product, add_scaled, poison, put, transposed};
+use vectors::{add_product, add_scaled, poison, transposed};
 
 /// Why a saddle-point system has no solution, or not one only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,21 +61,20 @@ pub enum Defect {
 pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// (v, κ) with M v − Aᵀ κ = `r` and A v = `y`; NaN where there is a [`defect`](Self::defect).
     ///
-    /// Of dependent rows of A the ones that were [dropped](Self::is_dropped) have no say in v, and κ is the shortest
-    /// of all that give the same Aᵀ κ.
+    /// Of dependent rows of A as many as are independent have a say in v, and κ is the shortest of all that give the
+    /// same Aᵀ κ.
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]);
 
+    /// How independent the rows of A are.
+    fn independence(&self) -> Independence<R>;
+
     /// How many rows of A are independent.
-    fn rank(&self) -> usize;
+    fn rank(&self) -> usize {
+        self.independence().rank
+    }
 
     /// Why there is no solution; `None` where there is one.
     fn defect(&self) -> Option<Defect>;
-
-    /// Whether this row of A depends on the others and was left out. False for rows that do not exist.
-    fn is_dropped(&self, row: usize) -> bool;
-
-    /// Whether some row of A is close to the span of others, whatever became of it.
-    fn is_doubtful(&self) -> bool;
 
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
@@ -99,10 +99,8 @@ pub struct Saddle<R, const N: usize, const C: usize> {
     reaction: [[R; C]; N],
     /// What a component of y adds to κ: T, likewise.
     stiffness: [[R; C]; C],
-    dropped: [bool; C],
     units: [R; N],
-    rank: usize,
-    is_doubtful: bool,
+    independence: Independence<R>,
     vanishing: Option<usize>,
     defect: Option<Defect>,
 }
@@ -135,11 +133,28 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         let scaled = Scaled::new(mass, a);
         if partition(&scaled, &mut split) {
             let mut reduced = Reduced::new(&full, &split.null, C);
-            if reduced.factor::<DEFINITE>(C).is_ok() {
-                return Self::assemble(&split, &reduced, scaled.units, C);
+            match reduced.factor::<DEFINITE>(C) {
+                Ok(()) => return Self::assemble(&split, &reduced, scaled.units, Independence::clear(C)),
+                Err(direction) if C == 1 => {
+                    let singular = scaled.defect(&reduced.motion::<DEFINITE>(C, direction));
+                    let finite = full.as_flattened().iter().all(|x| x.is_finite());
+                    return Self::failed(if finite { singular } else { Defect::NotFinite });
+                }
+                Err(_) => {}
             }
+        } else if C == 1 && N <= partition::WIDEST {
+            return Self::without_gradient(a);
         }
         Self::carefully::<DEFINITE>(mass, a)
+    }
+
+    /// A single row whose largest entry is none: one row depends on no other, and a program that has no more links none of
+    /// what decides about them.
+    #[cold]
+    #[inline(never)]
+    fn without_gradient(a: &[[R; N]; C]) -> Self {
+        let is_zero = a.iter().flatten().all(|&x| x == R::zero());
+        Self { vanishing: is_zero.then_some(0), ..Self::failed(Defect::NotFinite) }
     }
 
     /// By the rows that are independent, in a pivoted order.
@@ -156,14 +171,12 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             let singular = scaled.defect(&reduced.motion::<DEFINITE>(range.rank, direction));
             return Self::failed(if finite { singular } else { Defect::NotFinite });
         }
-        let mut this = Self::assemble(&split, &reduced, scaled.units, range.rank);
-        this.is_doubtful = true;
+        let mut this = Self::assemble(&split, &reduced, scaled.units, range.independence());
         this.vanishing = range.vanishing;
         if range.rank < C {
-            for &row in range.order.iter().skip(range.rank) {
-                put(&mut this.dropped, row, true);
-            }
-            this.shorten(&range);
+            let combinations = range.combinations();
+            redundant::shorten(&mut this.reaction, &combinations, range.rank);
+            redundant::shorten(&mut this.stiffness, &combinations, range.rank);
             // A row that is not a number is not taken, but it does not depend on others either.
             poison(this.compliance.as_flattened_mut(), a.as_flattened());
             poison(this.transfer.as_flattened_mut(), a.as_flattened());
@@ -174,7 +187,13 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
 
     /// The blocks of the inverse from the null space and a right inverse of A.
     #[inline(always)]
-    fn assemble(split: &Split<R, N, C>, reduced: &Reduced<'_, R, N>, units: [R; N], rank: usize) -> Self {
+    fn assemble(
+        split: &Split<R, N, C>,
+        reduced: &Reduced<'_, R, N>,
+        units: [R; N],
+        independence: Independence<R>,
+    ) -> Self {
+        let rank = independence.rank;
         let Split { null, inverse } = split;
         let Reduced { mass, inertia, solution, .. } = reduced;
         let mut drift = [[R::zero(); C]; N];
@@ -206,26 +225,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             }
         }
         let transfer = transposed(&reaction);
-        Self {
-            compliance,
-            transfer,
-            reaction,
-            stiffness,
-            dropped: [false; C],
-            units,
-            rank,
-            is_doubtful: false,
-            vanishing: None,
-            defect: None,
-        }
-    }
-
-    /// The shortest multipliers instead of those that leave the dropped rows at zero.
-    fn shorten(&mut self, range: &Range<R, N, C>) {
-        let basis = redundant::basis(&range.combinations(), self.rank);
-        for row in self.reaction.iter_mut().chain(&mut self.stiffness) {
-            *row = redundant::project(&basis, row, self.rank);
-        }
+        Self { compliance, transfer, reaction, stiffness, units, independence, vanishing: None, defect: None }
     }
 
     /// A system whose solutions are NaN.
@@ -238,10 +238,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             transfer: [[nan; N]; C],
             reaction: [[nan; C]; N],
             stiffness: [[nan; C]; C],
-            dropped: [false; C],
             units: [nan; N],
-            rank: 0,
-            is_doubtful: false,
+            independence: Independence { rank: 0, ..Independence::clear(C) },
             vanishing: None,
             defect: Some(defect),
         }
@@ -261,11 +259,11 @@ pub(super) fn symmetric<R: Copy, const N: usize>(lower: &[[R; N]; N]) -> [[R; N]
 }
 
 /// The velocities that the constraints leave open, and some that meet them.
-struct Split<R, const N: usize, const C: usize> {
+pub(super) struct Split<R, const N: usize, const C: usize> {
     /// Zᵀ: vectors of the null space of A, in the rows `rank..N`.
     null: [[R; N]; N],
     /// Y₀ with A Y₀ = 1 on the independent rows; zero in the columns of the others.
-    inverse: [[R; C]; N],
+    pub(super) inverse: [[R; C]; N],
 }
 
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R, N, C> {
@@ -281,8 +279,8 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R,
     }
 
     #[inline]
-    fn rank(&self) -> usize {
-        self.rank
+    fn independence(&self) -> Independence<R> {
+        self.independence
     }
 
     fn defect(&self) -> Option<Defect> {
@@ -292,16 +290,6 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R,
             && finite(self.transfer.as_flattened())
             && finite(self.stiffness.as_flattened());
         self.defect.or(if all { None } else { Some(Defect::NotFinite) })
-    }
-
-    #[inline]
-    fn is_dropped(&self, row: usize) -> bool {
-        self.dropped.get(row).copied().unwrap_or(false)
-    }
-
-    #[inline]
-    fn is_doubtful(&self) -> bool {
-        self.is_doubtful
     }
 
     #[inline]

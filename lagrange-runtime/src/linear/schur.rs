@@ -1,26 +1,22 @@
 //! The Schur complement S = A M⁻¹ Aᵀ of constrained mechanics: symmetric, positive semidefinite, singular where rows of
 //! A depend on each other.
 //!
-//! Matrices that are clearly regular are factored as L D Lᵀ in the order given. A small pivot starts again, with
-//! pivoting and a decision about the rank (Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed.,
-//! § 10.3), and ends in the inverse, or in the generalised inverse that gives the shortest solution.
+//! Matrices that are clearly regular are factored as L D Lᵀ in the order given. A small pivot leaves the square of A: the
+//! rows themselves, in the metric of M, are brought to triangular form by the QR factorisation that reveals their rank, and
+//! the inverse, or the generalised inverse that gives the shortest solution, is formed from that.
 
 use crate::real::Real;
 
-use super::saddle::vectors::{add_product, add_scaled, scale, unit};
+use super::Independence;
+use super::saddle::range::Range;
+use super::saddle::redundant;
+use super::saddle::scaled::Scaled;
+use super::saddle::vectors::{add_product, add_scaled, multiply, poison, scale, unit, where_positive};
 
-mod pivoted;
-
-/// A pivot below 2⁸ C ε of its diagonal in S is zero.
+/// A pivot below this part of its diagonal is left to the careful way.
 ///
-/// A pivot is the squared sine of the angle between a row of A and those before it, in the metric of the kinetic
-/// energy. S is known to some Cε, so what is above has two digits, and rows that are closer to each other than about
-/// 2⁻²² √C (`f64`) or 2⁻⁷ √C (`f32`) count as dependent. [`Saddle`](super::Saddle), which never squares A, tells them
-/// apart.
-const ROUNDINGS: f64 = 256.0;
-
-/// A pivot below this part of its diagonal is left to the pivoted way: after it, and without an order by size, rounding
-/// errors may look like pivots.
+/// A pivot is the squared sine of the angle between a row of A and those before it, in the metric of the kinetic energy, and
+/// S is known to some Cε, so what is above has lost three digits at most.
 const LEAST: f64 = 1.0 / 1024.0;
 
 /// Up to this size the inverse is formed: one product instead of two substitutions.
@@ -41,26 +37,35 @@ pub struct Schur<R, const C: usize> {
     inverse: [R; C],
     /// What `factor` is.
     inverted: bool,
-    dropped: [bool; C],
-    rank: usize,
-    is_doubtful: bool,
+    independence: Independence<R>,
     vanishing: Option<usize>,
 }
 
 impl<R: Real, const C: usize> Schur<R, C> {
-    /// Factors S, of which only the lower triangle is read.
+    /// Factors S, of which only the lower triangle is read. `system` gives M⁻¹, as a diagonal, and A where S alone is not enough.
     #[inline]
     #[must_use]
-    pub fn factor(lower: [[R; C]; C]) -> Self {
+    pub fn factor<const N: usize>(
+        lower: [[R; C]; C],
+        system: impl FnOnce() -> ([R; N], [[R; N]; C]),
+    ) -> Self {
         let mut none: [[R; 0]; C] = [[]; C];
-        Self::factor_with(&lower, &mut none)
+        Self::factor_with(&lower, &mut none, system)
     }
 
     /// Factors S and, if it is [`SMALL`], multiplies `rows` by its inverse from the left.
     #[inline(always)]
-    pub(super) fn factor_with<const K: usize>(lower: &[[R; C]; C], rows: &mut [[R; K]; C]) -> Self {
+    pub(super) fn factor_with<const K: usize, const N: usize>(
+        lower: &[[R; C]; C],
+        rows: &mut [[R; K]; C],
+        system: impl FnOnce() -> ([R; N], [[R; N]; C]),
+    ) -> Self {
         let Some(mut this) = Self::decompose(lower) else {
-            return Self::carefully(lower, rows);
+            let this = if C == 1 { Self::single(lower) } else { Self::carefully(&system()) };
+            if C <= SMALL {
+                *rows = this.factor.map(|row| add_product(&[R::zero(); K], rows, &row));
+            }
+            return this;
         };
         if C <= SMALL {
             // With the factors and not with the inverse, whose rounding errors are larger.
@@ -100,15 +105,57 @@ impl<R: Real, const C: usize> Schur<R, C> {
                 }
             }
         }
-        Some(Self {
+        Some(Self { factor, inverse, inverted: false, independence: Independence::clear(C), vanishing: None })
+    }
+
+    /// A single row whose square is not positive: it depends on no other, and a program that has no more rows links nothing
+    /// of what decides about them.
+    #[cold]
+    #[inline(never)]
+    fn single(lower: &[[R; C]; C]) -> Self {
+        let square = lower.as_flattened().first().copied().unwrap_or(R::zero());
+        let (zero, nan) = (R::zero(), R::from_f64(f64::NAN));
+        let is_zero = square.abs().largest() == zero.largest();
+        let inverse =
+            if is_zero { zero } else { where_positive(square.recip(), square.recip()).unwrap_or(nan) };
+        Self {
+            factor: [[inverse; C]; C],
+            inverse: [R::one(); C],
+            inverted: true,
+            independence: Independence { rank: usize::from(!is_zero), ..Independence::clear(C) },
+            vanishing: is_zero.then_some(0),
+        }
+    }
+
+    /// The generalised inverse Y₀ᵀ Y₀, with Y₀ the right inverse of A M^(−1/2) on its independent rows.
+    #[cold]
+    #[inline(never)]
+    fn carefully<const N: usize>((inverse_masses, a): &([R; N], [[R; N]; C])) -> Self {
+        let mut rows = *a;
+        let units = inverse_masses.map(R::sqrt);
+        for row in &mut rows {
+            multiply(row, &units);
+        }
+        let range = Range::factor(&Scaled::with([R::one(); N], &rows));
+        let mut factor = [[R::zero(); C]; C];
+        for row in &range.split().inverse {
+            for (to, &x) in factor.iter_mut().zip(row) {
+                add_scaled(to, row, x);
+            }
+        }
+        if range.rank < C {
+            redundant::shorten(&mut factor, &range.combinations(), range.rank);
+        }
+        // A row that is not a number is not taken, but it does not depend on others either. Nor does one that a negative
+        // mass has made such.
+        poison(factor.as_flattened_mut(), rows.as_flattened());
+        Self {
             factor,
-            inverse,
-            inverted: false,
-            dropped: [false; C],
-            rank: C,
-            is_doubtful: false,
-            vanishing: None,
-        })
+            inverse: [R::one(); C],
+            inverted: true,
+            independence: range.independence(),
+            vanishing: range.vanishing,
+        }
     }
 
     /// X with L D Lᵀ X = `rows`.
@@ -130,7 +177,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
         }
     }
 
-    /// κ with S κ = `y`. Where S is singular: on the rows that are not [dropped](Self::is_dropped), and the shortest of
+    /// κ with S κ = `y`. Where S is singular: on the rows that are independent, and the shortest of
     /// such κ that differ by a null vector of S.
     #[inline]
     #[must_use]
@@ -167,7 +214,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
     #[must_use]
     pub fn solve_order(&self, order: usize, lower: &[[R; C]; C], y: [R; C]) -> [R; C] {
         let mut x = self.solve(y);
-        if order <= REFINED && self.rank == C {
+        if order <= REFINED && self.independence.rank == C {
             let mut rest = y;
             for i in 0..C {
                 for j in 0..C {
@@ -188,11 +235,11 @@ impl<R: Real, const C: usize> Schur<R, C> {
         add_product(&[R::zero(); C], &self.factor, y)
     }
 
-    /// How many rows are independent.
+    /// How independent the rows are.
     #[inline]
     #[must_use]
-    pub fn rank(&self) -> usize {
-        self.rank
+    pub fn independence(&self) -> Independence<R> {
+        self.independence
     }
 
     /// Whether all factors are numbers.
@@ -201,20 +248,6 @@ impl<R: Real, const C: usize> Schur<R, C> {
         let width = |row: usize| if self.inverted { C } else { row };
         let finite = |(i, row): (usize, &[R; C])| row.iter().take(width(i)).all(|x| x.is_finite());
         self.factor.iter().enumerate().all(finite) && self.inverse.iter().all(|x| x.is_finite())
-    }
-
-    /// Whether this row depends on the others and was left out. False for rows that do not exist.
-    #[inline]
-    #[must_use]
-    pub fn is_dropped(&self, row: usize) -> bool {
-        self.dropped.get(row).copied().unwrap_or(false)
-    }
-
-    /// Whether a pivot is small, whatever became of it.
-    #[inline]
-    #[must_use]
-    pub fn is_doubtful(&self) -> bool {
-        self.is_doubtful
     }
 
     /// The first row whose diagonal is zero: a constraint without a gradient.

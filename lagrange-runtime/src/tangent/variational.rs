@@ -217,8 +217,7 @@ where
             for first in passes::<N, P, D>() {
                 let (system, mut varied) = (over(self.system, first), free.varied(first));
                 let constants = system.constants();
-                system.check_start_at(&constants, &varied).map_err(failed)?;
-                system.project_at(&constants, &mut varied).map_err(failed)?;
+                system.begin_at(&constants, &mut varied).map_err(failed)?;
                 transition.take(first, &varied);
             }
         }

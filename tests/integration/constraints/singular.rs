@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use lagrangian::prelude::*;
 
-use crate::support::close::{all_close, close};
+use crate::support::close::{all_close, close, close_on};
 
 /// A slider-crank with equal links: at the dead centre, with both links upright, one more motion is possible.
 struct Slider {
@@ -152,7 +152,9 @@ fn other_methods_lose_no_energy_in_silence() {
             let mut motion = slider.simulate_with::<Dop853>(start).with_tolerance(tolerance);
             match motion.advance_to(2.0) {
                 Ok(end) => close(slider.energy(end) / slider.energy(&start), 1.0, 1e-6),
-                Err(error) => assert_eq!(error.cause, Cause::StepTooSmall),
+                Err(error) => {
+                    assert!(matches!(error.cause, Cause::StepTooSmall | Cause::Undetermined { .. }))
+                }
             }
         }
     }
@@ -187,9 +189,11 @@ fn a_flat_parallelogram_goes_on_as_one() {
                 .expect("a start");
             let mut motion = linkage.simulate(start).with_tolerance(tolerance);
             let end = *motion.advance_to(3.0).expect("a motion");
-            close((linkage.energy(&end) - linkage.energy(&start)) / 30.0, 0.0, 1e-8);
-            close(end.q[5], 0.0, 1e-8);
-            close(end.q[0] - end.q[1], 0.0, 1e-8);
+            // Errors of some tens of steps, and the rounding of states that end 1e-5 beside the flat position.
+            let allowed = 100.0 * tolerance + f64::EPSILON / 1e-5;
+            close_on(30.0, linkage.energy(&end), linkage.energy(&start), allowed);
+            close_on(1.0, end.q[5], 0.0, allowed);
+            close_on(1.0, end.q[0], end.q[1], allowed);
         }
     }
 }

@@ -84,7 +84,7 @@ fn along_motion(emission: &mut Emission<'_>, name: &str, doc: &str, node: NodeId
     } else {
         format!(
             "let balance = lagrange::Balance::<_, {}, 0> {{ \
-             accelerations: self.accelerations(state{argument})?, multipliers: [], rank: 0, is_doubtful: false }};\n",
+             accelerations: self.accelerations(state{argument})?, multipliers: [], independence: lagrange::Independence::clear(0) }};\n",
             emission.count()
         )
     };

@@ -41,7 +41,7 @@ pub(in crate::emit) fn methods(emission: &mut Emission<'_>) -> String {
             result(&format!("lagrange::Reactions<{record}<{scalar}>>"))
         ),
         &format!(
-            "{balance}::core::result::Result::Ok(lagrange::Reactions::new(balance.multipliers.into(), balance.rank == {held}))"
+            "{balance}::core::result::Result::Ok(lagrange::Reactions::new(balance.multipliers.into(), balance.independence.rank == {held}))"
         ),
     );
     text.push_str(&method(

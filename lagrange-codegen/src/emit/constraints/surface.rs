@@ -22,34 +22,48 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
     let integrator = if emission.jets.is_some() { "Jets" } else { "Dop853" };
     let place = format!("t: {scalar}, q: &{vector}, v: &{vector}");
     let surface = format!("lagrange::Surface<{count}, {given}, {held}>");
+    let on = format!("<Self as {surface}>::balance_at(self, constants, t, q, v, u).accelerations");
+    let function = |name: &str, body: &str| {
+        format!(
+            "#[inline]\nfn {name}(&self, constants: &Self::Constants, {place}, u: &{inputs}) -> {vector} {{\n{body}\n}}\n"
+        )
+    };
     // One row depends on no other, and Baumgarte's motions are meant to be beside the constraints.
     let accelerations = if held > 1 && emission.model.baumgarte.is_none() {
-        format!(
+        let beside = format!(
             "lagrange::constraints::accelerations::<Self, {count}, {given}, {held}>(self, constants, t, q, v, u)"
-        )
+        );
+        function("accelerations_at", &beside) + &function("accelerations_on_at", &on)
     } else {
-        format!("<Self as {surface}>::balance_at(self, constants, t, q, v, u).accelerations")
+        function("accelerations_at", &on)
     };
+    // A motion that is drawn to the constraints begins where it is.
+    let begin = if emission.model.baumgarte.is_some() { "let start = &mut start.clone();\n" } else { "" };
+    let coupled = if held > 1 { "const COUPLED: bool = true;\n" } else { "" };
     let system = format!(
         "type Scalar = {scalar};\ntype Method = lagrange::{integrator};\ntype Constants = {constants_type};\n\
-         const CONSTRAINED: bool = true;\n\
+         const CONSTRAINED: bool = true;\n{coupled}\
          #[inline]\nfn constants(&self) -> Self::Constants {{\n{constants}\n}}\n\
-         #[inline]\nfn accelerations_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) -> {vector} \
-         {{\n{accelerations}\n}}\n\
+         {accelerations}\
          fn check_at(&self, _constants: &Self::Constants, {place}) -> ::core::result::Result<(), lagrange::Cause> \
          {{\nlagrange::constraints::check::<Self, {count}, {given}, {held}>(self, t, q, v)\n}}\n\
-         fn check_start_at(&self, _constants: &Self::Constants, start: &lagrange::State<{scalar}, {count}>) \
+         fn begin_at(&self, _constants: &Self::Constants, start: &mut lagrange::State<{scalar}, {count}>) \
          -> ::core::result::Result<(), lagrange::Cause> \
-         {{\nlagrange::constraints::check_start::<Self, {count}, {given}, {held}>(self, start)\n}}\n"
+         {{\n{begin}lagrange::constraints::begin::<Self, {count}, {given}, {held}>(self, start)\n}}\n"
     );
     let project = if emission.model.baumgarte.is_some() {
         String::new()
     } else {
         format!(
-            "#[inline]\nfn project_at(&self, _constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>) \
+            "#[inline]\nfn project_at(&self, _constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>, \
+             from: ::core::option::Option<&lagrange::State<{scalar}, {count}>>) \
              -> ::core::result::Result<(), lagrange::Cause> \
-             {{\nlagrange::constraints::project::<Self, {count}, {given}, {held}>(self, state)\n}}\n\
-             fn blur_at(&self, {place}) -> lagrange::Blur<{scalar}, {count}> {{\nlagrange::constraints::blur::<Self, {count}, {given}, {held}>(self, t, q, v)\n}}\n"
+             {{\nlagrange::constraints::project::<Self, {count}, {given}, {held}>(self, state, from)\n}}\n\
+             #[inline]\nfn land_at(&self, _constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>) \
+             -> ::core::result::Result<lagrange::Footing<{scalar}, {count}>, lagrange::Cause> \
+             {{\nlagrange::constraints::land::<Self, {count}, {given}, {held}>(self, state)\n}}\n\
+             fn tangential_at(&self, state: &lagrange::State<{scalar}, {count}>, change: &{vector}) -> {vector} \
+             {{\nlagrange::constraints::tangential::<Self, {count}, {given}, {held}>(self, state, change)\n}}\n"
         )
     };
     let energy = format!(
@@ -79,7 +93,7 @@ pub(in crate::emit) fn implementations(emission: &Emission<'_>) -> String {
          #[inline]\nfn reactions_at(&self, constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) \
          -> lagrange::Reactions<{record}<{scalar}>> {{\n\
          let balance = <Self as lagrange::Surface<{count}, {given}, {held}>>::balance_at(self, constants, t, q, v, u);\n\
-         lagrange::Reactions::new(balance.multipliers.into(), balance.rank == {held})\n}}\n"
+         lagrange::Reactions::new(balance.multipliers.into(), balance.independence.rank == {held})\n}}\n"
     )
 }
 

@@ -76,13 +76,18 @@ impl SaddlePoint {
             self.gradients.iter().map(|row| outputs.by_ref().take(row.len()).collect()).collect();
         let constraints = gradients.len();
         let factors = Self::FACTORS;
+        // One row depends on no other.
+        let noted = |independence: String| {
+            if constraints > 1 { format!("series.independence = {independence};\n") } else { String::new() }
+        };
         if let Saddle::Whole { definite } = self.method {
             let text = format!(
                 "{}let gradients = {};\nlet {factors} = lagrange::saddle::Saddle::<{scalar}, {count}, {constraints}>::{}(&mass, &gradients);\n\
-                 if lagrange::constraints::is_singular(&{factors}) {{ return false; }}\n",
+                 if lagrange::constraints::is_singular(&{factors}) {{ return false; }}\n{}",
                 body::lower_triangle(scalar, count, &mass),
                 matrix(&gradients),
-                constructor(definite)
+                constructor(definite),
+                noted(format!("lagrange::constraints::independence(&{factors})"))
             );
             return (text, SaddleStart::Whole);
         }
@@ -132,8 +137,11 @@ impl SaddlePoint {
         }
         text.push_str(&body::lower_triangle(scalar, constraints, &schur));
         text.push_str(&format!(
-            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor(mass);\n\
-             if !{factors}.is_finite() || {factors}.vanishing().is_some() {{ return false; }}\n"
+            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor::<{count}>(mass, || ([{}], {}));\n\
+             if !{factors}.is_finite() || {factors}.vanishing().is_some() {{ return false; }}\n{}",
+            inverses.join(", "),
+            matrix(&gradients),
+            noted(format!("{factors}.independence()"))
         ));
         (text, SaddleStart::Diagonal { inverses, gradients, weighted })
     }

@@ -47,6 +47,7 @@ impl Interpreter<'_> {
                 })
             }
             ("lagrange::constraints::matrix", [rows]) => Ok(rows.clone()),
+            ("lagrange::Independence::clear", [Value::Integer(rows)]) => Ok(independence(*rows)),
             ("lagrange::Reactions::new", [multipliers, unique]) => {
                 Ok(Value::List(vec![multipliers.clone(), unique.clone()]))
             }
@@ -101,6 +102,11 @@ fn equations(saddle: &Value) -> Run<Vec<Vec<f64>>> {
     Ok(matrix)
 }
 
+/// `Independence` of rows that do not depend on each other.
+fn independence(rows: usize) -> Value {
+    Value::record([("rank", Value::Integer(rows))])
+}
+
 /// `Balance`, with what it was made of.
 fn balance(saddle: &Value, force: &Value, gamma: &Value) -> Run<Value> {
     let (matrix, force_and_gamma) = (equations(saddle)?, [force.to_numbers()?, gamma.to_numbers()?].concat());
@@ -114,7 +120,7 @@ fn balance(saddle: &Value, force: &Value, gamma: &Value) -> Run<Value> {
     Ok(Value::record([
         ("accelerations", Value::numbers(&solution[..count])),
         ("multipliers", Value::numbers(&solution[count..])),
-        ("rank", Value::Integer(matrix.len() - count)),
+        ("independence", independence(matrix.len() - count)),
         ("mass", saddle.field("mass")?.clone()),
         ("gradients", saddle.field("gradients")?.clone()),
         ("force", force.clone()),

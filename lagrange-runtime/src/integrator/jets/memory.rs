@@ -4,8 +4,12 @@ use num_traits::{One, Zero};
 
 use super::super::adaptive::Steps;
 use super::super::dop853::add;
+use super::super::landing::{Determined, across};
 use super::super::step_size::{self, Limits};
 use super::{DECAY, GROWTH, HIGHEST, SAFETY, last_term};
+use crate::constraints::Footing;
+use crate::error::Cause;
+use crate::linear::Independence;
 use crate::real::{Ordered, Real, larger, smaller};
 use crate::smooth::Series;
 use crate::state::State;
@@ -32,8 +36,12 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) last: R,
     /// The largest accelerations that were met where steps were probed.
     pub(super) strongest: [R; N],
-    /// Shrinking steps that need not ask for the noise of constraints, because it was far from mattering.
-    pub(super) calm: u8,
+    /// How independent constraints are at the start of the step; `None` before the first step.
+    pub(super) independence: Option<Independence<R>>,
+    /// What constraints have determined so far; `None` before the first step.
+    pub(super) determined: Option<Determined<R>>,
+    /// Ulps below which neither coordinates nor velocities are known through the constraints that couple them.
+    pub(super) ulps: [[R; N]; 2],
     pub(super) end: State<R, N>,
     pub(super) end_residue: State<R, N>,
     pub(super) counts: Steps,
@@ -55,7 +63,9 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             next: R::zero(),
             last: R::zero(),
             strongest: [R::zero(); N],
-            calm: 0,
+            independence: None,
+            determined: None,
+            ulps: [[R::zero(); N]; 2],
             end: start,
             end_residue: zero,
             counts: Steps::default(),
@@ -90,6 +100,17 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         state
     }
 
+    /// The state at `theta` units of the scaled time.
+    pub(super) fn place(&self, theta: R) -> State<R, N> {
+        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
+        let mut state = self.start.at_time(self.start.t + theta * self.unit);
+        for i in 0..N {
+            state.q[i] += gain_q[i];
+            state.v[i] += gain_v[i];
+        }
+        state
+    }
+
     /// Moves the end of the step to `length` units of the scaled time.
     #[inline]
     pub(super) fn reach(&mut self, length: R) {
@@ -99,6 +120,35 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             (self.end.q[i], self.end_residue.q[i]) = add(self.start.q[i], self.residue.q[i], gain_q[i]);
             (self.end.v[i], self.end_residue.v[i]) = add(self.start.v[i], self.residue.v[i], gain_v[i]);
         }
+    }
+
+    /// Time runs in the other direction: odd coefficients of the coordinates change their sign, and all of them the unit.
+    pub(super) fn turn(&mut self) {
+        self.unit = -self.unit;
+        for rows in [&mut self.series.q, &mut self.series.v] {
+            for row in rows.iter_mut().step_by(2) {
+                *row = row.map(|x| -x);
+            }
+        }
+    }
+
+    /// Takes in what is known of the state from which the next step starts.
+    pub(super) fn stand(&mut self, footing: &Footing<R, N>) {
+        self.ulps = [footing.ulps_q, footing.ulps_v];
+        self.independence = Some(footing.independence);
+    }
+
+    /// No step: the motion stays where it was, for this reason.
+    #[cold]
+    pub(super) fn stay(&mut self, cause: Cause) -> Cause {
+        (self.end, self.end_residue) = (self.start, self.residue);
+        cause
+    }
+
+    /// The shortest step that time resolves at the start \[s].
+    #[inline]
+    pub(super) fn resolution(&self) -> R {
+        R::from_f64(4.0) * R::epsilon() * self.start.t.abs() + step_size::smallest()
     }
 
     /// Replaces the end of the step by a state beside it.
@@ -132,29 +182,35 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// The size of a component is that of its first terms over `span`, which should be about the length itself. With
     /// `steady` the unit is the last step.
     ///
-    /// Terms below the `noise` of coordinates and velocities are nothing.
-    ///
     /// Of numbers with derivatives each component of each derivative has its own size, as coordinates have.
     #[inline]
-    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool, noise: [&[R; N]; 2]) -> R {
-        let length = |part| self.tolerated_by(limits, span, steady, noise, part);
+    pub(super) fn tolerated(&self, limits: &Limits<R>, span: R, steady: bool) -> R {
+        let length = |part| self.tolerated_by(limits, span, steady, part);
         R::splat((1..R::PARTS).fold(length(0), |least, part| smaller(least, length(part))))
     }
 
     /// The same for the values or one of their derivatives.
     #[inline]
-    fn tolerated_by(
-        &self,
-        limits: &Limits<R>,
-        span: R,
-        steady: bool,
-        noise: [&[R; N]; 2],
-        part: usize,
-    ) -> R::Lane {
+    fn tolerated_by(&self, limits: &Limits<R>, span: R, steady: bool, part: usize) -> R::Lane {
+        let p = self.orders;
+        let weights = self.weights(limits, span, part);
+        let term = |order| self.term(&weights, order, part);
+        // At the tolerated length one term is about this much smaller than the one before it.
+        let decay = R::Lane::from_f64(DECAY);
+        let length = reach(larger(term(p), decay * term(p - 1)), p);
+        if steady && length <= R::Lane::from_f64(GROWTH) {
+            return length;
+        }
+        self.bounded(length, term)
+    }
+
+    /// Weights of coordinates and of velocities, or of one of their derivatives: the reciprocals of what a last term may be.
+    #[inline]
+    fn weights(&self, limits: &Limits<R>, span: R, part: usize) -> [[R::Lane; N]; 2] {
         let (number, zero) = (R::Lane::from_f64, R::Lane::zero());
         let [relative, absolute, span] =
             [last_term(limits.relative), limits.absolute.unwrap_or_else(R::zero), span].map(Real::largest);
-        let (series, p) = (&self.series, self.orders);
+        let series = &self.series;
         let of = |x: R| x.part(part).largest();
         let sizes = |x: &[R; N], rows: &[[R; N]; HIGHEST]| {
             core::array::from_fn::<_, N, _>(|i| {
@@ -169,24 +225,57 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let column = |largest, &size: &R::Lane| larger(largest, size);
         let whole = if part == 0 { R::Lane::one() } else { sizes.iter().flatten().fold(zero, column) };
         let absolute = number(SAFETY) * absolute * whole + step_size::smallest::<R::Lane>();
-        let weights: [[R::Lane; N]; 2] = core::array::from_fn(|k| {
-            let noise = if part == 0 { *noise[k] } else { [R::zero(); N] };
-            core::array::from_fn(|i| (of(noise[i]) + (relative * sizes[k][i] + absolute)).recip())
-        });
-        let term = |order: usize| {
-            let (q, v) = (series.q.get(order - 1), series.v.get(order - 1));
-            let (Some(q), Some(v)) = (q, v) else { return zero };
-            (0..N).fold(zero, |most, i| {
-                larger(larger(most, of(q[i]).abs() * weights[0][i]), of(v[i]).abs() * weights[1][i])
-            })
-        };
-        // At the tolerated length one term is about this much smaller than the one before it.
-        let decay = number(DECAY);
-        let length = reach(larger(term(p), decay * term(p - 1)), p);
-        if steady && length <= number(GROWTH) {
-            return length;
+        core::array::from_fn(|k| {
+            let ulps = if part == 0 { self.ulps[k] } else { [R::zero(); N] };
+            core::array::from_fn(|i| (of(ulps[i]) + (relative * sizes[k][i] + absolute)).recip())
+        })
+    }
+
+    /// The largest weighted coefficient of an order.
+    #[inline(always)]
+    fn term(&self, weights: &[[R::Lane; N]; 2], order: usize, part: usize) -> R::Lane {
+        let zero = R::Lane::zero();
+        let (q, v) = (self.series.q.get(order - 1), self.series.v.get(order - 1));
+        let (Some(q), Some(v)) = (q, v) else { return zero };
+        let of = |x: R| x.part(part).largest();
+        (0..N).fold(zero, |most, i| {
+            larger(larger(most, of(q[i]).abs() * weights[0][i]), of(v[i]).abs() * weights[1][i])
+        })
+    }
+
+    /// The last terms of the series at `theta` units of the scaled time, each as large as those that follow it may be.
+    pub(super) fn last_terms(&self, theta: R) -> [State<R, N>; 2] {
+        let zero = [R::zero(); N];
+        [(self.orders, R::one()), (self.orders - 1, R::from_f64(DECAY))].map(|(order, share)| {
+            let factor = share * theta.powi(order as i32);
+            let of =
+                |rows: &[[R; N]; HIGHEST]| rows.get(order - 1).map_or(zero, |row| row.map(|x| factor * x));
+            State { t: self.end.t, q: of(&self.series.q), v: of(&self.series.v) }
+        })
+    }
+
+    /// The length, in units of the scaled time, at which the last terms are what errors across constraints may be, where
+    /// such errors and no others keep the series to the length `theta`.
+    ///
+    /// Beside a configuration in which constraints depend on each other roundings of a state grow along the series, and its
+    /// last terms hardly decay at the tolerated length. Those of the motion itself have decayed to nothing long before.
+    #[cold]
+    pub(super) fn reach_across(&self, limits: &Limits<R>, theta: R) -> Option<R> {
+        let (number, p) = (R::Lane::from_f64, self.orders);
+        let weights = self.weights(limits, theta, 0);
+        let at = theta.largest();
+        // Halfway, in two orders, since symmetry makes every other term vanish.
+        let term = |order: usize| self.term(&weights, order, 0) * at.powi(order as i32);
+        let halfway = larger(term(p / 2), term(p / 2 - 1));
+        if halfway.ln() > -number(DECAY).ln() * number(p as f64 / 4.0) {
+            return None;
         }
-        self.bounded(length, term)
+        // Constraints couple the coordinates, so these errors are parts of the whole state in the kinetic metric.
+        let share = across(last_term(limits.relative), &self.independence?).largest() / R::Lane::epsilon();
+        let weights = self.ulps.map(|ulps| ulps.map(|ulp| (share * ulp.largest()).recip()));
+        let term = |order: usize| self.term(&weights, order, 0);
+        let longer = R::splat(reach(larger(term(p), number(DECAY) * term(p - 1)), p));
+        (longer > theta && longer.is_finite()).then_some(longer)
     }
 
     /// A length that the terms of lower orders bear as well: `term` gives the weighted size of an order.

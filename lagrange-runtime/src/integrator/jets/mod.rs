@@ -11,12 +11,15 @@
 //! Coefficients are those of time in units of the last step, so none over- or underflows in any units of mass,
 //! length and time.
 
+mod expansion;
 mod memory;
 pub(crate) mod probe;
+mod singular;
 mod step;
 
 use super::adaptive::{Adaptive, Steps};
 use super::diagnose;
+use super::landing::Determined;
 use super::step_size::Limits;
 use crate::error::{Cause, MotionError};
 use crate::real::{Ordered, larger};
@@ -177,7 +180,7 @@ where
         // The polynomial obeys constraints to the tolerance, the ends of its steps to rounding.
         if S::CONSTRAINED && t != memory.end.t {
             let failed = |cause| MotionError { cause, t: memory.end.t };
-            system.project_at(constants, &mut state).map_err(failed)?;
+            system.project_at(constants, &mut state, None).map_err(failed)?;
         }
         Ok(state)
     }

@@ -9,7 +9,7 @@ use crate::smooth::{Series, Smooth};
 use crate::state::State;
 
 /// A step is looked at in so many places, the last one its end.
-const PLACES: usize = 7;
+pub(super) const PLACES: usize = 7;
 
 /// A step is at most so many times as long as the one before it.
 const GROWTH: f64 = 2.0;
@@ -72,7 +72,7 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
             let v = core::array::from_fn(|i| self.start.v[i] + gain_v[i]);
             let t = self.start.t + theta * self.unit;
             let found = self.system.accelerations_at(self.constants, t, &q, &v, self.inputs);
-            let expected = self.accelerations(theta);
+            let expected = self.series.slopes(theta, self.orders).map(|slope| slope / self.unit);
             (0..N).fold(agrees, |agrees, i| {
                 let is_finite = found[i].is_finite();
                 strongest[i] =
@@ -90,18 +90,5 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
                 })
             })
         })
-    }
-
-    /// Accelerations of the polynomial.
-    fn accelerations(&self, theta: S::Scalar) -> [S::Scalar; N] {
-        let mut slopes = [num_traits::Zero::zero(); N];
-        let mut order = S::Scalar::from_f64(self.orders as f64);
-        for row in self.series.v.iter().take(self.orders).rev() {
-            for i in 0..N {
-                slopes[i] = slopes[i] * theta + order * row[i];
-            }
-            order -= num_traits::One::one();
-        }
-        slopes.map(|slope: S::Scalar| slope / self.unit)
     }
 }

@@ -1,25 +1,16 @@
 //! One step: expansion, length, end.
 
-use core::cmp::Ordering;
-
 use super::super::adaptive::Adaptive;
+use super::super::landing::{Check, Determined, Landing};
+use super::super::lengths::{Lengths, Next, Outcome};
 use super::super::step_size::{self, Limits};
-use super::probe::{self, Probe};
-use super::{Jets, JetsMemory, NEAR};
+use super::expansion::expand;
+use super::probe::{self, PLACES, Probe};
+use super::{Jets, JetsMemory, singular};
 use crate::error::Cause;
-use crate::real::{Ordered, Real, larger, smaller};
+use crate::real::{Ordered, Real};
 use crate::simulation::Held;
 use crate::smooth::Smooth;
-use crate::system::Blur;
-
-/// A step that shrinks to this may do so because of noise.
-const SHRUNK: f64 = 0.75;
-
-/// Noise that is far from mattering does not in so many steps that shrink after it.
-const CALM: u8 = 3;
-
-/// A step that ends where too little is certain is repeated with this part of its length.
-const RETREAT: f64 = 0.6;
 
 /// One step from the end of the last one towards `target`.
 #[inline]
@@ -36,135 +27,149 @@ where
     S: Smooth<N, K>,
     S::Scalar: Ordered,
 {
-    let number = S::Scalar::from_f64;
-    let before = (memory.start, memory.residue);
     (memory.start, memory.residue) = (memory.end, memory.end_residue);
-    let mut from = memory.start;
-    if !from.is_finite() {
+    if !memory.start.is_finite() {
         return Err(Cause::NotFinite);
     }
-    let mut limits: Limits<S::Scalar> = *limits;
-    let none = [num_traits::Zero::zero(); N];
-    let mut left = target - from.t;
-    let resolution = number(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
-    let mut remembered = memory.next.is_positive();
-    let mut unit = if remembered { memory.next } else { left.abs() };
-    let (mut overflowed, mut rescaled, mut retreated, mut blur) = (false, false, false, None);
-    let mut lengthened = false;
+    let left = target - memory.start.t;
+    let begins = S::CONSTRAINED && memory.determined.is_none();
+    let mut here = None;
+    if begins {
+        let footing = system.land_at(constants, &mut memory.start.clone())?;
+        memory.stand(&footing);
+        here = Some(footing.independence);
+    }
+    let natural = expand(memory, system, control, limits, left, attempts)?;
+    if let Some(here) = here {
+        if !here.is_determined() && singular::start(memory, system, constants, control, limits, left, &here)?
+        {
+            memory.counts.accepted += 1;
+            return Ok(());
+        }
+        memory.determined = Some(Determined::at_start(&here));
+    }
+    let resolution = memory.resolution();
+    let is_free = natural.is_none();
+    let mut natural = natural.unwrap_or_else(|| left.abs());
+    // The coefficients do not know what rounding has hidden from them.
+    if S::STEEP || S::CONSTRAINED && memory.last.is_positive() {
+        natural = probe::restrained(natural, memory.last, left.abs());
+    }
+    let length = limits.clip(natural);
+    if !is_free && step_size::is_below(length, resolution) {
+        return Err(Cause::StepTooSmall);
+    }
+    memory.reach(length / memory.unit.abs());
+    memory.next = if is_free { num_traits::Zero::zero() } else { natural };
+    // Of a polynomial in time only the equations tell whether it holds. A constrained step is always compared with them.
+    if !S::CONSTRAINED && (S::STEEP || is_free) {
+        let free = is_free.then_some(left);
+        shorten(memory, system, constants, control, limits, (free, resolution))?;
+    }
+    if !memory.end.is_finite() {
+        return Err(memory.stay(Cause::NotFinite));
+    }
+    if S::CONSTRAINED {
+        land(memory, system, constants, control, limits, natural, attempts)?;
+    }
+    memory.last = (memory.end.t - memory.start.t).abs();
+    memory.counts.accepted += 1;
+    Ok(())
+}
+
+/// Ends a step of a constrained motion where it can be checked and goes on well: at the length that it has, or near that.
+#[inline]
+fn land<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    constants: &S::Constants,
+    control: &Held<S::Scalar, K>,
+    limits: &Limits<S::Scalar>,
+    natural: S::Scalar,
+    attempts: &mut u64,
+) -> Result<(), Cause>
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    let (Some(mut determined), Some(here)) = (memory.determined, memory.independence) else { return Ok(()) };
+    let unit = memory.unit.abs();
+    // What error control has measured; beyond, only a part of the error is known to be small.
+    let measured = (memory.end.t - memory.start.t).abs() / unit;
+    let mut theta = measured;
+    if let Some(across) = beyond(memory, limits, theta) {
+        theta = across;
+        memory.reach(theta);
+    }
+    let mut lengths = Lengths::new(determined, &here, limits.relative, [measured, natural / unit, theta]);
     loop {
+        let check = Check { system, constants, inputs: &control.0, limits, from: &memory.start };
+        let slopes = |theta| memory.series.slopes(theta, memory.orders).map(|slope| slope / memory.unit);
+        let on_the_way = |landing: &Landing<S::Scalar, N>| {
+            !S::STEEP
+                || (1..PLACES).all(|place| {
+                    let theta = S::Scalar::from_f64(place as f64 / PLACES as f64) * theta;
+                    check.agrees(&memory.place(theta), &slopes(theta), landing)
+                })
+        };
+        let last_terms = |landing: &Landing<S::Scalar, N>| {
+            theta <= measured
+                || memory.last_terms(theta).iter().all(|term| check.is_small_along(term, landing))
+        };
+        let landed = check.land(&memory.end, Some(&slopes(theta))).map(|landing| {
+            let is_right = landing.is_right && on_the_way(&landing) && last_terms(&landing);
+            Landing { is_right, ..landing }
+        });
+        let (outcome, cause) = match &landed {
+            Ok(landing) if landing.is_right => {
+                let there = landing.footing.independence;
+                (Outcome::Right(there), Cause::Undetermined { constraint: there.weakest })
+            }
+            Ok(_) => (Outcome::Wrong, Cause::StepTooSmall),
+            Err(cause) => (Outcome::Wrong, *cause),
+        };
+        let leaves = || landed.as_ref().is_ok_and(|landing| check.leaves(landing));
+        match (lengths.next(theta, outcome, leaves), landed) {
+            (Next::Take(length), Ok(landing)) if length == theta => {
+                determined.learn(&landing.footing.independence);
+                memory.determined = Some(determined);
+                memory.stand(&landing.footing);
+                memory.correct(landing.end);
+                return Ok(());
+            }
+            (Next::Try(length) | Next::Take(length), _) => theta = length,
+            (Next::GiveUp, _) => return Err(memory.stay(cause)),
+        }
+        memory.counts.rejected += 1;
         if *attempts == 0 {
-            return Err(Cause::TooManySteps);
+            return Err(memory.stay(Cause::TooManySteps));
         }
         *attempts -= 1;
-        memory.unit = left.signum() * unit;
-        memory.counts.evaluations += 1;
-        let JetsMemory { constants: jet, tables, series, orders, unit: signed, .. } = memory;
-        let solved =
-            system.jet_at(jet, from.t, &from.q, &from.v, &control.0, *signed, *orders, tables, series);
-        if !solved {
-            return Err(Cause::NotFinite);
+        if step_size::is_below(theta * unit, memory.resolution()) {
+            return Err(memory.stay(cause));
         }
-        let steady = remembered && !rescaled;
-        let mut tolerated = memory.tolerated(&limits, num_traits::One::one(), steady, [&none; 2]);
-        let mut span = number(1.0);
-        // In a unit much longer than the step the first terms are no measure of the size.
-        while tolerated < number(0.5) * span && tolerated * number(NEAR * NEAR) > num_traits::One::one() {
-            span = tolerated;
-            tolerated = memory.tolerated(&limits, span, steady, [&none; 2]);
-        }
-        let shrinks = S::CONSTRAINED && remembered && tolerated < number(SHRUNK);
-        if shrinks && blur.is_none() && memory.calm > 0 {
-            memory.calm -= 1;
-        } else if shrinks || blur.is_some() {
-            let known: Blur<_, N> = blur.unwrap_or_else(|| system.blur_at(from.t, &from.q, &from.v));
-            let (Blur { q, v, .. }, back) = (known, from.t - before.0.t);
-            blur = Some(known);
-            if !step_size::is_noisy(&known) {
-                // Nothing but a step that is shorter.
-                memory.calm = if step_size::is_clear(&known) { CALM } else { 0 };
-            } else if step_size::is_known(&known, &limits) {
-                let [q, v] = [q, v].map(|noise| noise.map(|x| number(step_size::ACROSS) * x));
-                tolerated = larger(tolerated, memory.tolerated(&limits, span, false, [&q, &v]));
-            } else if (back * left).is_positive() {
-                // Too close to a configuration in which constraints depend on each other: the last step ends earlier.
-                unit = number(RETREAT) * back.abs();
-                limits.step = Some(limits.clip(unit));
-                (memory.start, memory.residue) = before;
-                (memory.end, memory.end_residue) = before;
-                (from, left, remembered, retreated) = (before.0, target - before.0.t, false, true);
-                continue;
-            } else {
-                return Err(Cause::StepTooSmall);
-            }
-        }
-        let is_finite = memory.is_finite();
-        if is_finite && tolerated == number(f64::INFINITY) {
-            // A polynomial in time, or coefficients that underflow.
-            if !S::STEEP && remembered && unit < left.abs() {
-                (unit, remembered) = (left.abs(), false);
-                memory.counts.rejected += 1;
-                continue;
-            }
-            let mut natural = left.abs();
-            if S::STEEP {
-                natural = probe::restrained(natural, memory.last, natural);
-            }
-            memory.reach(limits.clip(natural) / unit);
-            memory.next = num_traits::Zero::zero();
-            shorten(memory, system, constants, control, &limits, (Some(left), resolution))?;
-        } else if is_finite
-            && (tolerated < number(NEAR) || overflowed)
-            && tolerated * number(NEAR) > num_traits::One::one()
-        {
-            // A shorter step than the tolerance allows where coefficients overflow in a longer unit.
-            let mut natural = smaller(tolerated, number(NEAR)) * unit;
-            if S::STEEP {
-                natural = probe::restrained(natural, memory.last, left.abs());
-            }
-            let length = limits.clip(natural);
-            if length.partial_cmp(&resolution) != Some(Ordering::Greater) {
-                return Err(Cause::StepTooSmall);
-            }
-            memory.reach(length / unit);
-            // After a retreat the next step is to ask for its noise.
-            memory.next = if retreated { natural + natural } else { natural };
-            if S::STEEP {
-                shorten(memory, system, constants, control, &limits, (None, resolution))?;
-            }
-        } else {
-            // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
-            let cause = if is_finite { Cause::StepTooSmall } else { Cause::NotFinite };
-            overflowed |= !is_finite;
-            let factor =
-                if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
-            // Two units may each ask for the other: a component that starts with many zero derivatives has no size but in
-            // the unit. The shorter one is sure.
-            overflowed |= lengthened && factor < num_traits::One::one();
-            lengthened |= factor > num_traits::One::one();
-            unit *= factor;
-            rescaled = true;
-            memory.counts.rejected += 1;
-            if unit.partial_cmp(&resolution) != Some(Ordering::Greater) {
-                return Err(cause);
-            }
-            continue;
-        }
-        if !memory.end.is_finite() {
-            (memory.end, memory.end_residue) = (memory.start, memory.residue);
-            return Err(Cause::NotFinite);
-        }
-        if S::CONSTRAINED {
-            let mut end = memory.end;
-            if let Err(cause) = system.project_at(constants, &mut end) {
-                (memory.end, memory.end_residue) = (memory.start, memory.residue);
-                return Err(cause);
-            }
-            memory.correct(end);
-        }
-        memory.last = (memory.end.t - memory.start.t).abs();
-        memory.counts.accepted += 1;
-        return Ok(());
+        memory.reach(theta);
     }
+}
+
+/// The length, in units of the scaled time, that leads across a configuration in which constraints depend on each other, where
+/// the roundings that grow there keep the step to the length `theta`.
+#[inline]
+fn beyond<C, T, R, const N: usize>(memory: &JetsMemory<C, T, R, N>, limits: &Limits<R>, theta: R) -> Option<R>
+where
+    C: Copy,
+    T: Copy + Default,
+    R: Ordered,
+{
+    if memory.independence.is_none_or(|independence| independence.is_clear()) {
+        return None;
+    }
+    let unit = memory.unit.abs();
+    let mut longest = limits.clip(memory.reach_across(limits, theta)? * unit);
+    if memory.last.is_positive() {
+        longest = probe::restrained(longest, memory.last, longest);
+    }
+    (longest > theta * unit).then(|| longest / unit)
 }
 
 /// Halves the step until it obeys the equations of motion. For a polynomial in time, what is left to go is given.
@@ -201,9 +206,8 @@ where
     let (mut length, mut is_shorter) = (memory.end.t - start.t, false);
     while !probe.agrees(length / memory.unit, &mut strongest) {
         length *= S::Scalar::from_f64(0.5);
-        if length.abs().partial_cmp(&resolution) != Some(Ordering::Greater) {
-            (memory.end, memory.end_residue) = (memory.start, memory.residue);
-            return Err(Cause::StepTooSmall);
+        if step_size::is_below(length.abs(), resolution) {
+            return Err(memory.stay(Cause::StepTooSmall));
         }
         memory.counts.rejected += 1;
         is_shorter = true;

@@ -1,5 +1,6 @@
 //! The saddle-point system of a diagonal mass matrix, by its Schur complement.
 
+use crate::linear::Independence;
 use crate::linear::schur::{SMALL, Schur};
 use crate::real::Real;
 
@@ -8,8 +9,7 @@ use super::{Defect, SaddlePoint};
 
 /// A saddle-point system with a diagonal M: particles in Cartesian coordinates.
 ///
-/// κ solves A M⁻¹ Aᵀ κ = y − A M⁻¹ r, whose matrix has the band of the constraints: links of a chain stay a chain. The
-/// price is a coarser rank than that of [`Saddle`](super::Saddle): see [`Schur`].
+/// κ solves A M⁻¹ Aᵀ κ = y − A M⁻¹ r, whose matrix has the band of the constraints: links of a chain stay a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Diagonal<R, const N: usize, const C: usize> {
     inverse_masses: [R; N],
@@ -37,7 +37,7 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
             }
         }
         let drift = transposed(&rows);
-        let schur = Schur::factor_with(&lower, &mut rows);
+        let schur = Schur::factor_with(&lower, &mut rows, || (inverse_masses, *a));
         Self { inverse_masses, drift, rows, schur }
     }
 }
@@ -53,23 +53,13 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
     }
 
     #[inline]
-    fn rank(&self) -> usize {
-        self.schur.rank()
+    fn independence(&self) -> Independence<R> {
+        self.schur.independence()
     }
 
     fn defect(&self) -> Option<Defect> {
         let finite = self.inverse_masses.iter().all(|x| x.is_finite()) && self.schur.is_finite();
         if finite { None } else { Some(Defect::NotFinite) }
-    }
-
-    #[inline]
-    fn is_dropped(&self, row: usize) -> bool {
-        self.schur.is_dropped(row)
-    }
-
-    #[inline]
-    fn is_doubtful(&self) -> bool {
-        self.schur.is_doubtful()
     }
 
     #[inline]

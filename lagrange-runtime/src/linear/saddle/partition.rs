@@ -17,6 +17,9 @@ use super::vectors::{add_scaled, pick, put, scale, smallest};
 /// random systems with as many constraints as coordinates one in a hundred is below, of others hardly any.
 const LEAST: f64 = 1.0 / 256.0;
 
+/// In a row of so many entries or fewer the largest is above [`LEAST`], for their sum is one.
+pub(super) const WIDEST: usize = 128;
+
 /// Fills `split` from rows that are clearly independent. False, with `split` in disorder, if a pivot is too small:
 /// in any lane, for the coordinates are common to all.
 #[inline(always)]

@@ -1,4 +1,4 @@
-//! The careful way to the null space: the Householder QR of Aᵀ with column pivoting, which reveals the rank.
+//! The Householder QR of Aᵀ with column pivoting, which reveals the rank: the one place where that is decided.
 //!
 //! Rows are eliminated longest first. The reflector of step k maps what is left of its row on one coordinate, the one
 //! with the largest component, and is zero in those of earlier steps: with the sign that avoids cancellation this
@@ -10,26 +10,16 @@ use crate::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;
-use super::vectors::{add_scaled, dot, multiply, pick, put, scale, unit, weightiest, where_positive};
-
-/// A row whose distance from the span of the rows before is less than 2¹² ε of its size, or than [`LEAST`], depends on them.
-///
-/// The distance of a row that depends on others is 1ε by rounding alone, but a gradient is often itself a difference of
-/// larger numbers, which brings their roundings. What is above the tolerance has three digits in `f64` and `f32` alike,
-/// as long as it is not more uncertain than that.
-const ROUNDINGS: f64 = 4096.0;
-
-/// Rows may depend on each other only where the constraints hold, and these hold to roundings: the distance is then some
-/// ε of the largest gradient that the row has elsewhere, which may be much larger than the one here.
-const LEAST: f64 = 1.0 / (1_u64 << 34) as f64;
+use super::vectors::{add_scaled, best, dot, multiply, pick, put, scale, unit, where_positive};
+use crate::linear::independence::{Independence, dependent};
 
 /// The independent rows of A and the reflectors that make them triangular.
-pub(super) struct Range<R, const N: usize, const C: usize> {
+pub(in crate::linear) struct Range<R, const N: usize, const C: usize> {
     units: [R; N],
     /// Sizes of the rows of A in these units; this and all below in the order of `order`.
     sizes: [R; C],
     /// The row of A in each place; independent ones first.
-    pub(super) order: [usize; C],
+    order: [usize; C],
     /// u of 1 − β u uᵀ.
     reflectors: [[R; N]; C],
     beta: [R; C],
@@ -39,13 +29,17 @@ pub(super) struct Range<R, const N: usize, const C: usize> {
     inverse: [R; C],
     /// The coordinate on which each step maps its row; the rest of the coordinates follow.
     leads: [usize; N],
-    pub(super) rank: usize,
+    pub(in crate::linear) rank: usize,
+    /// The smallest distance of an independent row from the span of those before it.
+    least: R,
+    /// Its place.
+    closest: usize,
     /// The first row of zeros.
-    pub(super) vanishing: Option<usize>,
+    pub(in crate::linear) vanishing: Option<usize>,
 }
 
 impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
-    pub(super) fn factor(scaled: &Scaled<R, N, C>) -> Self {
+    pub(in crate::linear) fn factor(scaled: &Scaled<R, N, C>) -> Self {
         let zero = R::zero();
         let mut rows = scaled.rows;
         let mut vanishing = None;
@@ -64,13 +58,14 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             inverse: [zero; C],
             leads: core::array::from_fn(|i| i),
             rank: C.min(N),
+            least: R::one(),
+            closest: 0,
             vanishing,
         };
         let mut squares: [R; C] = core::array::from_fn(|c| dot(&rows[c], &rows[c]));
-        let least = (R::from_f64(ROUNDINGS) * R::epsilon()).max(R::from_f64(LEAST));
-        let least = least * least;
+        let least = dependent::<R>() * dependent();
         for k in 0..C.min(N) {
-            let longest = weightiest(&squares, &this.sizes, least);
+            let longest = best(&squares, least);
             for c in k + 1..C {
                 if c == longest {
                     rows.swap(k, c);
@@ -87,9 +82,18 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
                 this.rank = k;
                 break;
             };
+            if (this.least - square.sqrt()).largest() > zero.largest() {
+                (this.least, this.closest) = (this.least.min(square.sqrt()), k);
+            }
             this.reflect(&mut rows, &mut squares, square, k);
         }
         this
+    }
+
+    /// How independent the rows are.
+    pub(in crate::linear) fn independence(&self) -> Independence<R> {
+        let weakest = self.order.get(if self.rank < C { self.rank } else { self.closest });
+        Independence { rows: C, rank: self.rank, least: self.least, weakest: weakest.copied().unwrap_or(0) }
     }
 
     /// Step k: the reflector of row k, applied to the rows after it.
@@ -121,7 +125,7 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
     }
 
     /// The null space and the right inverse: A Y₀ = 1 on the independent rows, with velocities in the range of Aᵀ.
-    pub(super) fn split(&self) -> Split<R, N, C> {
+    pub(in crate::linear) fn split(&self) -> Split<R, N, C> {
         let rank = self.rank.min(C).min(N);
         let mut basis = self.leads.map(unit);
         for j in (0..rank).rev() {
@@ -151,7 +155,7 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
     }
 
     /// For each independent row, its coefficient in every row of A, in the user's order and units.
-    pub(super) fn combinations(&self) -> [[R; C]; C] {
+    pub(in crate::linear) fn combinations(&self) -> [[R; C]; C] {
         let rank = self.rank.min(C);
         let mut combinations = [[R::zero(); C]; C];
         for c in 0..C {

@@ -9,11 +9,20 @@ use crate::real::Real;
 
 use super::vectors::{add_scaled, dot, magnitude, scale};
 
-/// Orthonormal vectors that span the first `rank` of `combinations`.
-pub(in crate::linear) fn basis<R: Real, const C: usize>(
+/// Replaces multipliers that leave the dependent rows at zero, one set a row, by the shortest that give the same forces.
+pub(in crate::linear) fn shorten<R: Real, const C: usize>(
+    multipliers: &mut [[R; C]],
     combinations: &[[R; C]; C],
     rank: usize,
-) -> [[R; C]; C] {
+) {
+    let basis = basis(combinations, rank);
+    for row in multipliers {
+        *row = project(&basis, row, rank);
+    }
+}
+
+/// Orthonormal vectors that span the first `rank` of `combinations`.
+fn basis<R: Real, const C: usize>(combinations: &[[R; C]; C], rank: usize) -> [[R; C]; C] {
     let mut basis = *combinations;
     for k in 0..rank.min(C) {
         let (before, rest) = basis.split_at_mut(k);
@@ -35,11 +44,7 @@ pub(in crate::linear) fn basis<R: Real, const C: usize>(
 
 /// The projection of `vector` on the first `rank` vectors of an orthonormal basis.
 #[inline]
-pub(in crate::linear) fn project<R: Real, const C: usize>(
-    basis: &[[R; C]; C],
-    vector: &[R; C],
-    rank: usize,
-) -> [R; C] {
+fn project<R: Real, const C: usize>(basis: &[[R; C]; C], vector: &[R; C], rank: usize) -> [R; C] {
     let mut projection = [R::zero(); C];
     for direction in basis.iter().take(rank) {
         add_scaled(&mut projection, direction, dot(direction, vector));

@@ -11,7 +11,7 @@ use super::vectors::{magnitude, multiply, put, scale};
 
 /// A in these units.
 #[derive(Clone, Copy)]
-pub(super) struct Scaled<R, const N: usize, const C: usize> {
+pub(in crate::linear) struct Scaled<R, const N: usize, const C: usize> {
     /// Units of the coordinates.
     pub(super) units: [R; N],
     /// Sizes of the rows, in units of the coordinates.
@@ -24,7 +24,12 @@ pub(super) struct Scaled<R, const N: usize, const C: usize> {
 impl<R: Real, const N: usize, const C: usize> Scaled<R, N, C> {
     #[inline(always)]
     pub(super) fn new(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
-        let units = units(mass, a);
+        Self::with(units(mass, a), a)
+    }
+
+    /// The rows of `a` where the coordinates have these units.
+    #[inline(always)]
+    pub(in crate::linear) fn with(units: [R; N], a: &[[R; N]; C]) -> Self {
         let mut rows = *a;
         let mut sizes = [R::zero(); C];
         let mut factors = [R::zero(); C];

@@ -129,28 +129,6 @@ pub(in crate::linear) fn best<R: Real, const C: usize>(sizes: &[R; C], least: R)
     if usable { common } else { any }
 }
 
-/// Where a size is nearly the [`best`] and the weight is the largest.
-///
-/// Sizes are relative to what a row was. Of rows that say the same, the one whose gradient is the largest says it best: a
-/// gradient that happens to be small here has the roundings of what it is elsewhere.
-#[inline(always)]
-pub(in crate::linear) fn weightiest<R: Real, const C: usize>(
-    sizes: &[R; C],
-    weights: &[R; C],
-    least: R,
-) -> usize {
-    let mut chosen = best(sizes, least);
-    let Some(&size) = sizes.get(chosen) else { return chosen };
-    let enough = smallest(size) * R::Lane::from_f64(0.25);
-    for c in 0..C {
-        let is_enough = smallest(sizes[c]) >= enough && (sizes[c] - least).is_positive();
-        if is_enough && weights[c].largest() > weights[chosen].largest() {
-            chosen = c;
-        }
-    }
-    chosen
-}
-
 /// Makes all `numbers` NaN in the lanes where one of the `sources` is not finite.
 pub(in crate::linear) fn poison<R: Real>(numbers: &mut [R], sources: &[R]) {
     // 0 · ∞ and 0 · NaN are NaN.

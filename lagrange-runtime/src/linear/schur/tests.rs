@@ -1,30 +1,36 @@
-//! Random matrices, clearly regular and singular, in any units.
+//! Random rows, clearly independent and dependent, in any units.
 
 use super::*;
 use crate::linear::samples::{Noise, residual};
 
-/// A Aᵀ of random rows of length C + 2.
-fn regular<const C: usize>(noise: &mut Noise) -> [[f64; C]; C] {
-    let (b, extra): ([[f64; C]; C], [[f64; C]; 2]) = (noise.matrix(), [noise.vector(), noise.vector()]);
-    core::array::from_fn(|i| {
-        core::array::from_fn(|j| {
-            let product: f64 = b[i].iter().zip(&b[j]).map(|(x, y)| x * y).sum::<f64>();
-            let more: f64 = extra.iter().map(|x| x[i] * x[j]).sum();
-            product + more + if i == j { 0.1 } else { 0.0 }
-        })
-    })
+/// A M⁻¹ Aᵀ.
+fn square<const C: usize, const N: usize>(inverse_masses: &[f64; N], a: &[[f64; N]; C]) -> [[f64; C]; C] {
+    let product = |c: usize, d: usize| (0..N).map(|i| a[c][i] * inverse_masses[i] * a[d][i]).sum();
+    core::array::from_fn(|c| core::array::from_fn(|d| product(c, d)))
 }
 
-fn check<const C: usize>() {
+fn factor<const C: usize, const N: usize>(inverse_masses: [f64; N], a: [[f64; N]; C]) -> Schur<f64, C> {
+    Schur::factor(square(&inverse_masses, &a), || (inverse_masses, a))
+}
+
+/// A matrix of size one by itself.
+fn single(square: f64) -> Schur<f64, 1> {
+    Schur::factor([[square]], || ([1.0], [[square.sqrt()]]))
+}
+
+fn check<const C: usize, const N: usize>() {
     let mut noise = Noise(C as u64 + 17);
     for _ in 0..100 {
-        let s = regular::<C>(&mut noise);
+        let a: [[f64; N]; C] = core::array::from_fn(|c| {
+            let mut row: [f64; N] = noise.vector();
+            row[c] += 2.0;
+            row
+        });
+        let masses: [f64; N] = core::array::from_fn(|_| 1.5 + noise.number());
+        let s = square(&masses, &a);
         let y = noise.vector();
-        let mut rows = [[0.0; C]; C];
-        rows[0] = y;
-        for (way, schur) in [Schur::factor(s), Schur::carefully(&s, &mut rows)].iter().enumerate() {
-            assert_eq!((schur.rank(), schur.is_finite(), schur.vanishing()), (C, true, None));
-            assert!((0..C).all(|c| !schur.is_dropped(c)));
+        for (way, schur) in [factor(masses, a), Schur::carefully(&(masses, a))].iter().enumerate() {
+            assert_eq!((schur.independence().rank, schur.is_finite(), schur.vanishing()), (C, true, None));
             let error = residual(&s, &schur.solve(y), &y);
             // An inverse has the condition in its residual where the factors have not.
             let bound = if C > SMALL && way == 0 { 4.0 } else { 400.0 };
@@ -36,40 +42,42 @@ fn check<const C: usize>() {
 #[test]
 #[cfg_attr(miri, ignore = "takes minutes there")]
 fn regular_matrices_are_solved() {
-    check::<1>();
-    check::<2>();
-    check::<3>();
-    check::<6>();
-    check::<7>();
-    check::<12>();
-    assert_eq!(Schur::factor([[4.0]]).solve([8.0]), [2.0]);
-    let none: Schur<f64, 0> = Schur::factor([]);
-    assert_eq!((none.rank(), none.is_finite(), none.solve([])), (0, true, []));
+    check::<1, 3>();
+    check::<2, 4>();
+    check::<3, 5>();
+    check::<6, 8>();
+    check::<7, 9>();
+    check::<12, 14>();
+    assert_eq!(single(4.0).solve([8.0]), [2.0]);
+    let none: Schur<f64, 0> = Schur::factor([], || ([1.0], []));
+    assert_eq!((none.independence().rank, none.is_finite(), none.solve([])), (0, true, []));
 }
 
 #[test]
 fn the_upper_triangle_is_not_read() {
+    let rows = || ([1.0, 1.0], [[2.0, 0.0], [1.0, 2.0_f64.sqrt()]]);
     for bad in [1e9, f64::NAN] {
-        assert_eq!(Schur::factor([[4.0, bad], [2.0, 3.0]]).solve([8.0, 8.0]), [1.0, 2.0]);
-        assert_eq!(Schur::factor([[4.0, bad], [2.0, 1.0]]).rank(), 1);
+        let [x, y] = Schur::factor([[4.0, bad], [2.0, 3.0]], rows).solve([8.0, 8.0]);
+        assert!((x - 1.0).abs() < 1e-15 && (y - 2.0).abs() < 1e-15);
     }
 }
 
 #[test]
 fn a_singular_matrix_has_its_shortest_solution() {
     // Rows a, b, a + b, 0 with a ⊥ b of squares 1 and 4.
-    let s = [[1.0, 0.0, 1.0, 0.0], [0.0, 4.0, 4.0, 0.0], [1.0, 4.0, 5.0, 0.0], [0.0; 4]];
-    let schur = Schur::factor(s);
-    assert_eq!((schur.rank(), schur.vanishing(), schur.is_finite()), (2, Some(3), true));
-    assert_eq!((0..9).filter(|&c| schur.is_dropped(c)).count(), 2);
+    let a = [[1.0, 0.0], [0.0, 2.0], [1.0, 2.0], [0.0; 2]];
+    let schur = factor([1.0, 1.0], a);
+    assert_eq!((schur.independence().rank, schur.vanishing(), schur.is_finite()), (2, Some(3), true));
     // The forces 2 a + 6 b: (2, 6, 0) less (2, 6, 0)·(1, 1, −1)/3 · (1, 1, −1).
     let kappa = schur.solve([2.0, 24.0, 26.0, 7.0]);
     for (kappa, exact) in kappa.iter().zip(&[2.0 - 8.0 / 3.0, 6.0 - 8.0 / 3.0, 8.0 / 3.0, 0.0]) {
         assert!((kappa - exact).abs() < 1e-14, "{kappa} {exact}");
     }
-    let nothing = Schur::factor([[0.0; 2]; 2]);
-    assert_eq!((nothing.rank(), nothing.vanishing()), (0, Some(0)));
+    let nothing = factor([1.0], [[0.0]; 2]);
+    assert_eq!((nothing.independence().rank, nothing.vanishing()), (0, Some(0)));
     assert_eq!(nothing.solve([1.0, 2.0]), [0.0, 0.0]);
+    let nothing = single(0.0);
+    assert_eq!((nothing.independence().rank, nothing.vanishing(), nothing.solve([1.0])), (0, Some(0), [0.0]));
 }
 
 #[test]
@@ -86,9 +94,7 @@ fn ranks_are_found_in_any_units() {
                 let unit = 1e6_f64.powf(noise.number());
                 *row = row.map(|x| x * unit);
             }
-            let product = |i: usize, j: usize| a[i].iter().zip(&a[j]).map(|(x, y)| x * y).sum::<f64>();
-            let s: [[f64; C]; C] = core::array::from_fn(|i| core::array::from_fn(|j| product(i, j)));
-            assert_eq!(Schur::factor(s).rank(), rank, "{s:?}");
+            assert_eq!(factor([1.0; C], a).independence().rank, rank, "{a:?}");
         }
     }
     check::<2>(1);
@@ -98,17 +104,33 @@ fn ranks_are_found_in_any_units() {
 }
 
 #[test]
+fn rows_are_not_told_apart_by_their_squares() {
+    // The square of the sine of 1e-7 is a few ulps; the sine has nine digits.
+    for distance in [1e-3, 1e-5, 1e-7] {
+        let schur = factor([1.0; 3], [[1.0, 0.0, 0.0], [1.0, distance, 0.0]]);
+        assert_eq!(schur.independence().rank, 2);
+        let found = schur.independence().least;
+        assert!((found / distance - 1.0).abs() < 1e-3, "{found:e} for {distance:e}");
+        // κ of the force (0, 1, 0), which takes 1/distance of each.
+        let [a, b] = schur.solve([0.0, distance]);
+        assert!((a * distance + 1.0).abs() < 1e-6 && (b * distance - 1.0).abs() < 1e-6, "{a} {b}");
+    }
+    assert_eq!(factor([1.0; 2], [[1.0, 0.0], [1.0, 1e-9]]).independence().rank, 1);
+}
+
+#[test]
 fn what_is_not_a_number_stays_so() {
-    assert!(!Schur::factor([[1.0, 0.0], [0.0, -1.0]]).is_finite());
-    for s in
+    assert!(!factor([1.0, -1.0], [[1.0, 0.0], [0.0, 1.0]]).is_finite());
+    assert!(!single(-1.0).is_finite() && !single(f64::NAN).is_finite());
+    for a in
         [[[f64::NAN, 0.0], [0.0, 1.0]], [[1.0, 0.0], [0.0, f64::NAN]], [[1.0, 0.0], [f64::INFINITY, 1.0]]]
     {
-        let schur = Schur::factor(s);
-        assert!(!schur.is_finite() && schur.solve([1.0, 1.0]).iter().any(|x| !x.is_finite()), "{s:?}");
+        let schur = factor([1.0, 1.0], a);
+        assert!(!schur.is_finite() && schur.solve([1.0, 1.0]).iter().any(|x| !x.is_finite()), "{a:?}");
     }
     let mut large = [[0.0; 8]; 8];
     for (i, row) in large.iter_mut().enumerate() {
         row[i] = if i == 5 { f64::NAN } else { 1.0 };
     }
-    assert!(!Schur::factor(large).is_finite());
+    assert!(!factor([1.0; 8], large).is_finite());
 }

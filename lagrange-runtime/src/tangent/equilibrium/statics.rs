@@ -5,7 +5,7 @@
 use num_traits::{One, Zero};
 
 use super::EquilibriumError;
-use crate::constraints::{Extent, INNER};
+use crate::constraints::{Extent, Level};
 use crate::error::Cause;
 use crate::linear::{Saddle, SaddlePoint, TangentSpace};
 use crate::real::{Ordered, Real, larger};
@@ -196,20 +196,21 @@ where
         let mut q = q;
         let mut residuals = self.system.deviations_at(self.t, &q, &none);
         for _ in 0..CORRECTIONS {
-            if residuals.level_is_roundings(true) {
+            if residuals.level_is_roundings(Level::Positions) {
                 return Ok(q);
             }
             let (saddle, gradients) = self.tangent(&q);
             let by_state = Extent::of(&*saddle, &q).sizes(&*saddle, &gradients);
-            let before = residuals.relative(true, &by_state);
+            let slopes = Extent::unit().sizes(&*saddle, &gradients);
+            let before = residuals.distance(Level::Positions, &slopes);
             let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
             let moved: [S::Scalar; N] = core::array::from_fn(|i| q[i] + change[i]);
             if !moved.iter().all(|q| q.is_finite()) {
                 break;
             }
             let there = self.system.deviations_at(self.t, &moved, &none);
-            let better = there.relative(true, &by_state) < before;
-            if !better && residuals.are_roundings_beside(true, S::Scalar::from_f64(INNER), &by_state) {
+            let better = there.distance(Level::Positions, &slopes) < before;
+            if !better && residuals.is_within(Level::Positions, S::Scalar::epsilon().sqrt(), &by_state) {
                 // No better place in this arithmetic.
                 return Ok(q);
             }
@@ -219,7 +220,7 @@ where
         if let Some(constraint) = saddle.vanishing() {
             return Err(EquilibriumError::Constraints(Cause::VanishingGradient { constraint }));
         }
-        let cause = residuals.cause(true, &Extent::unit().sizes(&*saddle, &gradients));
+        let cause = residuals.cause(Level::Positions, &Extent::unit().sizes(&*saddle, &gradients));
         Err(EquilibriumError::Constraints(match cause {
             Cause::PositionViolated { constraint, .. } if saddle.rank() < C => {
                 Cause::Contradictory { constraint }
@@ -306,10 +307,10 @@ where
         let residuals = self.system.deviations_at(self.t, &rest.q, &none);
         let saddle = Stored::new(Saddle::factor(&self.metric, &rest.gradients));
         let by_state = Extent::of(&*saddle, &none).sizes(&*saddle, &rest.gradients);
-        if residuals.are_roundings_beside(false, S::Scalar::from_f64(INNER), &by_state) {
+        if residuals.is_within(Level::Velocities, S::Scalar::epsilon().sqrt(), &by_state) {
             return Ok(());
         }
-        match residuals.cause(false, &Extent::unit().sizes(&*saddle, &rest.gradients)) {
+        match residuals.cause(Level::Velocities, &Extent::unit().sizes(&*saddle, &rest.gradients)) {
             Cause::VelocityViolated { constraint, .. } => {
                 Err(EquilibriumError::MovingConstraint { constraint })
             }

@@ -1,0 +1,96 @@
+//! How far a state is off its constraints, and when that is nothing but rounding.
+
+use super::{magnitude, worst};
+use crate::error::{Cause, Magnitude};
+use crate::real::Real;
+
+/// A constraint function is a sum of a few summands, each rounded once or twice: a residual of so many ulps of their
+/// magnitudes is none.
+pub(super) const ULPS: f64 = 4.0;
+
+/// How far a state is off its constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residuals<R, const C: usize> {
+    /// f; zero for nonholonomic constraints.
+    pub positions: [R; C],
+    /// Σ |summands of f|: what rounding errors are relative to.
+    pub position_sizes: [R; C],
+    /// df/dt, or g.
+    pub rates: [R; C],
+    /// Σ |summands of df/dt or g|.
+    pub rate_sizes: [R; C],
+}
+
+/// What is constrained: first the coordinates by f = 0, then the velocities by df/dt = 0 and g = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Level {
+    Positions,
+    Velocities,
+}
+
+impl<R: Real, const C: usize> Residuals<R, C> {
+    /// The residuals of one level.
+    #[inline(always)]
+    pub(crate) fn values(&self, level: Level) -> &[R; C] {
+        match level {
+            Level::Positions => &self.positions,
+            Level::Velocities => &self.rates,
+        }
+    }
+
+    /// The magnitudes of their summands.
+    #[inline(always)]
+    pub(crate) fn sizes(&self, level: Level) -> &[R; C] {
+        match level {
+            Level::Positions => &self.position_sizes,
+            Level::Velocities => &self.rate_sizes,
+        }
+    }
+
+    /// Whether nothing is left but roundings.
+    #[inline(always)]
+    pub(super) fn are_roundings(&self) -> bool {
+        self.level_is_roundings(Level::Positions) && self.level_is_roundings(Level::Velocities)
+    }
+
+    /// Whether nothing is left of one level but roundings of its summands.
+    #[inline(always)]
+    pub(crate) fn level_is_roundings(&self, level: Level) -> bool {
+        self.is_within(level, R::from_f64(ULPS) * R::epsilon(), &[R::zero(); C])
+    }
+
+    /// Whether all residuals of one level are below a part of their sizes, in every lane. `more` are sizes beside those of
+    /// the summands.
+    #[inline(always)]
+    pub(crate) fn is_within(&self, level: Level, part: R, more: &[R; C]) -> bool {
+        // By pairs: an index would be tested against its bounds, and a firmware link the panic.
+        let sizes = self.sizes(level).iter().zip(more);
+        self.values(level).iter().zip(sizes).all(|(&value, (&own, &more))| {
+            let excess = value.abs() - part * (own + more);
+            excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
+        })
+    }
+
+    /// The largest residual of one level in units of the `slopes`: about how far the state is off, in the kinetic metric.
+    pub(crate) fn distance(&self, level: Level, slopes: &[R; C]) -> R::Lane {
+        worst::<R, C>(|c| relative(self.values(level)[c], slopes[c])).1
+    }
+
+    /// The constraint that the state is furthest from.
+    #[cold]
+    pub(crate) fn cause(&self, level: Level, slopes: &[R; C]) -> Cause {
+        let (constraint, _) = worst::<R, C>(|c| relative(self.values(level)[c], slopes[c]));
+        let value = self.values(level).get(constraint);
+        let by = value.map_or(Magnitude(0.0), |value| magnitude(value.abs().largest()));
+        match level {
+            Level::Positions => Cause::PositionViolated { constraint, by },
+            Level::Velocities => Cause::VelocityViolated { constraint, by },
+        }
+    }
+}
+
+/// |value| / size; zero for zero.
+fn relative<R: Real>(value: R, size: R) -> R::Lane {
+    // Beside the smallest number a zero size divides nothing by zero.
+    (value.abs() / (size + R::from_f64(f64::MIN_POSITIVE))).largest()
+}

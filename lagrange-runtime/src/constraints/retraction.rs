@@ -1,0 +1,348 @@
+//! The retraction onto the constraints: Newton's method in the metric of the mass matrix, first for the coordinates, then for
+//! the velocities.
+//!
+//! A correction is the shortest that meets the linearised constraints. Near the constraints the factors of one place serve all
+//! corrections; far from them (a rough start) they are made anew for each, and a correction is halved until it helps.
+//!
+//! **When a state is on the constraints.** Newton's method in floating-point arithmetic converges until the roundings of the
+//! residual stop it (Tisseur, "Newton's method in floating point arithmetic and iterative refinement of generalized eigenvalue
+//! problems", SIAM J. Matrix Anal. 22, 2001). So a state is accepted where
+//!
+//! 1. residuals are roundings of their own summands, or
+//! 2. the correction that would follow, which is smaller than the last one by the ratio of the residuals after and before it,
+//!    is below an ulp of the state, or
+//! 3. corrections make nothing better any more, and what is left is below √ε of the summands and of the state: roundings of
+//!    inner operations, which the summands do not show.
+//!
+//! Everything else is an error. By the second rule the condition of the constraints is in the bound: where singular values of
+//! the scaled gradients are σ, an ulp of f is a correction of ε/σ, and so much is left.
+
+use super::extent::Extent;
+use super::residuals::Level;
+use super::{Residuals, Surface, moved};
+use crate::error::Cause;
+use crate::linear::{Independence, SaddlePoint};
+use crate::real::Real;
+use crate::state::State;
+
+/// Corrections before a state near the constraints is given up. Each leaves a tenth at most, or the factors are made anew.
+const NEAR: usize = 16;
+
+/// Corrections of a rough start.
+const FAR: usize = 60;
+
+/// A correction of a rough start is halved at most so often.
+const HALVINGS: usize = 12;
+
+/// A correction of a rough start is no longer than so many distances from the constraints: where these nearly depend on each
+/// other, Newton's corrections lead far away.
+const REACH: f64 = 4.0;
+
+/// With a contraction worse than this the factors are made anew.
+const CONTRACTION: f64 = 0.1;
+
+/// Where a retraction starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum From {
+    /// Beside the constraints, where a step has ended.
+    Near,
+    /// Anywhere.
+    Far,
+}
+
+/// Moves a state that a step has left beside the constraints onto them. A state that is on them already is left as it is.
+///
+/// Without an estimate of its error a step in fixed steps shows by its correction whether it makes sense: with `from`, the state
+/// before it, a correction that is larger than all that the step itself has changed is an error.
+///
+/// # Errors
+/// The constraint that stays violated; [`Cause::StepTooLong`].
+#[inline]
+pub fn project<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &mut State<S::Scalar, N>,
+    from: Option<&State<S::Scalar, N>>,
+) -> Result<(), Cause>
+where
+    S: Surface<N, K, C>,
+{
+    let residuals = system.residuals_at(state.t, &state.q, &state.v);
+    if residuals.are_roundings() {
+        slopes(system, state);
+        return Ok(());
+    }
+    let mut retraction = Retraction::new(system, state, residuals);
+    retraction.level(system, Level::Positions, From::Near)?;
+    retraction.level(system, Level::Velocities, From::Near)?;
+    if from.is_some_and(|from| retraction.outweighs(state, from)) {
+        return Err(Cause::StepTooLong);
+    }
+    *state = retraction.state;
+    slopes(system, state);
+    Ok(())
+}
+
+/// The same for the end of a step, which is looked at: returns how well the constraints determine the state.
+///
+/// # Errors
+/// The constraint that stays violated.
+#[inline]
+pub fn land<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &mut State<S::Scalar, N>,
+) -> Result<Footing<S::Scalar, N>, Cause>
+where
+    S: Surface<N, K, C>,
+{
+    let residuals = system.residuals_at(state.t, &state.q, &state.v);
+    let mut retraction = Retraction::new(system, state, residuals);
+    if !residuals.are_roundings() {
+        retraction.level(system, Level::Positions, From::Near)?;
+        retraction.level(system, Level::Velocities, From::Near)?;
+        *state = retraction.state;
+    }
+    // Beside the constraints, rows are independent that depend on each other on them.
+    if !retraction.saddle.independence().is_clear() {
+        retraction.refresh(system);
+    }
+    slopes(system, state);
+    let units = retraction.saddle.units();
+    let ulps = |level: Level| {
+        let ulp = S::Scalar::epsilon() * retraction.extent(level).size();
+        units.map(|unit| ulp * unit)
+    };
+    Ok(Footing {
+        independence: retraction.independence(system),
+        ulps_q: ulps(Level::Positions),
+        ulps_v: ulps(Level::Velocities),
+        units,
+    })
+}
+
+/// Moves the derivatives of a state on the constraints onto their tangent space, and leaves its values: one correction of each
+/// level is linear in the derivatives, and makes good one order of them.
+#[inline]
+pub(super) fn slopes<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &mut State<S::Scalar, N>,
+) where
+    S: Surface<N, K, C>,
+{
+    let none = [num_traits::Zero::zero(); N];
+    for _ in 0..S::Scalar::DEPTH {
+        for level in [Level::Positions, Level::Velocities] {
+            let (saddle, _) = system.saddle_at(state.t, &state.q, &state.v);
+            let residuals = system.residuals_at(state.t, &state.q, &state.v);
+            let lack = residuals.values(level).map(|residual| residual.part(0) - residual);
+            let (change, _) = saddle.solve(&none, &lack);
+            let numbers = if level == Level::Positions { &mut state.q } else { &mut state.v };
+            for (number, change) in numbers.iter_mut().zip(change) {
+                *number += change - change.part(0);
+            }
+        }
+    }
+}
+
+/// What is known of a state on the constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Footing<R, const N: usize> {
+    /// How well the constraints determine it.
+    pub independence: Independence<R>,
+    /// An ulp of the largest coordinate in the kinetic metric, in the unit of each: constraints couple them, so none is known
+    /// better than that.
+    pub ulps_q: [R; N],
+    /// The same of the velocities.
+    pub ulps_v: [R; N],
+    /// Units in which no coordinate is larger than another, those of the kinetic metric; zero for what nothing moves.
+    pub units: [R; N],
+}
+
+impl<R: Real, const N: usize> Footing<R, N> {
+    /// The largest of some numbers in the units of their coordinates.
+    pub(crate) fn extent(&self, numbers: &[R; N]) -> R {
+        Extent::in_units(&self.units, numbers).size()
+    }
+}
+
+/// A corrected state, its residuals, and the share of the correction that was made.
+type Corrected<R, const N: usize, const C: usize> = (State<R, N>, Residuals<R, C>, R);
+
+/// A state on its way, with the factors of M and A at or near it.
+pub(crate) struct Retraction<S: Surface<N, K, C>, const N: usize, const K: usize, const C: usize> {
+    pub(crate) state: State<S::Scalar, N>,
+    pub(crate) saddle: S::Saddle,
+    pub(super) residuals: Residuals<S::Scalar, C>,
+    pub(super) gradients: [[S::Scalar; N]; C],
+    /// Whether the factors are those of the state itself.
+    is_fresh: bool,
+}
+
+impl<S, const N: usize, const K: usize, const C: usize> Retraction<S, N, K, C>
+where
+    S: Surface<N, K, C>,
+{
+    pub(crate) fn new(system: &S, state: &State<S::Scalar, N>, residuals: Residuals<S::Scalar, C>) -> Self {
+        let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
+        Self { state: *state, saddle, residuals, gradients, is_fresh: true }
+    }
+
+    /// Newton's corrections of one level.
+    ///
+    /// # Errors
+    /// The constraint that stays violated, and what is wrong with the factors of a rough start.
+    pub(crate) fn level(&mut self, system: &S, level: Level, from: From) -> Result<(), Cause> {
+        let begun = self.extent(level);
+        if from == From::Near && !self.saddle.independence().is_clear() {
+            self.settle(system, level);
+        }
+        for _ in 0..(if from == From::Far { FAR } else { NEAR }) {
+            if self.residuals.level_is_roundings(level) {
+                return Ok(());
+            }
+            if from == From::Far {
+                self.refresh(system);
+                super::regular(&self.saddle)?;
+            }
+            let lack = self.residuals.values(level).map(|value| -value);
+            let none = [num_traits::Zero::zero(); N];
+            let (change, _) = self.saddle.solve(&none, &lack);
+            if !change.iter().all(|x| x.is_finite()) {
+                return Err(Cause::NotFinite);
+            }
+            let slopes = Extent::unit().sizes(&self.saddle, &self.gradients);
+            let before = self.residuals.distance(level, &slopes);
+            let share = if from == From::Far && level == Level::Positions {
+                Self::reach(&self.saddle, &change, before)
+            } else {
+                num_traits::One::one()
+            };
+            let Some((next, there, share)) = self.corrected(system, level, from, &change, share) else {
+                break;
+            };
+            let after = there.distance(level, &slopes);
+            let step = (Extent::of(&self.saddle, &change).size() * share).largest();
+            let helped = after < before;
+            if helped {
+                (self.state, self.residuals, self.is_fresh) = (next, there, false);
+                let ulp = S::Scalar::epsilon().largest() * self.extent(level).max(begun).size().largest();
+                if step * (after / before) <= ulp {
+                    return Ok(());
+                }
+            }
+            if after > <S::Scalar as Real>::Lane::from_f64(CONTRACTION) * before {
+                if !helped && self.is_fresh {
+                    break;
+                }
+                self.refresh(system);
+            }
+        }
+        if self.is_rounding(level, begun) {
+            return Ok(());
+        }
+        Err(self.residuals.cause(level, &Extent::unit().sizes(&self.saddle, &self.gradients)))
+    }
+
+    /// Takes factors that belong to the constraints, where rows depend on each other on them but not beside them: what such
+    /// rows demand together beside them is no motion.
+    #[cold]
+    fn settle(&mut self, system: &S, level: Level) {
+        if level == Level::Velocities {
+            return self.refresh(system);
+        }
+        let none = [num_traits::Zero::zero(); N];
+        let (change, _) = self.saddle.solve(&none, &self.residuals.positions.map(|value| -value));
+        let near = moved(&self.state, &change, &none, num_traits::One::one());
+        let (saddle, gradients) = system.saddle_at(near.t, &near.q, &near.v);
+        if saddle.rank() < self.saddle.rank() && saddle.defect().is_none() {
+            (self.saddle, self.gradients, self.is_fresh) = (saddle, gradients, false);
+        }
+    }
+
+    /// A corrected state and its residuals; of a rough start one that is better, if there is one.
+    fn corrected(
+        &self,
+        system: &S,
+        level: Level,
+        from: From,
+        change: &[S::Scalar; N],
+        mut share: S::Scalar,
+    ) -> Option<Corrected<S::Scalar, N, C>> {
+        let none = [num_traits::Zero::zero(); N];
+        let slopes = Extent::unit().sizes(&self.saddle, &self.gradients);
+        let (q, v) = if level == Level::Positions { (change, &none) } else { (&none, change) };
+        for _ in 0..(if from == From::Far { HALVINGS } else { 1 }) {
+            let next = moved(&self.state, q, v, share);
+            let there = system.residuals_at(next.t, &next.q, &next.v);
+            let is_better = || there.distance(level, &slopes) < self.residuals.distance(level, &slopes);
+            if next.is_finite() && (from == From::Near || is_better()) {
+                return Some((next, there, share));
+            }
+            share *= S::Scalar::from_f64(0.5);
+        }
+        None
+    }
+
+    /// The part of a correction that is not too long for its distance from the constraints.
+    fn reach(saddle: &S::Saddle, change: &[S::Scalar; N], distance: <S::Scalar as Real>::Lane) -> S::Scalar {
+        let far = S::Scalar::from_f64(REACH) * S::Scalar::splat(distance);
+        let one: S::Scalar = num_traits::One::one();
+        one.min(far / Extent::of(saddle, change).size())
+    }
+
+    /// Whether what is left are roundings of inner operations, or of the state.
+    fn is_rounding(&self, level: Level, begun: Extent<S::Scalar>) -> bool {
+        let by_state = begun.max(self.extent(level)).sizes(&self.saddle, &self.gradients);
+        self.residuals.is_within(level, S::Scalar::epsilon().sqrt(), &by_state)
+    }
+
+    /// How well the constraints determine the state.
+    ///
+    /// Roundings of the constraint functions move the coordinates by ε/σ, and what that makes of the gradients moves the
+    /// velocities by ε/σ², with a σ that is relative to how fast the gradients change. So the relative change of the velocities
+    /// tells σ, whether a row comes close to others or vanishes. The signs of the roundings are those to which the multipliers
+    /// respond, as in an estimate of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
+    fn independence(&self, system: &S) -> Independence<S::Scalar> {
+        let (saddle, here) = (&self.saddle, &self.residuals);
+        let none = [num_traits::Zero::zero(); N];
+        let (_, response) = saddle.solve(&none, &here.position_sizes);
+        let ulp = S::Scalar::epsilon();
+        let roundings = core::array::from_fn(|c| ulp * here.position_sizes[c] * response[c].signum());
+        let (change, _) = saddle.solve(&none, &roundings);
+        let there = moved(&self.state, &change, &none, num_traits::One::one());
+        let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
+        let (turned, _) = saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c]));
+        let relative = Extent::of(saddle, &turned).size() / self.extent(Level::Velocities).size();
+        let mut independence = saddle.independence();
+        // At rest nothing turns.
+        if relative.is_positive() {
+            independence.least = independence.least.min((ulp / relative).sqrt());
+        }
+        independence
+    }
+
+    /// Whether the way from the `end` of a step to here is longer than the step from `from` to its end, in coordinates or in
+    /// velocities, by more than noise.
+    fn outweighs(&self, end: &State<S::Scalar, N>, from: &State<S::Scalar, N>) -> bool {
+        let here = &self.state;
+        let apart = |a: &[S::Scalar; N], b: &[S::Scalar; N]| {
+            Extent::of(&self.saddle, &core::array::from_fn(|i| a[i] - b[i])).size()
+        };
+        let noise = S::Scalar::epsilon().sqrt();
+        [(&here.q, &end.q, &from.q), (&here.v, &end.v, &from.v)].into_iter().any(|(here, end, from)| {
+            let own = apart(end, from) + noise * Extent::of(&self.saddle, end).size();
+            (apart(here, end) - own).largest() > num_traits::Zero::zero()
+        })
+    }
+
+    /// The size of what is corrected.
+    fn extent(&self, level: Level) -> Extent<S::Scalar> {
+        Extent::of(&self.saddle, if level == Level::Positions { &self.state.q } else { &self.state.v })
+    }
+
+    fn refresh(&mut self, system: &S) {
+        if !self.is_fresh {
+            (self.saddle, self.gradients) = system.saddle_at(self.state.t, &self.state.q, &self.state.v);
+            self.is_fresh = true;
+        }
+    }
+}

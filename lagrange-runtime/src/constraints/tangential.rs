@@ -1,0 +1,25 @@
+//! Parts of a change that the constraints leave open, and parts that a retraction takes back.
+
+use super::Surface;
+use crate::linear::SaddlePoint;
+use crate::real::Real;
+use crate::state::State;
+
+/// The part of a change of coordinates or velocities along the constraints: the change less the smallest one, in the metric of
+/// the mass matrix, that has the same product with the gradients.
+#[cold]
+pub fn tangential<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    change: &[S::Scalar; N],
+) -> [S::Scalar; N]
+where
+    S: Surface<N, K, C>,
+{
+    let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
+    let rates = gradients.map(|row| {
+        row.iter().zip(change).fold(num_traits::Zero::zero(), |sum, (&a, &x)| S::Scalar::mul_add(a, x, sum))
+    });
+    let (normal, _) = saddle.solve(&[num_traits::Zero::zero(); N], &rates);
+    core::array::from_fn(|i| change[i] - normal[i])
+}

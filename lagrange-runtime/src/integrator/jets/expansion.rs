@@ -1,0 +1,85 @@
+//! The series at a state, in a unit of time near the length that it bears.
+
+use super::super::adaptive::Adaptive;
+use super::super::step_size::{self, Limits};
+use super::{Jets, JetsMemory, NEAR};
+use crate::error::Cause;
+use crate::real::{Ordered, Real, larger, smaller};
+use crate::simulation::Held;
+use crate::smooth::Smooth;
+
+/// Expands the motion about the start of the memory, for a step of `left` \[s] at most. Returns the length that the tolerance
+/// allows \[s], without direction; `None` of a polynomial in time, or of coefficients that underflow.
+#[inline(always)]
+pub(super) fn expand<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    control: &Held<S::Scalar, K>,
+    limits: &Limits<S::Scalar>,
+    left: S::Scalar,
+    attempts: &mut u64,
+) -> Result<Option<S::Scalar>, Cause>
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    let number = S::Scalar::from_f64;
+    let from = memory.start;
+    let resolution = memory.resolution();
+    let mut remembered = memory.next.is_positive();
+    let mut unit = if remembered { memory.next } else { left.abs() };
+    let (mut overflowed, mut rescaled, mut lengthened) = (false, false, false);
+    loop {
+        if *attempts == 0 {
+            return Err(Cause::TooManySteps);
+        }
+        *attempts -= 1;
+        memory.unit = left.signum() * unit;
+        memory.counts.evaluations += 1;
+        let JetsMemory { constants: jet, tables, series, orders, unit: signed, .. } = memory;
+        let solved =
+            system.jet_at(jet, from.t, &from.q, &from.v, &control.0, *signed, *orders, tables, series);
+        if !solved {
+            return Err(Cause::NotFinite);
+        }
+        let steady = remembered && !rescaled;
+        let mut tolerated = memory.tolerated(limits, num_traits::One::one(), steady);
+        let mut span = number(1.0);
+        // In a unit much longer than the step the first terms are no measure of the size.
+        while tolerated < number(0.5) * span && tolerated * number(NEAR * NEAR) > num_traits::One::one() {
+            span = tolerated;
+            tolerated = memory.tolerated(limits, span, steady);
+        }
+        let is_finite = memory.is_finite();
+        if is_finite && tolerated == number(f64::INFINITY) {
+            if !S::STEEP && remembered && unit < left.abs() {
+                (unit, remembered) = (left.abs(), false);
+                memory.counts.rejected += 1;
+                continue;
+            }
+            return Ok(None);
+        }
+        if is_finite
+            && (tolerated < number(NEAR) || overflowed)
+            && tolerated * number(NEAR) > num_traits::One::one()
+        {
+            // A shorter step than the tolerance allows where coefficients overflow in a longer unit.
+            let natural = smaller(tolerated, number(NEAR)) * unit;
+            return Ok(Some(natural));
+        }
+        // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
+        overflowed |= !is_finite;
+        let factor =
+            if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
+        // Two units may each ask for the other: a component that starts with many zero derivatives has no size but in
+        // the unit. The shorter one is sure.
+        overflowed |= lengthened && factor < num_traits::One::one();
+        lengthened |= factor > num_traits::One::one();
+        unit *= factor;
+        rescaled = true;
+        memory.counts.rejected += 1;
+        if step_size::is_below(unit, resolution) {
+            return Err(if is_finite { Cause::StepTooSmall } else { Cause::NotFinite });
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! A motion that starts in a configuration in which constraints depend on each other, or very close to one.
+//!
+//! There the equations do not give the multipliers, and beside it they give them with few digits. But the motion is smooth, and
+//! a little later it is well determined. So the step is expanded about its **end**: a state on the constraints whose series
+//! leads back to the start. It is found by shooting, with free flight as the approximation of the flow, which leaves an error
+//! of the square of the time. The velocity of the start decides along which of the motions that meet there it goes on.
+
+use super::super::adaptive::Adaptive;
+use super::super::landing::{Check, difference};
+use super::super::step_size::Limits;
+use super::{DECAY, Determined, Jets};
+use crate::constraints::Footing;
+use crate::error::Cause;
+use crate::linear::{Independence, determined};
+use crate::real::{Ordered, Real};
+use crate::simulation::Held;
+use crate::smooth::{Series, Smooth};
+use crate::state::State;
+
+/// Lengths of the step that are tried, each half of the one before, from half of the way to go.
+const LENGTHS: usize = 64;
+
+/// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over the time in which
+/// accelerations change.
+const CORRECTIONS: usize = 24;
+
+/// Takes the first step about its end. False where the constraints depend on each other beside the start as well, so that it is
+/// as good as any other state.
+///
+/// # Errors
+/// [`Cause::Undetermined`] where they are independent beside it, but no motion leads there with this velocity.
+#[cold]
+#[inline(never)]
+#[allow(clippy::too_many_arguments)]
+pub(super) fn start<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    constants: &S::Constants,
+    control: &Held<S::Scalar, K>,
+    limits: &Limits<S::Scalar>,
+    left: S::Scalar,
+    here: &Independence<S::Scalar>,
+) -> Result<bool, Cause>
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    let half = S::Scalar::from_f64(0.5);
+    let kept = *memory;
+    let mut time = half * left;
+    let mut leads_out = false;
+    for _ in 0..LENGTHS {
+        *memory = kept;
+        let mut beyond = kept.start.at_time(kept.start.t + time);
+        for (q, v) in beyond.q.iter_mut().zip(beyond.v) {
+            *q += time * v;
+        }
+        let there = if beyond.is_finite() { system.land_at(constants, &mut beyond).ok() } else { None };
+        if let Some(there) = there.filter(|there| there.independence.improves(here, determined())) {
+            leads_out = true;
+            if shoot(memory, system, constants, control, limits, &kept.start, beyond, &there) {
+                memory.determined = Some(Determined::at_start(&there.independence));
+                memory.stand(&there);
+                return Ok(true);
+            }
+        }
+        time *= half;
+    }
+    *memory = kept;
+    if leads_out {
+        let constraint = here.weakest;
+        return Err(memory.stay(Cause::Undetermined { constraint }));
+    }
+    Ok(false)
+}
+
+/// Whether the last terms of a series are errors within the tolerance, in the kinetic metric.
+fn converges<S, const N: usize, const K: usize, const P: usize>(
+    orders: usize,
+    series: &Series<S::Scalar, N, P>,
+    check: &Check<'_, S, N, K>,
+    footing: &Footing<S::Scalar, N>,
+    time: S::Scalar,
+) -> bool
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    let none = [num_traits::Zero::zero(); N];
+    let zero = State { q: none, v: none, ..*check.from };
+    let row = |rows: &[[S::Scalar; N]; P], back: usize| rows.get(orders - back).copied().unwrap_or(none);
+    [(1, 1.0), (2, DECAY)].into_iter().all(|(back, part)| {
+        let scaled = |row: [S::Scalar; N]| row.map(|x| S::Scalar::from_f64(part) * x);
+        let term = State { q: scaled(row(&series.q, back)), v: scaled(row(&series.v, back)), ..zero };
+        check.is_small(&term, time.abs(), footing)
+    })
+}
+
+/// Moves `beyond` until its series leads to `from`. The memory then holds the step between them.
+#[allow(clippy::too_many_arguments)]
+fn shoot<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    constants: &S::Constants,
+    control: &Held<S::Scalar, K>,
+    limits: &Limits<S::Scalar>,
+    from: &State<S::Scalar, N>,
+    mut beyond: State<S::Scalar, N>,
+    footing: &Footing<S::Scalar, N>,
+) -> bool
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    let time = beyond.t - from.t;
+    let one: S::Scalar = num_traits::One::one();
+    // The end of the step stands for the start that it is to lead to.
+    let ahead = beyond;
+    let check = Check { system, constants, inputs: &control.0, limits, from: &ahead };
+    for _ in 0..CORRECTIONS {
+        memory.start = beyond;
+        memory.unit = -time;
+        memory.counts.evaluations += 1;
+        let super::JetsMemory { constants: jet, tables, series, orders, unit, .. } = memory;
+        let State { t, q, v } = &beyond;
+        if !system.jet_at(jet, *t, q, v, &control.0, *unit, *orders, tables, series)
+            || !memory.is_finite()
+            || !converges(memory.orders, &memory.series, &check, footing, time)
+        {
+            return false;
+        }
+        let (gain_q, gain_v) = memory.series.gain(one, memory.orders);
+        let mut back = beyond.at_time(from.t);
+        for i in 0..N {
+            back.q[i] += gain_q[i];
+            back.v[i] += gain_v[i];
+        }
+        if !back.is_finite() {
+            return false;
+        }
+        let lack = State { t: from.t, q: difference(&from.q, &back.q), v: difference(&from.v, &back.v) };
+        let kept = beyond;
+        for i in 0..N {
+            beyond.q[i] += lack.q[i] + time * lack.v[i];
+            beyond.v[i] += lack.v[i];
+        }
+        if !beyond.is_finite() || system.project_at(constants, &mut beyond, None).is_err() {
+            return false;
+        }
+        let change =
+            State { t: from.t, q: difference(&beyond.q, &kept.q), v: difference(&beyond.v, &kept.v) };
+        if check.is_small(&change, time, footing)
+            && check.is_half(&lack, time, footing)
+            && check.is_carried_rightly(&lack, from, footing)
+        {
+            memory.series.recentre(one, memory.orders);
+            memory.turn();
+            (memory.start, memory.end) = (*from, kept);
+            (memory.next, memory.last) = (time.abs(), time.abs());
+            return true;
+        }
+    }
+    false
+}

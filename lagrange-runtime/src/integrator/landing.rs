@@ -1,0 +1,307 @@
+//! The check of every step of a constrained motion, and where a step may end.
+//!
+//! Two things tell whether a step went wrong, whatever the reason. The **correction** that brings its end back onto the
+//! constraints is a part of its error. The **defect**, the difference between the accelerations of its polynomial and those of
+//! the equations, is another part (Enright, "A new error-control for initial value solvers", Appl. Math. Comput. 31, 1989). Both
+//! are held against the tolerance.
+//!
+//! A step does not end where the constraints do not determine the state well, beside a configuration in which they depend on
+//! each other: there, roundings of the constraints are large changes of the state. What was determined in the motion so far
+//! is the measure, so constraints that are redundant everywhere do no harm.
+
+use super::step_size::{self, Limits};
+use crate::constraints::Footing;
+use crate::error::Cause;
+use crate::linear::{Independence, determined};
+use crate::real::{Ordered, Real, larger, smaller};
+use crate::state::State;
+use crate::system::System;
+
+/// Corrections and defects are at most so many times the tolerance: the derivative of the last terms of a series is the order
+/// times larger than they are, a fifth of the tolerance.
+const MARGIN: f64 = 16.0;
+
+/// Accelerations are known to so many ulps of the largest term, and no error is held against a tolerance below that.
+const NOISE: f64 = 256.0;
+
+/// How far [`Check::leaves`] looks ahead, in parts of the step.
+const AHEAD: f64 = 1.0 / 64.0;
+
+/// What constraints have determined in a motion so far.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Determined<R> {
+    rank: usize,
+    least: R,
+}
+
+impl<R: Ordered> Determined<R> {
+    /// What a start determines.
+    pub(crate) fn at_start(here: &Independence<R>) -> Self {
+        // Rows that are closer than that from the beginning may come a little closer.
+        Self { rank: here.rank, least: smaller(determined(), R::from_f64(0.25) * here.least) }
+    }
+
+    /// Whether no less is determined.
+    pub(crate) fn accepts(&self, here: &Independence<R>) -> bool {
+        here.rank >= self.rank && here.least >= self.least
+    }
+
+    /// Takes in a state that was accepted.
+    pub(crate) fn learn(&mut self, here: &Independence<R>) {
+        if here.rank > self.rank {
+            *self = Self::at_start(here);
+        }
+        if here.least > determined() {
+            self.least = determined();
+        }
+    }
+}
+
+/// What an error across the constraints may be, relative to a state, at a tolerance: its square over the distance from a
+/// configuration in which constraints depend on each other is the tolerance. One is as good as the other where all are clearly
+/// independent.
+pub(crate) fn across<R: Ordered>(relative: R, independence: &Independence<R>) -> R {
+    if independence.is_clear() { relative } else { (relative * independence.least).sqrt() }
+}
+
+/// How much the accelerations of a polynomial differ from those of the equations.
+struct Defect<R, const N: usize> {
+    difference: [R; N],
+    /// The larger of both.
+    strongest: [R; N],
+}
+
+impl<R: Ordered, const N: usize> Defect<R, N> {
+    fn between(slopes: &[R; N], found: &[R; N]) -> Self {
+        let strongest = core::array::from_fn(|i| larger(slopes[i].abs(), found[i].abs()));
+        Self { difference: difference(found, slopes), strongest }
+    }
+}
+
+pub(crate) fn difference<R: Ordered, const N: usize>(a: &[R; N], b: &[R; N]) -> [R; N] {
+    core::array::from_fn(|i| a[i] - b[i])
+}
+
+/// The end of a step, on the constraints.
+pub(crate) struct Landing<R, const N: usize> {
+    pub(crate) end: State<R, N>,
+    pub(crate) footing: Footing<R, N>,
+    /// Whether corrections and defect are within the tolerance.
+    pub(crate) is_right: bool,
+}
+
+/// What a step is checked against.
+pub(crate) struct Check<'a, S: System<N, K>, const N: usize, const K: usize> {
+    pub(crate) system: &'a S,
+    pub(crate) constants: &'a S::Constants,
+    pub(crate) inputs: &'a [S::Scalar; K],
+    pub(crate) limits: &'a Limits<S::Scalar>,
+    /// The state before the step.
+    pub(crate) from: &'a State<S::Scalar, N>,
+}
+
+impl<S: System<N, K>, const N: usize, const K: usize> Check<'_, S, N, K>
+where
+    S::Scalar: Ordered,
+{
+    /// Brings the state that a step has `reached` onto the constraints and checks it. `slopes` are the accelerations of its
+    /// polynomial there, if it has one.
+    ///
+    /// # Errors
+    /// Why it cannot be brought back.
+    pub(crate) fn land(
+        &self,
+        reached: &State<S::Scalar, N>,
+        slopes: Option<&[S::Scalar; N]>,
+    ) -> Result<Landing<S::Scalar, N>, Cause> {
+        let mut end = *reached;
+        let footing = self.system.land_at(self.constants, &mut end)?;
+        let mut landing = Landing { end, footing, is_right: true };
+        let defect = slopes.map(|slopes| Defect::between(slopes, &self.accelerations(&end)));
+        landing.is_right = (self.is_near(reached, &landing) || self.is_across(reached, &landing))
+            && defect
+                .is_none_or(|defect| self.obeys(&defect, &landing) || self.obeys_along(defect, &landing));
+        Ok(landing)
+    }
+
+    /// Whether the polynomial of a step obeys the equations at a state on the way to its landing.
+    pub(crate) fn agrees(
+        &self,
+        state: &State<S::Scalar, N>,
+        slopes: &[S::Scalar; N],
+        landing: &Landing<S::Scalar, N>,
+    ) -> bool {
+        let defect = Defect::between(slopes, &self.accelerations(state));
+        self.obeys(&defect, landing)
+            || self.obeys_with(&defect, landing, self.roundings(state, &landing.footing))
+    }
+
+    /// Whether constraints become more independent beyond a landing.
+    #[cold]
+    pub(crate) fn leaves(&self, landing: &Landing<S::Scalar, N>) -> bool {
+        let mut ahead = landing.end;
+        let span = S::Scalar::from_f64(AHEAD) * (landing.end.t - self.from.t);
+        for i in 0..N {
+            ahead.q[i] += span * ahead.v[i];
+        }
+        ahead.t += span;
+        let there = self.system.land_at(self.constants, &mut ahead);
+        there.is_ok_and(|there| there.independence.least > landing.footing.independence.least)
+    }
+
+    /// Whether the correction is within the tolerance. Constraints couple the coordinates, so differences and sizes are those of
+    /// whole states in the kinetic metric: a coordinate that is zero but for roundings has none of its own.
+    fn is_near(&self, reached: &State<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
+        let Landing { end, footing, .. } = landing;
+        let apart = State { t: end.t, q: difference(&reached.q, &end.q), v: difference(&reached.v, &end.v) };
+        let (size, speed) = self.sizes(end, (end.t - self.from.t).abs(), footing);
+        footing.extent(&apart.q) <= self.bound(size, footing)
+            && footing.extent(&apart.v) <= self.bound(speed, footing)
+    }
+
+    /// Whether a change of the state before the step is an error within the tolerance, for a step of this `span` \[s].
+    pub(crate) fn is_small(
+        &self,
+        change: &State<S::Scalar, N>,
+        span: S::Scalar,
+        footing: &Footing<S::Scalar, N>,
+    ) -> bool {
+        let (size, speed) = self.sizes(self.from, span.abs(), footing);
+        footing.extent(&change.q) <= self.bound(size, footing)
+            && footing.extent(&change.v) <= self.bound(speed, footing)
+    }
+
+    /// Whether a change leaves half of all digits of the state: a start is as good as its numbers, and those of one beside a
+    /// configuration in which constraints depend on each other lie beside the motion.
+    pub(crate) fn is_half(
+        &self,
+        change: &State<S::Scalar, N>,
+        span: S::Scalar,
+        footing: &Footing<S::Scalar, N>,
+    ) -> bool {
+        let (size, speed) = self.sizes(self.from, span.abs(), footing);
+        let half = S::Scalar::epsilon().sqrt();
+        footing.extent(&change.q) <= half * size && footing.extent(&change.v) <= half * speed
+    }
+
+    /// Whether a change of the state `to` which a step leads may be carried to the state before it as in free flight: the error of
+    /// that is the change times the angle by which the velocity turns.
+    pub(crate) fn is_carried_rightly(
+        &self,
+        change: &State<S::Scalar, N>,
+        to: &State<S::Scalar, N>,
+        footing: &Footing<S::Scalar, N>,
+    ) -> bool {
+        let span = (to.t - self.from.t).abs();
+        let (size, speed) = self.sizes(self.from, span, footing);
+        let turned = footing.extent(&difference(&to.v, &self.from.v)) / speed;
+        turned * footing.extent(&change.q) <= self.bound(size, footing)
+            && turned * footing.extent(&change.v) <= self.bound(speed, footing)
+    }
+
+    /// The sizes of coordinates and velocities in a step.
+    fn sizes(
+        &self,
+        end: &State<S::Scalar, N>,
+        span: S::Scalar,
+        footing: &Footing<S::Scalar, N>,
+    ) -> (S::Scalar, S::Scalar) {
+        let speed = larger(footing.extent(&end.v), footing.extent(&self.from.v));
+        let size = larger(footing.extent(&end.q), footing.extent(&self.from.q));
+        (larger(size, speed * span), speed)
+    }
+
+    /// Whether the polynomial obeys the equations within the tolerance and the roundings of its accelerations.
+    fn obeys(&self, defect: &Defect<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
+        self.obeys_with(defect, landing, num_traits::Zero::zero())
+    }
+
+    /// The same with other roundings.
+    fn obeys_with(
+        &self,
+        defect: &Defect<S::Scalar, N>,
+        landing: &Landing<S::Scalar, N>,
+        roundings: S::Scalar,
+    ) -> bool {
+        let Landing { end, footing, .. } = landing;
+        let span = (end.t - self.from.t).abs();
+        let strongest = footing.extent(&defect.strongest) * span;
+        let size = larger(larger(footing.extent(&end.v), footing.extent(&self.from.v)), strongest);
+        footing.extent(&defect.difference) * span <= self.bound(size, footing) + roundings * span
+    }
+
+    /// What roundings of the coordinates make of the accelerations. Where strong forces keep a balance it is more than the
+    /// accelerations show.
+    #[cold]
+    fn roundings(&self, state: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> S::Scalar {
+        let here = self.accelerations(state);
+        let mut largest = num_traits::Zero::zero();
+        for alternate in [false, true] {
+            let mut beside = *state;
+            for i in 0..N {
+                let ulp = footing.ulps_q[i];
+                beside.q[i] += if alternate && i % 2 == 1 { -ulp } else { ulp };
+            }
+            largest = larger(largest, footing.extent(&difference(&self.accelerations(&beside), &here)));
+        }
+        S::Scalar::from_f64(MARGIN) * largest
+    }
+
+    /// Whether a correction beyond the tolerance leaves no more than that, beside a configuration in which constraints depend on
+    /// each other: there, roundings of a state are errors across the constraints that grow on the way, and a retraction takes
+    /// them back. What it leaves is their square, times the curvature of the constraints, which is the reciprocal of the
+    /// distance from that configuration. Roundings of forces that keep a balance are no errors either.
+    #[cold]
+    #[inline(never)]
+    fn is_across(&self, reached: &State<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
+        let Landing { end, footing, .. } = landing;
+        let span = (end.t - self.from.t).abs();
+        let (size, speed) = self.sizes(end, span, footing);
+        let share = across(self.relative(), &footing.independence);
+        let gained = self.roundings(end, footing) * span;
+        footing.extent(&difference(&reached.q, &end.q)) <= share * size + gained * span
+            && footing.extent(&difference(&reached.v, &end.v)) <= share * speed + gained
+    }
+
+    /// Whether the polynomial obeys the equations as far as its errors across the constraints do not count, and within the
+    /// roundings of forces that keep a balance.
+    #[cold]
+    #[inline(never)]
+    fn obeys_along(&self, mut defect: Defect<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
+        let Landing { end, footing, .. } = landing;
+        if !footing.independence.is_clear() {
+            defect.difference = self.system.tangential_at(end, &defect.difference);
+        }
+        self.obeys(&defect, landing) || self.obeys_with(&defect, landing, self.roundings(end, footing))
+    }
+
+    /// Whether an error of the end of a step is within the tolerance along the constraints.
+    pub(crate) fn is_small_along(
+        &self,
+        error: &State<S::Scalar, N>,
+        landing: &Landing<S::Scalar, N>,
+    ) -> bool {
+        let Landing { end, footing, .. } = landing;
+        let (size, speed) = self.sizes(end, (end.t - self.from.t).abs(), footing);
+        let margin = S::Scalar::from_f64(1.0 / MARGIN);
+        let part = |change: &[S::Scalar; N]| footing.extent(&self.system.tangential_at(end, change));
+        part(&error.q) <= margin * self.bound(size, footing)
+            && part(&error.v) <= margin * self.bound(speed, footing)
+    }
+
+    fn accelerations(&self, state: &State<S::Scalar, N>) -> [S::Scalar; N] {
+        self.system.accelerations_on_at(self.constants, state.t, &state.q, &state.v, self.inputs)
+    }
+
+    /// The tolerance, or what roundings make of it.
+    fn relative(&self) -> S::Scalar {
+        larger(self.limits.relative, S::Scalar::from_f64(NOISE) * S::Scalar::epsilon())
+    }
+
+    /// What an error may be in a state of this size.
+    fn bound(&self, size: S::Scalar, footing: &Footing<S::Scalar, N>) -> S::Scalar {
+        let relative = self.relative();
+        let absolute = self.limits.absolute.unwrap_or_else(num_traits::Zero::zero) + step_size::smallest();
+        S::Scalar::from_f64(MARGIN) * (relative * size + footing.extent(&[absolute; N]))
+    }
+}

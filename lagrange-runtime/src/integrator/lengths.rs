@@ -1,0 +1,106 @@
+//! Which lengths of a step are tried until one ends well.
+
+use super::landing::Determined;
+use crate::linear::{Independence, determined};
+use crate::real::{Ordered, larger, smaller};
+
+/// Parts of a length that ends where the state is not determined well: a little shorter or longer ones first, so that the cost
+/// is small.
+const PARTS: [f64; 8] = [0.9, 1.05, 0.8, 0.7, 0.6, 0.5, 0.35, 0.25];
+
+/// A length whose error is not measured but bounded is shortened to this part where the bound does not hold.
+const SHORTER: f64 = 0.9;
+
+/// A measured length whose end is wrong is shortened to this part.
+const HALF: f64 = 0.5;
+
+/// What came of a length.
+pub(crate) enum Outcome<R> {
+    /// The end is not right.
+    Wrong,
+    /// The end is right, and constraints are so independent there.
+    Right(Independence<R>),
+}
+
+/// What to do next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Next<R> {
+    /// Try this length.
+    Try(R),
+    /// Take this length, which is right.
+    Take(R),
+    /// No length ends where the state is determined.
+    GiveUp,
+}
+
+/// The lengths that are tried for one step, in any unit of time.
+pub(crate) struct Lengths<R> {
+    determined: Determined<R>,
+    /// The independence with which an end is good enough.
+    enough: R,
+    /// The longest step whose error is measured.
+    measured: R,
+    /// The longest step that error control allows, where a limit makes it shorter than that.
+    natural: R,
+    /// What [`PARTS`] are parts of.
+    base: R,
+    /// How many of them have been tried.
+    tried: usize,
+    best: Option<(R, R)>,
+}
+
+impl<R: Ordered> Lengths<R> {
+    /// The lengths for a step of a `measured` error that begins with `here`, at a tolerance. `base` is tried first.
+    ///
+    /// Roundings move a velocity by ε/σ², with the independence σ of the constraints. So an end is good enough where that is
+    /// the tolerance, or where half is left of what the step started with; and one that leaves the configuration in which
+    /// constraints depend on each other is better than any before it. Where no length ends so well, the best is taken.
+    pub(crate) fn new(
+        determined: Determined<R>,
+        here: &Independence<R>,
+        tolerance: R,
+        [measured, natural, base]: [R; 3],
+    ) -> Self {
+        let by_tolerance = smaller((R::epsilon() / larger(tolerance, R::epsilon())).sqrt(), R::one());
+        let enough = smaller(larger(self::determined(), by_tolerance), R::from_f64(0.5) * here.least);
+        Self { determined, enough, measured, natural, base, tried: 0, best: None }
+    }
+
+    /// What to do after a length was tried. `leaves` tells whether constraints become more independent beyond its end.
+    pub(crate) fn next(&mut self, length: R, outcome: Outcome<R>, leaves: impl FnOnce() -> bool) -> Next<R> {
+        match outcome {
+            Outcome::Right(there) => {
+                if self.determined.accepts(&there) {
+                    if there.least >= self.enough || leaves() {
+                        return Next::Take(length);
+                    }
+                    if self.best.is_none_or(|(_, least)| there.least > least) {
+                        self.best = Some((length, there.least));
+                    }
+                }
+            }
+            Outcome::Wrong if self.tried == 0 => {
+                self.base = if self.base > self.measured {
+                    larger(R::from_f64(SHORTER) * self.base, self.measured)
+                } else {
+                    R::from_f64(HALF) * self.base
+                };
+                return Next::Try(self.base);
+            }
+            Outcome::Wrong => {}
+        }
+        if let Some(&part) = PARTS.get(self.tried) {
+            self.tried += 1;
+            return Next::Try(R::from_f64(part) * self.base);
+        }
+        if let Some((length, _)) = self.best {
+            return Next::Take(length);
+        }
+        // A limit of the step must not keep it where it cannot end.
+        if self.base < self.natural {
+            (self.base, self.tried) = (self.natural, 0);
+            return Next::Try(self.base);
+        }
+        Next::GiveUp
+    }
+}

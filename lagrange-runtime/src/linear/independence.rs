@@ -1,0 +1,65 @@
+//! How independent the rows of a constraint matrix are, and the two numbers that decide about it.
+//!
+//! Rows are measured in the metric of the kinetic energy, each relative to its own size. The distance of a row from the span of
+//! the others is then about the smallest singular value σ of A M^(−1/2). A constraint function is known to ε of its summands, so
+//! coordinates are known to ε/σ, and each of the two decisions follows from where that meets another number of the arithmetic:
+//!
+//! * Below **√ε** a row is dependent. What it alone restricts enters the constraint function by its square, so roundings of the
+//!   function leave these coordinates uncertain by √ε already, and a linear row of less than √ε tells nothing that this does not
+//!   hide. (Golub and Van Loan, "Matrix Computations", 4th ed., § 5.5, on numerical rank.)
+//! * Below **∜ε** a state is poorly determined: the direction of the motion, a derivative of the gradients, is known to ε/σ²
+//!   only, which is √ε there, half of all digits. Steps do not end at such a state where they can end beside it.
+
+use crate::real::Real;
+
+/// What is known of the rows of A at a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Independence<R> {
+    /// How many rows there are.
+    pub rows: usize,
+    /// How many of them are independent.
+    pub rank: usize,
+    /// The smallest distance of one of these from the span of those before it, relative to its size; one where all are clearly
+    /// independent.
+    pub least: R,
+    /// The row that is closest to depending on the others, or does.
+    pub weakest: usize,
+}
+
+impl<R: Real> Independence<R> {
+    /// That of rows that are far from each other.
+    #[inline(always)]
+    pub fn clear(rows: usize) -> Self {
+        Self { rows, rank: rows, least: R::one(), weakest: 0 }
+    }
+
+    /// Whether all rows are clearly independent, in every lane.
+    #[inline(always)]
+    pub fn is_clear(&self) -> bool {
+        self.rank == self.rows && (R::one() - self.least).largest() <= R::zero().largest()
+    }
+
+    /// Whether all rows are independent and determine the state well, in every lane.
+    #[inline]
+    pub fn is_determined(&self) -> bool {
+        self.rank == self.rows && (self.least - determined()).is_positive()
+    }
+
+    /// Whether more is determined than in `other`: more rows are independent, or as many and now by more than `least`.
+    pub(crate) fn improves(&self, other: &Self, least: R) -> bool {
+        let well = |this: &Self| (this.least - least).is_positive();
+        self.rank > other.rank || self.rank == other.rank && well(self) && !well(other)
+    }
+}
+
+/// The distance below which a row depends on others: √ε.
+#[inline]
+pub(crate) fn dependent<R: Real>() -> R {
+    R::epsilon().sqrt()
+}
+
+/// The distance from which a state is well determined: ∜ε.
+#[inline]
+pub(crate) fn determined<R: Real>() -> R {
+    dependent::<R>().sqrt()
+}
