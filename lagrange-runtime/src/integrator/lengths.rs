@@ -104,3 +104,75 @@ impl<R: Ordered> Lengths<R> {
         Next::GiveUp
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn here(least: f64) -> Independence<f64> {
+        Independence { least, ..Independence::clear(2) }
+    }
+
+    fn lengths(start: f64, [measured, natural, base]: [f64; 3]) -> Lengths<f64> {
+        Lengths::new(Determined::at_start(&here(1.0)), &here(start), 1e-10, [measured, natural, base])
+    }
+
+    #[test]
+    fn an_end_that_is_determined_is_taken_at_once() {
+        let mut lengths = lengths(1.0, [1.0; 3]);
+        assert_eq!(lengths.next(1.0, Outcome::Right(here(0.6)), || panic!("not asked")), Next::Take(1.0));
+    }
+
+    #[test]
+    fn an_end_that_leaves_is_taken_and_one_that_comes_closer_is_not() {
+        let mut lengths = lengths(1.0, [1.0; 3]);
+        // √(ε / 1e-10) is 1.5e-3.
+        assert_eq!(lengths.next(1.0, Outcome::Right(here(1e-3)), || false), Next::Try(0.9));
+        assert_eq!(lengths.next(0.9, Outcome::Right(here(1e-3)), || true), Next::Take(0.9));
+    }
+
+    #[test]
+    fn where_none_ends_well_the_best_is_taken() {
+        let mut lengths = lengths(1.0, [1.0; 3]);
+        let mut length = 1.0;
+        for tried in 0..=PARTS.len() {
+            let least = if tried == 3 { 1e-3 } else { 5e-4 };
+            match lengths.next(length, Outcome::Right(here(least)), || false) {
+                Next::Try(next) => length = next,
+                taken => assert_eq!((tried, taken), (PARTS.len(), Next::Take(PARTS[2]))),
+            }
+        }
+    }
+
+    #[test]
+    fn an_end_below_the_fourth_root_of_rounding_is_none() {
+        let mut lengths = lengths(1.0, [1.0; 3]);
+        let mut length = 1.0;
+        for _ in 0..PARTS.len() {
+            let Next::Try(next) = lengths.next(length, Outcome::Right(here(1e-5)), || true) else { panic!() };
+            length = next;
+        }
+        assert_eq!(lengths.next(length, Outcome::Right(here(1e-5)), || true), Next::GiveUp);
+    }
+
+    #[test]
+    fn what_is_wrong_is_shortened_to_what_is_measured_and_then_halved() {
+        let mut lengths = lengths(1.0, [1.0, 1.0, 1.1]);
+        assert_eq!(lengths.next(1.1, Outcome::Wrong, || false), Next::Try(1.0));
+        assert_eq!(lengths.next(1.0, Outcome::Wrong, || false), Next::Try(0.5));
+        assert_eq!(lengths.next(0.5, Outcome::Right(here(0.9)), || false), Next::Take(0.5));
+    }
+
+    #[test]
+    fn a_limit_does_not_keep_a_step_where_it_cannot_end() {
+        let mut lengths = lengths(1.0, [0.1, 1.0, 0.1]);
+        let mut length = 0.1;
+        for _ in 0..PARTS.len() {
+            let Next::Try(next) = lengths.next(length, Outcome::Right(here(1e-6)), || false) else {
+                panic!()
+            };
+            length = next;
+        }
+        assert_eq!(lengths.next(length, Outcome::Right(here(1e-6)), || false), Next::Try(1.0));
+    }
+}

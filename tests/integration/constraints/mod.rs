@@ -8,6 +8,7 @@
 //! | [`redundancy`] | redundant constraints: the same motion, the shortest multipliers |
 //! | [`beside`] | rows that depend on each other only where the constraints hold |
 //! | [`singular`] | constraints that become dependent on the way; what is held altogether |
+//! | [`passages`] | through configurations in which constraints become dependent, straight on |
 //! | [`far`] | small differences of large coordinates |
 //! | [`linkages`] | four-bar linkages, flat configurations |
 //! | [`inputs`] | inputs, feedback, dissipation, constraints that move |
@@ -23,6 +24,7 @@ mod far;
 mod formulations;
 mod inputs;
 mod linkages;
+mod passages;
 mod redundancy;
 mod scalars;
 mod singular;

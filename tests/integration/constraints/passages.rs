@@ -1,0 +1,202 @@
+//! Motions through configurations in which gradients of constraints become dependent: straight on, with the energy that they have.
+//!
+//! The linkages have one degree of freedom, and a branch of their motions is known, so that a place on the wrong one shows.
+
+use std::f64::consts::FRAC_PI_2;
+
+use lagrangian::prelude::*;
+
+use crate::support::close::close_on;
+
+/// A parallelogram of three bars by their angles; the closing hinge is two constraints, which the flat position makes one.
+#[derive(Clone, Copy)]
+struct Bars {
+    m: [f64; 3],
+    l: f64,
+    ground: f64,
+}
+
+#[lagrangian(coordinates = [angle: [3]])]
+impl Bars {
+    fn along(angle: f64) -> Vector2<f64> {
+        Vector2::new(angle.cos(), angle.sin())
+    }
+
+    #[body(mass = self.m[..], inertia = [self.m[0] / 12.0, self.m[1] / 12.0, self.m[2] / 12.0])]
+    fn bars(&self, q: &Coordinates) -> [(Vector2<f64>, f64); 3] {
+        let tip = self.l * Self::along(q.angle[0]);
+        [
+            (0.5 * tip, q.angle[0]),
+            (tip + 0.5 * self.ground * Self::along(q.angle[1]), q.angle[1]),
+            (Vector2::new(self.ground, 0.0) + 0.5 * self.l * Self::along(q.angle[2]), q.angle[2]),
+        ]
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        let bars = self.bars(q);
+        9.81 * (self.m[0] * bars[0].0.y + self.m[1] * bars[1].0.y + self.m[2] * bars[2].0.y)
+    }
+
+    #[holonomic]
+    fn hinge(&self, q: &Coordinates) -> Vector2<f64> {
+        self.l * Self::along(q.angle[0]) + self.ground * Self::along(q.angle[1])
+            - self.l * Self::along(q.angle[2])
+            - Vector2::new(self.ground, 0.0)
+    }
+}
+
+/// The same by the places of its two joints.
+#[derive(Clone, Copy)]
+struct Joints;
+
+#[lagrangian(coordinates = [first: [2], second: [2]])]
+impl Joints {
+    #[point(mass = 1.0)]
+    fn joints(&self, q: &Coordinates) -> [Vector2<f64>; 2] {
+        [Vector2::new(q.first[0], q.first[1]), Vector2::new(q.second[0], q.second[1])]
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        9.81 * (q.first[1] + q.second[1])
+    }
+
+    #[holonomic]
+    fn rods(&self, q: &Coordinates) -> [f64; 3] {
+        let [first, second] = self.joints(q);
+        let ground = Vector2::new(1.0, 0.0);
+        [
+            first.norm_squared() - 1.0,
+            (second - ground).norm_squared() - 1.0,
+            (second - first).norm_squared() - 1.0,
+        ]
+    }
+}
+
+/// A coupler on three cranks: the flat position is singular, and two rows are redundant everywhere.
+#[derive(Clone, Copy)]
+struct Coupler;
+
+#[lagrangian(coordinates = [t: [3], x, y, phi], allow(redundant))]
+impl Coupler {
+    #[kinetic]
+    fn turning(&self, v: &Velocities) -> f64 {
+        v.t.iter().map(|w| w * w / 6.0).sum()
+    }
+
+    #[body(mass = 2.0, inertia = 0.4)]
+    fn coupler(&self, q: &Coordinates) -> (Vector2<f64>, f64) {
+        (Vector2::new(q.x, q.y), q.phi)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        9.81 * 2.0 * q.y
+    }
+
+    #[holonomic]
+    fn hinges(&self, q: &Coordinates) -> [f64; 6] {
+        let mut rows = [0.0; 6];
+        for i in 0..3 {
+            let at = 0.3 * i as f64 + 0.05 * (i * i) as f64;
+            rows[2 * i] = q.x + at * q.phi.cos() - at - q.t[i].cos();
+            rows[2 * i + 1] = q.y + at * q.phi.sin() - q.t[i].sin();
+        }
+        rows
+    }
+}
+
+/// Starts 1e-8 … 0.1 rad before and behind the singular position, at 5 rad/s.
+fn starts() -> impl Iterator<Item = f64> {
+    (0..15).flat_map(|i| {
+        let size = 10_f64.powf(-8.0 + 0.5 * f64::from(i));
+        [size, -size]
+    })
+}
+
+/// What errors of a few tens of steps may be, with the rounding of states that end 1e-5 beside the position.
+fn allowed(tolerance: f64) -> f64 {
+    100.0 * tolerance + f64::EPSILON / 1e-5
+}
+
+/// Half a second by a method: the energy and what vanishes on the branch.
+macro_rules! passes {
+    ($system:expr, $curve:expr, $off:expr, $method:ty, $tolerances:expr) => {
+        for tolerance in $tolerances {
+            for s in starts() {
+                let system = $system;
+                let (q, v) = $curve(s);
+                let start = State::new(q, v);
+                let kinetic = system.energy(&start) - system.energy(&State::at_rest(q));
+                let mut motion = system.simulate_with::<$method>(start).with_tolerance(tolerance);
+                let end =
+                    *motion.advance_to(0.5).unwrap_or_else(|error| panic!("{s:e} at {tolerance:e}: {error}"));
+                close_on(kinetic, system.energy(&end), system.energy(&start), allowed(tolerance));
+                close_on(1.0, $off(&end), 0.0, 10.0 * allowed(tolerance));
+            }
+        }
+    };
+}
+
+#[test]
+fn a_parallelogram_of_bars_passes_its_flat_position() {
+    let curve = |s: f64| ([s, 0.0, s], [5.0, 0.0, 5.0]);
+    let off = |end: &State<f64, 3>| end.q[1].abs() + (end.q[0] - end.q[2]).abs();
+    for (m, l, ground) in [([1.0; 3], 1.0, 1.0), ([0.5, 1.0, 2.5], 0.8, 1.3)] {
+        passes!(Bars { m, l, ground }, curve, off, Jets, [1e-6, 1e-8, 1e-10, 1e-12, 1e-14]);
+        passes!(Bars { m, l, ground }, curve, off, Dop853, [1e-6, 1e-10]);
+    }
+}
+
+#[test]
+fn a_parallelogram_of_joints_passes_its_flat_position() {
+    let curve = |s: f64| {
+        let (sin, cos) = s.sin_cos();
+        ([cos, sin, 1.0 + cos, sin], [-5.0 * sin, 5.0 * cos, -5.0 * sin, 5.0 * cos])
+    };
+    let off = |end: &State<f64, 4>| (end.q[2] - end.q[0] - 1.0).abs() + (end.q[3] - end.q[1]).abs();
+    passes!(Joints, curve, off, Jets, [1e-6, 1e-8, 1e-10, 1e-12]);
+    passes!(Joints, curve, off, Dop853, [1e-6, 1e-10]);
+}
+
+#[test]
+fn redundant_cranks_pass_their_flat_position() {
+    let curve = |s: f64| {
+        let (sin, cos) = s.sin_cos();
+        ([s, s, s, cos, sin, 0.0], [5.0, 5.0, 5.0, -5.0 * sin, 5.0 * cos, 0.0])
+    };
+    let off =
+        |end: &State<f64, 6>| end.q[5].abs() + (end.q[0] - end.q[1]).abs() + (end.q[0] - end.q[2]).abs();
+    passes!(Coupler, curve, off, Jets, [1e-8, 1e-10]);
+    passes!(Coupler, curve, off, Dop853, [1e-6]);
+}
+
+#[test]
+fn the_velocity_decides_about_the_branch() {
+    // Both branches of equal bars meet in the flat position: as a parallelogram, and with the second bar turning about the end
+    // of the first, which lies in the other hinge of the ground.
+    let system = Joints;
+    let flat = [1.0, 0.0, 2.0, 0.0];
+    for (v, branch) in [([0.0, 5.0, 0.0, 5.0], 0), ([0.0, 0.0, 0.0, 5.0], 1)] {
+        let start = State::new(flat, v);
+        let end = *system.simulate(start).advance_to(0.2).expect("a motion");
+        close_on(10.0, system.energy(&end), system.energy(&start), 1e-8);
+        let [first, second] = [Vector2::new(end.q[0], end.q[1]), Vector2::new(end.q[2], end.q[3])];
+        let off = [(second - first - Vector2::x()).norm(), (first - Vector2::new(1.0, 0.0)).norm()];
+        assert!(off[branch] < 1e-8, "{off:?}");
+    }
+    // Between them there is none.
+    let between = State::new(flat, [0.0, 5.0, 0.0, 2.0]);
+    let error = system.simulate(between).advance_to(0.2).expect_err("no motion");
+    assert!(matches!(error.cause, Cause::Undetermined { .. }), "{error}");
+}
+
+#[test]
+fn an_upright_start_is_on_no_branch_in_particular() {
+    // Away from the flat position nothing is special.
+    let start = State::new([FRAC_PI_2, 0.0, FRAC_PI_2], [1.0, 0.0, 1.0]);
+    let system = Bars { m: [1.0; 3], l: 1.0, ground: 1.0 };
+    let end = *system.simulate(start).advance_to(1.0).expect("a motion");
+    close_on(10.0, system.energy(&end), system.energy(&start), 1e-9);
+}
