@@ -302,6 +302,10 @@ where
     /// tells σ, whether a row comes close to others or vanishes. The signs of the roundings are those to which the multipliers
     /// respond, as in an estimate of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
     fn independence(&self, system: &S) -> Independence<S::Scalar> {
+        // One row depends on no other.
+        if C == 1 {
+            return self.saddle.independence();
+        }
         let (saddle, here) = (&self.saddle, &self.residuals);
         let none = [num_traits::Zero::zero(); N];
         let (_, response) = saddle.solve(&none, &here.position_sizes);

@@ -8,9 +8,13 @@ use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
 use super::{Jets, JetsMemory, singular};
 use crate::error::Cause;
-use crate::real::{Ordered, Real};
+use crate::real::{Ordered, Real, smaller};
 use crate::simulation::Held;
 use crate::smooth::Smooth;
+
+/// A step of a constrained motion is at most so many times as long as the one before it. Its end is checked, so the bound only
+/// keeps the check within reach of a polynomial that exact cancellations have robbed of its coefficients.
+const LONGER: f64 = 32.0;
 
 /// One step from the end of the last one towards `target`.
 #[inline]
@@ -52,8 +56,10 @@ where
     let is_free = natural.is_none();
     let mut natural = natural.unwrap_or_else(|| left.abs());
     // The coefficients do not know what rounding has hidden from them.
-    if S::STEEP || S::CONSTRAINED && memory.last.is_positive() {
+    if S::STEEP {
         natural = probe::restrained(natural, memory.last, left.abs());
+    } else if S::CONSTRAINED && memory.last.is_positive() {
+        natural = smaller(natural, S::Scalar::from_f64(LONGER) * memory.last);
     }
     let length = limits.clip(natural);
     if !is_free && step_size::is_below(length, resolution) {
