@@ -225,9 +225,11 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let column = |largest, &size: &R::Lane| larger(largest, size);
         let whole = if part == 0 { R::Lane::one() } else { sizes.iter().flatten().fold(zero, column) };
         let absolute = number(SAFETY) * absolute * whole + step_size::smallest::<R::Lane>();
+        // Who asks for less than rounding asks for it of the coupled coordinates as well.
+        let ulps = smaller(relative / R::Lane::epsilon(), R::Lane::one());
         core::array::from_fn(|k| {
-            let ulps = if part == 0 { self.ulps[k] } else { [R::zero(); N] };
-            core::array::from_fn(|i| (of(ulps[i]) + (relative * sizes[k][i] + absolute)).recip())
+            let known = if part == 0 { self.ulps[k].map(|ulp| ulps * of(ulp)) } else { [zero; N] };
+            core::array::from_fn(|i| (known[i] + (relative * sizes[k][i] + absolute)).recip())
         })
     }
 

@@ -65,7 +65,9 @@ where
     if !is_free && step_size::is_below(length, resolution) {
         return Err(Cause::StepTooSmall);
     }
-    memory.reach(length / memory.unit.abs());
+    // Not from the times, whose rounding grows with them.
+    let theta = length / memory.unit.abs();
+    memory.reach(theta);
     memory.next = if is_free { num_traits::Zero::zero() } else { natural };
     // Of a polynomial in time only the equations tell whether it holds. A constrained step is always compared with them.
     if !S::CONSTRAINED && (S::STEEP || is_free) {
@@ -76,7 +78,7 @@ where
         return Err(memory.stay(Cause::NotFinite));
     }
     if S::CONSTRAINED {
-        land(memory, system, constants, control, limits, natural, attempts)?;
+        land(memory, system, constants, control, limits, [theta, natural / memory.unit.abs()], attempts)?;
     }
     memory.last = (memory.end.t - memory.start.t).abs();
     memory.counts.accepted += 1;
@@ -84,6 +86,8 @@ where
 }
 
 /// Ends a step of a constrained motion where it can be checked and goes on well: at the length that it has, or near that.
+/// `measured` is what the step has and error control has measured, `natural` what it would allow without a limit, both in
+/// units of the scaled time. Beyond `measured` only a part of the error is known to be small.
 #[inline]
 fn land<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
@@ -91,7 +95,7 @@ fn land<S, const N: usize, const K: usize>(
     constants: &S::Constants,
     control: &Held<S::Scalar, K>,
     limits: &Limits<S::Scalar>,
-    natural: S::Scalar,
+    [measured, natural]: [S::Scalar; 2],
     attempts: &mut u64,
 ) -> Result<(), Cause>
 where
@@ -100,14 +104,12 @@ where
 {
     let (Some(mut determined), Some(here)) = (memory.determined, memory.independence) else { return Ok(()) };
     let unit = memory.unit.abs();
-    // What error control has measured; beyond, only a part of the error is known to be small.
-    let measured = (memory.end.t - memory.start.t).abs() / unit;
     let mut theta = measured;
     if let Some(across) = beyond(memory, limits, theta) {
         theta = across;
         memory.reach(theta);
     }
-    let mut lengths = Lengths::new(determined, &here, limits.relative, [measured, natural / unit, theta]);
+    let mut lengths = Lengths::new(determined, &here, limits.relative, [measured, natural, theta]);
     loop {
         let check = Check { system, constants, inputs: &control.0, limits, from: &memory.start };
         let slopes = |theta| memory.series.slopes(theta, memory.orders).map(|slope| slope / memory.unit);
