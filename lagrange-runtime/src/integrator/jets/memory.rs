@@ -229,7 +229,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let ulps = smaller(relative / R::Lane::epsilon(), R::Lane::one());
         core::array::from_fn(|k| {
             let known = if part == 0 { self.ulps[k].map(|ulp| ulps * of(ulp)) } else { [zero; N] };
-            core::array::from_fn(|i| (known[i] + (relative * sizes[k][i] + absolute)).recip())
+            core::array::from_fn(|i| larger(known[i], relative * sizes[k][i] + absolute).recip())
         })
     }
 
@@ -269,7 +269,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         // Halfway, in two orders, since symmetry makes every other term vanish.
         let term = |order: usize| self.term(&weights, order, 0) * at.powi(order as i32);
         let halfway = larger(term(p / 2), term(p / 2 - 1));
-        if halfway.ln() > -number(DECAY).ln() * number(p as f64 / 4.0) {
+        if halfway.ln() > -number(DECAY).ln() * number(0.25) * number(p as f64) {
             return None;
         }
         // Constraints couple the coordinates, so these errors are parts of the whole state in the kinetic metric.

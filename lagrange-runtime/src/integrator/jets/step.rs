@@ -116,7 +116,8 @@ where
         let on_the_way = |landing: &Landing<S::Scalar, N>| {
             !S::STEEP
                 || (1..PLACES).all(|place| {
-                    let theta = S::Scalar::from_f64(place as f64 / PLACES as f64) * theta;
+                    let theta =
+                        S::Scalar::from_f64(place as f64) * S::Scalar::from_f64(1.0 / PLACES as f64) * theta;
                     check.agrees(&memory.place(theta), &slopes(theta), landing)
                 })
         };
