@@ -89,9 +89,11 @@ impl<R: Ordered> Lengths<R> {
             }
             Outcome::Wrong => {}
         }
-        if let Some(&part) = PARTS.get(self.tried) {
+        // A table of scalars, so that none is converted at run time.
+        let parts = PARTS.map(R::from_f64);
+        if let Some(&part) = parts.get(self.tried) {
             self.tried += 1;
-            return Next::Try(R::from_f64(part) * self.base);
+            return Next::Try(part * self.base);
         }
         if let Some((length, _)) = self.best {
             return Next::Take(length);

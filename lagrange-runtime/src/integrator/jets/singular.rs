@@ -89,8 +89,8 @@ where
     let none = [num_traits::Zero::zero(); N];
     let zero = State { q: none, v: none, ..*check.from };
     let row = |rows: &[[S::Scalar; N]; P], back: usize| rows.get(orders - back).copied().unwrap_or(none);
-    [(1, 1.0), (2, DECAY)].into_iter().all(|(back, part)| {
-        let scaled = |row: [S::Scalar; N]| row.map(|x| S::Scalar::from_f64(part) * x);
+    [(1, num_traits::One::one()), (2, S::Scalar::from_f64(DECAY))].into_iter().all(|(back, part)| {
+        let scaled = |row: [S::Scalar; N]| row.map(|x| part * x);
         let term = State { q: scaled(row(&series.q, back)), v: scaled(row(&series.v, back)), ..zero };
         check.is_small(&term, time.abs(), footing)
     })
