@@ -523,10 +523,11 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
         #[inline]
         fn land_at(
             &self,
-            _constants: &Self::Constants,
+            constants: &Self::Constants,
             state: &mut lagrange::State<f64, 2>,
+            inputs: ::core::option::Option<&[f64; 0]>,
         ) -> ::core::result::Result<lagrange::Footing<f64, 2>, lagrange::Cause> {
-            lagrange::constraints::land::<Self, 2, 0, 1>(self, state)
+            lagrange::constraints::land::<Self, 2, 0, 1>(self, constants, state, inputs)
         }
         fn tangential_at(
             &self,
@@ -608,14 +609,14 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
     impl lagrange::Surface<2usize, 0usize, 1usize> for CartesianPendulum {
         type Saddle = lagrange::saddle::Diagonal<f64, 2, 1>;
         #[inline]
-        fn balance_at(
+        fn equations_at(
             &self,
             constants: &Self::Constants,
             t: f64,
             q: &[f64; 2],
             v: &[f64; 2],
             u: &[f64; 0],
-        ) -> lagrange::Balance<f64, 2, 1> {
+        ) -> lagrange::Equations<Self::Saddle, f64, 2, 1> {
             use lagrange::Real;
             let [x, y] = *q;
             let [x_dot, y_dot] = *v;
@@ -628,11 +629,16 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             let mut gradients = [[0.0; 2]; 1];
             gradients[0][0] = x * w1;
             gradients[0][1] = y * w1;
-            lagrange::constraints::balance(
-                &lagrange::saddle::Diagonal::<f64, 2, 1>::factor(mass, &gradients),
-                &[0.0, minus_mass_2_g],
-                &[-(w2 * w1)],
-            )
+            lagrange::Equations {
+                saddle: lagrange::saddle::Diagonal::<
+                    f64,
+                    2,
+                    1,
+                >::factor(mass, &gradients),
+                gradients,
+                forces: [0.0, minus_mass_2_g],
+                gamma: [-(w2 * w1)],
+            }
         }
         #[inline]
         fn residuals_at(

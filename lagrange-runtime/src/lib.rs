@@ -123,7 +123,9 @@ pub mod __private {
         };
     }
     pub use crate::columns::Columns;
-    pub use crate::constraints::{self, Balance, Constrained, Footing, Reactions, Residuals, Surface};
+    pub use crate::constraints::{
+        self, Balance, Constrained, Equations, Footing, Reactions, Residuals, Surface,
+    };
     pub use crate::integrator::{Dop853, Jets};
     pub use crate::smooth::{Series, Smooth};
     pub use crate::state::State;

@@ -103,17 +103,25 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
     }
 
     /// Derivatives of the velocities by the scaled time, `theta` units after the point of expansion: accelerations in units of
-    /// it.
+    /// it. Odd and even orders side by side.
     pub(crate) fn slopes(&self, theta: R, orders: usize) -> [R; N] {
-        let mut slopes = [R::zero(); N];
-        let mut order = R::from_f64(orders as f64);
-        for row in self.v.iter().take(orders).rev() {
+        let (mut odd, mut even) = ([R::zero(); N], [R::zero(); N]);
+        let (square, mut order) = (theta * theta, R::from_f64(orders as f64));
+        let mut add = |to: &mut [R; N], row: &[R; N]| {
             for i in 0..N {
-                slopes[i] = R::mul_add(slopes[i], theta, order * row[i]);
+                to[i] = R::mul_add(to[i], square, order * row[i]);
             }
             order -= R::one();
+        };
+        let Some((pairs, rest)) = self.v.get(..orders).map(<[_]>::as_chunks::<2>) else { return odd };
+        if let [row] = rest {
+            add(&mut odd, row);
         }
-        slopes
+        for [odd_row, even_row] in pairs.iter().rev() {
+            add(&mut even, even_row);
+            add(&mut odd, odd_row);
+        }
+        core::array::from_fn(|i| R::mul_add(even[i], theta, odd[i]))
     }
 
     /// The series about a place `shift` units from the present one: the same polynomials without their values there.

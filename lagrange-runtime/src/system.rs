@@ -1,6 +1,6 @@
 //! [`System`]: what generated code implements, and the two ways to run it.
 
-use crate::constraints::Footing;
+use crate::constraints::{Footing, Metric};
 use crate::error::Cause;
 use crate::integrator::{Adaptive, FixedStep};
 use crate::linear::Independence;
@@ -104,7 +104,7 @@ pub trait System<const N: usize, const K: usize = 0> {
     }
 
     /// The same for the end of a step under error control, which is to be looked at: returns how well the
-    /// constraints determine the state.
+    /// constraints determine the state, and with inputs what the equations say of it.
     ///
     /// # Errors
     /// As [`System::project_at`].
@@ -113,9 +113,11 @@ pub trait System<const N: usize, const K: usize = 0> {
         &self,
         _constants: &Self::Constants,
         _state: &mut State<Self::Scalar, N>,
+        _inputs: Option<&[Self::Scalar; K]>,
     ) -> Result<Footing<Self::Scalar, N>, Cause> {
         let none = [num_traits::Zero::zero(); N];
-        Ok(Footing { independence: Independence::clear(0), ulps_q: none, ulps_v: none, units: none })
+        let independence = Independence::clear(0);
+        Ok(Footing { independence, accelerations: None, ulps_q: none, ulps_v: none, metric: Metric::none() })
     }
 
     /// The part of a change of coordinates or velocities along the constraints at a state.

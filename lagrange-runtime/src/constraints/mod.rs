@@ -5,7 +5,7 @@
 //! in the metric of the mass matrix, coordinates first (f = 0), then velocities (df/dt = 0 and g = 0): Hairer and Wanner,
 //! *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*, 1992.
 
-mod extent;
+mod metric;
 mod residuals;
 mod retraction;
 mod solution;
@@ -20,11 +20,11 @@ use crate::linear::{Independence, SaddlePoint};
 use crate::real::{Ordered, Real};
 use crate::state::State;
 use crate::system::System;
-pub(crate) use extent::Extent;
+pub use metric::Metric;
 pub(crate) use residuals::Level;
 pub use residuals::Residuals;
 pub use retraction::{Footing, land, project};
-pub use solution::{balance, check, finite, forces, independence, is_singular, matrix, regular};
+pub use solution::{check, finite, forces, independence, is_singular, matrix, regular};
 pub use stages::accelerations;
 pub use start::{begin, consistent};
 pub use tangential::tangential;
@@ -93,12 +93,48 @@ pub struct Balance<R, const N: usize, const C: usize> {
     pub independence: Independence<R>,
 }
 
+/// The equations of a constrained motion at a state: M a − Aᵀλ = forces, A a = γ.
+#[derive(Clone, Copy, Debug)]
+pub struct Equations<P, R, const N: usize, const C: usize> {
+    /// The factors of M and A.
+    pub saddle: P,
+    /// A, rows by constraint.
+    pub gradients: [[R; N]; C],
+    /// All forces but those of constraints, less the bias.
+    pub forces: [R; N],
+    /// γ: what A a has to be so that the second derivatives of the constraints vanish.
+    pub gamma: [R; C],
+}
+
+impl<P: SaddlePoint<R, N, C>, R: Real, const N: usize, const C: usize> Equations<P, R, N, C> {
+    /// Their solution; NaN where there is none.
+    #[inline(always)]
+    pub fn balance(&self) -> Balance<R, N, C> {
+        let (mut accelerations, multipliers) = self.saddle.solve(&self.forces, &self.gamma);
+        if self.saddle.vanishing().is_some() {
+            accelerations = [R::from_f64(f64::NAN); N];
+        }
+        Balance { accelerations, multipliers, independence: self.saddle.independence() }
+    }
+}
+
 /// What generated code implements for `C` scalar constraints.
 pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> {
     /// The factors of M and A.
     type Saddle: SaddlePoint<Self::Scalar, N, C>;
 
-    /// Solves M a − Aᵀλ = f, A a = γ.
+    /// The equations at a state, factored.
+    fn equations_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> Equations<Self::Saddle, Self::Scalar, N, C>;
+
+    /// Their solution.
+    #[inline(always)]
     fn balance_at(
         &self,
         constants: &Self::Constants,
@@ -106,7 +142,9 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
         q: &[Self::Scalar; N],
         v: &[Self::Scalar; N],
         u: &[Self::Scalar; K],
-    ) -> Balance<Self::Scalar, N, C>;
+    ) -> Balance<Self::Scalar, N, C> {
+        self.equations_at(constants, t, q, v, u).balance()
+    }
 
     /// How far a state is off the constraints.
     fn residuals_at(
@@ -116,7 +154,7 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
         v: &[Self::Scalar; N],
     ) -> Residuals<Self::Scalar, C>;
 
-    /// The gradients A, rows by constraint, and the factors of M and A.
+    /// The factors of M and A, and A without the forces.
     fn saddle_at(
         &self,
         t: Self::Scalar,

@@ -17,11 +17,11 @@
 //! Everything else is an error. By the second rule the condition of the constraints is in the bound: where singular values of
 //! the scaled gradients are σ, an ulp of f is a correction of ε/σ, and so much is left.
 
-use super::extent::Extent;
+use super::metric::Metric;
 use super::residuals::Level;
 use super::{Residuals, Surface, moved};
 use crate::error::Cause;
-use crate::linear::{Independence, SaddlePoint};
+use crate::linear::{CLEAR, Independence, SaddlePoint};
 use crate::real::Real;
 use crate::state::State;
 
@@ -82,20 +82,33 @@ where
     Ok(())
 }
 
-/// The same for the end of a step, which is looked at: returns how well the constraints determine the state.
+/// The same for the end of a step, which is looked at: returns how well the constraints determine the state. With `inputs` the
+/// factors of the retraction give the accelerations as well.
 ///
 /// # Errors
 /// The constraint that stays violated.
 #[inline]
 pub fn land<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
+    constants: &S::Constants,
     state: &mut State<S::Scalar, N>,
+    inputs: Option<&[S::Scalar; K]>,
 ) -> Result<Footing<S::Scalar, N>, Cause>
 where
     S: Surface<N, K, C>,
 {
     let residuals = system.residuals_at(state.t, &state.q, &state.v);
-    let mut retraction = Retraction::new(system, state, residuals);
+    let mut accelerations = None;
+    let mut retraction = match inputs {
+        Some(inputs) => {
+            let equations = system.equations_at(constants, state.t, &state.q, &state.v, inputs);
+            if equations.saddle.independence().is_clear() {
+                accelerations = Some(equations.balance().accelerations);
+            }
+            Retraction::with(state, residuals, (equations.saddle, equations.gradients))
+        }
+        None => Retraction::new(system, state, residuals),
+    };
     if !residuals.are_roundings() {
         retraction.level(system, Level::Positions, From::Near)?;
         retraction.level(system, Level::Velocities, From::Near)?;
@@ -106,16 +119,13 @@ where
         retraction.refresh(system);
     }
     slopes(system, state);
-    let units = retraction.saddle.units();
-    let ulps = |level: Level| {
-        let ulp = S::Scalar::epsilon() * retraction.extent(level).size();
-        units.map(|unit| ulp * unit)
-    };
+    let ulps = |level| retraction.metric.ulps(retraction.extent(level));
     Ok(Footing {
         independence: retraction.independence(system),
+        accelerations,
         ulps_q: ulps(Level::Positions),
         ulps_v: ulps(Level::Velocities),
-        units,
+        metric: retraction.metric,
     })
 }
 
@@ -148,20 +158,16 @@ pub(super) fn slopes<S, const N: usize, const K: usize, const C: usize>(
 pub struct Footing<R, const N: usize> {
     /// How well the constraints determine it.
     pub independence: Independence<R>,
+    /// What the equations give at the state that was reached, before it was moved onto the constraints: if that was asked for,
+    /// and if the constraints are clearly independent there.
+    pub accelerations: Option<[R; N]>,
     /// An ulp of the largest coordinate in the kinetic metric, in the unit of each: constraints couple them, so none is known
     /// better than that.
     pub ulps_q: [R; N],
     /// The same of the velocities.
     pub ulps_v: [R; N],
-    /// Units in which no coordinate is larger than another, those of the kinetic metric; zero for what nothing moves.
-    pub units: [R; N],
-}
-
-impl<R: Real, const N: usize> Footing<R, N> {
-    /// The largest of some numbers in the units of their coordinates.
-    pub(crate) fn extent(&self, numbers: &[R; N]) -> R {
-        Extent::in_units(&self.units, numbers).size()
-    }
+    /// The kinetic metric.
+    pub metric: Metric<R, N>,
 }
 
 /// A corrected state, its residuals, and the share of the correction that was made.
@@ -172,7 +178,10 @@ pub(crate) struct Retraction<S: Surface<N, K, C>, const N: usize, const K: usize
     pub(crate) state: State<S::Scalar, N>,
     pub(crate) saddle: S::Saddle,
     pub(super) residuals: Residuals<S::Scalar, C>,
-    pub(super) gradients: [[S::Scalar; N]; C],
+    gradients: [[S::Scalar; N]; C],
+    pub(super) metric: Metric<S::Scalar, N>,
+    /// How fast constraints change, in its units.
+    pub(super) slopes: [S::Scalar; C],
     /// Whether the factors are those of the state itself.
     is_fresh: bool,
 }
@@ -182,8 +191,25 @@ where
     S: Surface<N, K, C>,
 {
     pub(crate) fn new(system: &S, state: &State<S::Scalar, N>, residuals: Residuals<S::Scalar, C>) -> Self {
-        let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
-        Self { state: *state, saddle, residuals, gradients, is_fresh: true }
+        Self::with(state, residuals, system.saddle_at(state.t, &state.q, &state.v))
+    }
+
+    /// With factors that have been made for this state.
+    fn with(
+        state: &State<S::Scalar, N>,
+        residuals: Residuals<S::Scalar, C>,
+        (saddle, gradients): (S::Saddle, [[S::Scalar; N]; C]),
+    ) -> Self {
+        let metric = Metric::of(&saddle);
+        let slopes = metric.slopes(&gradients);
+        Self { state: *state, saddle, residuals, gradients, metric, slopes, is_fresh: true }
+    }
+
+    /// Takes other factors, which are those of the state itself or not.
+    fn take(&mut self, (saddle, gradients): (S::Saddle, [[S::Scalar; N]; C]), is_fresh: bool) {
+        (self.saddle, self.gradients, self.is_fresh) = (saddle, gradients, is_fresh);
+        self.metric = Metric::of(&self.saddle);
+        self.slopes = self.metric.slopes(&self.gradients);
     }
 
     /// Newton's corrections of one level.
@@ -209,10 +235,10 @@ where
             if !change.iter().all(|x| x.is_finite()) {
                 return Err(Cause::NotFinite);
             }
-            let slopes = Extent::unit().sizes(&self.saddle, &self.gradients);
+            let (slopes, metric) = (self.slopes, self.metric);
             let before = self.residuals.distance(level, &slopes);
             let share = if from == From::Far && level == Level::Positions {
-                Self::reach(&self.saddle, &change, before)
+                Self::reach(&metric, &change, before)
             } else {
                 num_traits::One::one()
             };
@@ -220,11 +246,11 @@ where
                 break;
             };
             let after = there.distance(level, &slopes);
-            let step = (Extent::of(&self.saddle, &change).size() * share).largest();
+            let step = (metric.extent(&change) * share).largest();
             let helped = after < before;
             if helped {
                 (self.state, self.residuals, self.is_fresh) = (next, there, false);
-                let ulp = S::Scalar::epsilon().largest() * self.extent(level).max(begun).size().largest();
+                let ulp = S::Scalar::epsilon().largest() * self.extent(level).max(begun).largest();
                 if step * (after / before) <= ulp {
                     return Ok(());
                 }
@@ -239,7 +265,7 @@ where
         if self.is_rounding(level, begun) {
             return Ok(());
         }
-        Err(self.residuals.cause(level, &Extent::unit().sizes(&self.saddle, &self.gradients)))
+        Err(self.residuals.cause(level, &self.slopes))
     }
 
     /// Takes factors that belong to the constraints, where rows depend on each other on them but not beside them: what such
@@ -254,7 +280,7 @@ where
         let near = moved(&self.state, &change, &none, num_traits::One::one());
         let (saddle, gradients) = system.saddle_at(near.t, &near.q, &near.v);
         if saddle.rank() < self.saddle.rank() && saddle.defect().is_none() {
-            (self.saddle, self.gradients, self.is_fresh) = (saddle, gradients, false);
+            self.take((saddle, gradients), false);
         }
     }
 
@@ -268,12 +294,12 @@ where
         mut share: S::Scalar,
     ) -> Option<Corrected<S::Scalar, N, C>> {
         let none = [num_traits::Zero::zero(); N];
-        let slopes = Extent::unit().sizes(&self.saddle, &self.gradients);
         let (q, v) = if level == Level::Positions { (change, &none) } else { (&none, change) };
         for _ in 0..(if from == From::Far { HALVINGS } else { 1 }) {
             let next = moved(&self.state, q, v, share);
             let there = system.residuals_at(next.t, &next.q, &next.v);
-            let is_better = || there.distance(level, &slopes) < self.residuals.distance(level, &slopes);
+            let is_better =
+                || there.distance(level, &self.slopes) < self.residuals.distance(level, &self.slopes);
             if next.is_finite() && (from == From::Near || is_better()) {
                 return Some((next, there, share));
             }
@@ -283,27 +309,32 @@ where
     }
 
     /// The part of a correction that is not too long for its distance from the constraints.
-    fn reach(saddle: &S::Saddle, change: &[S::Scalar; N], distance: <S::Scalar as Real>::Lane) -> S::Scalar {
+    fn reach(
+        metric: &Metric<S::Scalar, N>,
+        change: &[S::Scalar; N],
+        distance: <S::Scalar as Real>::Lane,
+    ) -> S::Scalar {
         let far = S::Scalar::from_f64(REACH) * S::Scalar::splat(distance);
         let one: S::Scalar = num_traits::One::one();
-        one.min(far / Extent::of(saddle, change).size())
+        one.min(far / metric.extent(change))
     }
 
     /// Whether what is left are roundings of inner operations, or of the state.
-    fn is_rounding(&self, level: Level, begun: Extent<S::Scalar>) -> bool {
-        let by_state = begun.max(self.extent(level)).sizes(&self.saddle, &self.gradients);
+    fn is_rounding(&self, level: Level, begun: S::Scalar) -> bool {
+        let size = begun.max(self.extent(level));
+        let by_state = self.slopes.map(|slope| slope * size);
         self.residuals.is_within(level, S::Scalar::epsilon().sqrt(), &by_state)
     }
 
     /// How well the constraints determine the state.
     ///
-    /// Roundings of the constraint functions move the coordinates by ε/σ, and what that makes of the gradients moves the
+    /// Where rows are not clearly independent, or a gradient is close to vanishing: roundings of the constraint functions move the coordinates by ε/σ, and what that makes of the gradients moves the
     /// velocities by ε/σ², with a σ that is relative to how fast the gradients change. So the relative change of the velocities
     /// tells σ, whether a row comes close to others or vanishes. The signs of the roundings are those to which the multipliers
     /// respond, as in an estimate of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
     fn independence(&self, system: &S) -> Independence<S::Scalar> {
         // One row depends on no other.
-        if C == 1 {
+        if C == 1 || self.saddle.independence().is_clear() && self.gradients_are_clear() {
             return self.saddle.independence();
         }
         let (saddle, here) = (&self.saddle, &self.residuals);
@@ -315,7 +346,7 @@ where
         let there = moved(&self.state, &change, &none, num_traits::One::one());
         let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
         let (turned, _) = saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c]));
-        let relative = Extent::of(saddle, &turned).size() / self.extent(Level::Velocities).size();
+        let relative = self.metric.extent(&turned) / self.extent(Level::Velocities);
         let mut independence = saddle.independence();
         // At rest nothing turns.
         if relative.is_positive() {
@@ -324,29 +355,37 @@ where
         independence
     }
 
+    /// Whether no gradient is close to vanishing: what the coordinates make of each constraint is no small part of its summands.
+    fn gradients_are_clear(&self) -> bool {
+        let (extent, part) = (self.extent(Level::Positions), S::Scalar::from_f64(CLEAR));
+        self.slopes.iter().zip(&self.residuals.position_sizes).all(|(&slope, &summands)| {
+            let lack = part * summands - slope * extent;
+            lack.is_finite() && lack.largest() <= num_traits::Zero::zero()
+        })
+    }
+
     /// Whether the way from the `end` of a step to here is longer than the step from `from` to its end, in coordinates or in
     /// velocities, by more than noise.
     fn outweighs(&self, end: &State<S::Scalar, N>, from: &State<S::Scalar, N>) -> bool {
         let here = &self.state;
         let apart = |a: &[S::Scalar; N], b: &[S::Scalar; N]| {
-            Extent::of(&self.saddle, &core::array::from_fn(|i| a[i] - b[i])).size()
+            self.metric.extent(&core::array::from_fn(|i| a[i] - b[i]))
         };
         let noise = S::Scalar::epsilon().sqrt();
         [(&here.q, &end.q, &from.q), (&here.v, &end.v, &from.v)].into_iter().any(|(here, end, from)| {
-            let own = apart(end, from) + noise * Extent::of(&self.saddle, end).size();
+            let own = apart(end, from) + noise * self.metric.extent(end);
             (apart(here, end) - own).largest() > num_traits::Zero::zero()
         })
     }
 
     /// The size of what is corrected.
-    fn extent(&self, level: Level) -> Extent<S::Scalar> {
-        Extent::of(&self.saddle, if level == Level::Positions { &self.state.q } else { &self.state.v })
+    fn extent(&self, level: Level) -> S::Scalar {
+        self.metric.extent(if level == Level::Positions { &self.state.q } else { &self.state.v })
     }
 
     fn refresh(&mut self, system: &S) {
         if !self.is_fresh {
-            (self.saddle, self.gradients) = system.saddle_at(self.state.t, &self.state.q, &self.state.v);
-            self.is_fresh = true;
+            self.take(system.saddle_at(self.state.t, &self.state.q, &self.state.v), true);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Accelerations and multipliers from the factors of M and A. Reached through generated code only.
+//! What is asked of the factors of M and A. Reached through generated code only.
 
 use nalgebra::SMatrix;
 
@@ -8,20 +8,6 @@ use crate::integrator::diagnose;
 use crate::linear::{Defect, Independence, SaddlePoint};
 use crate::real::Real;
 use crate::state::State;
-
-/// Solves M a − Aᵀλ = `force`, A a = `gamma`; NaN where there is no solution.
-#[inline(always)]
-pub fn balance<R: Real, const N: usize, const C: usize>(
-    saddle: &impl SaddlePoint<R, N, C>,
-    force: &[R; N],
-    gamma: &[R; C],
-) -> Balance<R, N, C> {
-    let (mut accelerations, multipliers) = saddle.solve(force, gamma);
-    if saddle.vanishing().is_some() {
-        accelerations = [R::from_f64(f64::NAN); N];
-    }
-    Balance { accelerations, multipliers, independence: saddle.independence() }
-}
 
 /// Whether there are no accelerations.
 #[inline(always)]

@@ -1,8 +1,7 @@
 //! Accelerations where the stages of a method for ordinary differential equations lie: beside the constraints, and sometimes
 //! in a configuration in which these depend on each other.
 
-use super::extent::Extent;
-use super::{Balance, Surface, moved, project};
+use super::{Balance, Metric, Surface, moved, project};
 use crate::linear::{Independence, determined};
 use crate::real::Real;
 use crate::state::State;
@@ -129,6 +128,7 @@ where
     S: Surface<N, K, C>,
 {
     let (saddle, _) = system.saddle_at(state.t, &state.q, &state.v);
-    let time = Extent::of(&saddle, &state.q).size() / Extent::of(&saddle, &state.v).size();
+    let metric = Metric::of(&saddle);
+    let time = metric.extent(&state.q) / metric.extent(&state.v);
     (time.is_finite() && time.is_positive()).then_some(time)
 }

@@ -1,6 +1,5 @@
 //! Where a motion may begin, and the nearest such state.
 
-use super::extent::Extent;
 use super::residuals::{Level, ULPS};
 use super::retraction::{From, Retraction, slopes};
 use super::solution::regular;
@@ -67,11 +66,11 @@ fn check<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    let Retraction { state, saddle, gradients, .. } = at;
+    let Retraction { state, saddle, slopes, metric, .. } = at;
     let part = S::Scalar::from_f64(SHARE) * S::Scalar::epsilon().sqrt();
     let numbers = if level == Level::Positions { &state.q } else { &state.v };
     // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic metric.
-    let by_state = Extent::of(saddle, numbers).sizes(saddle, gradients);
+    let by_state = slopes.map(|slope| slope * metric.extent(numbers));
     let is_small = || {
         let (change, _) = saddle.solve(&[num_traits::Zero::zero(); N], residuals.values(level));
         let largest = |values: &[S::Scalar; N]| {
@@ -85,7 +84,7 @@ where
     {
         return Ok(());
     }
-    Err(residuals.cause(level, &Extent::unit().sizes(saddle, gradients)))
+    Err(residuals.cause(level, slopes))
 }
 
 /// What the last digits of the coordinates make of the residuals, as sizes of which an ulp is that.

@@ -1,8 +1,8 @@
 //! [`Adaptive`]: methods that choose their own steps, and Dormand–Prince as one of them.
 
-use super::dop853::Dop853Memory;
+use super::dop853::{Dop853Memory, Ground};
 use super::landing::{Check, Determined};
-use super::lengths::{Lengths, Next, Outcome};
+use super::lengths::{Lengths, Verdict};
 use super::step_size::{self, Limits};
 use super::{Field, diagnose};
 use crate::error::{Cause, MotionError};
@@ -188,17 +188,24 @@ where
         exactly: bool,
         attempts: &mut u64,
     ) -> Result<(), MotionError<S::Scalar>> {
-        if S::COUPLED && memory.independence.is_none() {
-            let from = memory.end.state;
-            let found = self.system.land_at(self.constants, &mut from.clone());
-            memory.independence = Some(found.map_err(|cause| MotionError { cause, t: from.t })?.independence);
+        if !S::CONSTRAINED {
+            return memory.step(self, limits, target, exactly, attempts);
         }
+        let ground = match memory.ground {
+            Some(ground) => ground,
+            None => self.ground(&memory.end.state)?,
+        };
+        memory.ground = Some(ground);
         let natural = memory.length();
         memory.step(self, limits, target, exactly, attempts)?;
-        if S::CONSTRAINED {
-            self.land(memory, limits, target, natural, attempts)?;
-        }
-        Ok(())
+        self.land(memory, limits, target, (ground, natural), attempts)
+    }
+
+    /// What constraints determine at the start of a motion.
+    fn ground(&self, start: &State<S::Scalar, N>) -> Result<Ground<S::Scalar>, MotionError<S::Scalar>> {
+        let footing = self.system.land_at(self.constants, &mut start.clone(), None);
+        let here = footing.map_err(|cause| MotionError { cause, t: start.t })?.independence;
+        Ok(Ground { here, determined: Determined::at_start(&here) })
     }
 
     /// Brings the end of a step back onto the constraints, or takes another one that can be.
@@ -207,7 +214,7 @@ where
         memory: &mut Dop853Memory<S::Scalar, N>,
         limits: &Limits<S::Scalar>,
         target: S::Scalar,
-        natural: S::Scalar,
+        (Ground { here, determined }, natural): (Ground<S::Scalar>, S::Scalar),
         attempts: &mut u64,
     ) -> Result<(), MotionError<S::Scalar>> {
         let from = memory.start.state;
@@ -215,39 +222,20 @@ where
         let check =
             Check { system: self.system, constants: self.constants, inputs: &inputs, limits, from: &from };
         let failed = |cause| MotionError { cause, t: from.t };
-        let here = match memory.independence {
-            Some(here) => here,
-            None => self.system.land_at(self.constants, &mut from.clone()).map_err(failed)?.independence,
-        };
-        let mut determined = memory.determined.unwrap_or_else(|| Determined::at_start(&here));
         let mut length = (memory.end.state.t - from.t).abs();
         let resolution =
             S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
         let longest = larger(natural, length);
         let mut lengths = Lengths::new(determined, &here, limits.relative, [longest, longest, length]);
         loop {
-            let landed = check.land(&memory.end.state, None);
-            let (outcome, cause) = match &landed {
-                Ok(landing) if landing.is_right => {
-                    let there = landing.footing.independence;
-                    (Outcome::Right(there), Cause::Undetermined { constraint: there.weakest })
-                }
-                Ok(_) => (Outcome::Wrong, Cause::StepTooSmall),
-                Err(cause) => (Outcome::Wrong, *cause),
-            };
-            let leaves = || landed.as_ref().is_ok_and(|landing| check.leaves(landing));
-            match (lengths.next(length, outcome, leaves), landed) {
-                (Next::Take(taken), Ok(landing)) if taken == length => {
-                    determined.learn(&landing.footing.independence);
-                    (memory.determined, memory.independence) =
-                        (Some(determined), Some(landing.footing.independence));
+            match lengths.judge(&check, length, check.land(&memory.end.state, None)) {
+                Verdict::Take(landing, determined) => {
+                    memory.ground = Some(Ground { here: landing.footing.independence, determined });
                     memory.correct(landing.end);
                     return Ok(());
                 }
-                (Next::Try(next) | Next::Take(next), _) if !step_size::is_below(next, resolution) => {
-                    length = next;
-                }
-                _ => {
+                Verdict::Try { length: next, .. } if !step_size::is_below(next, resolution) => length = next,
+                Verdict::Try { cause, .. } | Verdict::GiveUp(cause) => {
                     memory.retry(num_traits::Zero::zero());
                     return Err(failed(cause));
                 }

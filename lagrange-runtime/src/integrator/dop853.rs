@@ -14,8 +14,8 @@ use num_traits::Zero;
 use super::Field;
 use super::adaptive::Steps;
 use super::dense::Dense;
-use super::landing::{Determined, difference};
-use super::slopes::{Slope, combine, reach};
+use super::landing::Determined;
+use super::slopes::{Slope, combine, difference, reach};
 use super::step_size::{self, Limits};
 use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
 use crate::error::{Cause, MotionError};
@@ -28,6 +28,15 @@ use crate::state::State;
 pub(crate) struct Point<R, const N: usize> {
     pub state: State<R, N>,
     residue: State<R, N>,
+}
+
+/// What constraints determine where a motion stands.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ground<R> {
+    /// How independent they are there.
+    pub here: Independence<R>,
+    /// What they have determined so far.
+    pub determined: Determined<R>,
 }
 
 /// The step from `start` to `end`, and what the next one needs.
@@ -44,10 +53,8 @@ pub struct Dop853Memory<R, const N: usize> {
     /// Polynomial through the step, once a sample has asked for it.
     pub(crate) dense: Option<Dense<R, N>>,
     pub(crate) counts: Steps,
-    /// What constraints have determined so far; `None` before the first step.
-    pub(crate) determined: Option<Determined<R>>,
-    /// How independent constraints are at the end of the step; `None` before the first one.
-    pub(crate) independence: Option<Independence<R>>,
+    /// Where a constrained motion stands; `None` before the first step.
+    pub(crate) ground: Option<Ground<R>>,
 }
 
 /// Compensated x + d (Kahan).
@@ -70,8 +77,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             length: R::zero(),
             dense: None,
             counts: Steps::default(),
-            determined: None,
-            independence: None,
+            ground: None,
         }
     }
 
@@ -242,7 +248,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             (end.state.v[n], end.residue.v[n]) = add(from.v[n], end.residue.v[n], h * mean.v[n]);
         }
         // Beside a configuration in which constraints depend on each other, roundings make large accelerations across them.
-        if self.independence.is_some_and(|here| !here.is_clear()) {
+        if self.ground.is_some_and(|ground| !ground.here.is_clear()) {
             for change in [&mut fifth.q, &mut fifth.v, &mut third.q, &mut third.v] {
                 *change = f.along(&end.state, *change);
             }

@@ -9,6 +9,7 @@
 //! each other: there, roundings of the constraints are large changes of the state. What was determined in the motion so far
 //! is the measure, so constraints that are redundant everywhere do no harm.
 
+use super::slopes::difference;
 use super::step_size::{self, Limits};
 use crate::constraints::Footing;
 use crate::error::Cause;
@@ -78,14 +79,34 @@ impl<R: Ordered, const N: usize> Defect<R, N> {
     }
 }
 
-pub(crate) fn difference<R: Ordered, const N: usize>(a: &[R; N], b: &[R; N]) -> [R; N] {
-    core::array::from_fn(|i| a[i] - b[i])
+/// The difference of two states at about the same time.
+pub(crate) fn apart<R: Ordered, const N: usize>(a: &State<R, N>, b: &State<R, N>) -> State<R, N> {
+    State { t: b.t, q: difference(&a.q, &b.q), v: difference(&a.v, &b.v) }
+}
+
+/// Whether a change of coordinates and velocities is within a bound for each.
+fn is_within<R: Ordered, const N: usize>(
+    change: &State<R, N>,
+    footing: &Footing<R, N>,
+    [size, speed]: [R; 2],
+) -> bool {
+    footing.metric.extent(&change.q) <= size && footing.metric.extent(&change.v) <= speed
+}
+
+/// What errors of a step are held against, in the kinetic metric.
+#[derive(Clone, Copy)]
+struct Sizes<R> {
+    /// Of the coordinates and of the velocities.
+    of: [R; 2],
+    /// The absolute tolerance.
+    absolute: R,
 }
 
 /// The end of a step, on the constraints.
 pub(crate) struct Landing<R, const N: usize> {
     pub(crate) end: State<R, N>,
     pub(crate) footing: Footing<R, N>,
+    sizes: Sizes<R>,
     /// Whether corrections and defect are within the tolerance.
     pub(crate) is_right: bool,
 }
@@ -115,12 +136,16 @@ where
         slopes: Option<&[S::Scalar; N]>,
     ) -> Result<Landing<S::Scalar, N>, Cause> {
         let mut end = *reached;
-        let footing = self.system.land_at(self.constants, &mut end)?;
-        let mut landing = Landing { end, footing, is_right: true };
-        let defect = slopes.map(|slopes| Defect::between(slopes, &self.accelerations(&end)));
-        landing.is_right = (self.is_near(reached, &landing) || self.is_across(reached, &landing))
-            && defect
-                .is_none_or(|defect| self.obeys(&defect, &landing) || self.obeys_along(defect, &landing));
+        let footing = self.system.land_at(self.constants, &mut end, slopes.map(|_| self.inputs))?;
+        let sizes = self.sizes(&end, (end.t - self.from.t).abs(), &footing);
+        let mut landing = Landing { end, footing, sizes, is_right: true };
+        let defect = slopes.map(|slopes| {
+            let found = footing.accelerations.unwrap_or_else(|| self.accelerations(&end));
+            Defect::between(slopes, &found)
+        });
+        let is_near = self.is_near(reached, &landing);
+        let obeys = defect.as_ref().is_none_or(|defect| self.obeys(defect, &landing));
+        landing.is_right = is_near && obeys || self.is_excused(reached, &landing, (is_near, defect));
         Ok(landing)
     }
 
@@ -145,18 +170,15 @@ where
             ahead.q[i] += span * ahead.v[i];
         }
         ahead.t += span;
-        let there = self.system.land_at(self.constants, &mut ahead);
+        let there = self.system.land_at(self.constants, &mut ahead, None);
         there.is_ok_and(|there| there.independence.least > landing.footing.independence.least)
     }
 
     /// Whether the correction is within the tolerance. Constraints couple the coordinates, so differences and sizes are those of
     /// whole states in the kinetic metric: a coordinate that is zero but for roundings has none of its own.
     fn is_near(&self, reached: &State<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
-        let Landing { end, footing, .. } = landing;
-        let apart = State { t: end.t, q: difference(&reached.q, &end.q), v: difference(&reached.v, &end.v) };
-        let (size, speed) = self.sizes(end, (end.t - self.from.t).abs(), footing);
-        footing.extent(&apart.q) <= self.bound(size, footing)
-            && footing.extent(&apart.v) <= self.bound(speed, footing)
+        let Landing { end, footing, sizes, .. } = landing;
+        is_within(&apart(reached, end), footing, self.bounds(sizes))
     }
 
     /// Whether a change of the state before the step is an error within the tolerance, for a step of this `span` \[s].
@@ -166,9 +188,7 @@ where
         span: S::Scalar,
         footing: &Footing<S::Scalar, N>,
     ) -> bool {
-        let (size, speed) = self.sizes(self.from, span.abs(), footing);
-        footing.extent(&change.q) <= self.bound(size, footing)
-            && footing.extent(&change.v) <= self.bound(speed, footing)
+        is_within(change, footing, self.bounds(&self.sizes(self.from, span.abs(), footing)))
     }
 
     /// Whether a change leaves half of all digits of the state: a start is as good as its numbers, and those of one beside a
@@ -179,9 +199,8 @@ where
         span: S::Scalar,
         footing: &Footing<S::Scalar, N>,
     ) -> bool {
-        let (size, speed) = self.sizes(self.from, span.abs(), footing);
         let half = S::Scalar::epsilon().sqrt();
-        footing.extent(&change.q) <= half * size && footing.extent(&change.v) <= half * speed
+        is_within(change, footing, self.sizes(self.from, span.abs(), footing).of.map(|size| half * size))
     }
 
     /// Whether a change of the state `to` which a step leads may be carried to the state before it as in free flight: the error of
@@ -192,11 +211,10 @@ where
         to: &State<S::Scalar, N>,
         footing: &Footing<S::Scalar, N>,
     ) -> bool {
-        let span = (to.t - self.from.t).abs();
-        let (size, speed) = self.sizes(self.from, span, footing);
-        let turned = footing.extent(&difference(&to.v, &self.from.v)) / speed;
-        turned * footing.extent(&change.q) <= self.bound(size, footing)
-            && turned * footing.extent(&change.v) <= self.bound(speed, footing)
+        let sizes = self.sizes(self.from, (to.t - self.from.t).abs(), footing);
+        let turned = footing.metric.extent(&difference(&to.v, &self.from.v)) / sizes.of[1];
+        // At rest nothing turns, and nothing is within a bound of NaN.
+        is_within(change, footing, self.bounds(&sizes).map(|bound| bound / turned))
     }
 
     /// The sizes of coordinates and velocities in a step.
@@ -205,10 +223,11 @@ where
         end: &State<S::Scalar, N>,
         span: S::Scalar,
         footing: &Footing<S::Scalar, N>,
-    ) -> (S::Scalar, S::Scalar) {
-        let speed = larger(footing.extent(&end.v), footing.extent(&self.from.v));
-        let size = larger(footing.extent(&end.q), footing.extent(&self.from.q));
-        (larger(size, speed * span), speed)
+    ) -> Sizes<S::Scalar> {
+        let absolute = self.limits.absolute.unwrap_or_else(num_traits::Zero::zero) + step_size::smallest();
+        let speed = larger(footing.metric.extent(&end.v), footing.metric.extent(&self.from.v));
+        let size = larger(footing.metric.extent(&end.q), footing.metric.extent(&self.from.q));
+        Sizes { of: [larger(size, speed * span), speed], absolute: footing.metric.extent(&[absolute; N]) }
     }
 
     /// Whether the polynomial obeys the equations within the tolerance and the roundings of its accelerations.
@@ -223,11 +242,11 @@ where
         landing: &Landing<S::Scalar, N>,
         roundings: S::Scalar,
     ) -> bool {
-        let Landing { end, footing, .. } = landing;
+        let Landing { end, footing, sizes, .. } = landing;
         let span = (end.t - self.from.t).abs();
-        let strongest = footing.extent(&defect.strongest) * span;
-        let size = larger(larger(footing.extent(&end.v), footing.extent(&self.from.v)), strongest);
-        footing.extent(&defect.difference) * span <= self.bound(size, footing) + roundings * span
+        let size = larger(sizes.of[1], footing.metric.extent(&defect.strongest) * span);
+        footing.metric.extent(&defect.difference) * span
+            <= self.bound(size, sizes.absolute) + roundings * span
     }
 
     /// What roundings of the coordinates make of the accelerations. Where strong forces keep a balance it is more than the
@@ -242,37 +261,43 @@ where
                 let ulp = footing.ulps_q[i];
                 beside.q[i] += if alternate && i % 2 == 1 { -ulp } else { ulp };
             }
-            largest = larger(largest, footing.extent(&difference(&self.accelerations(&beside), &here)));
+            largest =
+                larger(largest, footing.metric.extent(&difference(&self.accelerations(&beside), &here)));
         }
         S::Scalar::from_f64(MARGIN) * largest
     }
 
-    /// Whether a correction beyond the tolerance leaves no more than that, beside a configuration in which constraints depend on
-    /// each other: there, roundings of a state are errors across the constraints that grow on the way, and a retraction takes
-    /// them back. What it leaves is their square, times the curvature of the constraints, which is the reciprocal of the
-    /// distance from that configuration. Roundings of forces that keep a balance are no errors either.
+    /// Whether what is beyond the tolerance is no error of the motion. Two things are none.
+    ///
+    /// * Roundings of forces that keep a balance.
+    /// * Errors across the constraints, beside a configuration in which these depend on each other: there, roundings of a state
+    ///   grow on the way, and a retraction takes them back. What it leaves is their square, times the curvature of the
+    ///   constraints, which is the reciprocal of the distance from that configuration.
     #[cold]
     #[inline(never)]
-    fn is_across(&self, reached: &State<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
-        let Landing { end, footing, .. } = landing;
+    fn is_excused(
+        &self,
+        reached: &State<S::Scalar, N>,
+        landing: &Landing<S::Scalar, N>,
+        (is_near, defect): (bool, Option<Defect<S::Scalar, N>>),
+    ) -> bool {
+        let Landing { end, footing, sizes, .. } = landing;
         let span = (end.t - self.from.t).abs();
-        let (size, speed) = self.sizes(end, span, footing);
-        let share = across(self.relative(), &footing.independence);
-        let gained = self.roundings(end, footing) * span;
-        footing.extent(&difference(&reached.q, &end.q)) <= share * size + gained * span
-            && footing.extent(&difference(&reached.v, &end.v)) <= share * speed + gained
-    }
-
-    /// Whether the polynomial obeys the equations as far as its errors across the constraints do not count, and within the
-    /// roundings of forces that keep a balance.
-    #[cold]
-    #[inline(never)]
-    fn obeys_along(&self, mut defect: Defect<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
-        let Landing { end, footing, .. } = landing;
-        if !footing.independence.is_clear() {
-            defect.difference = self.system.tangential_at(end, &defect.difference);
-        }
-        self.obeys(&defect, landing) || self.obeys_with(&defect, landing, self.roundings(end, footing))
+        let roundings = self.roundings(end, footing);
+        let gained = roundings * span;
+        let is_across = || {
+            let share = across(self.relative(), &footing.independence);
+            let [size, speed] = sizes.of.map(|size| share * size);
+            is_within(&apart(reached, end), footing, [size + gained * span, speed + gained])
+        };
+        let obeys = |defect| self.obeys_with(&defect, landing, roundings);
+        let along = |mut defect: Defect<S::Scalar, N>| {
+            if !footing.independence.is_clear() {
+                defect.difference = self.system.tangential_at(end, &defect.difference);
+            }
+            defect
+        };
+        (is_near || is_across()) && defect.is_none_or(|defect| obeys(along(defect)))
     }
 
     /// Whether an error of the end of a step is within the tolerance along the constraints.
@@ -281,12 +306,11 @@ where
         error: &State<S::Scalar, N>,
         landing: &Landing<S::Scalar, N>,
     ) -> bool {
-        let Landing { end, footing, .. } = landing;
-        let (size, speed) = self.sizes(end, (end.t - self.from.t).abs(), footing);
+        let Landing { end, footing, sizes, .. } = landing;
+        let along = |change: &[S::Scalar; N]| self.system.tangential_at(end, change);
+        let error = State { q: along(&error.q), v: along(&error.v), ..*error };
         let margin = S::Scalar::from_f64(1.0 / MARGIN);
-        let part = |change: &[S::Scalar; N]| footing.extent(&self.system.tangential_at(end, change));
-        part(&error.q) <= margin * self.bound(size, footing)
-            && part(&error.v) <= margin * self.bound(speed, footing)
+        is_within(&error, footing, self.bounds(sizes).map(|bound| margin * bound))
     }
 
     fn accelerations(&self, state: &State<S::Scalar, N>) -> [S::Scalar; N] {
@@ -298,10 +322,13 @@ where
         larger(self.limits.relative, S::Scalar::from_f64(NOISE) * S::Scalar::epsilon())
     }
 
-    /// What an error may be in a state of this size.
-    fn bound(&self, size: S::Scalar, footing: &Footing<S::Scalar, N>) -> S::Scalar {
-        let relative = self.relative();
-        let absolute = self.limits.absolute.unwrap_or_else(num_traits::Zero::zero) + step_size::smallest();
-        S::Scalar::from_f64(MARGIN) * (relative * size + footing.extent(&[absolute; N]))
+    /// What errors of coordinates and velocities may be.
+    fn bounds(&self, sizes: &Sizes<S::Scalar>) -> [S::Scalar; 2] {
+        sizes.of.map(|size| self.bound(size, sizes.absolute))
+    }
+
+    /// What an error may be of something of this size.
+    fn bound(&self, size: S::Scalar, absolute: S::Scalar) -> S::Scalar {
+        S::Scalar::from_f64(MARGIN) * (self.relative() * size + absolute)
     }
 }

@@ -1,8 +1,10 @@
 //! Which lengths of a step are tried until one ends well.
 
-use super::landing::Determined;
+use super::landing::{Check, Determined, Landing};
+use crate::error::Cause;
 use crate::linear::{Independence, determined};
 use crate::real::{Ordered, larger, smaller};
+use crate::system::System;
 
 /// Parts of a length that ends where the state is not determined well: a little shorter or longer ones first, so that the cost
 /// is small.
@@ -14,8 +16,18 @@ const SHORTER: f64 = 0.9;
 /// A measured length whose end is wrong is shortened to this part.
 const HALF: f64 = 0.5;
 
+/// What a step does after it has landed.
+pub(crate) enum Verdict<R, const N: usize> {
+    /// It ends here; what the constraints have determined so far goes on with the motion.
+    Take(Landing<R, N>, Determined<R>),
+    /// It is tried with another length; the cause is that of an error where time does not resolve that.
+    Try { length: R, cause: Cause },
+    /// No length ends where the state is determined.
+    GiveUp(Cause),
+}
+
 /// What came of a length.
-pub(crate) enum Outcome<R> {
+enum Outcome<R> {
     /// The end is not right.
     Wrong,
     /// The end is right, and constraints are so independent there.
@@ -24,7 +36,7 @@ pub(crate) enum Outcome<R> {
 
 /// What to do next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Next<R> {
+enum Next<R> {
     /// Try this length.
     Try(R),
     /// Take this length, which is right.
@@ -36,8 +48,9 @@ pub(crate) enum Next<R> {
 /// The lengths that are tried for one step, in any unit of time.
 pub(crate) struct Lengths<R> {
     determined: Determined<R>,
-    /// The independence with which an end is good enough.
-    enough: R,
+    /// How independent constraints are where the step begins, and the tolerance: they give what is good enough for an end.
+    begun: R,
+    tolerance: R,
     /// The longest step whose error is measured.
     measured: R,
     /// The longest step that error control allows, where a limit makes it shorter than that.
@@ -61,17 +74,53 @@ impl<R: Ordered> Lengths<R> {
         tolerance: R,
         [measured, natural, base]: [R; 3],
     ) -> Self {
-        let by_tolerance = smaller((R::epsilon() / larger(tolerance, R::epsilon())).sqrt(), R::one());
-        let enough = smaller(larger(self::determined(), by_tolerance), R::from_f64(0.5) * here.least);
-        Self { determined, enough, measured, natural, base, tried: 0, best: None }
+        Self { determined, begun: here.least, tolerance, measured, natural, base, tried: 0, best: None }
+    }
+
+    /// Whether constraints are so independent at an end that it is good enough.
+    fn is_enough(&self, there: &Independence<R>) -> bool {
+        if there.is_clear() {
+            return true;
+        }
+        let by_tolerance = smaller((R::epsilon() / larger(self.tolerance, R::epsilon())).sqrt(), R::one());
+        there.least >= smaller(larger(determined(), by_tolerance), R::from_f64(0.5) * self.begun)
+    }
+
+    /// What to do after a step of this length has `landed`.
+    pub(crate) fn judge<S, const N: usize, const K: usize>(
+        &mut self,
+        check: &Check<'_, S, N, K>,
+        length: R,
+        landed: Result<Landing<R, N>, Cause>,
+    ) -> Verdict<R, N>
+    where
+        S: System<N, K, Scalar = R>,
+    {
+        let (outcome, cause) = match &landed {
+            Ok(landing) if landing.is_right => {
+                let there = landing.footing.independence;
+                (Outcome::Right(there), Cause::Undetermined { constraint: there.weakest })
+            }
+            Ok(_) => (Outcome::Wrong, Cause::StepTooSmall),
+            Err(cause) => (Outcome::Wrong, *cause),
+        };
+        let leaves = || landed.as_ref().is_ok_and(|landing| check.leaves(landing));
+        match (self.next(length, outcome, leaves), landed) {
+            (Next::Take(taken), Ok(landing)) if taken == length => {
+                self.determined.learn(&landing.footing.independence);
+                Verdict::Take(landing, self.determined)
+            }
+            (Next::Try(length) | Next::Take(length), _) => Verdict::Try { length, cause },
+            (Next::GiveUp, _) => Verdict::GiveUp(cause),
+        }
     }
 
     /// What to do after a length was tried. `leaves` tells whether constraints become more independent beyond its end.
-    pub(crate) fn next(&mut self, length: R, outcome: Outcome<R>, leaves: impl FnOnce() -> bool) -> Next<R> {
+    fn next(&mut self, length: R, outcome: Outcome<R>, leaves: impl FnOnce() -> bool) -> Next<R> {
         match outcome {
             Outcome::Right(there) => {
                 if self.determined.accepts(&there) {
-                    if there.least >= self.enough || leaves() {
+                    if self.is_enough(&there) || leaves() {
                         return Next::Take(length);
                     }
                     if self.best.is_none_or(|(_, least)| there.least > least) {

@@ -34,6 +34,11 @@ pub(crate) fn combine<R: Real, const N: usize, const M: usize, const W: usize, c
     sum
 }
 
+/// a − b.
+pub(crate) fn difference<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> [R; N] {
+    core::array::from_fn(|i| a[i] - b[i])
+}
+
 /// `from` + h · `slope`, without its residue: coordinates and velocities of a stage.
 #[inline(always)]
 pub(crate) fn reach<R: Real, const N: usize>(

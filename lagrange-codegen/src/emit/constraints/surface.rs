@@ -12,7 +12,7 @@ use crate::structure::Saddle;
 
 /// The items of `System` and of `Surface` as text, and the operations of one evaluation of the accelerations.
 pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (String, String, Operations) {
-    let (balance, constants_type, constants, operations) = balance(emission, method);
+    let (equations, constants_type, constants, operations) = equations(emission, method);
     let residuals = residuals(emission);
     let saddle = saddle(emission, method);
     let scalar = emission.scalar.to_string();
@@ -59,9 +59,10 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
              from: ::core::option::Option<&lagrange::State<{scalar}, {count}>>) \
              -> ::core::result::Result<(), lagrange::Cause> \
              {{\nlagrange::constraints::project::<Self, {count}, {given}, {held}>(self, state, from)\n}}\n\
-             #[inline]\nfn land_at(&self, _constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>) \
+             #[inline]\nfn land_at(&self, constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>, \
+             inputs: ::core::option::Option<&{inputs}>) \
              -> ::core::result::Result<lagrange::Footing<{scalar}, {count}>, lagrange::Cause> \
-             {{\nlagrange::constraints::land::<Self, {count}, {given}, {held}>(self, state)\n}}\n\
+             {{\nlagrange::constraints::land::<Self, {count}, {given}, {held}>(self, constants, state, inputs)\n}}\n\
              fn tangential_at(&self, state: &lagrange::State<{scalar}, {count}>, change: &{vector}) -> {vector} \
              {{\nlagrange::constraints::tangential::<Self, {count}, {given}, {held}>(self, state, change)\n}}\n"
         )
@@ -72,8 +73,8 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
     );
     let surface = format!(
         "type Saddle = {};\n\
-         #[inline]\nfn balance_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) \
-         -> lagrange::Balance<{scalar}, {count}, {held}> {{\n{balance}\n}}\n\
+         #[inline]\nfn equations_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) \
+         -> lagrange::Equations<Self::Saddle, {scalar}, {count}, {held}> {{\n{equations}\n}}\n\
          #[inline]\nfn residuals_at(&self, {place}) -> lagrange::Residuals<{scalar}, {held}> {{\n{residuals}\n}}\n\
          #[inline]\nfn saddle_at(&self, {place}) -> (Self::Saddle, [[{scalar}; {count}]; {held}]) {{\n{saddle}\n}}\n",
         saddle_type(method, &emission.scalar, count, held)
@@ -97,8 +98,8 @@ pub(in crate::emit) fn implementations(emission: &Emission<'_>) -> String {
     )
 }
 
-/// M, A, the forces and γ: the body of `balance_at`, type and body of the constants, and the operations.
-fn balance(emission: &mut Emission<'_>, method: Saddle) -> (String, String, String, Operations) {
+/// M, A, the forces and γ: the body of `equations_at`, type and body of the constants, and the operations.
+fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, String, Operations) {
     let equations = emission.equations;
     let (count, held) = (emission.count(), equations.conditions.count());
     let mass = masses(emission, method);
@@ -124,7 +125,7 @@ fn balance(emission: &mut Emission<'_>, method: Saddle) -> (String, String, Stri
     text.push_str(&mass_and_gradients(emission, method, take(mass.len()), take(count * held)));
     let gamma = take(held);
     text.push_str(&format!(
-        "lagrange::constraints::balance(&{}, &[{}], &[{}])",
+        "lagrange::Equations {{ saddle: {}, gradients, forces: [{}], gamma: [{}] }}",
         factored(method, scalar, count, held),
         take(count).join(", "),
         gamma.join(", ")

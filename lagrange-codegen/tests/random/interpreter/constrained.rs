@@ -8,14 +8,10 @@ impl Interpreter<'_> {
     /// A function of the runtime that only systems with constraints call; `None` if it is none.
     pub(super) fn of_constraints(&self, function: &str, arguments: &[Value]) -> Option<Run<Value>> {
         Some(match (function, arguments) {
-            ("lagrange::Surface::balance_at", _) => {
-                find(&self.expansion.surface, "balance_at").and_then(|f| self.call(f, arguments.to_vec()))
-            }
+            ("lagrange::Surface::balance_at", _) => self.balance_of(arguments),
             // The state is on its constraints, or there are no others that it could be compared with.
             ("lagrange::constraints::accelerations", [Value::Model, ..]) => {
-                find(&self.expansion.surface, "balance_at")
-                    .and_then(|f| self.call(f, arguments.to_vec()))
-                    .and_then(|balance| balance.field("accelerations").cloned())
+                self.balance_of(arguments).and_then(|balance| balance.field("accelerations").cloned())
             }
             ("lagrange::saddle::Diagonal::factor", [inverses, gradients]) => {
                 diagonal(inverses).map(|mass| saddle(Value::rows(&mass), gradients))
@@ -27,7 +23,6 @@ impl Interpreter<'_> {
                 .to_rows()
                 .and_then(|rows| symmetric(&rows))
                 .map(|mass| saddle(Value::rows(&mass), gradients)),
-            ("lagrange::constraints::balance", [saddle, force, gamma]) => balance(saddle, force, gamma),
             ("lagrange::constraints::finite", [Value::Model, Value::State(_), balance]) => {
                 solution(balance).map(|numbers| verdict(numbers.iter().all(|x| x.is_finite())))
             }
@@ -54,6 +49,12 @@ impl Interpreter<'_> {
             ("ModelReactions::from" | "lagrange::nalgebra::SVector::from", [values]) => Ok(values.clone()),
             _ => return None,
         })
+    }
+
+    /// The solution of the equations at a state.
+    fn balance_of(&self, arguments: &[Value]) -> Run<Value> {
+        let equations = self.call(find(&self.expansion.surface, "equations_at")?, arguments.to_vec())?;
+        balance(equations.field("saddle")?, equations.field("forces")?, equations.field("gamma")?)
     }
 
     /// The factors and the gradients at a state.

@@ -6,8 +6,13 @@ use super::value::{Run, Value, unknown};
 use super::{Interpreter, Point, find};
 
 /// The runtime's structs that generated code makes field by field.
-pub(super) const RECORDS: [&str; 4] =
-    ["lagrange::Residuals", "lagrange::Balance", "lagrange::Imbalance", "lagrange::Linearization"];
+pub(super) const RECORDS: [&str; 4] = [
+    "lagrange::Residuals",
+    "lagrange::Equations",
+    "lagrange::Balance",
+    "lagrange::Imbalance",
+    "lagrange::Linearization",
+];
 
 impl Interpreter<'_> {
     /// A function of the runtime that only generated derivatives call; `None` if it is none.

@@ -7,6 +7,39 @@ use crate::error::Cause;
 use crate::real::{Ordered, Real, larger, smaller};
 use crate::simulation::Held;
 use crate::smooth::Smooth;
+use crate::state::State;
+
+/// Coefficients at a state in the unit of the memory; false where there are none.
+#[inline(always)]
+fn at<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    control: &Held<S::Scalar, K>,
+    from: &State<S::Scalar, N>,
+) -> bool
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    memory.counts.evaluations += 1;
+    let JetsMemory { constants, tables, series, orders, unit, .. } = memory;
+    system.jet_at(constants, from.t, &from.q, &from.v, &control.0, *unit, *orders, tables, series)
+}
+
+/// The same as a function of its own.
+#[inline(never)]
+pub(super) fn outlined<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    control: &Held<S::Scalar, K>,
+    from: &State<S::Scalar, N>,
+) -> bool
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    at(memory, system, control, from)
+}
 
 /// Expands the motion about the start of the memory, for a step of `left` \[s] at most. Returns the length that the tolerance
 /// allows \[s], without direction; `None` of a polynomial in time, or of coefficients that underflow.
@@ -35,10 +68,12 @@ where
         }
         *attempts -= 1;
         memory.unit = left.signum() * unit;
-        memory.counts.evaluations += 1;
-        let JetsMemory { constants: jet, tables, series, orders, unit: signed, .. } = memory;
-        let solved =
-            system.jet_at(jet, from.t, &from.q, &from.v, &control.0, *signed, *orders, tables, series);
+        // One copy of the code is optimised better than several, and that of a free motion best where it is called.
+        let solved = if S::CONSTRAINED {
+            outlined(memory, system, control, &from)
+        } else {
+            at(memory, system, control, &from)
+        };
         if !solved {
             return Err(Cause::NotFinite);
         }

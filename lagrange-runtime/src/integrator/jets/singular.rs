@@ -6,15 +6,15 @@
 //! of the square of the time. The velocity of the start decides along which of the motions that meet there it goes on.
 
 use super::super::adaptive::Adaptive;
-use super::super::landing::{Check, difference};
+use super::super::landing::{Check, apart};
 use super::super::step_size::Limits;
-use super::{DECAY, Determined, Jets};
+use super::{Determined, Jets, expansion};
 use crate::constraints::Footing;
 use crate::error::Cause;
 use crate::linear::{Independence, determined};
 use crate::real::{Ordered, Real};
 use crate::simulation::Held;
-use crate::smooth::{Series, Smooth};
+use crate::smooth::Smooth;
 use crate::state::State;
 
 /// Lengths of the step that are tried, each half of the one before, from half of the way to go.
@@ -55,7 +55,7 @@ where
         for (q, v) in beyond.q.iter_mut().zip(beyond.v) {
             *q += time * v;
         }
-        let there = if beyond.is_finite() { system.land_at(constants, &mut beyond).ok() } else { None };
+        let there = if beyond.is_finite() { system.land_at(constants, &mut beyond, None).ok() } else { None };
         if let Some(there) = there.filter(|there| there.independence.improves(here, determined())) {
             leads_out = true;
             if shoot(memory, system, constants, control, limits, &kept.start, beyond, &there) {
@@ -72,28 +72,6 @@ where
         return Err(memory.stay(Cause::Undetermined { constraint }));
     }
     Ok(false)
-}
-
-/// Whether the last terms of a series are errors within the tolerance, in the kinetic metric.
-fn converges<S, const N: usize, const K: usize, const P: usize>(
-    orders: usize,
-    series: &Series<S::Scalar, N, P>,
-    check: &Check<'_, S, N, K>,
-    footing: &Footing<S::Scalar, N>,
-    time: S::Scalar,
-) -> bool
-where
-    S: Smooth<N, K>,
-    S::Scalar: Ordered,
-{
-    let none = [num_traits::Zero::zero(); N];
-    let zero = State { q: none, v: none, ..*check.from };
-    let row = |rows: &[[S::Scalar; N]; P], back: usize| rows.get(orders - back).copied().unwrap_or(none);
-    [(1, num_traits::One::one()), (2, S::Scalar::from_f64(DECAY))].into_iter().all(|(back, part)| {
-        let scaled = |row: [S::Scalar; N]| row.map(|x| part * x);
-        let term = State { q: scaled(row(&series.q, back)), v: scaled(row(&series.v, back)), ..zero };
-        check.is_small(&term, time.abs(), footing)
-    })
 }
 
 /// Moves `beyond` until its series leads to `from`. The memory then holds the step between them.
@@ -120,25 +98,17 @@ where
     for _ in 0..CORRECTIONS {
         memory.start = beyond;
         memory.unit = -time;
-        memory.counts.evaluations += 1;
-        let super::JetsMemory { constants: jet, tables, series, orders, unit, .. } = memory;
-        let State { t, q, v } = &beyond;
-        if !system.jet_at(jet, *t, q, v, &control.0, *unit, *orders, tables, series)
+        if !expansion::outlined(memory, system, control, &beyond)
             || !memory.is_finite()
-            || !converges(memory.orders, &memory.series, &check, footing, time)
+            || !memory.last_terms(one).iter().all(|term| check.is_small(term, time, footing))
         {
             return false;
         }
-        let (gain_q, gain_v) = memory.series.gain(one, memory.orders);
-        let mut back = beyond.at_time(from.t);
-        for i in 0..N {
-            back.q[i] += gain_q[i];
-            back.v[i] += gain_v[i];
-        }
+        let back = memory.place(one);
         if !back.is_finite() {
             return false;
         }
-        let lack = State { t: from.t, q: difference(&from.q, &back.q), v: difference(&from.v, &back.v) };
+        let lack = apart(from, &back);
         let kept = beyond;
         for i in 0..N {
             beyond.q[i] += lack.q[i] + time * lack.v[i];
@@ -147,9 +117,7 @@ where
         if !beyond.is_finite() || system.project_at(constants, &mut beyond, None).is_err() {
             return false;
         }
-        let change =
-            State { t: from.t, q: difference(&beyond.q, &kept.q), v: difference(&beyond.v, &kept.v) };
-        if check.is_small(&change, time, footing)
+        if check.is_small(&apart(&beyond, &kept), time, footing)
             && check.is_half(&lack, time, footing)
             && check.is_carried_rightly(&lack, from, footing)
         {

@@ -2,7 +2,7 @@
 
 use super::super::adaptive::Adaptive;
 use super::super::landing::{Check, Determined, Landing};
-use super::super::lengths::{Lengths, Next, Outcome};
+use super::super::lengths::{Lengths, Verdict};
 use super::super::step_size::{self, Limits};
 use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
@@ -39,7 +39,7 @@ where
     let begins = S::CONSTRAINED && memory.determined.is_none();
     let mut here = None;
     if begins {
-        let footing = system.land_at(constants, &mut memory.start.clone())?;
+        let footing = system.land_at(constants, &mut memory.start.clone(), None)?;
         memory.stand(&footing);
         here = Some(footing.independence);
     }
@@ -102,7 +102,7 @@ where
     S: Smooth<N, K>,
     S::Scalar: Ordered,
 {
-    let (Some(mut determined), Some(here)) = (memory.determined, memory.independence) else { return Ok(()) };
+    let (Some(determined), Some(here)) = (memory.determined, memory.independence) else { return Ok(()) };
     let unit = memory.unit.abs();
     let mut theta = measured;
     if let Some(across) = beyond(memory, limits, theta) {
@@ -125,30 +125,23 @@ where
             theta <= measured
                 || memory.last_terms(theta).iter().all(|term| check.is_small_along(term, landing))
         };
-        let landed = check.land(&memory.end, Some(&slopes(theta))).map(|landing| {
-            let is_right = landing.is_right && on_the_way(&landing) && last_terms(&landing);
-            Landing { is_right, ..landing }
+        let landed = check.land(&memory.end, Some(&slopes(theta))).map(|mut landing| {
+            landing.is_right = landing.is_right && on_the_way(&landing) && last_terms(&landing);
+            landing
         });
-        let (outcome, cause) = match &landed {
-            Ok(landing) if landing.is_right => {
-                let there = landing.footing.independence;
-                (Outcome::Right(there), Cause::Undetermined { constraint: there.weakest })
-            }
-            Ok(_) => (Outcome::Wrong, Cause::StepTooSmall),
-            Err(cause) => (Outcome::Wrong, *cause),
-        };
-        let leaves = || landed.as_ref().is_ok_and(|landing| check.leaves(landing));
-        match (lengths.next(theta, outcome, leaves), landed) {
-            (Next::Take(length), Ok(landing)) if length == theta => {
-                determined.learn(&landing.footing.independence);
+        let cause = match lengths.judge(&check, theta, landed) {
+            Verdict::Take(landing, determined) => {
                 memory.determined = Some(determined);
                 memory.stand(&landing.footing);
                 memory.correct(landing.end);
                 return Ok(());
             }
-            (Next::Try(length) | Next::Take(length), _) => theta = length,
-            (Next::GiveUp, _) => return Err(memory.stay(cause)),
-        }
+            Verdict::Try { length, cause } => {
+                theta = length;
+                cause
+            }
+            Verdict::GiveUp(cause) => return Err(memory.stay(cause)),
+        };
         memory.counts.rejected += 1;
         if *attempts == 0 {
             return Err(memory.stay(Cause::TooManySteps));

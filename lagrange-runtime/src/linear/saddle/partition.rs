@@ -5,23 +5,18 @@
 //! in analysis of constrained dynamic systems", 1982.) That is as accurate as orthogonal vectors where all pivots are
 //! well away from zero, and half the work; where one is not, [`Range`](super::range::Range) decides.
 
+use crate::linear::independence::CLEAR;
 use crate::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;
 use super::vectors::{add_scaled, pick, put, scale, smallest};
 
-/// A pivot below this part of its row is left to the careful way.
-///
-/// Three such pivots in a row cost as many digits as `f32` has, so what is above needs no decision about the rank. Of
-/// random systems with as many constraints as coordinates one in a hundred is below, of others hardly any.
-const LEAST: f64 = 1.0 / 256.0;
-
-/// In a row of so many entries or fewer the largest is above [`LEAST`], for their sum is one.
+/// In a row of so many entries or fewer the largest is above [`CLEAR`], for their sum is one.
 pub(super) const WIDEST: usize = 128;
 
-/// Fills `split` from rows that are clearly independent. False, with `split` in disorder, if a pivot is too small:
-/// in any lane, for the coordinates are common to all.
+/// Fills `split` from rows that are clearly independent. False, with `split` in disorder, if a pivot is a smaller part of its
+/// row than [`CLEAR`], in any lane, for the coordinates are common to all.
 #[inline(always)]
 pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     scaled: &Scaled<R, N, C>,
@@ -40,7 +35,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
         parts[k][k] = scaled.factors[k];
         let lead = largest(&rows[k]);
         let pivot = pick(&rows[k], lead);
-        if !(pivot.abs() - R::from_f64(LEAST)).is_positive() {
+        if !(pivot.abs() - R::from_f64(CLEAR)).is_positive() {
             return false;
         }
         let inverse = pivot.recip();

@@ -5,7 +5,7 @@
 use num_traits::{One, Zero};
 
 use super::EquilibriumError;
-use crate::constraints::{Extent, Level};
+use crate::constraints::{Level, Metric};
 use crate::error::Cause;
 use crate::linear::{Saddle, SaddlePoint, TangentSpace};
 use crate::real::{Ordered, Real, larger};
@@ -200,8 +200,9 @@ where
                 return Ok(q);
             }
             let (saddle, gradients) = self.tangent(&q);
-            let by_state = Extent::of(&*saddle, &q).sizes(&*saddle, &gradients);
-            let slopes = Extent::unit().sizes(&*saddle, &gradients);
+            let metric = Metric::of(&*saddle);
+            let slopes = metric.slopes(&gradients);
+            let by_state = slopes.map(|slope| slope * metric.extent(&q));
             let before = residuals.distance(Level::Positions, &slopes);
             let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
             let moved: [S::Scalar; N] = core::array::from_fn(|i| q[i] + change[i]);
@@ -220,7 +221,7 @@ where
         if let Some(constraint) = saddle.vanishing() {
             return Err(EquilibriumError::Constraints(Cause::VanishingGradient { constraint }));
         }
-        let cause = residuals.cause(Level::Positions, &Extent::unit().sizes(&*saddle, &gradients));
+        let cause = residuals.cause(Level::Positions, &Metric::of(&*saddle).slopes(&gradients));
         Err(EquilibriumError::Constraints(match cause {
             Cause::PositionViolated { constraint, .. } if saddle.rank() < C => {
                 Cause::Contradictory { constraint }
@@ -306,11 +307,10 @@ where
         let none = [S::Scalar::zero(); N];
         let residuals = self.system.deviations_at(self.t, &rest.q, &none);
         let saddle = Stored::new(Saddle::factor(&self.metric, &rest.gradients));
-        let by_state = Extent::of(&*saddle, &none).sizes(&*saddle, &rest.gradients);
-        if residuals.is_within(Level::Velocities, S::Scalar::epsilon().sqrt(), &by_state) {
+        if residuals.is_within(Level::Velocities, S::Scalar::epsilon().sqrt(), &[S::Scalar::zero(); C]) {
             return Ok(());
         }
-        match residuals.cause(Level::Velocities, &Extent::unit().sizes(&*saddle, &rest.gradients)) {
+        match residuals.cause(Level::Velocities, &Metric::of(&*saddle).slopes(&rest.gradients)) {
             Cause::VelocityViolated { constraint, .. } => {
                 Err(EquilibriumError::MovingConstraint { constraint })
             }
