@@ -21,7 +21,7 @@ use super::metric::Metric;
 use super::residuals::Level;
 use super::{Residuals, Surface, moved};
 use crate::error::Cause;
-use crate::linear::{CLEAR, Independence, SaddlePoint};
+use crate::linear::{Independence, SaddlePoint};
 use crate::real::Real;
 use crate::state::State;
 
@@ -328,15 +328,34 @@ where
 
     /// How well the constraints determine the state.
     ///
-    /// Where rows are not clearly independent, or a gradient is close to vanishing: roundings of the constraint functions move the coordinates by ε/σ, and what that makes of the gradients moves the
+    /// The factors know how close rows are to each other, and the gradients how close they are to vanishing. What is not
+    /// far from either is measured: roundings of the constraint functions move the coordinates by ε/σ, and what that makes of the gradients moves the
     /// velocities by ε/σ², with a σ that is relative to how fast the gradients change. So the relative change of the velocities
     /// tells σ, whether a row comes close to others or vanishes. The signs of the roundings are those to which the multipliers
     /// respond, as in an estimate of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
     fn independence(&self, system: &S) -> Independence<S::Scalar> {
+        let mut independence = self.saddle.independence();
         // One row depends on no other.
-        if C == 1 || self.saddle.independence().is_clear() && self.gradients_are_clear() {
-            return self.saddle.independence();
+        if C == 1 {
+            return independence;
         }
+        // What the coordinates make of a constraint, as a part of its summands.
+        let extent = self.extent(Level::Positions);
+        for (c, (&slope, &summands)) in self.slopes.iter().zip(&self.residuals.position_sizes).enumerate() {
+            if summands.is_positive() {
+                independence.take(c, slope * extent / summands);
+            }
+        }
+        if !independence.are_far_apart() {
+            self.measure(system, &mut independence);
+        }
+        independence
+    }
+
+    /// Corrects the independence by what roundings of the constraint functions do.
+    #[cold]
+    #[inline(never)]
+    fn measure(&self, system: &S, independence: &mut Independence<S::Scalar>) {
         let (saddle, here) = (&self.saddle, &self.residuals);
         let none = [num_traits::Zero::zero(); N];
         let (_, response) = saddle.solve(&none, &here.position_sizes);
@@ -347,21 +366,11 @@ where
         let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
         let (turned, _) = saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c]));
         let relative = self.metric.extent(&turned) / self.extent(Level::Velocities);
-        let mut independence = saddle.independence();
+        *independence = saddle.independence();
         // At rest nothing turns.
         if relative.is_positive() {
             independence.least = independence.least.min((ulp / relative).sqrt());
         }
-        independence
-    }
-
-    /// Whether no gradient is close to vanishing: what the coordinates make of each constraint is no small part of its summands.
-    fn gradients_are_clear(&self) -> bool {
-        let (extent, part) = (self.extent(Level::Positions), S::Scalar::from_f64(CLEAR));
-        self.slopes.iter().zip(&self.residuals.position_sizes).all(|(&slope, &summands)| {
-            let lack = part * summands - slope * extent;
-            lack.is_finite() && lack.largest() <= num_traits::Zero::zero()
-        })
     }
 
     /// Whether the way from the `end` of a step to here is longer than the step from `from` to its end, in coordinates or in

@@ -248,7 +248,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             (end.state.v[n], end.residue.v[n]) = add(from.v[n], end.residue.v[n], h * mean.v[n]);
         }
         // Beside a configuration in which constraints depend on each other, roundings make large accelerations across them.
-        if self.ground.is_some_and(|ground| !ground.here.is_clear()) {
+        if self.ground.is_some_and(|ground| !ground.here.are_far_apart()) {
             for change in [&mut fifth.q, &mut fifth.v, &mut third.q, &mut third.v] {
                 *change = f.along(&end.state, *change);
             }

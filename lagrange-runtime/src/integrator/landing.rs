@@ -25,7 +25,8 @@ const MARGIN: f64 = 16.0;
 /// Accelerations are known to so many ulps of the largest term, and no error is held against a tolerance below that.
 const NOISE: f64 = 256.0;
 
-/// How far [`Check::leaves`] looks ahead, in parts of the step.
+/// How far [`Check::leaves`] looks ahead, in parts of the distance from a configuration in which constraints depend on each other,
+/// and of the step.
 const AHEAD: f64 = 1.0 / 64.0;
 
 /// What constraints have determined in a motion so far.
@@ -58,11 +59,15 @@ impl<R: Ordered> Determined<R> {
     }
 }
 
+/// The relative tolerance, or what roundings make of it.
+fn relative<R: Ordered>(limits: &Limits<R>) -> R {
+    larger(limits.relative, R::from_f64(NOISE) * R::epsilon())
+}
+
 /// What an error across the constraints may be, relative to a state, at a tolerance: its square over the distance from a
-/// configuration in which constraints depend on each other is the tolerance. One is as good as the other where all are clearly
-/// independent.
+/// configuration in which constraints depend on each other is the tolerance.
 pub(crate) fn across<R: Ordered>(relative: R, independence: &Independence<R>) -> R {
-    if independence.is_clear() { relative } else { (relative * independence.least).sqrt() }
+    (relative * independence.least).sqrt()
 }
 
 /// How much the accelerations of a polynomial differ from those of the equations.
@@ -164,14 +169,18 @@ where
     /// Whether constraints become more independent beyond a landing.
     #[cold]
     pub(crate) fn leaves(&self, landing: &Landing<S::Scalar, N>) -> bool {
-        let mut ahead = landing.end;
-        let span = S::Scalar::from_f64(AHEAD) * (landing.end.t - self.from.t);
+        let Landing { end, footing, .. } = landing;
+        let mut ahead = *end;
+        // Independence is about the distance as a part of the coordinates.
+        let near = footing.independence.least * footing.metric.extent(&end.q) / footing.metric.extent(&end.v);
+        let step = end.t - self.from.t;
+        let span = S::Scalar::from_f64(AHEAD) * step.signum() * smaller(near, step.abs());
         for i in 0..N {
             ahead.q[i] += span * ahead.v[i];
         }
         ahead.t += span;
         let there = self.system.land_at(self.constants, &mut ahead, None);
-        there.is_ok_and(|there| there.independence.least > landing.footing.independence.least)
+        there.is_ok_and(|there| there.independence.least > footing.independence.least)
     }
 
     /// Whether the correction is within the tolerance. Constraints couple the coordinates, so differences and sizes are those of
@@ -285,14 +294,16 @@ where
         let span = (end.t - self.from.t).abs();
         let roundings = self.roundings(end, footing);
         let gained = roundings * span;
+        let is_regular = footing.independence.are_far_apart();
         let is_across = || {
-            let share = across(self.relative(), &footing.independence);
+            let relative = relative(self.limits);
+            let share = if is_regular { relative } else { across(relative, &footing.independence) };
             let [size, speed] = sizes.of.map(|size| share * size);
             is_within(&apart(reached, end), footing, [size + gained * span, speed + gained])
         };
         let obeys = |defect| self.obeys_with(&defect, landing, roundings);
         let along = |mut defect: Defect<S::Scalar, N>| {
-            if !footing.independence.is_clear() {
+            if !is_regular {
                 defect.difference = self.system.tangential_at(end, &defect.difference);
             }
             defect
@@ -317,11 +328,6 @@ where
         self.system.accelerations_on_at(self.constants, state.t, &state.q, &state.v, self.inputs)
     }
 
-    /// The tolerance, or what roundings make of it.
-    fn relative(&self) -> S::Scalar {
-        larger(self.limits.relative, S::Scalar::from_f64(NOISE) * S::Scalar::epsilon())
-    }
-
     /// What errors of coordinates and velocities may be.
     fn bounds(&self, sizes: &Sizes<S::Scalar>) -> [S::Scalar; 2] {
         sizes.of.map(|size| self.bound(size, sizes.absolute))
@@ -329,6 +335,6 @@ where
 
     /// What an error may be of something of this size.
     fn bound(&self, size: S::Scalar, absolute: S::Scalar) -> S::Scalar {
-        S::Scalar::from_f64(MARGIN) * (self.relative() * size + absolute)
+        S::Scalar::from_f64(MARGIN) * (relative(self.limits) * size + absolute)
     }
 }

@@ -79,11 +79,11 @@ impl<R: Ordered> Lengths<R> {
 
     /// Whether constraints are so independent at an end that it is good enough.
     fn is_enough(&self, there: &Independence<R>) -> bool {
-        if there.is_clear() {
+        if there.least >= R::from_f64(0.5) * self.begun {
             return true;
         }
         let by_tolerance = smaller((R::epsilon() / larger(self.tolerance, R::epsilon())).sqrt(), R::one());
-        there.least >= smaller(larger(determined(), by_tolerance), R::from_f64(0.5) * self.begun)
+        there.least >= larger(determined(), by_tolerance)
     }
 
     /// What to do after a step of this length has `landed`.

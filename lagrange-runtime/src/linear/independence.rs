@@ -1,14 +1,16 @@
-//! How independent the rows of a constraint matrix are, and the two numbers that decide about it.
+//! How independent the rows of a constraint matrix are, and the numbers that decide about it.
 //!
-//! Rows at a distance of [`CLEAR`] need no decision. Rows are measured in the metric of the kinetic energy, each relative to its own size. The distance of a row from the span of
+//! Rows are measured in the metric of the kinetic energy, each relative to its own size. The distance of a row from the span of
 //! the others is then about the smallest singular value σ of A M^(−1/2). A constraint function is known to ε of its summands, so
-//! coordinates are known to ε/σ, and each of the two decisions follows from where that meets another number of the arithmetic:
+//! coordinates are known to ε/σ, and each decision follows from where that meets another number of the arithmetic:
 //!
 //! * Below **√ε** a row is dependent. What it alone restricts enters the constraint function by its square, so roundings of the
 //!   function leave these coordinates uncertain by √ε already, and a linear row of less than √ε tells nothing that this does not
 //!   hide. (Golub and Van Loan, "Matrix Computations", 4th ed., § 5.5, on numerical rank.)
 //! * Below **∜ε** a state is poorly determined: the direction of the motion, a derivative of the gradients, is known to ε/σ²
 //!   only, which is √ε there, half of all digits. Steps do not end at such a state where they can end beside it.
+//! * From **a quarter** on rows are far apart. An error across the constraints then changes the direction by 1/σ² ≤ 16 times
+//!   itself, which is what the check of a step allows anyway; below that it is held against its square.
 
 use crate::real::Real;
 
@@ -19,15 +21,14 @@ pub struct Independence<R> {
     pub rows: usize,
     /// How many of them are independent.
     pub rank: usize,
-    /// The smallest distance of one of these from the span of those before it, relative to its size; one where all are clearly
-    /// independent.
+    /// About the smallest distance of one of these from the span of those before it, relative to its size; one of a single row.
     pub least: R,
     /// The row that is closest to depending on the others, or does.
     pub weakest: usize,
 }
 
 impl<R: Real> Independence<R> {
-    /// That of rows that are far from each other.
+    /// That of rows that are orthogonal to each other.
     #[inline(always)]
     pub fn clear(rows: usize) -> Self {
         Self { rows, rank: rows, least: R::one(), weakest: 0 }
@@ -36,7 +37,27 @@ impl<R: Real> Independence<R> {
     /// Whether all rows are clearly independent, in every lane.
     #[inline(always)]
     pub fn is_clear(&self) -> bool {
-        self.rank == self.rows && (R::one() - self.least).largest() <= R::zero().largest()
+        self.rank == self.rows && self.is_least(R::from_f64(CLEAR))
+    }
+
+    /// Whether all rows are far apart, in every lane.
+    #[inline(always)]
+    pub(crate) fn are_far_apart(&self) -> bool {
+        self.rank == self.rows && self.is_least(R::from_f64(FAR_APART))
+    }
+
+    /// Whether no distance is smaller, in any lane.
+    #[inline(always)]
+    fn is_least(&self, distance: R) -> bool {
+        (distance - self.least).largest() <= R::zero().largest()
+    }
+
+    /// Takes in a row at this distance from those before it.
+    #[inline(always)]
+    pub(crate) fn take(&mut self, row: usize, distance: R) {
+        if (self.least - distance).largest() > R::zero().largest() {
+            (self.least, self.weakest) = (self.least.min(distance), row);
+        }
     }
 
     /// Whether all rows are independent and determine the state well, in every lane.
@@ -55,6 +76,9 @@ impl<R: Real> Independence<R> {
 /// The distance from which rows are clearly independent, in any precision: three rows at this distance cost as many digits as
 /// `f32` has. Of random systems with as many constraints as coordinates one in a hundred is below, of others hardly any.
 pub(crate) const CLEAR: f64 = 1.0 / 256.0;
+
+/// The distance from which rows are far apart.
+const FAR_APART: f64 = 0.25;
 
 /// The distance below which a row depends on others: √ε.
 #[inline]

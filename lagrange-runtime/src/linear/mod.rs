@@ -15,7 +15,7 @@ mod singular_values;
 mod symmetric;
 
 pub use independence::Independence;
-pub(crate) use independence::{CLEAR, determined};
+pub(crate) use independence::determined;
 pub use ldlt::Ldlt;
 pub use lu::Lu;
 pub(crate) use saddle::TangentSpace;

@@ -131,10 +131,10 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts from the
         // arguments again, so that nothing else need be in memory.
         let scaled = Scaled::new(mass, a);
-        if partition(&scaled, &mut split) {
+        if let Some(independence) = partition(&scaled, &mut split) {
             let mut reduced = Reduced::new(&full, &split.null, C);
             match reduced.factor::<DEFINITE>(C) {
-                Ok(()) => return Self::assemble(&split, &reduced, scaled.units, Independence::clear(C)),
+                Ok(()) => return Self::assemble(&split, &reduced, scaled.units, independence),
                 Err(direction) if C == 1 => {
                     let singular = scaled.defect(&reduced.motion::<DEFINITE>(C, direction));
                     let finite = full.as_flattened().iter().all(|x| x.is_finite());

@@ -84,11 +84,13 @@ impl<R: Real, const C: usize> Schur<R, C> {
         let mut factor = *lower;
         let mut inverse = [R::zero(); C];
         let mut column = [R::zero(); C];
+        let mut squares = Independence::clear(C);
         for k in 0..C {
             let pivot = factor[k][k];
             if !(pivot - least * lower[k][k]).is_positive() {
                 return None;
             }
+            squares.take(k, pivot / lower[k][k]);
             inverse[k] = pivot.recip();
             for i in k + 1..C {
                 column[i] = factor[i][k];
@@ -105,7 +107,8 @@ impl<R: Real, const C: usize> Schur<R, C> {
                 }
             }
         }
-        Some(Self { factor, inverse, inverted: false, independence: Independence::clear(C), vanishing: None })
+        let independence = Independence { least: squares.least.sqrt(), ..squares };
+        Some(Self { factor, inverse, inverted: false, independence, vanishing: None })
     }
 
     /// A single row whose square is not positive: it depends on no other, and a program that has no more rows links nothing

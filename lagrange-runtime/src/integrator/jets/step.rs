@@ -105,7 +105,9 @@ where
     let (Some(determined), Some(here)) = (memory.determined, memory.independence) else { return Ok(()) };
     let unit = memory.unit.abs();
     let mut theta = measured;
-    if let Some(across) = beyond(memory, limits, theta) {
+    if S::COUPLED
+        && let Some(across) = beyond(memory, limits, theta)
+    {
         theta = across;
         memory.reach(theta);
     }
@@ -163,7 +165,7 @@ where
     T: Copy + Default,
     R: Ordered,
 {
-    if memory.independence.is_none_or(|independence| independence.is_clear()) {
+    if memory.independence.is_none_or(|independence| independence.are_far_apart()) {
         return None;
     }
     let unit = memory.unit.abs();

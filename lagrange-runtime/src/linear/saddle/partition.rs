@@ -5,7 +5,7 @@
 //! in analysis of constrained dynamic systems", 1982.) That is as accurate as orthogonal vectors where all pivots are
 //! well away from zero, and half the work; where one is not, [`Range`](super::range::Range) decides.
 
-use crate::linear::independence::CLEAR;
+use crate::linear::independence::{CLEAR, Independence};
 use crate::real::Real;
 
 use super::Split;
@@ -15,16 +15,17 @@ use super::vectors::{add_scaled, pick, put, scale, smallest};
 /// In a row of so many entries or fewer the largest is above [`CLEAR`], for their sum is one.
 pub(super) const WIDEST: usize = 128;
 
-/// Fills `split` from rows that are clearly independent. False, with `split` in disorder, if a pivot is a smaller part of its
-/// row than [`CLEAR`], in any lane, for the coordinates are common to all.
+/// Fills `split` from rows that are clearly independent, and says how much they are. `None`, with `split` in disorder, if a
+/// pivot is a smaller part of its row than [`CLEAR`], in any lane, for the coordinates are common to all.
 #[inline(always)]
 pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     scaled: &Scaled<R, N, C>,
     split: &mut Split<R, N, C>,
-) -> bool {
+) -> Option<Independence<R>> {
     if C > N {
-        return false;
+        return None;
     }
+    let mut independence = Independence::clear(C);
     let mut rows = scaled.rows;
     // The unit matrix with the operations on rows made so far. Not in place of columns of A, and not only up to the
     // diagonal: constant places and lengths are faster than half the work.
@@ -36,7 +37,10 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
         let lead = largest(&rows[k]);
         let pivot = pick(&rows[k], lead);
         if !(pivot.abs() - R::from_f64(CLEAR)).is_positive() {
-            return false;
+            return None;
+        }
+        if k > 0 {
+            independence.take(k, pivot.abs());
         }
         let inverse = pivot.recip();
         scale(&mut rows[k], inverse);
@@ -68,7 +72,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
             put(&mut split.null[f], places[k], -entry);
         }
     }
-    true
+    Some(independence)
 }
 
 /// The entry whose smallest lane is largest, and where it is: by halves, so that few comparisons wait for others.

@@ -82,7 +82,8 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
                 this.rank = k;
                 break;
             };
-            if (this.least - square.sqrt()).largest() > zero.largest() {
+            // A row alone depends on no other.
+            if k > 0 && (this.least - square.sqrt()).largest() > zero.largest() {
                 (this.least, this.closest) = (this.least.min(square.sqrt()), k);
             }
             this.reflect(&mut rows, &mut squares, square, k);
