@@ -65,8 +65,8 @@ impl<R: Ordered> CartPole<R> {
         let ([x, theta], [speed, rate]) = (state.q, state.v);
         let (sin, cos) = theta.sin_cos();
         if cos > R::from_f64(0.9) && rate.abs() < R::from_f64(4.0) {
-            // The linear-quadratic regulator of the upright pole, for weights 1, 1, 0.1, 0.1 on x, θ, x′, θ′ and 0.1
-            // on the force; the sine spares the angle from counting turns.
+            // The linear-quadratic regulator of the upright pole, for weights 1, 1, 0.1, 0.1 on x, θ, x′, θ′
+            // and 0.1 on the force; the sine spares the angle from counting turns.
             let gains = [3.162_277_66, 24.995_827_77, 3.561_986_04, 4.665_676_39].map(R::from_f64);
             return gains[0] * x + gains[1] * sin + gains[2] * speed + gains[3] * rate;
         }

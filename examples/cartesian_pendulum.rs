@@ -30,7 +30,8 @@ impl Pendulum {
         -self.mass * self.g * self.bob(q).x
     }
 
-    /// The gradient is a unit vector, so the multiplier is the force of the rod on the bob: negative where it pulls.
+    /// The gradient is a unit vector, so the multiplier is the force of the rod on the bob: negative where it
+    /// pulls.
     #[holonomic]
     fn rod(&self, q: &Coordinates) -> f64 {
         self.bob(q).norm() - self.length

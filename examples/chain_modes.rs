@@ -1,4 +1,5 @@
-//! Small oscillations of a chain that hangs by one end, and by both: equilibrium, tensions, frequencies and shapes.
+//! Small oscillations of a chain that hangs by one end, and by both: equilibrium, tensions, frequencies and
+//! shapes.
 
 use std::error::Error;
 

@@ -1,6 +1,7 @@
 //! A relativistic charge in crossed electric and magnetic fields: gyration and drift, against closed forms.
 //!
-//! Here L is written down as it stands: it is no difference of energies, and its inertia grows with the speed.
+//! Here L is written down as it stands: it is no difference of energies, and its inertia grows with the
+//! speed.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -50,8 +51,8 @@ impl Charge {
         self.electric / self.magnetic
     }
 
-    /// Period \[s] of the velocity \[m/s]. Seen from the drift there is no electric field: the charge runs in a circle
-    /// in a field weaker by γ, and the clocks of that frame go slower by γ.
+    /// Period \[s] of the velocity \[m/s]. Seen from the drift there is no electric field: the charge runs in
+    /// a circle in a field weaker by γ, and the clocks of that frame go slower by γ.
     pub fn period(&self, velocity: [f64; 2]) -> f64 {
         let gamma = |speed_squared: f64| (1.0 - speed_squared / self.c.powi(2)).sqrt().recip();
         let [x, y] = velocity;

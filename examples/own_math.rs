@@ -1,5 +1,6 @@
-//! Math of your own: a pendulum in a scalar whose sine and cosine come from a CORDIC, as some microcontrollers have in
-//! hardware. On such a processor the function `rotate` would write an angle into a register and read two numbers.
+//! Math of your own: a pendulum in a scalar whose sine and cosine come from a CORDIC, as some
+//! microcontrollers have in hardware. On such a processor the function `rotate` would write an angle into a
+//! register and read two numbers.
 
 use std::error::Error;
 use std::iter::Sum;
@@ -123,7 +124,8 @@ impl One for Cordic {
     }
 }
 
-/// What a scalar must have; everything else has defaults. The functions that the pendulum does not call are those of `f32`.
+/// What a scalar must have; everything else has defaults. The functions that the pendulum does not call are
+/// those of `f32`.
 impl Real for Cordic {
     type Lane = Self;
 

@@ -1,4 +1,5 @@
-//! A mass on a spring, tuned so that bouncing feeds swinging: 2 to 1 resonance and energy that wanders to and fro.
+//! A mass on a spring, tuned so that bouncing feeds swinging: 2 to 1 resonance and energy that wanders to and
+//! fro.
 
 use std::error::Error;
 use std::f64::consts::TAU;

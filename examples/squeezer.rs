@@ -1,7 +1,8 @@
-//! Andrews' squeezing mechanism: seven bodies, three closed loops, a constant torque; a benchmark of multibody codes.
+//! Andrews' squeezing mechanism: seven bodies, three closed loops, a constant torque; a benchmark of
+//! multibody codes.
 //!
-//! Giles in Schiehlen (ed.), *Multibody Systems Handbook*, 1990; Hairer and Wanner, *Solving Ordinary Differential
-//! Equations II*, VII.7; the Test Set for IVP Solvers (Bari) has it as `andrews`.
+//! Giles in Schiehlen (ed.), *Multibody Systems Handbook*, 1990; Hairer and Wanner, *Solving Ordinary
+//! Differential Equations II*, VII.7; the Test Set for IVP Solvers (Bari) has it as `andrews`.
 
 use std::error::Error;
 

@@ -40,10 +40,12 @@ impl Chain {
     }
 }
 
-/// Sideways displacement of the joints in the slowest mode, from the fixed end to the free end (1), and ω² l/g.
+/// Sideways displacement of the joints in the slowest mode, from the fixed end to the free end (1), and ω²
+/// l/g.
 ///
-/// In a small oscillation the link above joint j, counted from the free end, carries j + 1 masses. That makes the
-/// displacements Laguerre polynomials: x_j = L_j(ξ), with ξ = ω² l/g a zero of L_n where the chain is held.
+/// In a small oscillation the link above joint j, counted from the free end, carries j + 1 masses. That makes
+/// the displacements Laguerre polynomials: x_j = L_j(ξ), with ξ = ω² l/g a zero of L_n where the chain is
+/// held.
 fn slowest_mode() -> ([f64; Chain::LINKS + 1], f64) {
     let shape = |xi: f64| {
         let mut x = [1.0; Chain::LINKS + 1];

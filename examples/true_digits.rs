@@ -2,9 +2,9 @@
 //!
 //! `cargo run --release --features double-double --example true_digits`
 //!
-//! A double pendulum from rest is chaotic: what rounding and truncation change at the start grows by a factor of ten about every
-//! second. No estimate of one run can say how much of its end is left; a second run with twice the digits and a tolerance
-//! far below can.
+//! A double pendulum from rest is chaotic: what rounding and truncation change at the start grows by a factor
+//! of ten about every second. No estimate of one run can say how much of its end is left; a second run with
+//! twice the digits and a tolerance far below can.
 
 use lagrangian::DoubleDouble;
 use lagrangian::prelude::*;
@@ -35,7 +35,8 @@ impl<R: Real> DoublePendulum<R> {
 
 /// Prints the upper angle and how many of its digits two runs in doubles have.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // A parameter that is no double would differ between the two: then the decimal, "0.7".parse(), is what is meant.
+    // A parameter that is no double would differ between the two: then the decimal, "0.7".parse(), is what is
+    // meant.
     let exact = DoublePendulum { length: DoubleDouble::from(0.5) };
     let rough = DoublePendulum { length: 0.5 };
     println!("   t   upper angle, true to all digits shown   true digits of a run at 1e-10 and at 1e-14");

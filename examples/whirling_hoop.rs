@@ -1,5 +1,6 @@
-//! A bead on a whirling hoop: in Cartesian coordinates, where a turning plane is a constraint that does work, and by its angle
-//! in the hoop, where it rests as the hoop turns. Where it can rest, and whether that is stable, changes with the rate.
+//! A bead on a whirling hoop: in Cartesian coordinates, where a turning plane is a constraint that does work,
+//! and by its angle in the hoop, where it rests as the hoop turns. Where it can rest, and whether that is
+//! stable, changes with the rate.
 
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -39,7 +40,8 @@ impl WhirlingHoop {
         self.bead(q).norm() - self.radius
     }
 
-    /// The plane of the hoop, which turns; the unit gradient makes the multiplier the force of the hoop across it.
+    /// The plane of the hoop, which turns; the unit gradient makes the multiplier the force of the hoop
+    /// across it.
     #[holonomic]
     fn plane(&self, q: &Coordinates, t: f64) -> f64 {
         q.y * (self.rate * t).cos() - q.x * (self.rate * t).sin()
@@ -47,7 +49,8 @@ impl WhirlingHoop {
 }
 
 impl WhirlingHoop {
-    /// The bead at an angle from the upward vertical in the hoop at time zero, where the hoop is in the x-z plane.
+    /// The bead at an angle from the upward vertical in the hoop at time zero, where the hoop is in the x-z
+    /// plane.
     fn at_angle(&self, phi: f64, phi_dot: f64) -> State<f64, 3> {
         let (sin, cos) = phi.sin_cos();
         let along = self.radius * phi_dot;
@@ -67,7 +70,8 @@ impl WhirlingHoop {
     }
 }
 
-/// The same bead by its angle in the hoop. The hoop's motion enters T: its part without velocities, T₀, lifts the bead.
+/// The same bead by its angle in the hoop. The hoop's motion enters T: its part without velocities, T₀, lifts
+/// the bead.
 #[derive(Clone, Copy, Debug)]
 pub struct InHoop(pub WhirlingHoop);
 

@@ -46,8 +46,9 @@
 //! # }
 //! ```
 //!
-//! With `jacobians` in the attribute the derivatives of the equations are generated too, and with them the model can tell
-//! where it rests, how it oscillates there, and how its motion depends on the start and on parameters:
+//! With `jacobians` in the attribute the derivatives of the equations are generated too, and with them the
+//! model can tell where it rests, how it oscillates there, and how its motion depends on the start and on
+//! parameters:
 //!
 //! ```
 //! use lagrangian::prelude::*;

@@ -57,7 +57,8 @@ impl<R: Real> Planet<R> {
     }
 }
 
-/// A pendulum on a rod whose pivot slides down a wire: two masses in three Cartesian coordinates each, three constraints.
+/// A pendulum on a rod whose pivot slides down a wire: two masses in three Cartesian coordinates each, three
+/// constraints.
 struct Slider<R> {
     length: R,
     g: R,

@@ -1,4 +1,5 @@
-//! The scalar of 31 digits: its functions against mpmath, constants of descriptions, and motions against references.
+//! The scalar of 31 digits: its functions against mpmath, constants of descriptions, and motions against
+//! references.
 
 use lagrangian::prelude::*;
 use lagrangian::{Adaptive, DoubleDouble, Held};
@@ -12,8 +13,8 @@ fn error(value: DoubleDouble, expected: DoubleDouble) -> f64 {
     ((value - expected) / expected).high().abs()
 }
 
-/// Every function at arguments of all sizes: near zero, beside zeros, at the ends of the range. `data/functions.py` made the
-/// table with mpmath.
+/// Every function at arguments of all sizes: near zero, beside zeros, at the ends of the range.
+/// `data/functions.py` made the table with mpmath.
 #[test]
 fn functions_agree_with_mpmath() {
     let mut count = 0;
@@ -50,7 +51,8 @@ fn functions_agree_with_mpmath() {
             "hypot" => x.hypot(y),
             other => panic!("{other}"),
         };
-        // A power has the error of its exponent, which is y ln x; all others are right to three units of 2⁻¹⁰⁴.
+        // A power has the error of its exponent, which is y ln x; all others are right to three units of
+        // 2⁻¹⁰⁴.
         let condition = if name == "powf" { 1.0 + (y * x.abs().ln()).high().abs() } else { 1.0 };
         let bound = 3.0 * condition * DoubleDouble::epsilon().high();
         // Below this the low part has lost digits to underflow.
@@ -179,8 +181,8 @@ impl<R: Real> Cartesian<R> {
     }
 }
 
-/// The largest relative error of a motion at a time, at a tolerance. The numbers of a reference are coordinates, then
-/// velocities.
+/// The largest relative error of a motion at a time, at a tolerance. The numbers of a reference are
+/// coordinates, then velocities.
 fn deviation<S, const N: usize>(
     system: &S,
     start: State<DoubleDouble, N>,
@@ -222,8 +224,9 @@ fn kepler_ellipse() {
     assert!(error < 1e-28, "{error:e}");
 }
 
-/// Chaos: a change of the start by 1e-22 has grown to 7e-19 of a velocity, so one rounding is 3.5e-28 there and 1e-28 of the
-/// other numbers. Doubles are right to 2e-12. By extrapolation with 50 digits: `data/motions.py`.
+/// Chaos: a change of the start by 1e-22 has grown to 7e-19 of a velocity, so one rounding is 3.5e-28 there
+/// and 1e-28 of the other numbers. Doubles are right to 2e-12. By extrapolation with 50 digits:
+/// `data/motions.py`.
 #[test]
 fn double_pendulum() {
     let start = State::at_rest([number("2"), number("2")]);

@@ -7,7 +7,8 @@ use std::thread;
 
 use lagrangian::{Stability, prelude::*};
 
-/// What a new thread has. Without optimisation the factors of the saddle-point system are copied from frame to frame.
+/// What a new thread has. Without optimisation the factors of the saddle-point system are copied from frame
+/// to frame.
 const STACK: usize = if cfg!(debug_assertions) { 3 << 20 } else { 2 << 20 };
 
 /// Points on a chain of fifty rods.
@@ -84,7 +85,8 @@ fn a_hundred_coordinates_with_fifty_constraints() {
         let state = State::at_rest(straight(0.0));
         assert_eq!(Loose.linearize(&state, &[]).unwrap().order(), 100);
         let modes = Loose.modes(&state, &[]).unwrap();
-        // A heavy chain of many links: ω = 1.2024 √(g / L), half the first zero of J₀ (D. Bernoulli, 1733), and more by some 1 / 4 N.
+        // A heavy chain of many links: ω = 1.2024 √(g / L), half the first zero of J₀ (D. Bernoulli, 1733),
+        // and more by some 1 / 4 N.
         let continuous = 1.202_412_8 * (9.81_f64 / 10.0).sqrt();
         assert!((0.98..1.02).contains(&(modes[0].frequency() / continuous)), "{}", modes[0].frequency());
     });

@@ -1,7 +1,7 @@
 //! What a user is told about a mistake: `tests/ui/<area>_<mistake>.rs` with the compiler's output beside it.
 //!
-//! After an intended change of a message, `TRYBUILD=overwrite cargo test --test ui` writes the output anew; read the
-//! difference as prose before committing it.
+//! After an intended change of a message, `TRYBUILD=overwrite cargo test --test ui` writes the output anew;
+//! read the difference as prose before committing it.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -92,9 +92,9 @@ fn stems(extension: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// The messages in a source file of the engine: name and texts. A message is an entry of `messages!`, which starts with
-/// `name(` and ends with `;`, or a `pub fn`, which ends with a brace in the first column. Its texts are its string literals
-/// of more than one word.
+/// The messages in a source file of the engine: name and texts. A message is an entry of `messages!`, which
+/// starts with `name(` and ends with `;`, or a `pub fn`, which ends with a brace in the first column. Its
+/// texts are its string literals of more than one word.
 fn messages(file: &str) -> Vec<(String, Vec<String>)> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("lagrange-codegen/src/diagnostics").join(file);
     let source = fs::read_to_string(path).expect("the texts are there");

@@ -1,8 +1,8 @@
 //! The build that is measured: optimised across crates, for the present processor, with the peers.
 //!
 //! heyoka compiles for the processor it runs on, so ours must be too before times are compared. What
-//! `cargo run` builds is compiled for any processor and without the peers; [`enter`] builds the program once more
-//! and runs that instead.
+//! `cargo run` builds is compiled for any processor and without the peers; [`enter`] builds the program once
+//! more and runs that instead.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};

@@ -29,8 +29,8 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// Largest deviation of a coordinate or velocity at the end, relative where the true one is above one; that of the
-    /// worst where several trajectories were found.
+    /// Largest deviation of a coordinate or velocity at the end, relative where the true one is above one;
+    /// that of the worst where several trajectories were found.
     pub fn error(&self, found: &[f64]) -> f64 {
         assert!(!found.is_empty() && found.len().is_multiple_of(self.end.len()), "{}", self.name);
         let deviations =

@@ -1,4 +1,5 @@
-//! Charts of the examples as SVG files: titles, axes with units, a legend above the plot, equal scales for paths.
+//! Charts of the examples as SVG files: titles, axes with units, a legend above the plot, equal scales for
+//! paths.
 //!
 //! Included by path, `#[path = "support/plot.rs"] mod plot;`, so each example uses what it needs.
 #![allow(dead_code)]
@@ -13,7 +14,8 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, ValueFormatte
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// The backend rounds to whole pixels: everything is drawn this much larger than shown, so that curves are smooth.
+/// The backend rounds to whole pixels: everything is drawn this much larger than shown, so that curves are
+/// smooth.
 const FINE: i32 = 8;
 
 /// Width and height of a plot without its labels, and bounds of both where equal scales decide.
@@ -73,7 +75,8 @@ enum Stroke {
 }
 
 impl Chart {
-    /// A chart without curves. The axis titles name quantity and unit, `"time [s]"`; without both there are no axes.
+    /// A chart without curves. The axis titles name quantity and unit, `"time [s]"`; without both there are
+    /// no axes.
     pub fn new(title: &str, x: &str, y: &str) -> Self {
         let (title, x, y) = (title.into(), x.into(), y.into());
         Self { title, x, y, curves: Vec::new(), equal: false, logarithmic: false }

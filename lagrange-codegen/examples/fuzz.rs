@@ -1,7 +1,7 @@
 //! Random changes of accepted descriptions through the expansion: none may panic or take long.
 //!
-//! `cargo run --release -p lagrange-codegen --example fuzz -- COUNT [SEED] [FOLDER]`; those that are accepted go into the folder
-//! as Rust modules, for rustc to check.
+//! `cargo run --release -p lagrange-codegen --example fuzz -- COUNT [SEED] [FOLDER]`; those that are accepted
+//! go into the folder as Rust modules, for rustc to check.
 
 #[path = "../tests/fuzz/mutation.rs"]
 mod mutation;

@@ -41,8 +41,8 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Constraints, arrays flattened, in the order of declaration.
     pub constraints: Vec<Constraint>,
-    /// Particles and bodies in the order of declaration, as places where constraint forces act; empty without holonomic
-    /// constraints.
+    /// Particles and bodies in the order of declaration, as places where constraint forces act; empty
+    /// without holonomic constraints.
     pub places: Vec<Place>,
     /// Constraints that are to be solved for a coordinate, in the order of declaration.
     pub eliminations: Vec<Elimination>,
@@ -61,8 +61,8 @@ pub struct Model {
 }
 
 impl Model {
-    /// Where a constraint's own function wrote the first of some nodes; its name where it wrote none. A node that
-    /// an earlier function wrote as well would point there.
+    /// Where a constraint's own function wrote the first of some nodes; its name where it wrote none. A node
+    /// that an earlier function wrote as well would point there.
     pub fn place_in(&self, constraint: &Constraint, nodes: &[NodeId]) -> Origin {
         let places = nodes.iter().filter_map(|node| self.origins.get(node).copied());
         places.into_iter().find(|&place| place > constraint.origin).unwrap_or(constraint.origin)

@@ -15,7 +15,8 @@ mod parts;
 pub enum Number {
     /// `numerator / denominator` in lowest terms, denominator positive.
     Ratio(i128, i128),
-    /// A value that does not fit into a ratio: a double, as the arithmetic of doubles gives it, and what that lacks.
+    /// A value that does not fit into a ratio: a double, as the arithmetic of doubles gives it, and what that
+    /// lacks.
     Float(f64, f64),
 }
 

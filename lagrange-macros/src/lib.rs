@@ -6,7 +6,6 @@ use proc_macro::TokenStream;
 
 /// The attribute for crates that depend on `lagrange-runtime` directly; everyone else uses
 /// `lagrangian::lagrangian`.
-///
 #[doc = include_str!("attribute.md")]
 #[proc_macro_attribute]
 pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {

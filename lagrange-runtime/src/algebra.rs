@@ -1,7 +1,7 @@
 //! Vector functions for any [`Real`]: what nalgebra offers only for its own closed list of scalars.
 //!
-//! Rotations follow nalgebra: active, right-handed, Euler angles as roll about x, then pitch about y, then yaw
-//! about z of the fixed frame.
+//! Rotations follow nalgebra: active, right-handed, Euler angles as roll about x, then pitch about y, then
+//! yaw about z of the fixed frame.
 
 use nalgebra::{
     DefaultAllocator, Dim, Matrix, Matrix2, Matrix3, OMatrix, RawStorage, Rotation2, Rotation3, U1, Unit,

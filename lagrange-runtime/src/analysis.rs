@@ -1,7 +1,7 @@
 //! What a model tells about itself: inertia forces by origin, Christoffel symbols, Legendre's transformation.
 //!
-//! Generated methods of a system with `analysis` in its attribute return [`InertiaForces`]; the functions here are what
-//! they are made of.
+//! Generated methods of a system with `analysis` in its attribute return [`InertiaForces`]; the functions
+//! here are what they are made of.
 
 use nalgebra::SMatrix;
 
@@ -9,14 +9,17 @@ use crate::error::{Cause, MotionError};
 use crate::linear::Lu;
 use crate::real::Real;
 
-/// Generalized inertia forces −(d/dt ∂T/∂v − ∂T/∂q), apart by their origin: T = T₂ + T₁ + T₀ with T₂ = ½ vᵀM v and T₁ = g·v.
+/// Generalized inertia forces −(d/dt ∂T/∂v − ∂T/∂q), apart by their origin: T = T₂ + T₁ + T₀ with T₂ = ½ vᵀM
+/// v and T₁ = g·v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InertiaForces<R, const N: usize> {
     /// −M a.
     pub relative: [R; N],
-    /// What T₂ contributes without accelerations: −Σ \[ij, k] vᵢ vⱼ − ∂M/∂t v, centrifugal and Coriolis forces of the coordinates.
+    /// What T₂ contributes without accelerations: −Σ \[ij, k] vᵢ vⱼ − ∂M/∂t v, centrifugal and Coriolis
+    /// forces of the coordinates.
     pub coriolis: [R; N],
-    /// −G v from T₁, with the skew G = ∂g/∂q − (∂g/∂q)ᵀ: Coriolis forces of a moving frame, and magnetic forces; they do no work.
+    /// −G v from T₁, with the skew G = ∂g/∂q − (∂g/∂q)ᵀ: Coriolis forces of a moving frame, and magnetic
+    /// forces; they do no work.
     pub gyroscopic: [R; N],
     /// ∂T₀/∂q − ∂g/∂t: centrifugal forces of a moving frame, and those of its acceleration.
     pub transport: [R; N],
@@ -67,8 +70,9 @@ const CORRECTIONS: usize = 60;
 /// Halvings of a correction that goes too far.
 const HALVINGS: usize = 40;
 
-/// The velocities at which momenta have the values `p`; `at` gives ∂p/∂v (its lower triangle) and p. Newton's method from
-/// rest, with corrections halved while they lead to larger residuals; one step where p is affine in v.
+/// The velocities at which momenta have the values `p`; `at` gives ∂p/∂v (its lower triangle) and p. Newton's
+/// method from rest, with corrections halved while they lead to larger residuals; one step where p is affine
+/// in v.
 ///
 /// # Errors
 /// [`Cause::SingularMassMatrix`], or [`Cause::NoVelocities`] where no velocities are found.

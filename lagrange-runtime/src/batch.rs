@@ -1,8 +1,8 @@
 //! [`Batch`]: several motions of one kind at once, one in each lane of a SIMD vector.
 //!
-//! The scalar of the system is a vector (`Lanes<f64x8>`, feature `wide`), so states and parameters differ from lane
-//! to lane and the same generated code serves all of them. All lanes expand together to the same order; each takes
-//! the step that its own series allows.
+//! The scalar of the system is a vector (`Lanes<f64x8>`, feature `wide`), so states and parameters differ
+//! from lane to lane and the same generated code serves all of them. All lanes expand together to the same
+//! order; each takes the step that its own series allows.
 
 use crate::error::{Cause, MotionError};
 use crate::integrator::dop853::add;
@@ -12,8 +12,8 @@ use crate::real::Real;
 use crate::smooth::{Series, Smooth};
 use crate::state::State;
 
-/// Fewer than for a single motion: where lanes fill the vectors, the work of a step does grow with the square of
-/// the order.
+/// Fewer than for a single motion: where lanes fill the vectors, the work of a step does grow with the square
+/// of the order.
 const ORDERS_PER_DIGIT: f64 = 0.7;
 
 /// exp(−1 / `ORDERS_PER_DIGIT`).
@@ -66,7 +66,8 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         }
     }
 
-    /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32` 100 ε.
+    /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32`
+    /// 100 ε.
     #[inline]
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: <S::Scalar as Real>::Lane) -> Self {
@@ -103,10 +104,10 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
     /// Moves all lanes to exactly time `t` \[s], forward or backward.
     ///
     /// # Errors
-    /// [`Cause::InvalidTime`], `InvalidTolerance` for bad arguments; [`Cause::PositionViolated`] or `VelocityViolated` for a
-    /// start off the constraints in some lane; [`Cause::NotFinite`] or `SingularMassMatrix` where
-    /// some lane cannot go on, [`Cause::StepTooSmall`] where its steps vanish, with the times of all lanes;
-    /// [`Cause::TooManySteps`]. The state is then the last good one.
+    /// [`Cause::InvalidTime`], `InvalidTolerance` for bad arguments; [`Cause::PositionViolated`] or
+    /// `VelocityViolated` for a start off the constraints in some lane; [`Cause::NotFinite`] or
+    /// `SingularMassMatrix` where some lane cannot go on, [`Cause::StepTooSmall`] where its steps vanish,
+    /// with the times of all lanes; [`Cause::TooManySteps`]. The state is then the last good one.
     pub fn advance_to(
         &mut self,
         t: <S::Scalar as Real>::Lane,
@@ -207,9 +208,9 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         Err(system.check_at(&constants, state.t, &state.q, &state.v).err().unwrap_or(Cause::NotFinite))
     }
 
-    /// The lengths at which the terms of the highest orders fall to the tolerance, in units. The size of a component is
-    /// that of its first terms over `span`. As in a single motion, terms before the last two bear a part of it, because
-    /// the last ones may vanish by symmetry.
+    /// The lengths at which the terms of the highest orders fall to the tolerance, in units. The size of a
+    /// component is that of its first terms over `span`. As in a single motion, terms before the last two
+    /// bear a part of it, because the last ones may vanish by symmetry.
     #[inline]
     fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
         let number = S::Scalar::from_f64;

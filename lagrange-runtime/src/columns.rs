@@ -1,11 +1,12 @@
-//! The tables behind the recurrences of Taylor coefficients of systems with many products. Reached through generated
-//! code only.
+//! The tables behind the recurrences of Taylor coefficients of systems with many products. Reached through
+//! generated code only.
 //!
-//! As in [`crate::tables`], one sweep sums the interiors of all products at once. Here each factor is stored once, as a
-//! column, and the sweep runs over rows from both ends at once: a\[j] b\[k − j] + a\[k − j] b\[j] for all products of a tile.
-//! A tile is a set of instances of one pattern of products (the links of a chain, the pairs of bodies), side by side:
-//! every vector of a column is loaded once for all products of the pattern, and squares need one term for two. Where a number
-//! is a vector itself, the instances of a tile come one after the other, each with all its rows: their sums stay in registers.
+//! As in [`crate::tables`], one sweep sums the interiors of all products at once. Here each factor is stored
+//! once, as a column, and the sweep runs over rows from both ends at once: a\[j] b\[k − j] + a\[k − j] b\[j]
+//! for all products of a tile. A tile is a set of instances of one pattern of products (the links of a chain,
+//! the pairs of bodies), side by side: every vector of a column is loaded once for all products of the
+//! pattern, and squares need one term for two. Where a number is a vector itself, the instances of a tile
+//! come one after the other, each with all its rows: their sums stay in registers.
 
 use crate::real::Real;
 
@@ -17,13 +18,13 @@ pub trait Products<const C: usize, const L: usize> {
 
 /// A pattern of `M` products over columns that are `width` apart.
 pub trait Pattern<const C: usize, const M: usize> {
-    /// Adds the terms of two rows at the same distance from the ends, for `W` instances whose first column starts at
-    /// `place`.
+    /// Adds the terms of two rows at the same distance from the ends, for `W` instances whose first column
+    /// starts at `place`.
     fn add<R: Real, const W: usize>(low: &[R; C], high: &[R; C], place: usize, sum: &mut [[R; W]; M]);
 }
 
-/// Factors of products, coefficients of the orders 1 to `P` (at the index before). Rows start on lines of the cache: a
-/// vector that crosses one costs two.
+/// Factors of products, coefficients of the orders 1 to `P` (at the index before). Rows start on lines of the
+/// cache: a vector that crosses one costs two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Columns<R, const C: usize, const P: usize> {
@@ -59,8 +60,8 @@ fn outlined<S: Products<C, L>, R: Real, const C: usize, const L: usize>(rows: &[
     S::sum(rows, sums);
 }
 
-/// The sums of one tile, `used` of `W` instances of `M` products, to the places from `first` on. Its columns start at
-/// `base`.
+/// The sums of one tile, `used` of `W` instances of `M` products, to the places from `first` on. Its columns
+/// start at `base`.
 #[inline(always)]
 pub fn tile<T, R, const C: usize, const L: usize, const W: usize, const M: usize>(
     rows: &[[R; C]],

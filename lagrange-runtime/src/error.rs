@@ -8,12 +8,14 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
-    /// The mass matrix is not positive: the coordinate with this index has no inertia of its own here, or a negative one.
+    /// The mass matrix is not positive: the coordinate with this index has no inertia of its own here, or a
+    /// negative one.
     SingularMassMatrix {
         /// Index of the coordinate at which the factorisation stopped.
         pivot: usize,
     },
-    /// The coordinates violate a constraint: a start that is not consistent, or a step that cannot be brought back.
+    /// The coordinates violate a constraint: a start that is not consistent, or a step that cannot be brought
+    /// back.
     PositionViolated {
         /// Index of the constraint, as in `CONSTRAINTS` of the system.
         constraint: usize,
@@ -44,22 +46,22 @@ pub enum Cause {
         /// Index of the constraint.
         constraint: usize,
     },
-    /// A function of the description returns something else than what the macro read of it: a name in it means something else
-    /// than usual. Found in builds with `debug_assertions` alone.
+    /// A function of the description returns something else than what the macro read of it: a name in it
+    /// means something else than usual. Found in builds with `debug_assertions` alone.
     Misread {
         /// The function, or the argument of its role.
         function: Function,
         /// By how much.
         by: Magnitude,
     },
-    /// Constraints depend on each other in this configuration, and neither the velocity nor the accelerations say how the motion
-    /// goes on.
+    /// Constraints depend on each other in this configuration, and neither the velocity nor the accelerations
+    /// say how the motion goes on.
     Undetermined {
         /// Index of the constraint that is closest to depending on the others.
         constraint: usize,
     },
-    /// A step in fixed steps is too long for its constraints: bringing its end back onto them would change the state by more
-    /// than the step itself did.
+    /// A step in fixed steps is too long for its constraints: bringing its end back onto them would change
+    /// the state by more than the step itself did.
     StepTooLong,
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
@@ -104,8 +106,8 @@ impl fmt::Debug for Function {
     }
 }
 
-/// How large a violation is, for a report: of two digits, because printing all of a float takes several kilobytes of a
-/// firmware.
+/// How large a violation is, for a report: of two digits, because printing all of a float takes several
+/// kilobytes of a firmware.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 pub struct Magnitude(pub f32);
 

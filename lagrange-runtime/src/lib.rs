@@ -22,7 +22,8 @@
 //! | [`structure`] | operation counts and proven facts of a model |
 //! | [`error`] | why and when a motion stopped |
 //!
-//! Nothing allocates but analyses with `std` ([`Stored`]), nothing panics, and an error leaves the motion at its last good state.
+//! Nothing allocates but analyses with `std` ([`Stored`]), nothing panics, and an error leaves the motion at
+//! its last good state.
 //!
 //! | feature | math functions | use |
 //! | --- | --- | --- |

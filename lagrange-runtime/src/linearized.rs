@@ -1,7 +1,7 @@
 //! [`Linearized`]: derivatives of the equations of motion, for implicit methods and for control.
 //!
-//! All derivatives are those of the residual r = f(t, q, v, u) − M(t, q, v) a at given accelerations, so that no inverse of
-//! M is differentiated and stiff forces keep their structure.
+//! All derivatives are those of the residual r = f(t, q, v, u) − M(t, q, v) a at given accelerations, so that
+//! no inverse of M is differentiated and stiff forces keep their structure.
 
 use nalgebra::SMatrix;
 
@@ -25,8 +25,8 @@ pub struct Linearization<R, const N: usize> {
 
 /// Derivatives of the accelerations; rows are accelerations.
 ///
-/// With x = (q, v) the motion near a state is ẋ = A x + B u, where A has the rows (0, 1) and (`by_q`, `by_v`), and B has
-/// the rows 0 and `by_u`.
+/// With x = (q, v) the motion near a state is ẋ = A x + B u, where A has the rows (0, 1) and (`by_q`,
+/// `by_v`), and B has the rows 0 and `by_u`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jacobians<R, const N: usize, const K: usize> {
     /// ∂a/∂q.
@@ -76,7 +76,8 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         u: &[Self::Scalar; K],
     ) -> [[Self::Scalar; K]; N];
 
-    /// ∂a/∂q, ∂a/∂v and ∂a/∂u at a state under the inputs `u`: M⁻¹ times the derivatives of r at the accelerations there.
+    /// ∂a/∂q, ∂a/∂v and ∂a/∂u at a state under the inputs `u`: M⁻¹ times the derivatives of r at the
+    /// accelerations there.
     ///
     /// # Errors
     /// A singular mass matrix, or a value that is not finite.

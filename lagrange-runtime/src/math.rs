@@ -1,8 +1,8 @@
 //! The elementary functions of `f32` and `f64`, from one of two backends.
 //!
 //! Feature `libm` wins over `std`, because its results are the same bits on every target; `std` calls the
-//! platform's library. Each function is a plain wrapper without any correction of its own; [`single`] has those of `f32`
-//! that the `libm` crate computes in double precision.
+//! platform's library. Each function is a plain wrapper without any correction of its own; [`single`] has
+//! those of `f32` that the `libm` crate computes in double precision.
 
 #[cfg(any(feature = "libm", test))]
 mod single;

@@ -1,7 +1,7 @@
 //! What the macro has proved of a system, as traits: an integrator asks for what it needs.
 //!
-//! `#[lagrangian]` implements a trait here for a system only if the property follows from its equations whatever the
-//! parameters, so that a method which would go wrong on a system does not compile on it.
+//! `#[lagrangian]` implements a trait here for a system only if the property follows from its equations
+//! whatever the parameters, so that a method which would go wrong on a system does not compile on it.
 
 use crate::system::System;
 
@@ -13,10 +13,11 @@ use crate::system::System;
 )]
 pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 
-/// Constant mass matrix, forces that do not depend on velocities, and no constraints but eliminated ones: M a = f(q, t, u).
+/// Constant mass matrix, forces that do not depend on velocities, and no constraints but eliminated ones: M a
+/// = f(q, t, u).
 ///
-/// Drifts (q moves, v stays) and kicks (v changes, q stays) are then exact motions of their own, of which splitting
-/// methods are made.
+/// Drifts (q moves, v stays) and kicks (v changes, q stays) are then exact motions of their own, of which
+/// splitting methods are made.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not separable: its mass matrix varies, a force depends on velocities, or a constraint holds it",
     label = "a splitting method does not work on `{Self}`",
@@ -25,8 +26,9 @@ pub trait ConstantMass<const N: usize, const K: usize = 0>: System<N, K> {}
 )]
 pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}
 
-/// Equations of motion M a = f and constraints without time. A Lagrangian with a part such as t v, which is −q but for a total
-/// derivative, may have them; its momenta depend on time then, and it is not [`Conservative`].
+/// Equations of motion M a = f and constraints without time. A Lagrangian with a part such as t v, which is
+/// −q but for a total derivative, may have them; its momenta depend on time then, and it is not
+/// [`Conservative`].
 #[diagnostic::on_unimplemented(
     message = "the equations of `{Self}` depend on time",
     label = "this needs a system without explicit time",
@@ -34,8 +36,8 @@ pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}
 )]
 pub trait Autonomous<const N: usize, const K: usize = 0>: System<N, K> {}
 
-/// Autonomous, with neither applied forces nor dissipation, and a Lagrangian without time: the Jacobi integral v·∂L/∂v − L is
-/// conserved, which is the energy where T + V is.
+/// Autonomous, with neither applied forces nor dissipation, and a Lagrangian without time: the Jacobi
+/// integral v·∂L/∂v − L is conserved, which is the energy where T + V is.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not conservative",
     label = "this needs a conservative system",
@@ -43,7 +45,8 @@ pub trait Autonomous<const N: usize, const K: usize = 0>: System<N, K> {}
 )]
 pub trait Conservative<const N: usize, const K: usize = 0>: Autonomous<N, K> {}
 
-/// No constraint on velocities that is not one on positions: every position that the constraints allow can be reached.
+/// No constraint on velocities that is not one on positions: every position that the constraints allow can be
+/// reached.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not holonomic",
     label = "this needs a holonomic system",
@@ -51,8 +54,8 @@ pub trait Conservative<const N: usize, const K: usize = 0>: Autonomous<N, K> {}
 )]
 pub trait Holonomic<const N: usize, const K: usize = 0>: System<N, K> {}
 
-/// Nothing is moved from outside: T is a quadratic form in the velocities, T = ½ v·M v with p = M v, and neither energies nor
-/// constraints depend on time.
+/// Nothing is moved from outside: T is a quadratic form in the velocities, T = ½ v·M v with p = M v, and
+/// neither energies nor constraints depend on time.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not scleronomic: something moves as a function of time, or T is no quadratic form in the velocities",
     label = "this needs a scleronomic system",
@@ -60,8 +63,8 @@ pub trait Holonomic<const N: usize, const K: usize = 0>: System<N, K> {}
 )]
 pub trait Scleronomic<const N: usize, const K: usize = 0>: System<N, K> {}
 
-/// At least one cyclic coordinate: L does not depend on it and no force acts along it, so that its momentum is conserved.
-/// `STRUCTURE` names them, and `analysis` in the attribute gives their momenta.
+/// At least one cyclic coordinate: L does not depend on it and no force acts along it, so that its momentum
+/// is conserved. `STRUCTURE` names them, and `analysis` in the attribute gives their momenta.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no cyclic coordinate",
     label = "this needs a cyclic coordinate",

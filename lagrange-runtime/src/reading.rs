@@ -1,8 +1,9 @@
-//! Whether a description was read as Rust runs it: what the macro took a function for, beside what the function returns.
+//! Whether a description was read as Rust runs it: what the macro took a function for, beside what the
+//! function returns.
 //!
-//! The functions of a description stay ordinary functions. In builds with `debug_assertions` the first use of a system
-//! evaluates each of them, and what was read of it, at its start and at a second state where nothing is zero. Builds
-//! without contain none of this.
+//! The functions of a description stay ordinary functions. In builds with `debug_assertions` the first use of
+//! a system evaluates each of them, and what was read of it, at its start and at a second state where nothing
+//! is zero. Builds without contain none of this.
 
 use nalgebra::{
     Isometry, OPoint, Quaternion, Rotation, SMatrix, Translation, Unit, UnitComplex, UnitQuaternion,
@@ -20,8 +21,8 @@ use crate::system::System;
     note = "positions, poses and forces are numbers, arrays, tuples and types of the nalgebra that `lagrangian::nalgebra` is"
 )]
 pub trait Numbers<R> {
-    /// Hands all numbers over: matrices column by column, of rotations in the plane cosine and sine, of those in space the
-    /// entries row by row.
+    /// Hands all numbers over: matrices column by column, of rotations in the plane cosine and sine, of those
+    /// in space the entries row by row.
     fn each_number(&self, take: &mut dyn FnMut(R));
 }
 
@@ -116,13 +117,15 @@ impl<R: Real, T: Numbers<R>, const D: usize> Numbers<R> for Isometry<R, T, D> {
     }
 }
 
-/// Compares what a function returns, given by its [`Numbers::each_number`], with what was read of it, number by number.
+/// Compares what a function returns, given by its [`Numbers::each_number`], with what was read of it, number
+/// by number.
 ///
-/// What cancels between the components of a vector or of a rotation leaves rounding of the size of the others, so the
-/// largest size counts for all. `sizes` bound the terms that the numbers are added up from, with the conditions of the functions that they went through
-/// (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 3.3). Rounding is far below half of the
-/// digits of that, and an evaluation that has lost more than half is worth a word too. What is infinite or not a number
-/// lies outside the domain of the function and is not compared.
+/// What cancels between the components of a vector or of a rotation leaves rounding of the size of the
+/// others, so the largest size counts for all. `sizes` bound the terms that the numbers are added up from,
+/// with the conditions of the functions that they went through (N. J. Higham, Accuracy and Stability of
+/// Numerical Algorithms, 2002, section 3.3). Rounding is far below half of the digits of that, and an
+/// evaluation that has lost more than half is worth a word too. What is infinite or not a number lies outside
+/// the domain of the function and is not compared.
 ///
 /// # Errors
 /// [`Cause::Misread`] with the function.

@@ -1,9 +1,9 @@
 //! [`Real`]: the scalar that equations of motion are evaluated in.
 //!
 //! The trait is open. `f32`, `f64` and [`Dual`] implement it here; implement it for fixed point, SIMD lanes
-//! or a hardware CORDIC and every generated method works with them. Thirteen functions have to be written, the others
-//! have defaults by identities; a default names its weakness, and an implementor with a better routine
-//! overrides it. The supertraits are what nalgebra asks for sums, products, `dot` and `cross`.
+//! or a hardware CORDIC and every generated method works with them. Thirteen functions have to be written,
+//! the others have defaults by identities; a default names its weakness, and an implementor with a better
+//! routine overrides it. The supertraits are what nalgebra asks for sums, products, `dot` and `cross`.
 
 use core::fmt::Debug;
 use core::iter::Sum;
@@ -98,9 +98,9 @@ pub trait Real:
         self
     }
 
-    /// The nearest value to a constant that is no double, such as a tenth or ln 2: `high` is the double nearest to it, `low`
-    /// the one nearest to the rest. The default leaves the rest away, which is right where a scalar has no more digits than
-    /// `f64`.
+    /// The nearest value to a constant that is no double, such as a tenth or ln 2: `high` is the double
+    /// nearest to it, `low` the one nearest to the rest. The default leaves the rest away, which is right
+    /// where a scalar has no more digits than `f64`.
     #[inline]
     fn from_parts(high: f64, low: f64) -> Self {
         let _ = low;
@@ -265,8 +265,8 @@ pub trait Real:
         (self * self + other * other).sqrt()
     }
 
-    /// `self` · `factor` + `summand`. One rounding where the target has the instruction and the math is the standard
-    /// library's, else two: what is fast on the target, never a call.
+    /// `self` · `factor` + `summand`. One rounding where the target has the instruction and the math is the
+    /// standard library's, else two: what is fast on the target, never a call.
     #[inline(always)]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         self * factor + summand
@@ -279,8 +279,8 @@ pub trait Real:
     }
 }
 
-/// A scalar with an order, and so with one lane: what a motion under error control is made of. Implemented for every [`Real`]
-/// that can be compared.
+/// A scalar with an order, and so with one lane: what a motion under error control is made of. Implemented
+/// for every [`Real`] that can be compared.
 pub trait Ordered: Real + PartialOrd {}
 
 impl<R: Real + PartialOrd> Ordered for R {}

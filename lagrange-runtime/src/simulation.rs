@@ -1,11 +1,11 @@
 //! [`Simulation`]: a motion under error control, its samples and its inputs.
 //!
-//! The integrator takes steps of its own choice and may be ahead of the state that the caller sees. Between their ends
-//! it has a polynomial. That of [`Jets`](crate::Jets) is as accurate as the steps themselves, so that neither
-//! [`Simulation::advance_to`] nor [`Simulation::every`] ever shortens one. That of [`Dop853`] has the error of the
-//! tolerance: `every` reads from it, `advance_to` shortens the last step to land exactly on its target.
-//! After a sample inside a step the motion goes on from the ends of that step, never from the sample,
-//! so sampling costs no accuracy. A change of inputs does restart at the state that the caller sees.
+//! The integrator takes steps of its own choice and may be ahead of the state that the caller sees. Between
+//! their ends it has a polynomial. That of [`Jets`](crate::Jets) is as accurate as the steps themselves, so
+//! that neither [`Simulation::advance_to`] nor [`Simulation::every`] ever shortens one. That of [`Dop853`]
+//! has the error of the tolerance: `every` reads from it, `advance_to` shortens the last step to land exactly
+//! on its target. After a sample inside a step the motion goes on from the ends of that step, never from the
+//! sample, so sampling costs no accuracy. A change of inputs does restart at the state that the caller sees.
 
 use crate::constraints::{Constrained, Reactions};
 use crate::error::{Cause, MotionError};
@@ -18,7 +18,8 @@ use crate::system::System;
 
 /// Where the inputs of a system come from.
 pub trait Control<R, const N: usize, const K: usize> {
-    /// The inputs at a state. Called several times a step, also at trial states: it must depend on nothing else.
+    /// The inputs at a state. Called several times a step, also at trial states: it must depend on nothing
+    /// else.
     fn inputs(&self, state: &State<R, N>) -> [R; K];
 }
 
@@ -91,8 +92,8 @@ where
         }
     }
 
-    /// Takes the inputs from a function of the state (continuous feedback) from here on, by [`Dop853`]: nothing
-    /// is known of the derivatives of such a function.
+    /// Takes the inputs from a function of the state (continuous feedback) from here on, by [`Dop853`]:
+    /// nothing is known of the derivatives of such a function.
     #[inline]
     #[must_use]
     pub fn with_control<F>(self, control: F) -> Simulation<'a, S, Feedback<F>, Dop853, N, K>
@@ -112,8 +113,9 @@ where
     C: Control<S::Scalar, N, K>,
     M: Adaptive<S, C, N, K>,
 {
-    /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32` 100 ε.
-    /// [`Jets`](crate::Jets) take their order from it; [`Dop853`] takes it for an absolute error as well.
+    /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32`
+    /// 100 ε. [`Jets`](crate::Jets) take their order from it; [`Dop853`] takes it for an absolute error
+    /// as well.
     #[inline]
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: S::Scalar) -> Self {
@@ -138,7 +140,8 @@ where
         self
     }
 
-    /// Steps, rejected ones included, that one call of `advance_to` or one sample may take. Default 10 million.
+    /// Steps, rejected ones included, that one call of `advance_to` or one sample may take. Default 10
+    /// million.
     #[inline]
     #[must_use]
     pub fn with_max_steps(mut self, steps: u64) -> Self {
@@ -185,9 +188,10 @@ where
     /// Moves to exactly time `t` \[s], forward or backward, and returns the state there.
     ///
     /// # Errors
-    /// [`Cause::InvalidTime`], `InvalidTolerance`, `InvalidStep` for bad arguments; [`Cause::NotFinite`] for a bad
-    /// start or bad parameters; the system's own cause, `NotFinite` or [`Cause::StepTooSmall`] where the motion
-    /// cannot go on, with the time; [`Cause::TooManySteps`]. The state is then the last good one before that.
+    /// [`Cause::InvalidTime`], `InvalidTolerance`, `InvalidStep` for bad arguments; [`Cause::NotFinite`] for
+    /// a bad start or bad parameters; the system's own cause, `NotFinite` or [`Cause::StepTooSmall`]
+    /// where the motion cannot go on, with the time; [`Cause::TooManySteps`]. The state is then the last
+    /// good one before that.
     #[inline]
     pub fn advance_to(&mut self, t: S::Scalar) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
         self.check(t)?;
@@ -242,8 +246,8 @@ where
         Ok(self.state)
     }
 
-    /// Refuses a start that is no state, masses that are not positive there, and a start that violates constraints, and takes the
-    /// roundings from one that does not.
+    /// Refuses a start that is no state, masses that are not positive there, and a start that violates
+    /// constraints, and takes the roundings from one that does not.
     #[inline]
     fn begin(&mut self) -> Result<(), MotionError<S::Scalar>> {
         if self.steps().evaluations > 0 {

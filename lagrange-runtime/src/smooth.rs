@@ -6,17 +6,17 @@ use crate::system::System;
 
 /// A system whose motion is analytic, with the recurrences of its Taylor coefficients.
 ///
-/// The macro proves it: no function with a kink or a jump (absolute value, sign, the root of a speed) stands in the
-/// equations of motion. Where one does, use [`Dop853`](crate::Dop853) or a fixed-step method.
+/// The macro proves it: no function with a kink or a jump (absolute value, sign, the root of a speed) stands
+/// in the equations of motion. Where one does, use [`Dop853`](crate::Dop853) or a fixed-step method.
 #[diagnostic::on_unimplemented(
     message = "the motion of `{Self}` has no Taylor series: a function in its equations has a kink or a jump",
     label = "this system is not smooth",
     note = "`stepper::<Rk4>(…)`, `simulate(…)` and `simulate_with::<Dop853>(…)` work for every system"
 )]
 pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
-    /// Whether a function in the equations can hide from a series: exponentials, hyperbolic functions and high negative
-    /// powers vanish beside other terms, or underflow, a few of their widths away. Steps under error control are then
-    /// compared with the equations at some places, and grow with restraint.
+    /// Whether a function in the equations can hide from a series: exponentials, hyperbolic functions and
+    /// high negative powers vanish beside other terms, or underflow, a few of their widths away. Steps
+    /// under error control are then compared with the equations at some places, and grow with restraint.
     const STEEP: bool = false;
 
     /// What depends on parameters alone, computed once per run.
@@ -28,9 +28,9 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
     /// Evaluates [`Smooth::JetConstants`].
     fn jet_constants(&self) -> Self::JetConstants;
 
-    /// Taylor coefficients of the motion through a state, of the orders 1 to `orders` ≤ `P`, in time scaled by `h` \[s]:
-    /// coefficient k is x⁽ᵏ⁾ hᵏ / k!. The inputs are held. False where the equations have no solution; coefficients
-    /// are not finite where the equations are not.
+    /// Taylor coefficients of the motion through a state, of the orders 1 to `orders` ≤ `P`, in time scaled
+    /// by `h` \[s]: coefficient k is x⁽ᵏ⁾ hᵏ / k!. The inputs are held. False where the equations have no
+    /// solution; coefficients are not finite where the equations are not.
     #[allow(clippy::too_many_arguments)]
     fn jet_at<const P: usize>(
         &self,
@@ -74,7 +74,8 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
     }
 
     /// What coordinates and velocities gain in `theta` units of the scaled time: the terms of the orders 1 to
-    /// `orders`, smallest first. Horner's scheme for odd and even orders side by side, which neither waits for.
+    /// `orders`, smallest first. Horner's scheme for odd and even orders side by side, which neither waits
+    /// for.
     #[inline]
     pub fn gain(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
         let zero = [R::zero(); N];
@@ -102,8 +103,8 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
         odd
     }
 
-    /// Derivatives of the velocities by the scaled time, `theta` units after the point of expansion: accelerations in units of
-    /// it. Odd and even orders side by side.
+    /// Derivatives of the velocities by the scaled time, `theta` units after the point of expansion:
+    /// accelerations in units of it. Odd and even orders side by side.
     pub(crate) fn slopes(&self, theta: R, orders: usize) -> [R; N] {
         let (mut odd, mut even) = ([R::zero(); N], [R::zero(); N]);
         let (square, mut order) = (theta * theta, R::from_f64(orders as f64));
@@ -124,10 +125,11 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
         core::array::from_fn(|i| R::mul_add(even[i], theta, odd[i]))
     }
 
-    /// The series about a place `shift` units from the present one: the same polynomials without their values there.
-    /// (Knuth, "The Art of Computer Programming", vol. 2, § 4.6.4: repeated synthetic division.)
+    /// The series about a place `shift` units from the present one: the same polynomials without their values
+    /// there. (Knuth, "The Art of Computer Programming", vol. 2, § 4.6.4: repeated synthetic division.)
     pub(crate) fn recentre(&mut self, shift: R, orders: usize) {
-        // Twice down to the first order: the division that gives the value, which is not kept, and the one that gives its own.
+        // Twice down to the first order: the division that gives the value, which is not kept, and the one
+        // that gives its own.
         for pass in 0..=orders {
             for k in (pass.saturating_sub(1)..orders.saturating_sub(1)).rev() {
                 for rows in [&mut self.q, &mut self.v] {

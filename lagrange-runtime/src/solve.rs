@@ -1,8 +1,8 @@
 //! Solving M a = f in generated code. Reached through `__private` only.
 //!
-//! Nothing here branches away from the straight line: a matrix without an inverse gives NaN, which the integrator
-//! notices, and the functions `check…` then say which coordinate it is. A pivot counts as zero where it is below
-//! the rounding errors of what it was subtracted from.
+//! Nothing here branches away from the straight line: a matrix without an inverse gives NaN, which the
+//! integrator notices, and the functions `check…` then say which coordinate it is. A pivot counts as zero
+//! where it is below the rounding errors of what it was subtracted from.
 
 use nalgebra::SMatrix;
 
@@ -41,7 +41,8 @@ pub fn check<R: Real>(value: R, scale: R, coordinate: usize) -> Result<(), Cause
     }
 }
 
-/// A factorisation stops at a NaN as it stops at a zero pivot; whether the numbers are finite tells them apart.
+/// A factorisation stops at a NaN as it stops at a zero pivot; whether the numbers are finite tells them
+/// apart.
 fn singular(finite: bool, coordinate: usize) -> Cause {
     if finite { Cause::SingularMassMatrix { pivot: coordinate } } else { Cause::NotFinite }
 }

@@ -73,6 +73,11 @@ impl<R: Real, const N: usize> From<[R; N]> for State<R, N> {
     }
 }
 
+/// a − b, of coordinates or of velocities.
+pub(crate) fn difference<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> [R; N] {
+    core::array::from_fn(|i| a[i] - b[i])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

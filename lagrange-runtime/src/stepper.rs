@@ -1,7 +1,7 @@
 //! [`Stepper`]: a motion in steps that the caller chooses, as a control loop does.
 //!
-//! No error control: the accuracy is the method's order and the caller's step. A method demands of the system what it
-//! needs, so one that would go wrong does not compile. Time is summed with compensation,
+//! No error control: the accuracy is the method's order and the caller's step. A method demands of the system
+//! what it needs, so one that would go wrong does not compile. Time is summed with compensation,
 //! so a million steps of 1 ms end within a rounding of 1000 s.
 
 use crate::constraints::{Constrained, Reactions};
@@ -31,8 +31,9 @@ where
     #[inline]
     pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
         let constants = system.constants();
-        // The start of a constrained motion is checked by the first step; there is no room to remember that in the
-        // stepper of a system without constraints. Where masses are not positive no step has a time.
+        // The start of a constrained motion is checked by the first step; there is no room to remember that
+        // in the stepper of a system without constraints. Where masses are not positive no step has a
+        // time.
         let is_good = || system.check_at(&constants, start.t, &start.q, &start.v).is_ok();
         let residue =
             S::Scalar::from_f64(if S::CONSTRAINED || S::READ || !is_good() { f64::NAN } else { 0.0 });
@@ -42,9 +43,9 @@ where
     /// Goes on by `h` \[s] (backward if negative) with the inputs `u` held, and returns the state there.
     ///
     /// # Errors
-    /// [`Cause::InvalidStep`] for an `h` that is not finite; where the result is not, the cause at the state before
-    /// the step: [`Cause::SingularMassMatrix`] or [`Cause::NotFinite`]; [`Cause::NotConverged`] of an implicit method.
-    /// The state is then still that one.
+    /// [`Cause::InvalidStep`] for an `h` that is not finite; where the result is not, the cause at the state
+    /// before the step: [`Cause::SingularMassMatrix`] or [`Cause::NotFinite`]; [`Cause::NotConverged`] of
+    /// an implicit method. The state is then still that one.
     #[inline]
     pub fn step(
         &mut self,

@@ -14,7 +14,8 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// The scalar of parameters, states and inputs.
     type Scalar: Real;
 
-    /// The method of [`System::simulate`]: [`Jets`](crate::Jets) for smooth systems, else [`Dop853`](crate::Dop853).
+    /// The method of [`System::simulate`]: [`Jets`](crate::Jets) for smooth systems, else
+    /// [`Dop853`](crate::Dop853).
     type Method: Adaptive<Self, Held<Self::Scalar, K>, N, K>;
 
     /// Subexpressions of parameters alone, computed once per run.
@@ -36,8 +37,8 @@ pub trait System<const N: usize, const K: usize = 0> {
         u: &[Self::Scalar; K],
     ) -> [Self::Scalar; N];
 
-    /// The same of a state on the constraints. Those of other states, as the stages of a method, may be better taken from
-    /// states on them.
+    /// The same of a state on the constraints. Those of other states, as the stages of a method, may be
+    /// better taken from states on them.
     #[inline(always)]
     fn accelerations_on_at(
         &self,
@@ -71,11 +72,12 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Whether there are several constraints, which may come to depend on each other.
     const COUPLED: bool = false;
 
-    /// Begins a motion at a state: refuses one that violates constraints by more than the last digits of nine-digit numbers, and
-    /// takes roundings from one that does not.
+    /// Begins a motion at a state: refuses one that violates constraints by more than the last digits of
+    /// nine-digit numbers, and takes roundings from one that does not.
     ///
     /// # Errors
-    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`], and what is wrong with the constraints themselves.
+    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`], and what is wrong with the constraints
+    /// themselves.
     #[inline(always)]
     fn begin_at(
         &self,
@@ -85,14 +87,15 @@ pub trait System<const N: usize, const K: usize = 0> {
         Ok(())
     }
 
-    /// Moves a state that a step has left near the constraints onto them: coordinates, then velocities, each by the
-    /// smallest change in the metric of the mass matrix.
+    /// Moves a state that a step has left near the constraints onto them: coordinates, then velocities, each
+    /// by the smallest change in the metric of the mass matrix.
     ///
-    /// With `from`, the state before a step of fixed length, a change that is larger than the step itself is an error.
+    /// With `from`, the state before a step of fixed length, a change that is larger than the step itself is
+    /// an error.
     ///
     /// # Errors
-    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`] where that fails, [`Cause::StepTooLong`], and what is wrong
-    /// with the constraints themselves.
+    /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`] where that fails, [`Cause::StepTooLong`],
+    /// and what is wrong with the constraints themselves.
     #[inline(always)]
     fn project_at(
         &self,

@@ -1,9 +1,9 @@
 //! The tables behind the recurrences of Taylor coefficients. Reached through generated code only.
 //!
-//! In c\[k] = Σ a\[j] b\[k − j] only the two end terms know coefficients of order k. The interior needs lower orders
-//! alone, for every product of a system at once: each product is a lane of two tables, and one sweep over the rows
-//! sums all lanes. No lane waits for another, so the sweep runs on vectors of any width. For systems of few products;
-//! [`crate::columns`] serves those of many.
+//! In c\[k] = Σ a\[j] b\[k − j] only the two end terms know coefficients of order k. The interior needs lower
+//! orders alone, for every product of a system at once: each product is a lane of two tables, and one sweep
+//! over the rows sums all lanes. No lane waits for another, so the sweep runs on vectors of any width. For
+//! systems of few products; [`crate::columns`] serves those of many.
 
 use crate::real::Real;
 
@@ -35,8 +35,8 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         Some((self.left.get_mut(order - 1)?, self.right.get_mut(order - 1)?))
     }
 
-    /// Σ left\[j] right\[order − j] over 1 < j < order − 1, for all lanes. The outermost terms, of orders that were just
-    /// stored, are the caller's.
+    /// Σ left\[j] right\[order − j] over 1 < j < order − 1, for all lanes. The outermost terms, of orders
+    /// that were just stored, are the caller's.
     #[inline(always)]
     pub fn interior(&self, order: usize) -> [R; L] {
         let rows = order.saturating_sub(2);
@@ -110,8 +110,9 @@ pub fn in_turn(orders: usize, mut expand: impl FnMut(usize) -> bool) {
     }
 }
 
-/// The same, written out for expansions to a low order `P`, those of fixed steps: the compiler then knows each order,
-/// keeps in registers what the next one needs, and leaves out what the first ones lack. A loop takes twice as long.
+/// The same, written out for expansions to a low order `P`, those of fixed steps: the compiler then knows
+/// each order, keeps in registers what the next one needs, and leaves out what the first ones lack. A loop
+/// takes twice as long.
 #[inline(always)]
 pub fn in_line<const P: usize>(orders: usize, mut expand: impl FnMut(usize) -> bool) {
     macro_rules! each {
@@ -128,8 +129,8 @@ pub fn in_line<const P: usize>(orders: usize, mut expand: impl FnMut(usize) -> b
     }
 }
 
-/// h / order. Not h · (1 / order): the rounding of 1/3 would have the same sign in every step, and the energy would
-/// drift with the number of steps instead of its root.
+/// h / order. Not h · (1 / order): the rounding of 1/3 would have the same sign in every step, and the energy
+/// would drift with the number of steps instead of its root.
 #[inline(always)]
 pub fn rate<R: Real>(h: R, order: usize) -> R {
     h / R::from_f64(order as f64)
@@ -153,8 +154,8 @@ pub fn multiplier<R: Real>(impulse: R, rate: R) -> R {
     if rate == R::zero() { rate } else { impulse / rate }
 }
 
-/// Σ left\[j] right\[order − j] over 0 < j < order. Of each factor the coefficients of the orders 1 and order − 1 are
-/// given, the former as [`first`] keeps it.
+/// Σ left\[j] right\[order − j] over 0 < j < order. Of each factor the coefficients of the orders 1 and order
+/// − 1 are given, the former as [`first`] keeps it.
 #[inline(always)]
 pub fn convolution<const P: usize, R: Real>(order: usize, left: [R; 2], right: [R; 2], interior: R) -> R {
     match order {
@@ -176,8 +177,9 @@ pub fn squared<const P: usize, R: Real>(order: usize, factor: [R; 2], interior: 
     }
 }
 
-/// The coefficient of order 1 for the orders after 3. Where an order is not known to the compiler, both outermost terms
-/// are added in order 2 as well, where they are the same term: it is kept as half of itself there.
+/// The coefficient of order 1 for the orders after 3. Where an order is not known to the compiler, both
+/// outermost terms are added in order 2 as well, where they are the same term: it is kept as half of itself
+/// there.
 #[inline(always)]
 pub fn first<const P: usize, R: Real>(order: usize, first: R, coefficient: R) -> R {
     match order {

@@ -1,7 +1,8 @@
 //! [`Tangent`]: the derivatives of the equations of motion with their constraints, and what follows from them.
 //!
-//! With r = f + Aᵀλ − M a the equations of motion are r = 0 and A a − γ = 0. Generated code has the derivatives of both
-//! at any given accelerations and multipliers, so that no inverse is differentiated; everything else is here:
+//! With r = f + Aᵀλ − M a the equations of motion are r = 0 and A a − γ = 0. Generated code has the
+//! derivatives of both at any given accelerations and multipliers, so that no inverse is differentiated;
+//! everything else is here:
 //!
 //! | method | what it gives |
 //! | --- | --- |
@@ -14,7 +15,6 @@
 //! | [`Sensitive::sensitivities`] | derivatives of accelerations and multipliers by parameters |
 //! | [`Sensitive::variational`] | the motion with its derivatives by the start and by parameters |
 //! | [`Variational::monodromy`] | Floquet multipliers of a periodic motion |
-//!
 mod equilibrium;
 mod inverse_dynamics;
 mod linear_model;
@@ -54,8 +54,8 @@ pub struct Imbalance<R, const N: usize, const C: usize> {
     pub conditions: [R; C],
 }
 
-/// M, A, and the derivatives of r = f + Aᵀλ − M a and of the constraints at given accelerations and multipliers; rows are
-/// equations.
+/// M, A, and the derivatives of r = f + Aᵀλ − M a and of the constraints at given accelerations and
+/// multipliers; rows are equations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variation<R, const N: usize, const K: usize, const C: usize> {
     /// M = −∂r/∂a.
@@ -175,24 +175,28 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         response::response(self, state, u)
     }
 
-    /// Where the system comes to rest from a guess, under steady inputs: coordinates q with f(t, q, 0, u) + Aᵀλ = 0 on the
-    /// constraints, at a minimum of the potential energy downhill of the guess.
+    /// Where the system comes to rest from a guess, under steady inputs: coordinates q with f(t, q, 0, u) +
+    /// Aᵀλ = 0 on the constraints, at a minimum of the potential energy downhill of the guess.
     ///
-    /// By the principle of virtual work, f(t, q, 0, u) · δq = 0 for all δq that the constraints allow (Lanczos, *The
-    /// Variational Principles of Mechanics*, chapter III); of the places where this holds a system with the least damping settles
-    /// at a minimum of its potential energy. In rotating coordinates f contains the gradient of T₀, and the minima are those
-    /// of V − T₀; forces of inputs count where they have a potential on the constraints, as forces of constant direction do.
+    /// By the principle of virtual work, f(t, q, 0, u) · δq = 0 for all δq that the constraints allow
+    /// (Lanczos, *The Variational Principles of Mechanics*, chapter III); of the places where this holds
+    /// a system with the least damping settles at a minimum of its potential energy. In rotating
+    /// coordinates f contains the gradient of T₀, and the minima are those of V − T₀; forces of inputs
+    /// count where they have a potential on the constraints, as forces of constant direction do.
     ///
-    /// * Steps of trust regions lead down along forces and along negative curvature, and cross no hill; the last digits are
-    ///   those of Newton's method (Nocedal and Wright, *Numerical Optimization*, 2nd ed., chapter 4).
-    /// * A guess that is an equilibrium up to roundings is the answer, whatever its stability: who writes π for the angle of a
-    ///   pendulum means the top. From 3.14 it falls. [`stationary_point`](Self::stationary_point) finds the top from there as well, and
-    ///   with it what only gyroscopic forces hold, like the triangular points of Lagrange.
-    /// * Where forces have no potential (followers, circulation), and under nonholonomic constraints, it is the same as
-    ///   [`stationary_point`](Self::stationary_point); [`Equilibrium::found_by`] tells.
+    /// * Steps of trust regions lead down along forces and along negative curvature, and cross no hill; the
+    ///   last digits are those of Newton's method (Nocedal and Wright, *Numerical Optimization*, 2nd ed.,
+    ///   chapter 4).
+    /// * A guess that is an equilibrium up to roundings is the answer, whatever its stability: who writes π
+    ///   for the angle of a pendulum means the top. From 3.14 it falls.
+    ///   [`stationary_point`](Self::stationary_point) finds the top from there as well, and with it what only
+    ///   gyroscopic forces hold, like the triangular points of Lagrange.
+    /// * Where forces have no potential (followers, circulation), and under nonholonomic constraints, it is
+    ///   the same as [`stationary_point`](Self::stationary_point); [`Equilibrium::found_by`] tells.
     ///
-    /// The guess is a state, whose velocities do not count, or coordinates alone. It need not obey the constraints. Singular
-    /// stiffness (a family of equilibria, a bifurcation) and redundant constraints do no harm.
+    /// The guess is a state, whose velocities do not count, or coordinates alone. It need not obey the
+    /// constraints. Singular stiffness (a family of equilibria, a bifurcation) and redundant constraints
+    /// do no harm.
     ///
     /// # Errors
     /// [`EquilibriumError`]: constraints that cannot be met or that move, energy that falls without end, or no equilibrium in
@@ -210,12 +214,12 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         equilibrium::equilibrium(self, guess.into(), u)
     }
 
-    /// An equilibrium near a guess, under steady inputs, of any stability: a minimum of the potential energy, a saddle, or a
-    /// maximum. [`Equilibrium::stability`] tells which.
+    /// An equilibrium near a guess, under steady inputs, of any stability: a minimum of the potential energy,
+    /// a saddle, or a maximum. [`Equilibrium::stability`] tells which.
     ///
-    /// Levenberg–Marquardt steps in the null space of A with exact derivatives. Nonholonomic constraints restrict δq by
-    /// G δq = 0 but not the positions: with them equilibria come in families, and the one found is near the guess. All else is
-    /// as for [`equilibrium`](Self::equilibrium).
+    /// Levenberg–Marquardt steps in the null space of A with exact derivatives. Nonholonomic constraints
+    /// restrict δq by G δq = 0 but not the positions: with them equilibria come in families, and the one
+    /// found is near the guess. All else is as for [`equilibrium`](Self::equilibrium).
     ///
     /// # Errors
     /// [`EquilibriumError`]: constraints that cannot be met or that move, or no equilibrium in reach.
@@ -232,11 +236,12 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         equilibrium::stationary_point(self, guess.into(), u)
     }
 
-    /// The linear equations of small deviations from a state, or from the motion through it: mass, damping, gyroscopic
-    /// and stiffness matrices, and ẋ = A x + B u + drift on the tangent space of the constraints.
+    /// The linear equations of small deviations from a state, or from the motion through it: mass, damping,
+    /// gyroscopic and stiffness matrices, and ẋ = A x + B u + drift on the tangent space of the
+    /// constraints.
     ///
-    /// About a motion the matrices are those of this moment, and on constraints so is the basis: as the state moves on, both
-    /// change.
+    /// About a motion the matrices are those of this moment, and on constraints so is the basis: as the state
+    /// moves on, both change.
     ///
     /// # Errors
     /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite.
@@ -253,21 +258,25 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         linear_model::linearize(self, state, u)
     }
 
-    /// Natural frequencies, damping ratios and shapes of small oscillations about a state, in the order of frequencies.
+    /// Natural frequencies, damping ratios and shapes of small oscillations about a state, in the order of
+    /// frequencies.
     ///
-    /// Of a conjugate pair of eigenvalues λ \[1/s] one mode is given, and others as often as they are roots, so that critical
-    /// damping gives two equal modes. λ = 0 is different: a free motion that nothing restores counts once for each independent
-    /// shape, though place and velocity make it two roots. Zeros are exact: what a rounding of the entries could make of zero is
-    /// zero. Parts of the system that do not act on each other are found separately, each to its own precision.
+    /// Of a conjugate pair of eigenvalues λ \[1/s] one mode is given, and others as often as they are roots,
+    /// so that critical damping gives two equal modes. λ = 0 is different: a free motion that nothing
+    /// restores counts once for each independent shape, though place and velocity make it two roots.
+    /// Zeros are exact: what a rounding of the entries could make of zero is zero. Parts of the system
+    /// that do not act on each other are found separately, each to its own precision.
     ///
-    /// Where forces have a potential or do no work (no damping, symmetric stiffness, any gyroscopic forces), eigenvalues lie
-    /// symmetrically about both axes, and a real part that is smaller than its own error is exactly zero: there the state is
-    /// stable, as far as linear equations tell, where `eigenvalue.re <= 0.0` for all modes.
+    /// Where forces have a potential or do no work (no damping, symmetric stiffness, any gyroscopic forces),
+    /// eigenvalues lie symmetrically about both axes, and a real part that is smaller than its own error
+    /// is exactly zero: there the state is stable, as far as linear equations tell, where `eigenvalue.re
+    /// <= 0.0` for all modes.
     ///
-    /// About a state that moves under constraints these are the eigenvalues of the momentary linear equations, frozen and in
-    /// the momentary basis, and in general no frequencies of a motion. A relative equilibrium in Cartesian coordinates, like a
-    /// bead on a whirling hoop, has other ones than by its angle in the turning frame: describe it by coordinates that are at
-    /// rest there. The same holds without constraints where the linear equations change along the motion.
+    /// About a state that moves under constraints these are the eigenvalues of the momentary linear
+    /// equations, frozen and in the momentary basis, and in general no frequencies of a motion. A
+    /// relative equilibrium in Cartesian coordinates, like a bead on a whirling hoop, has other ones than
+    /// by its angle in the turning frame: describe it by coordinates that are at rest there. The same
+    /// holds without constraints where the linear equations change along the motion.
     ///
     /// Golub and Van Loan, *Matrix Computations*, 4th ed., chapters 7 and 8.
     ///
@@ -288,8 +297,8 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         modes::modes(&self.linearize(state, u)?).map_err(|cause| MotionError { cause, t: state.t })
     }
 
-    /// The generalized forces that a motion with accelerations `a` needs, with all inputs at zero: M a − f, and the part of
-    /// them that the constraints cannot bear.
+    /// The generalized forces that a motion with accelerations `a` needs, with all inputs at zero: M a − f,
+    /// and the part of them that the constraints cannot bear.
     ///
     /// # Errors
     /// Constraints without a solution, with the time; a value that is not finite.

@@ -1,7 +1,7 @@
 //! Fixed steps, as a control loop takes them: error at the end and time of a step for several lengths.
 //!
-//! The inputs are held from one instant of control to the next, and every length divides that time, so that all runs
-//! integrate the same motion. Methods take turns as in `precision`.
+//! The inputs are held from one instant of control to the next, and every length divides that time, so that
+//! all runs integrate the same motion. Methods take turns as in `precision`.
 
 mod cases;
 mod tables;

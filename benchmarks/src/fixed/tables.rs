@@ -1,4 +1,5 @@
-//! The tables of fixed steps, as Markdown: errors and times by the length of a step, and errors at equal time.
+//! The tables of fixed steps, as Markdown: errors and times by the length of a step, and errors at equal
+//! time.
 
 use std::fmt::Write;
 

@@ -1,8 +1,8 @@
 //! Time of a whole integration against the error at its end.
 //!
-//! All subjects of a system and a tolerance run in turn, several rounds of a few milliseconds each, on one core, so that
-//! what disturbs the machine disturbs them alike. The time is the median over the rounds of the fastest run in a round:
-//! other processes only ever add to a run.
+//! All subjects of a system and a tolerance run in turn, several rounds of a few milliseconds each, on one
+//! core, so that what disturbs the machine disturbs them alike. The time is the median over the rounds of the
+//! fastest run in a round: other processes only ever add to a run.
 
 #[cfg(feature = "peers")]
 mod crates;

@@ -1,5 +1,5 @@
-//! The library itself: `jets` is what `simulate` does without further words, `dop853` the method of that name,
-//! `jets-batch4` and `jets-batch8` the same motion in all lanes of a SIMD vector.
+//! The library itself: `jets` is what `simulate` does without further words, `dop853` the method of that
+//! name, `jets-batch4` and `jets-batch8` the same motion in all lanes of a SIMD vector.
 
 use std::marker::PhantomData;
 

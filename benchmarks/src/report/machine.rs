@@ -59,7 +59,8 @@ pub fn date() -> String {
 
 /// A day since 1970-01-01 in the Gregorian calendar.
 fn calendar(day: u64) -> String {
-    // Years begin in March, so that the leap day is the last one: see Hinnant, "chrono-compatible date algorithms".
+    // Years begin in March, so that the leap day is the last one: see Hinnant, "chrono-compatible date
+    // algorithms".
     let days = day + 719_468;
     let (era, day) = (days / 146_097, days % 146_097);
     let year = (day - day / 1_460 + day / 36_524 - day / 146_096) / 365;

@@ -104,7 +104,8 @@ struct Growth {
 }
 
 impl Growth {
-    /// The slope of the logarithms of error and time by least squares; none where the error is rounding of the energy itself.
+    /// The slope of the logarithms of error and time by least squares; none where the error is rounding of
+    /// the energy itself.
     fn exponent(&self, noise: f64) -> Option<f64> {
         let last = self.octaves[OCTAVES as usize - 1];
         let is_rounding = last.is_nan() || last <= 64.0 * noise;
@@ -139,7 +140,8 @@ where
         (0..OCTAVES).flat_map(|octave| (1..=SAMPLES).map(move |i| (octave as usize, (SAMPLES + i) << octave)))
     }
 
-    /// All starts; `go` moves a motion to an instant, a share of the whole, and tells the state there and the steps so far.
+    /// All starts; `go` moves a motion to an instant, a share of the whole, and tells the state there and the
+    /// steps so far.
     fn follow<M>(
         &self,
         method: &'static str,
@@ -180,7 +182,8 @@ where
         }
         let us = begun.elapsed().as_secs_f64() * 1e6 / self.starts.len() as f64;
         let steps = steps / self.starts.len() as u64;
-        // An error within the tolerance in each step adds up to no more than their number, or a hundred where they are few.
+        // An error within the tolerance in each step adds up to no more than their number, or a hundred where
+        // they are few.
         let allowed =
             tolerance.map(|tolerance| self.condition * (tolerance + self.noise) * (steps as f64).max(100.0));
         let done = Outcome::Done { error, allowed, drift, us, steps };

@@ -26,7 +26,8 @@ struct Records<'a> {
     linkages: Vec<singular::table::Record>,
 }
 
-/// Measures everything, or the one task or linkage that is named; writes the page and its picture if it was everything.
+/// Measures everything, or the one task or linkage that is named; writes the page and its picture if it was
+/// everything.
 pub fn run(only: Option<&str>, json: Option<&Path>, full: bool) -> Result<(), Box<dyn Error>> {
     let wanted = |name: &str| only.is_none_or(|only| only == name);
     let mut cells = Vec::new();

@@ -2,8 +2,8 @@
 
 use lagrangian::prelude::*;
 
-/// A mass that damping of rate 10⁴ pulls to a moving place: after A. Prothero and A. Robinson (Math. Comp. 28 (1974) 145), x = cos t
-/// is a motion whatever the rates are, here 1 and `rate`.
+/// A mass that damping of rate 10⁴ pulls to a moving place: after A. Prothero and A. Robinson (Math. Comp. 28
+/// (1974) 145), x = cos t is a motion whatever the rates are, here 1 and `rate`.
 #[derive(Clone, Copy, Debug)]
 pub struct Relaxing {
     /// The fast rate [1/s].
@@ -23,7 +23,8 @@ impl Relaxing {
     }
 }
 
-/// A unit mass that swings on a spring so stiff that its oscillation is thousands of times as fast as the swing.
+/// A unit mass that swings on a spring so stiff that its oscillation is thousands of times as fast as the
+/// swing.
 #[derive(Clone, Copy, Debug)]
 pub struct StiffSpring {
     /// Stiffness [N/m].

@@ -65,7 +65,8 @@ fn from<R: Real + Into<f64>, const N: usize>(problem: &Problem, origin: f64, siz
     }))
 }
 
-/// How far neighbours part: the distance of the ends over that of the starts, which are 1e-7 beside each other.
+/// How far neighbours part: the distance of the ends over that of the starts, which are 1e-7 beside each
+/// other.
 fn parting<S, const N: usize>(system: &S, start: State<f64, N>, beside: State<f64, N>, span: f64) -> f64
 where
     S: System<N, 0, Scalar = f64>,

@@ -1,7 +1,8 @@
 //! Andrews' squeezing mechanism: seven bodies, three loops, one degree of freedom.
 //!
-//! Coordinates are those of the Test Set for IVP Solvers, (β, Θ, γ, Φ, δ, Ω, ε). Both forms here think in the angles of
-//! the bodies instead, in which the energies are simplest: β, σ = β + Θ, γ, χ = Φ + δ, δ, ω = Ω + ε, ε.
+//! Coordinates are those of the Test Set for IVP Solvers, (β, Θ, γ, Φ, δ, Ω, ε). Both forms here think in the
+//! angles of the bodies instead, in which the energies are simplest: β, σ = β + Θ, γ, χ = Φ + δ, δ, ω = Ω +
+//! ε, ε.
 
 use super::first_order::FirstOrder;
 use super::number::Number;
@@ -100,8 +101,8 @@ impl<R: Number> Pair<R> {
         [along * self.inverse * self.lengths[1].recip(), across * self.inverse * self.lengths[2].recip()]
     }
 
-    /// What the driving link feels of a pair with the inertias `own`, coupled by `coupling` sin(a − b): more inertia, and
-    /// a torque.
+    /// What the driving link feels of a pair with the inertias `own`, coupled by `coupling` sin(a − b): more
+    /// inertia, and a torque.
     #[inline]
     fn felt(&self, own: [f64; 2], coupling: f64, squares: [R; 3]) -> (R, R) {
         let ([a, b], [c, d]) = (self.ratio, self.rest(squares));

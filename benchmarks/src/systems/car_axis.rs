@@ -1,4 +1,5 @@
-//! Car axis of the Test Set for IVP Solvers: a rod between two wheels on springs, one of which runs over a wavy road.
+//! Car axis of the Test Set for IVP Solvers: a rod between two wheels on springs, one of which runs over a
+//! wavy road.
 //!
 //! The left end stays on a line that turns by ψ(t) with the axle (cos ψ, sin ψ), where sin ψ = 0.1 sin 10t.
 

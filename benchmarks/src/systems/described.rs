@@ -1,5 +1,5 @@
-//! The systems as a user describes them, with the parameters of the peers' benchmarks, for any scalar: one number or
-//! the lanes of a SIMD vector.
+//! The systems as a user describes them, with the parameters of the peers' benchmarks, for any scalar: one
+//! number or the lanes of a SIMD vector.
 
 use std::marker::PhantomData;
 

@@ -3,7 +3,8 @@
 use super::hand::ByHand;
 use super::number::Number;
 
-/// `D` numbers, of which the last [`ALGEBRAIC`](Self::ALGEBRAIC) are multipliers with an equation 0 = f(t, y) each.
+/// `D` numbers, of which the last [`ALGEBRAIC`](Self::ALGEBRAIC) are multipliers with an equation 0 = f(t, y)
+/// each.
 pub trait FirstOrder<const D: usize>: Copy + 'static {
     /// How many numbers have no derivative.
     const ALGEBRAIC: usize = 0;
@@ -11,7 +12,8 @@ pub trait FirstOrder<const D: usize>: Copy + 'static {
     /// Writes y', and behind it the residuals of the algebraic equations.
     fn slope<R: Number>(t: f64, y: &[R; D], slope: &mut [R; D]);
 
-    /// The numbers that belong to coordinates and velocities `motion` at time zero; multipliers need not be right.
+    /// The numbers that belong to coordinates and velocities `motion` at time zero; multipliers need not be
+    /// right.
     fn begin(motion: &[f64]) -> [f64; D] {
         std::array::from_fn(|i| motion.get(i).copied().unwrap_or_default())
     }

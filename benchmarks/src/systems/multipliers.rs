@@ -1,5 +1,5 @@
-//! Small systems with a constraint, the multiplier kept beside coordinates and velocities and the accelerations
-//! eliminated: index 1.
+//! Small systems with a constraint, the multiplier kept beside coordinates and velocities and the
+//! accelerations eliminated: index 1.
 
 use super::first_order::FirstOrder;
 use super::hand::{G, SliderCrank, SliderCrankTerms};

@@ -1,12 +1,14 @@
-//! How large the terms are that a value is made of: the bound of a running error analysis (N. J. Higham, Accuracy and
-//! Stability of Numerical Algorithms, 2002, section 3.3), in units of rounding and to first order.
+//! How large the terms are that a value is made of: the bound of a running error analysis (N. J. Higham,
+//! Accuracy and Stability of Numerical Algorithms, 2002, section 3.3), in units of rounding and to first
+//! order.
 
 use super::local;
 use crate::collections::Lookup;
 use crate::expr::{Exponent, Graph, Node, NodeId, Unary};
 use crate::number::Number;
 
-/// For each node the sum of the sizes of what it is added up from, each with the condition of the functions it went through.
+/// For each node the sum of the sizes of what it is added up from, each with the condition of the functions
+/// it went through.
 pub fn sizes(graph: &mut Graph, nodes: &[NodeId]) -> Vec<NodeId> {
     let mut known: Lookup<NodeId, NodeId> = Lookup::default();
     for id in graph.cone(nodes.iter().copied()) {
@@ -25,7 +27,8 @@ fn size(graph: &mut Graph, id: NodeId, of: &dyn Fn(NodeId) -> NodeId) -> NodeId 
                 terms.iter().map(|&(term, coefficient)| (of(term), coefficient.abs())).collect();
             graph.sum(offset.abs(), &terms)
         }
-        // A size exceeds the value, so its powers bound those of the value and, but for a factor, their condition.
+        // A size exceeds the value, so its powers bound those of the value and, but for a factor, their
+        // condition.
         Node::Product(factors) => {
             let mut sizes = Vec::with_capacity(factors.len());
             for (factor, exponent) in factors {

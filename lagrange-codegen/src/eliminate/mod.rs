@@ -1,9 +1,10 @@
-//! Constraints that are solved for a coordinate instead of being kept: Model to [`Model`] with fewer coordinates.
+//! Constraints that are solved for a coordinate instead of being kept: Model to [`Model`] with fewer
+//! coordinates.
 //!
-//! A constraint f(q, t) = 0 in which a coordinate e has a coefficient of parameters alone gives e = φ(q, t) of the
-//! others and of time. φ and its total time derivative take the places of e and of its velocity in every quantity. By
-//! d'Alembert's principle, δe = Σ ∂φ/∂qᵢ δqᵢ, a generalized force on e acts on the others with the weights ∂φ/∂qᵢ; all
-//! other forces follow from what is substituted.
+//! A constraint f(q, t) = 0 in which a coordinate e has a coefficient of parameters alone gives e = φ(q, t)
+//! of the others and of time. φ and its total time derivative take the places of e and of its velocity in
+//! every quantity. By d'Alembert's principle, δe = Σ ∂φ/∂qᵢ δqᵢ, a generalized force on e acts on the others
+//! with the weights ∂φ/∂qᵢ; all other forces follow from what is substituted.
 
 mod quantities;
 
@@ -109,7 +110,8 @@ fn solve(
     Ok(Solved { coordinate, position: graph.neg(quotient) })
 }
 
-/// The nodes below a root, ascending, that are not affine in a variable with a coefficient of parameters alone.
+/// The nodes below a root, ascending, that are not affine in a variable with a coefficient of parameters
+/// alone.
 fn not_affine(graph: &Graph, root: NodeId, variable: NodeId) -> Vec<NodeId> {
     let mut moves = vec![false; graph.len()];
     let mut culprits: Vec<NodeId> = Vec::new();

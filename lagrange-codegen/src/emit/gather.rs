@@ -1,7 +1,7 @@
 //! Long rows of `let` statements as few.
 //!
-//! To the compiler every `let` opens a scope that holds the rest of the function. Thousands of them, one in the other,
-//! overflow its stack when it writes debug information. A group of them is one `let` of a tuple.
+//! To the compiler every `let` opens a scope that holds the rest of the function. Thousands of them, one in
+//! the other, overflow its stack when it writes debug information. A group of them is one `let` of a tuple.
 
 /// Statements in one group, which is also how many must stand in a row for groups to be made.
 const GROUP: usize = 64;

@@ -1,4 +1,5 @@
-//! What rustc has to confirm of the reading: the macro takes names for what they usually mean, the compiler knows.
+//! What rustc has to confirm of the reading: the macro takes names for what they usually mean, the compiler
+//! knows.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -8,10 +9,11 @@ use crate::diagnostics::Diagnostics;
 use crate::model::Model;
 use crate::syntax::{Group, Item};
 
-/// A function that is never called and compiles only if names mean what they were taken for. What does not fit is reported
-/// where the user wrote it.
+/// A function that is never called and compiles only if names mean what they were taken for. What does not
+/// fit is reported where the user wrote it.
 pub(super) fn meanings(item: &Item, model: &Model, diagnostics: &Diagnostics) -> TokenStream {
-    // A local variable of generated code cannot have the name of a constant or of a unit struct. It is never in capitals.
+    // A local variable of generated code cannot have the name of a constant or of a unit struct. It is never
+    // in capitals.
     let small = |group: &&Group| !group.name().contains(char::is_uppercase);
     let groups = item.coordinates.iter().chain(&item.inputs).filter(small);
     let declared = groups.map(|Group { ident, .. }| quote!(let #ident @ _ = ();));

@@ -1,7 +1,8 @@
-//! The same equations over any scalar, with numbers of it for the user's parameters: what a motion with derivatives runs on.
+//! The same equations over any scalar, with numbers of it for the user's parameters: what a motion with
+//! derivatives runs on.
 //!
-//! The code is that of the system, with a type parameter for the scalar. The user's expressions are evaluated once, where such
-//! a system is made.
+//! The code is that of the system, with a type parameter for the scalar. The user's expressions are evaluated
+//! once, where such a system is made.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -17,8 +18,8 @@ pub(super) const NAME: &str = "__Over";
 /// The type parameter of the conversion: no user's generics have its name.
 const OTHER: &str = "__Other";
 
-/// Directions that a motion carries at once, at most: more of them share less of the work on the values, since one value serves
-/// eight already, and the tables of their series leave the caches.
+/// Directions that a motion carries at once, at most: more of them share less of the work on the values,
+/// since one value serves eight already, and the tables of their series leave the caches.
 const AT_ONCE: usize = 8;
 
 /// In how many directions at once a system is differentiated, so that all passes are alike.

@@ -1,4 +1,5 @@
-//! The comparison of what was read of the user's functions with what they return, in builds with `debug_assertions`.
+//! The comparison of what was read of the user's functions with what they return, in builds with
+//! `debug_assertions`.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

@@ -40,7 +40,8 @@ pub struct Rounded {
 }
 
 impl Rounded {
-    /// A function of this value that rounds once: errors go through it as they are, so that it needs no derivative.
+    /// A function of this value that rounds once: errors go through it as they are, so that it needs no
+    /// derivative.
     fn through(self, f: impl Fn(f64) -> f64) -> Rounded {
         let value = f(self.value);
         let change = |x: f64| (f(x) - value).abs();
@@ -60,8 +61,9 @@ impl Rounded {
 }
 
 impl Graph {
-    /// The values of some nodes with their rounding errors, where functions with kinks go on as they are on one side of them:
-    /// `side` says for each argument whether it counts as positive. What holds on all sides holds wherever the kinks are.
+    /// The values of some nodes with their rounding errors, where functions with kinks go on as they are on
+    /// one side of them: `side` says for each argument whether it counts as positive. What holds on all
+    /// sides holds wherever the kinks are.
     pub fn evaluate_on_sides(
         &self,
         roots: &[NodeId],

@@ -5,8 +5,9 @@
 //! (Knuth, *The Art of Computer Programming* 2, 4.7; Griewank and Walther, *Evaluating Derivatives*, 13.2):
 //!
 //! * y = xᵉ satisfies x y′ = e x′ y: no division but one by x at the point of expansion;
-//! * y = f(x) with x linear along the motion, x′ = Σ c v: y′ = f′(x) x′ is a product of the system itself, which
-//!   velocities and momenta often share (sin θ and cos θ need cos θ · θ′ and sin θ · θ′, which are ẏ and ẋ of a rod);
+//! * y = f(x) with x linear along the motion, x′ = Σ c v: y′ = f′(x) x′ is a product of the system itself,
+//!   which velocities and momenta often share (sin θ and cos θ need cos θ · θ′ and sin θ · θ′, which are ẏ
+//!   and ẋ of a rod);
 //! * any other y = f(x₁, …) satisfies y′ = Σ ∂f/∂xᵢ · xᵢ′, taken on the series of xᵢ.
 
 use crate::calculus::{derivative, partial_derivatives, pushforward, substitute, velocity_degrees};
@@ -145,7 +146,8 @@ impl<'g> Rewriter<'g> {
         })
     }
 
-    /// Whether a node is 0 wherever the system is at rest: the speed in a drag force, whose root has a kink there.
+    /// Whether a node is 0 wherever the system is at rest: the speed in a drag force, whose root has a kink
+    /// there.
     fn rests_at_zero(&mut self, id: NodeId) -> bool {
         let zero = self.graph.zero();
         let velocities: Vec<_> = self

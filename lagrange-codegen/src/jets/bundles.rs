@@ -1,8 +1,9 @@
 //! Convolutions side by side: lanes grouped into instances of one pattern.
 //!
-//! Lanes that share factors are connected; the links of a chain or the pairs of bodies are connected parts of the same
-//! shape. Such parts form a bundle: its factors are columns, one entry an instance, and each vector of a column is loaded
-//! once for all lanes of the pattern. Lanes in parts of a shape of their own are instances of the pattern a · b.
+//! Lanes that share factors are connected; the links of a chain or the pairs of bodies are connected parts of
+//! the same shape. Such parts form a bundle: its factors are columns, one entry an instance, and each vector
+//! of a column is loaded once for all lanes of the pattern. Lanes in parts of a shape of their own are
+//! instances of the pattern a · b.
 
 use super::recurrence::{Lane, Operand};
 use crate::collections::Lookup;
@@ -122,8 +123,8 @@ fn connected(lanes: &[Lane]) -> Vec<Vec<usize>> {
     parts
 }
 
-/// The canonical form of a part: factors sorted by what distinguishes them, refined until nothing does; among those that
-/// nothing distinguishes, the first one in the order of the lanes comes first.
+/// The canonical form of a part: factors sorted by what distinguishes them, refined until nothing does; among
+/// those that nothing distinguishes, the first one in the order of the lanes comes first.
 fn canonical(lanes: &[Lane], part: &[usize]) -> Option<Part> {
     let mut factors: Vec<Operand> = Vec::new();
     let mut ends: Vec<(usize, usize)> = Vec::with_capacity(part.len());

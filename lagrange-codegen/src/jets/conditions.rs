@@ -1,7 +1,8 @@
 //! Constraints in the form whose series cost least.
 //!
-//! A series obeys w = 0 if it obeys s w = 0 with any factor s that does not vanish, and then the multipliers, which a motion
-//! does not show, are those of s w. A constraint on a distance, d/dt |r| = r · v / |r|, loses its root that way.
+//! A series obeys w = 0 if it obeys s w = 0 with any factor s that does not vanish, and then the multipliers,
+//! which a motion does not show, are those of s w. A constraint on a distance, d/dt |r| = r · v / |r|, loses
+//! its root that way.
 
 use crate::calculus::pullback;
 use crate::expr::{Dependence, Graph, NodeId, Variable};

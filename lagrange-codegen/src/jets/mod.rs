@@ -1,14 +1,15 @@
 //! Euler–Lagrange jets: Taylor recurrences on the Lagrangian itself.
 //!
 //! With p = ∂L/∂v and f = ∂L/∂q + Q the equations of motion are d/dt p = f. On normalised Taylor coefficients
-//! x\[k] along the motion that reads (k + 1) p\[k + 1] = f\[k] and (k + 1) q\[k + 1] = v\[k], and p\[k + 1] is affine in
-//! the unknown v\[k + 1] with the mass matrix at the point of expansion:
+//! x\[k] along the motion that reads (k + 1) p\[k + 1] = f\[k] and (k + 1) q\[k + 1] = v\[k], and p\[k + 1]
+//! is affine in the unknown v\[k + 1] with the mass matrix at the point of expansion:
 //!
 //! M v\[k + 1] = f\[k] / (k + 1) − p\[k + 1] at v\[k + 1] = 0.
 //!
-//! Constraints join at the level of velocities: with w = df/dt or g, each order of w is affine in v\[k + 1] with A = ∂w/∂v at
-//! the point of expansion, and each order of Aᵀλ in λ\[k]. Shifted by one order, μ\[k + 1] = λ\[k], multipliers are unknowns
-//! of the same order as the velocities, and both come from one solution of the saddle-point system with M and A:
+//! Constraints join at the level of velocities: with w = df/dt or g, each order of w is affine in v\[k + 1]
+//! with A = ∂w/∂v at the point of expansion, and each order of Aᵀλ in λ\[k]. Shifted by one order, μ\[k + 1]
+//! = λ\[k], multipliers are unknowns of the same order as the velocities, and both come from one solution of
+//! the saddle-point system with M and A:
 //!
 //! M v\[k + 1] − Aᵀμ\[k + 1] / (k + 1) = …,  A v\[k + 1] = −w\[k + 1] at v\[k + 1] = 0.
 //!

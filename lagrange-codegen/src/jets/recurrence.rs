@@ -250,8 +250,8 @@ impl Jets {
         LANE * self.lanes.len() + moving
     }
 
-    /// The slots whose coefficients the momenta and the conditions need beside the velocities: what is evaluated twice an
-    /// order.
+    /// The slots whose coefficients the momenta and the conditions need beside the velocities: what is
+    /// evaluated twice an order.
     pub fn under_balances(&self) -> Vec<bool> {
         let mut under = vec![false; self.program.len()];
         let mut stack: Vec<Slot> = self.balances().collect();
@@ -380,8 +380,8 @@ impl Jets {
     }
 }
 
-/// The convolutions of a relation: of y = x^e those of x y and, unless e = −1, of x · j y\[j]; of a square root that of
-/// y y; of a chain one for each argument.
+/// The convolutions of a relation: of y = x^e those of x y and, unless e = −1, of x · j y\[j]; of a square
+/// root that of y y; of a chain one for each argument.
 fn relation_lanes(series: &Series) -> Vec<Lane> {
     let y = series.slot;
     match &series.relation {

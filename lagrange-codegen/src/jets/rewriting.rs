@@ -71,7 +71,8 @@ fn contracted(
     if of(left, x) == of(right, x) || of(left, y) == of(right, y) {
         return None;
     }
-    // sin x sin y with cos x cos y, or sin x cos y with cos x sin y; the coefficient is that of the term that leads.
+    // sin x sin y with cos x cos y, or sin x cos y with cos x sin y; the coefficient is that of the term that
+    // leads.
     let even = of(left, x) == of(left, y);
     let lead_is_left = if even { of(left, x) == Unary::Cos } else { of(left, x) == Unary::Sin };
     let (lead, other) = if lead_is_left { (ca, cb) } else { (cb, ca) };
@@ -87,7 +88,8 @@ fn contracted(
 }
 
 /// Products over sums multiplied out where a factor meets its partner in a product that is needed anyway, as
-/// s (X ω + g) = X (s ω) + g s where s ω is the flow of a cosine. `flows` are the polynomials with such products.
+/// s (X ω + g) = X (s ω) + g s where s ω is the flow of a cosine. `flows` are the polynomials with such
+/// products.
 ///
 /// The graph would take the common factor out again, so the product gets a name of its own: an auxiliary.
 pub(super) fn meet_flows(
@@ -180,8 +182,8 @@ pub(super) fn meet_flows(
     })
 }
 
-/// The roots with every node rewritten, operands first: by the rule, which gets the node and the images of its
-/// operands, or as it stands.
+/// The roots with every node rewritten, operands first: by the rule, which gets the node and the images of
+/// its operands, or as it stands.
 fn rewrite(
     graph: &mut Graph,
     roots: &[NodeId],

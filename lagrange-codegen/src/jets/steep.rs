@@ -1,8 +1,8 @@
 //! Functions that can hide from a Taylor series.
 //!
-//! An exponential, a wall ∝ r⁻¹², a smoothed sign v/√(v² + ε²): a few of their widths away they vanish beside other terms, or
-//! underflow, and the series there does not know of them. Sines, cosines and the powers of gravitation do not: they are
-//! as large as anything else wherever a series starts.
+//! An exponential, a wall ∝ r⁻¹², a smoothed sign v/√(v² + ε²): a few of their widths away they vanish beside
+//! other terms, or underflow, and the series there does not know of them. Sines, cosines and the powers of
+//! gravitation do not: they are as large as anything else wherever a series starts.
 
 use crate::expr::{Binary, Exponent, Graph, Node, NodeId, Unary};
 

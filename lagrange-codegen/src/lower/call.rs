@@ -119,7 +119,8 @@ impl<'a> Interpreter<'a> {
         value
     }
 
-    /// The arguments of a call in the shapes that the function declares, and the key that its result is remembered by.
+    /// The arguments of a call in the shapes that the function declares, and the key that its result is
+    /// remembered by.
     pub fn shaped(
         &mut self,
         index: usize,

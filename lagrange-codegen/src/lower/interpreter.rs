@@ -17,12 +17,13 @@ use crate::syntax::body::{Expr, ExprKind, Name, Owner};
 use crate::syntax::integers::Integers;
 use crate::syntax::{Group, Item};
 
-/// Steps, an expression each, after which a description counts as runaway: about three seconds of an engine without
-/// optimisation. Five hundred coordinates of which each meets each take a third of them, a chain of a hundred links a hundredth.
+/// Steps, an expression each, after which a description counts as runaway: about three seconds of an engine
+/// without optimisation. Five hundred coordinates of which each meets each take a third of them, a chain of a
+/// hundred links a hundredth.
 const BUDGET: usize = 1_000_000;
 
-/// Subexpressions of the largest description: those of fifty particles that attract each other. Differentiating them takes
-/// most of the time of an expansion.
+/// Subexpressions of the largest description: those of fifty particles that attract each other.
+/// Differentiating them takes most of the time of an expansion.
 const LARGEST: usize = 20_000;
 
 /// Where execution goes after a statement.

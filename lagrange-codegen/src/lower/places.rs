@@ -1,7 +1,8 @@
 //! Holonomic constraints as functions of the places that they are written through.
 //!
-//! The force of a constraint f on a particle is λ ∂f/∂r where f is a function of its position r. So each constraint function
-//! runs once more, with variables in place of what the functions of particles and bodies return.
+//! The force of a constraint f on a particle is λ ∂f/∂r where f is a function of its position r. So each
+//! constraint function runs once more, with variables in place of what the functions of particles and bodies
+//! return.
 
 use std::rc::Rc;
 

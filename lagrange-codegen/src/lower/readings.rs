@@ -1,4 +1,5 @@
-//! What was read of each function with a role and of each argument of a role, for the comparison with what they return.
+//! What was read of each function with a role and of each argument of a role, for the comparison with what
+//! they return.
 
 use super::interpreter::Interpreter;
 use super::value::{Turn, Value};
@@ -38,7 +39,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// All numbers of a value in the order of the runtime's `Numbers`; `None` where one is not known to be a number.
+    /// All numbers of a value in the order of the runtime's `Numbers`; `None` where one is not known to be a
+    /// number.
     fn flatten(&mut self, value: &Value, nodes: &mut Vec<NodeId>) -> Option<()> {
         match value {
             Value::Scalar(node, _) => nodes.push(*node),

@@ -1,8 +1,9 @@
 //! Constants as Rust rounds them.
 //!
-//! The graph is exact: 0.1 + 0.2 is three tenths. A comparison of constants decides which branch exists at all, so it must
-//! be decided as Rust decides it, where 0.1 + 0.2 exceeds 0.3. Each constant of the scalar type therefore carries what its
-//! expression gives in doubles and in singles. What went through a function that IEEE 754 does not determine carries nothing.
+//! The graph is exact: 0.1 + 0.2 is three tenths. A comparison of constants decides which branch exists at
+//! all, so it must be decided as Rust decides it, where 0.1 + 0.2 exceeds 0.3. Each constant of the scalar
+//! type therefore carries what its expression gives in doubles and in singles. What went through a function
+//! that IEEE 754 does not determine carries nothing.
 
 use crate::number::Number;
 use crate::syntax::Scalar;

@@ -1,13 +1,13 @@
 //! Constraints: their time derivatives, gradients, reactions and power.
 //!
-//! With A = ∂f/∂q of the holonomic constraints f(q, t) = 0 and A = ∂g/∂v of the nonholonomic ones g(q, v, t) = 0
-//! (affine: d'Alembert; otherwise Chetaev's rule), the equations of motion are
+//! With A = ∂f/∂q of the holonomic constraints f(q, t) = 0 and A = ∂g/∂v of the nonholonomic ones g(q, v, t)
+//! = 0 (affine: d'Alembert; otherwise Chetaev's rule), the equations of motion are
 //!
 //! M a + b = Q − ∂D/∂v + Aᵀλ,  A a = γ,
 //!
-//! where A a = γ is the second time derivative of f and the first of g. Multipliers belong to the constraints as the
-//! user wrote them (Lanczos, *The Variational Principles of Mechanics*, chapter II.12; Neimark and Fufaev, *Dynamics of
-//! Nonholonomic Systems*, chapter III).
+//! where A a = γ is the second time derivative of f and the first of g. Multipliers belong to the constraints
+//! as the user wrote them (Lanczos, *The Variational Principles of Mechanics*, chapter II.12; Neimark and
+//! Fufaev, *Dynamics of Nonholonomic Systems*, chapter III).
 
 use super::motion::{Motion, time_direction};
 use super::places;
@@ -33,9 +33,11 @@ pub struct Conditions {
     pub gamma: Vec<NodeId>,
     /// Aᵀμ with multipliers as variables, one entry for each coordinate.
     pub reactions: Vec<NodeId>,
-    /// −A v on the constraints: what a unit multiplier takes from the energy in a unit of time. ∂f/∂t of the holonomic ones.
+    /// −A v on the constraints: what a unit multiplier takes from the energy in a unit of time. ∂f/∂t of the
+    /// holonomic ones.
     pub losses: Vec<NodeId>,
-    /// The Cartesian force of a unit multiplier on each of the model's places, by constraint, place and component.
+    /// The Cartesian force of a unit multiplier on each of the model's places, by constraint, place and
+    /// component.
     pub on_places: Vec<Vec<Vec<NodeId>>>,
     /// dw/dt, where stabilised by Baumgarte's method; elsewhere it is zero.
     pub relaxation: Option<Vec<NodeId>>,
@@ -176,8 +178,9 @@ fn reactions(
     through_q.into_iter().zip(through_v).map(|(q, v)| graph.add(q, v)).collect()
 }
 
-/// What rounding errors of a constraint are relative to. One without summands, such as z = 0, has no size of its own and takes
-/// that of the state: Σ |∂f/∂q[i]| |q[j]|, where √(M[j][j] / M[i][i]) brings coordinates of different units together.
+/// What rounding errors of a constraint are relative to. One without summands, such as z = 0, has no size of
+/// its own and takes that of the state: Σ |∂f/∂q[i]| |q[j]|, where √(M[j][j] / M[i][i]) brings coordinates of
+/// different units together.
 fn size_of(
     graph: &mut Graph,
     value: NodeId,
@@ -211,9 +214,9 @@ fn size_of(
     graph.sum(Number::ZERO, &terms)
 }
 
-/// Of which size the roundings are that a value has: the sum of the absolute values of its summands. A sum within a product
-/// passes on its own by what it is multiplied with, as a small change of it would be: of (a − b)², where a and b are large
-/// and their difference is small, 2 |a − b| (|a| + |b|).
+/// Of which size the roundings are that a value has: the sum of the absolute values of its summands. A sum
+/// within a product passes on its own by what it is multiplied with, as a small change of it would be: of (a
+/// − b)², where a and b are large and their difference is small, 2 |a − b| (|a| + |b|).
 fn size(graph: &mut Graph, value: NodeId) -> NodeId {
     match graph.node(value).clone() {
         Node::Sum { offset, terms } => summed(graph, offset, terms, size),

@@ -84,8 +84,8 @@ pub(super) fn power(model: &mut Model, motion: &Motion, applied: &[NodeId]) -> O
     Some(model.graph.sum(Number::ZERO, &terms))
 }
 
-/// Summands of dh/dt along a motion, h = v·p − L: the power of the applied forces and of the reactions, less ∂L/∂t. The
-/// large terms that cancel in v·∂h/∂q + a·∂h/∂v are never formed.
+/// Summands of dh/dt along a motion, h = v·p − L: the power of the applied forces and of the reactions, less
+/// ∂L/∂t. The large terms that cancel in v·∂h/∂q + a·∂h/∂v are never formed.
 pub(super) fn balance(
     graph: &mut Graph,
     momenta: &[NodeId],
@@ -111,8 +111,8 @@ pub(super) fn balance(
     terms
 }
 
-/// d(T + V)/dt along a motion, from [`balance`]: what T + V differs from the Jacobi integral by is differentiated as it
-/// stands.
+/// d(T + V)/dt along a motion, from [`balance`]: what T + V differs from the Jacobi integral by is
+/// differentiated as it stands.
 pub(super) fn rate(
     graph: &mut Graph,
     momenta: &[NodeId],

@@ -1,7 +1,8 @@
-//! Derivatives of the residual r = f + Aᵀλ − M a and of the constraints A a − γ at given accelerations and multipliers.
+//! Derivatives of the residual r = f + Aᵀλ − M a and of the constraints A a − γ at given accelerations and
+//! multipliers.
 //!
-//! No inverse of M is differentiated: the derivatives of the accelerations are the solution of a linear system with M and
-//! A and these on the right.
+//! No inverse of M is differentiated: the derivatives of the accelerations are the solution of a linear
+//! system with M and A and these on the right.
 
 use super::{Conditions, Equations};
 use crate::calculus::pushforward;

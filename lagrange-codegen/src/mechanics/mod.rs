@@ -53,7 +53,8 @@ pub struct Equations {
     pub jacobi_integral: Option<NodeId>,
     /// Power of the applied forces, where there are any.
     pub power: Option<NodeId>,
-    /// d(T + V)/dt along the motion of a constrained system, with its accelerations and multipliers as variables.
+    /// d(T + V)/dt along the motion of a constrained system, with its accelerations and multipliers as
+    /// variables.
     pub energy_rate: Option<NodeId>,
     /// What the constraints contribute.
     pub conditions: Conditions,

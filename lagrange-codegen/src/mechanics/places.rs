@@ -1,7 +1,7 @@
 //! Cartesian forces of constraints on the particles and bodies that they are written through.
 //!
-//! Where f is a function of positions r, its force at r is λ ∂f/∂r. A coordinate that is a component of one position counts as
-//! that component, so that a constraint may be written in the coordinates as well.
+//! Where f is a function of positions r, its force at r is λ ∂f/∂r. A coordinate that is a component of one
+//! position counts as that component, so that a constraint may be written in the coordinates as well.
 
 use super::motion::Motion;
 use crate::calculus::{pullback, substitute};

@@ -1,4 +1,5 @@
-//! The constants of `std::f64::consts`, with what their doubles lack: by mpmath, `float(x - mpf(float(x)))` with 600 bits.
+//! The constants of `std::f64::consts`, with what their doubles lack: by mpmath, `float(x - mpf(float(x)))`
+//! with 600 bits.
 
 use std::f64::consts;
 

@@ -24,7 +24,8 @@ impl Number {
     }
 }
 
-/// The parts of a ratio, correctly rounded: 126 bits by long division, of which the last stands for what is cut off.
+/// The parts of a ratio, correctly rounded: 126 bits by long division, of which the last stands for what is
+/// cut off.
 fn ratio(numerator: u128, denominator: u128) -> Parts {
     const BITS: u32 = 126;
     if numerator == 0 || denominator == 0 {
@@ -158,7 +159,8 @@ mod tests {
         assert_eq!(Number::ratio(9, 4).unwrap().sqrt(), Number::ratio(3, 2).unwrap());
     }
 
-    /// The double is the one of the operation on doubles, so that nothing changes where doubles are all there is.
+    /// The double is the one of the operation on doubles, so that nothing changes where doubles are all there
+    /// is.
     #[test]
     fn doubles_of_results_are_results_of_doubles() {
         let [a, b] = ["1e-200", "3e-150"].map(|text| Number::parse(text).unwrap());

@@ -14,8 +14,8 @@ pub struct Facts {
     pub separable: bool,
     /// M has no entry off its diagonal.
     pub diagonal_mass: bool,
-    /// Time appears neither in M and the forces nor in a constraint. L may yet depend on it: t v = d(t q)/dt − q has the
-    /// equations of −q.
+    /// Time appears neither in M and the forces nor in a constraint. L may yet depend on it: t v = d(t q)/dt
+    /// − q has the equations of −q.
     pub autonomous: bool,
     /// L does not depend on time.
     pub timeless: bool,
@@ -73,7 +73,8 @@ impl Facts {
         }
     }
 
-    /// Whether the Jacobi integral v·∂L/∂v − L is conserved: dh/dt is the power of forces and reactions less ∂L/∂t.
+    /// Whether the Jacobi integral v·∂L/∂v − L is conserved: dh/dt is the power of forces and reactions less
+    /// ∂L/∂t.
     pub fn conserves(&self) -> bool {
         self.autonomous && self.timeless && self.conservative
     }

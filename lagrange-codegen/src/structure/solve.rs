@@ -190,8 +190,9 @@ impl Solution {
     }
 }
 
-/// M can be eliminated where no entry of its diagonal is missing. Where there are as many constraints as coordinates the
-/// accelerations would be differences of large forces, so that rest were noise; without a null space they are exact.
+/// M can be eliminated where no entry of its diagonal is missing. Where there are as many constraints as
+/// coordinates the accelerations would be differences of large forces, so that rest were noise; without a
+/// null space they are exact.
 fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
     let full = || equations.mass.iter().enumerate().all(|(i, row)| !graph.is_zero(row[i]));
     let open = equations.conditions.count() < equations.mass.len();

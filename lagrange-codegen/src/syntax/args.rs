@@ -1,5 +1,5 @@
-//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, sensitivities = […], analysis, verify = …,
-//! baumgarte = …, crate = …, allow(…)`.
+//! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, sensitivities = […],
+//! analysis, verify = …, baumgarte = …, crate = …, allow(…)`.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::ext::IdentExt;

@@ -11,8 +11,8 @@ use super::types::Type;
 use crate::diagnostics::Origin;
 use crate::number::Number;
 
-/// An identifier without its raw prefix. That of a local variable which comes from another macro than the block itself has
-/// a mark behind it, see [`super::hygiene`].
+/// An identifier without its raw prefix. That of a local variable which comes from another macro than the
+/// block itself has a mark behind it, see [`super::hygiene`].
 pub type Name = Rc<str>;
 
 /// An expression.
@@ -103,7 +103,8 @@ pub struct Path {
     pub origin: Origin,
     /// The whole path as the user wrote it.
     pub text: Rc<str>,
-    /// Rust text that means the same outside the function: with the imports that are in force where it stands.
+    /// Rust text that means the same outside the function: with the imports that are in force where it
+    /// stands.
     pub code: Rc<str>,
     /// The last segment.
     pub last: Name,

@@ -1,10 +1,11 @@
-//! How deep expressions may be nested: every stage from the parser to rustc's own descends into them on the stack, which
-//! nobody but the operating system guards.
+//! How deep expressions may be nested: every stage from the parser to rustc's own descends into them on the
+//! stack, which nobody but the operating system guards.
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 
-/// Levels of nesting that fit on half of the stack of a compiler thread, 8 MiB, with an engine without optimisation: a level of
-/// parentheses takes up to 13 kB in `syn` and in the stages after it. A sum of as many terms is as deep.
+/// Levels of nesting that fit on half of the stack of a compiler thread, 8 MiB, with an engine without
+/// optimisation: a level of parentheses takes up to 13 kB in `syn` and in the stages after it. A sum of as
+/// many terms is as deep.
 pub const DEEPEST: usize = 300;
 
 /// A place that is nested deeper than [`DEEPEST`], if there is one.

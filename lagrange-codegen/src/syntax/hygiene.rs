@@ -1,8 +1,8 @@
 //! Which identifiers mean the same variable.
 //!
-//! Two variables of one name are different if one was written in a `macro_rules` macro and the other where the macro is
-//! called. The compiler tells by the syntax context of a span, which procedural macros see in its debug output alone. A
-//! variable from another context than the block itself has a mark behind its name.
+//! Two variables of one name are different if one was written in a `macro_rules` macro and the other where
+//! the macro is called. The compiler tells by the syntax context of a span, which procedural macros see in
+//! its debug output alone. A variable from another context than the block itself has a mark behind its name.
 
 use proc_macro2::{Ident, Span};
 

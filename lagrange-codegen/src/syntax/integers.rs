@@ -1,7 +1,7 @@
 //! The types that a constant integer may have, so that it overflows where Rust's does.
 //!
-//! A literal without suffix may be of any type until something tells more; each operation leaves the types that both
-//! operands may have and that can hold the result. Where none is left, Rust would overflow.
+//! A literal without suffix may be of any type until something tells more; each operation leaves the types
+//! that both operands may have and that can hold the result. Where none is left, Rust would overflow.
 
 use std::ops::BitAnd;
 
@@ -9,8 +9,8 @@ use std::ops::BitAnd;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Integers(u16);
 
-/// The types by name, with their width and whether they have a sign. Those of the size of a pointer have 32 bits on a
-/// microcontroller, so no more is taken for granted.
+/// The types by name, with their width and whether they have a sign. Those of the size of a pointer have 32
+/// bits on a microcontroller, so no more is taken for granted.
 const TYPES: [(&str, u32, bool); 12] = [
     ("i8", 8, true),
     ("i16", 16, true),
@@ -69,7 +69,8 @@ impl Integers {
         (!name.ends_with("size") || cut == value).then_some(cut)
     }
 
-    /// `value as type` for a number: towards zero, and no further than the ends of the type. `None` for what is not finite.
+    /// `value as type` for a number: towards zero, and no further than the ends of the type. `None` for what
+    /// is not finite.
     pub fn saturated(self, value: f64) -> Option<i128> {
         let &(_, width, signed) = TYPES.get(self.0.trailing_zeros() as usize)?;
         let (low, high) = match (width, signed) {

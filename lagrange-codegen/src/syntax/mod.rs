@@ -193,8 +193,8 @@ fn unbound_scalar(block: &ItemImpl) -> Option<Ident> {
         .cloned()
 }
 
-/// The scalar of a description: the parameter bound by `Real`, else the float of the roles. Whether they mix floats, which is
-/// reported.
+/// The scalar of a description: the parameter bound by `Real`, else the float of the roles. Whether they mix
+/// floats, which is reported.
 fn scalar(block: &ItemImpl, diagnostics: &mut Diagnostics) -> (Scalar, bool) {
     if let Some(ident) = generic_scalar(&block.generics) {
         return (Scalar::Generic(ident), false);

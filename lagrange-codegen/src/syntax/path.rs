@@ -22,7 +22,8 @@ const SCALAR_TRAITS: [&str; 9] = [
 ];
 
 impl Translator<'_> {
-    /// Notes the items of a block, which are in sight in all of it. Gives back what [`Translator::leave`] takes.
+    /// Notes the items of a block, which are in sight in all of it. Gives back what [`Translator::leave`]
+    /// takes.
     pub fn enter(&mut self, block: &syn::Block) -> (usize, usize) {
         let outside = (self.hidden.len(), self.imports.len());
         let mut imports = String::new();
@@ -113,8 +114,8 @@ impl Translator<'_> {
         Path { origin, text, code, last, owner }
     }
 
-    /// The owner in `<Type>::name` and `<Type as Trait>::name`. What a trait calls by a name may be something else than what
-    /// the type itself calls so.
+    /// The owner in `<Type>::name` and `<Type as Trait>::name`. What a trait calls by a name may be something
+    /// else than what the type itself calls so.
     fn qualified(&mut self, qself: &syn::QSelf, path: &syn::Path) -> Owner {
         let Some(position) = qself.position.checked_sub(1) else { return self.owner_type(&qself.ty) };
         let by = path.segments.get(position).map_or_else(|| Rc::from(""), |segment| bare(&segment.ident));

@@ -124,8 +124,8 @@ impl Translator<'_> {
         Type { origin, kind, meaning, written: self.text(whole) }
     }
 
-    /// A function that takes nalgebra's type of a name, assigned from one of the type that the user calls so. In an expression
-    /// the compiler finds out the generic arguments that the user left out.
+    /// A function that takes nalgebra's type of a name, assigned from one of the type that the user calls so.
+    /// In an expression the compiler finds out the generic arguments that the user left out.
     fn meaning(&mut self, segments: &[&syn::PathSegment], whole: &syn::Path) -> Meaning {
         // Without generic arguments, so that a type is confirmed once.
         let segments_only = segments.iter().map(|segment| syn::PathSegment::from(segment.ident.clone()));
@@ -226,7 +226,8 @@ impl Translator<'_> {
         }
     }
 
-    /// The float that numbers of the description are not made of. A generic one takes its constants from doubles.
+    /// The float that numbers of the description are not made of. A generic one takes its constants from
+    /// doubles.
     fn other_float(&self) -> &'static str {
         match &self.scalar {
             _ if self.mixed => "",

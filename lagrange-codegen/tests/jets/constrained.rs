@@ -1,8 +1,9 @@
-//! Recurrences of descriptions with constraints: every coefficient of velocities and multipliers against the equations
-//! M a − Aᵀλ = f, A a = γ along the series itself.
+//! Recurrences of descriptions with constraints: every coefficient of velocities and multipliers against the
+//! equations M a − Aᵀλ = f, A a = γ along the series itself.
 //!
-//! The states are not on the constraints: w = df/dt or g keeps the value that it has, or goes to zero as Baumgarte's rate says.
-//! No constraint here has a denominator: series leave those out, which is the same motion only where w is zero.
+//! The states are not on the constraints: w = df/dt or g keeps the value that it has, or goes to zero as
+//! Baumgarte's rate says. No constraint here has a denominator: series leave those out, which is the same
+//! motion only where w is zero.
 
 use lagrange_codegen::diagnostics::Diagnostics;
 use lagrange_codegen::expr::{NodeId, Variable};

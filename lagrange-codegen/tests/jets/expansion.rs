@@ -90,7 +90,8 @@ impl Expansion<'_> {
     }
 }
 
-/// Coefficients of the orders 1 to `orders`: the velocities, then the multipliers, which are those of the order before.
+/// Coefficients of the orders 1 to `orders`: the velocities, then the multipliers, which are those of the
+/// order before.
 pub fn unknowns(jets: &Jets, count: usize, orders: usize, start: &dyn Fn(Variable) -> f64) -> Vec<Vec<f64>> {
     let mut expansion = Expansion { jets, series: Vec::new(), start };
     let first: Vec<f64> = (0..count as u32).map(|i| start(Variable::Velocity(i))).collect();
@@ -99,7 +100,8 @@ pub fn unknowns(jets: &Jets, count: usize, orders: usize, start: &dyn Fn(Variabl
     let mut found = Vec::new();
     for order in 1..=orders {
         let (last, k) = (&expansion.series[order - 1], order as f64);
-        // What is zero for the right unknowns, and affine in them: k p[k] = f[k − 1] + (Aᵀμ)[k], k w[k] = its rate.
+        // What is zero for the right unknowns, and affine in them: k p[k] = f[k − 1] + (Aᵀμ)[k], k w[k] = its
+        // rate.
         let defects = |trial: &[f64]| -> Vec<f64> {
             let (velocities, multipliers) = trial.split_at(count);
             let now = expansion.order(order, velocities, multipliers);

@@ -1,5 +1,5 @@
-//! What analysis derives of random systems, against identities: inertia forces add up, Christoffel symbols contract to the
-//! Coriolis matrix, the regressor gives the equations, the parts of T give the Lagrangian.
+//! What analysis derives of random systems, against identities: inertia forces add up, Christoffel symbols
+//! contract to the Coriolis matrix, the regressor gives the equations, the parts of T give the Lagrangian.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 

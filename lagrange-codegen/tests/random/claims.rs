@@ -1,8 +1,10 @@
-//! What is claimed of random Lagrangians given as a whole: whatever is said to be conserved, or free of time, is so.
+//! What is claimed of random Lagrangians given as a whole: whatever is said to be conserved, or free of time,
+//! is so.
 //!
-//! The parts are those that claims could go wrong on: terms linear in the velocities that depend on time, total derivatives,
-//! which no equation shows, potentials of several summands, and functions that are constant where one would look first. They
-//! are written in any order, and as one function or as several with roles of their own.
+//! The parts are those that claims could go wrong on: terms linear in the velocities that depend on time,
+//! total derivatives, which no equation shows, potentials of several summands, and functions that are
+//! constant where one would look first. They are written in any order, and as one function or as several with
+//! roles of their own.
 
 use std::fmt::Write;
 
@@ -54,7 +56,8 @@ const PARTS: [&str; 20] = [
 
 const FACTORS: [&str; 4] = ["", "2.0 * ", "self.m * ", "-1.5 * "];
 
-/// A description: its kinetic energy, and each part with a factor, a sign, and whether it is a function of its own.
+/// A description: its kinetic energy, and each part with a factor, a sign, and whether it is a function of
+/// its own.
 #[derive(Clone, Debug)]
 pub struct Whole {
     kinetic: usize,

@@ -1,8 +1,8 @@
 //! What constraints add to the oracle: multipliers, reactions and their power, from definitions.
 //!
-//! M a + b = Q − ∂D/∂v + Aᵀλ and A a = γ, with A = ∂f/∂q or ∂g/∂v, and A a − γ the time derivative of w = df/dt or g.
-//! The states are not on the constraints. What the engine says of power and energy there is that of a state with w = 0:
-//! less than the power v·Aᵀλ by λ w.
+//! M a + b = Q − ∂D/∂v + Aᵀλ and A a = γ, with A = ∂f/∂q or ∂g/∂v, and A a − γ the time derivative of w =
+//! df/dt or g. The states are not on the constraints. What the engine says of power and energy there is that
+//! of a state with w = 0: less than the power v·Aᵀλ by λ w.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 
@@ -120,8 +120,8 @@ impl Held {
         self.on_places = self.forces_on_places(system, at);
     }
 
-    /// λ ∂f/∂r with f as a function of positions and coordinates. A coordinate that is a component of one position
-    /// counts as that component; so do velocities, where the constraint is one on velocities.
+    /// λ ∂f/∂r with f as a function of positions and coordinates. A coordinate that is a component of one
+    /// position counts as that component; so do velocities, where the constraint is one on velocities.
     fn forces_on_places(&self, system: &System, at: &Instant<Tracked>) -> BTreeMap<usize, Vec<Tracked>> {
         let kinds = system.kinds();
         let components: Vec<(Place, usize, usize)> = system
@@ -165,9 +165,10 @@ impl Held {
     }
 }
 
-/// For every component of a position the coordinate that it is, unless that is a component of others as well. Found at two
-/// instants that have nothing to do with the given one, where a sine is not its argument. Beside them the roles with a
-/// component that is a coordinate by its value and not by its form: whether the engine sees that is left open.
+/// For every component of a position the coordinate that it is, unless that is a component of others as well.
+/// Found at two instants that have nothing to do with the given one, where a sine is not its argument. Beside
+/// them the roles with a component that is a coordinate by its value and not by its form: whether the engine
+/// sees that is left open.
 fn same_as_coordinates(
     system: &System,
     at: &Instant<Tracked>,

@@ -1,7 +1,7 @@
 //! One system at one state: the emitted derivatives of its equations of motion against the oracle's.
 //!
-//! First at accelerations and multipliers that have nothing to do with the state, where every term counts for itself; then
-//! at those of the motion, where the derivatives of accelerations and multipliers follow.
+//! First at accelerations and multipliers that have nothing to do with the state, where every term counts for
+//! itself; then at those of the motion, where the derivatives of accelerations and multipliers follow.
 
 use std::collections::BTreeMap;
 
@@ -31,8 +31,8 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Asks by all parameters that formulas use; others are refused. Last ones first, so that an order of the engine's own
-    /// does not pass for the user's.
+    /// Asks by all parameters that formulas use; others are refused. Last ones first, so that an order of the
+    /// engine's own does not pass for the user's.
     pub fn of(system: &System) -> Result<Asked, String> {
         let mut source = Source::of(system);
         let used = used(&source).ok_or_else(|| format!("not understood:\n{source}"))?;

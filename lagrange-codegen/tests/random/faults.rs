@@ -48,8 +48,9 @@ pub fn sites(expansion: &Expansion, part: Part, fault: Fault) -> usize {
     usize::MAX - planter.left.unwrap_or(usize::MAX)
 }
 
-/// Whether all numbers of a function are: not those that say what is wrong where accelerations are not finite, nor the
-/// sizes that residuals are measured against, nor the comparison with the user's own functions.
+/// Whether all numbers of a function are: not those that say what is wrong where accelerations are not
+/// finite, nor the sizes that residuals are measured against, nor the comparison with the user's own
+/// functions.
 fn is_compared(function: &str) -> bool {
     !matches!(function, "check_at" | "residuals_at" | "check_reading_at")
 }

@@ -3,8 +3,8 @@
 //! A system is generated as a tree ([`system`], [`expression`]) that can print itself as a user's
 //! description ([`source`]) and evaluate itself in any number ([`motion`]). The engine expands the
 //! description, [`interpreter`] runs the emitted code, and [`check`] compares every quantity with
-//! [`oracle`], which knows definitions and dual numbers only. [`derivatives`] does so with the derivatives of the
-//! equations of motion and [`variation`].
+//! [`oracle`], which knows definitions and dual numbers only. [`derivatives`] does so with the derivatives of
+//! the equations of motion and [`variation`].
 //!
 //! `PROPTEST_CASES=10000 cargo test --release -p lagrange-codegen --test random` runs that many
 //! systems; without, it is a quick look. The cases are the same ones each time.

@@ -51,8 +51,8 @@ impl Report {
                 "accelerations" | "reactions" | "reaction_forces" => 8,
                 // Zero in many systems, as a sum of large terms.
                 "reaction_power" | "energy_rate" => 60,
-                // Derivatives of what is solved for: zero where constraints leave no freedom, and where what they are by has no
-                // effect.
+                // Derivatives of what is solved for: zero where constraints leave no freedom, and where what
+                // they are by has no effect.
                 _ if name.contains(" by ") => 25,
                 _ => 5,
             };

@@ -1,8 +1,9 @@
-//! The oracle of derivatives: the equations of motion from their definitions in any number, one more dual level along
-//! each variable, and what follows for accelerations and multipliers.
+//! The oracle of derivatives: the equations of motion from their definitions in any number, one more dual
+//! level along each variable, and what follows for accelerations and multipliers.
 //!
-//! r = Q − ∂D/∂v + Aᵀλ − (d/dt ∂L/∂v − ∂L/∂q) at given accelerations a and multipliers λ, and A a − γ as what it is made
-//! from: dw/dt with its stabilisation. d/dt is the derivative along (q̇, a, 1), so neither M nor b nor γ is formed.
+//! r = Q − ∂D/∂v + Aᵀλ − (d/dt ∂L/∂v − ∂L/∂q) at given accelerations a and multipliers λ, and A a − γ as what
+//! it is made from: dw/dt with its stabilisation. d/dt is the derivative along (q̇, a, 1), so neither M nor b
+//! nor γ is formed.
 
 use crate::constrained::Held;
 use crate::constraint::Kind;
@@ -179,7 +180,8 @@ pub fn response(mass: &[Vec<Tracked>], held: &Held, by: &Slopes) -> (Matrix, Mat
                 *entry = -row[j];
             }
             let (mut solution, condition) = solve(&matrix, &right);
-            // What refinement leaves of a component that is zero, of others that need not be: errors of second order.
+            // What refinement leaves of a component that is zero, of others that need not be: errors of
+            // second order.
             let size = solution.iter().map(|x| x.value.abs() + f64::EPSILON * x.roundings);
             let left = f64::EPSILON * condition * size.fold(0.0, f64::max);
             solution.iter_mut().for_each(|x| x.roundings += left);

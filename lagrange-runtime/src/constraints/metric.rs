@@ -1,8 +1,9 @@
 //! The kinetic metric: units in which no coordinate is larger than another.
 //!
-//! Where the summands of a constraint are no measure, the roundings of it are relative to this. Of a constraint such as z = 0
-//! rounding leaves some part of what the other coordinates are in the kinetic metric, not of z. So the largest coordinate in
-//! units of 1/√M\[i]\[i], times the gradient in these units, is a size as well, the same in all units of the user.
+//! Where the summands of a constraint are no measure, the roundings of it are relative to this. Of a
+//! constraint such as z = 0 rounding leaves some part of what the other coordinates are in the kinetic
+//! metric, not of z. So the largest coordinate in units of 1/√M\[i]\[i], times the gradient in these units,
+//! is a size as well, the same in all units of the user.
 
 use crate::linear::SaddlePoint;
 use crate::real::Real;

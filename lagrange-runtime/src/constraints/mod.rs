@@ -1,10 +1,13 @@
-//! Constraints at run time: multipliers and reactions, starts that satisfy them, and projection back onto them.
+//! Constraints at run time: multipliers and reactions, starts that satisfy them, and projection back onto
+//! them.
 //!
-//! The equations of a constrained motion are differentiated, so a numerical motion obeys the derivatives of the
-//! constraints and drifts off the constraints themselves. After every step the state is moved back by the smallest change
-//! in the metric of the mass matrix, coordinates first (f = 0), then velocities (df/dt = 0 and g = 0): Hairer and Wanner,
-//! *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*, 1992.
+//! The equations of a constrained motion are differentiated, so a numerical motion obeys the derivatives of
+//! the constraints and drifts off the constraints themselves. After every step the state is moved back by the
+//! smallest change in the metric of the mass matrix, coordinates first (f = 0), then velocities (df/dt = 0
+//! and g = 0): Hairer and Wanner, *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*,
+//! 1992.
 
+mod footing;
 mod metric;
 mod residuals;
 mod retraction;
@@ -20,10 +23,11 @@ use crate::linear::{Independence, SaddlePoint};
 use crate::real::{Ordered, Real};
 use crate::state::State;
 use crate::system::System;
+pub use footing::{Footing, land};
 pub use metric::Metric;
 pub(crate) use residuals::Level;
 pub use residuals::Residuals;
-pub use retraction::{Footing, land, project};
+pub use retraction::project;
 pub use solution::{check, finite, forces, independence, is_singular, matrix, regular};
 pub use stages::accelerations;
 pub use start::{begin, consistent};
@@ -50,8 +54,8 @@ pub trait Constrained<const N: usize, const K: usize = 0>: System<N, K> {
     ) -> Reactions<Self::Reactions>;
 }
 
-/// Multipliers λ of all constraints, by the names of the constraints, in the sense that the generalized force of a
-/// constraint f is λ ∂f/∂q with f as it is written.
+/// Multipliers λ of all constraints, by the names of the constraints, in the sense that the generalized force
+/// of a constraint f is λ ∂f/∂q with f as it is written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reactions<T> {
     multipliers: T,
@@ -65,8 +69,8 @@ impl<T> Reactions<T> {
         Self { multipliers, unique }
     }
 
-    /// Whether the motion determines each multiplier. Where constraints are redundant it does not: the total force is
-    /// certain, and the multipliers given are those of least Σ λ².
+    /// Whether the motion determines each multiplier. Where constraints are redundant it does not: the total
+    /// force is certain, and the multipliers given are those of least Σ λ².
     #[inline]
     pub fn are_unique(&self) -> bool {
         self.unique
@@ -163,8 +167,8 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
     ) -> (Self::Saddle, [[Self::Scalar; N]; C]);
 }
 
-/// A nonnegative number in single precision, enough for a report: its binary digits one by one, since a scalar of the user's
-/// own has no conversion.
+/// A nonnegative number in single precision, enough for a report: its binary digits one by one, since a
+/// scalar of the user's own has no conversion.
 #[cold]
 pub(crate) fn magnitude<R: Ordered>(value: R) -> Magnitude {
     if !value.is_finite() {

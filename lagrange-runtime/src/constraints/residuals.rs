@@ -4,8 +4,8 @@ use super::{magnitude, worst};
 use crate::error::{Cause, Magnitude};
 use crate::real::Real;
 
-/// A constraint function is a sum of a few summands, each rounded once or twice: a residual of so many ulps of their
-/// magnitudes is none.
+/// A residual counts as zero up to so many ulps of the magnitudes of its summands: there are a few, and each is
+/// rounded once or twice.
 pub(super) const ULPS: f64 = 4.0;
 
 /// How far a state is off its constraints.
@@ -59,8 +59,8 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         self.is_within(level, R::from_f64(ULPS) * R::epsilon(), &[R::zero(); C])
     }
 
-    /// Whether all residuals of one level are below a part of their sizes, in every lane. `more` are sizes beside those of
-    /// the summands.
+    /// Whether all residuals of one level are below a part of their sizes, in every lane. `more` are sizes
+    /// beside those of the summands.
     #[inline(always)]
     pub(crate) fn is_within(&self, level: Level, part: R, more: &[R; C]) -> bool {
         // By pairs: an index would be tested against its bounds, and a firmware link the panic.
@@ -71,7 +71,8 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         })
     }
 
-    /// The largest residual of one level in units of the `slopes`: about how far the state is off, in the kinetic metric.
+    /// The largest residual of one level in units of the `slopes`: about how far the state is off, in the
+    /// kinetic metric.
     pub(crate) fn distance(&self, level: Level, slopes: &[R; C]) -> R::Lane {
         worst::<R, C>(|c| relative(self.values(level)[c], slopes[c])).1
     }

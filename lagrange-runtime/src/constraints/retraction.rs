@@ -1,31 +1,34 @@
-//! The retraction onto the constraints: Newton's method in the metric of the mass matrix, first for the coordinates, then for
-//! the velocities.
+//! The retraction onto the constraints: Newton's method in the metric of the mass matrix, first for the
+//! coordinates, then for the velocities.
 //!
-//! A correction is the shortest that meets the linearised constraints. Near the constraints the factors of one place serve all
-//! corrections; far from them (a rough start) they are made anew for each, and a correction is halved until it helps.
+//! A correction is the shortest that meets the linearised constraints. Near the constraints the factors of
+//! one place serve all corrections; far from them (a rough start) they are made anew for each, and a
+//! correction is halved until it helps.
 //!
-//! **When a state is on the constraints.** Newton's method in floating-point arithmetic converges until the roundings of the
-//! residual stop it (Tisseur, "Newton's method in floating point arithmetic and iterative refinement of generalized eigenvalue
-//! problems", SIAM J. Matrix Anal. 22, 2001). So a state is accepted where
+//! **When a state is on the constraints.** Newton's method in floating-point arithmetic converges until the
+//! roundings of the residual stop it (Tisseur, "Newton's method in floating point arithmetic and iterative
+//! refinement of generalized eigenvalue problems", SIAM J. Matrix Anal. 22, 2001). So a state is accepted
+//! where
 //!
 //! 1. residuals are roundings of their own summands, or
-//! 2. the correction that would follow, which is smaller than the last one by the ratio of the residuals after and before it,
-//!    is below an ulp of the state, or
-//! 3. corrections make nothing better any more, and what is left is below √ε of the summands and of the state: roundings of
-//!    inner operations, which the summands do not show.
+//! 2. the correction that would follow, which is smaller than the last one by the ratio of the residuals
+//!    after and before it, is below an ulp of the state, or
+//! 3. corrections make nothing better any more, and what is left is below √ε of the summands and of the
+//!    state: roundings of inner operations, which the summands do not show.
 //!
-//! Everything else is an error. By the second rule the condition of the constraints is in the bound: where singular values of
-//! the scaled gradients are σ, an ulp of f is a correction of ε/σ, and so much is left.
+//! Everything else is an error. By the second rule the condition of the constraints is in the bound: where
+//! singular values of the scaled gradients are σ, an ulp of f is a correction of ε/σ, and so much is left.
 
 use super::metric::Metric;
 use super::residuals::Level;
 use super::{Residuals, Surface, moved};
 use crate::error::Cause;
-use crate::linear::{Independence, SaddlePoint};
+use crate::linear::SaddlePoint;
 use crate::real::Real;
-use crate::state::State;
+use crate::state::{State, difference};
 
-/// Corrections before a state near the constraints is given up. Each leaves a tenth at most, or the factors are made anew.
+/// Corrections before a state near the constraints is given up. Each leaves a tenth at most, or the factors
+/// are made anew.
 const NEAR: usize = 16;
 
 /// Corrections of a rough start.
@@ -34,8 +37,8 @@ const FAR: usize = 60;
 /// A correction of a rough start is halved at most so often.
 const HALVINGS: usize = 12;
 
-/// A correction of a rough start is no longer than so many distances from the constraints: where these nearly depend on each
-/// other, Newton's corrections lead far away.
+/// A correction of a rough start is no longer than so many distances from the constraints: where these nearly
+/// depend on each other, Newton's corrections lead far away.
 const REACH: f64 = 4.0;
 
 /// With a contraction worse than this the factors are made anew.
@@ -50,10 +53,12 @@ pub(crate) enum From {
     Far,
 }
 
-/// Moves a state that a step has left beside the constraints onto them. A state that is on them already is left as it is.
+/// Moves a state that a step has left beside the constraints onto them. A state that is on them already is
+/// left as it is.
 ///
-/// Without an estimate of its error a step in fixed steps shows by its correction whether it makes sense: with `from`, the state
-/// before it, a correction that is larger than all that the step itself has changed is an error.
+/// Without an estimate of its error a step in fixed steps shows by its correction whether it makes sense:
+/// with `from`, the state before it, a correction that is larger than all that the step itself has changed is
+/// an error.
 ///
 /// # Errors
 /// The constraint that stays violated; [`Cause::StepTooLong`].
@@ -82,55 +87,8 @@ where
     Ok(())
 }
 
-/// The same for the end of a step, which is looked at: returns how well the constraints determine the state. With `inputs` the
-/// factors of the retraction give the accelerations as well.
-///
-/// # Errors
-/// The constraint that stays violated.
-#[inline]
-pub fn land<S, const N: usize, const K: usize, const C: usize>(
-    system: &S,
-    constants: &S::Constants,
-    state: &mut State<S::Scalar, N>,
-    inputs: Option<&[S::Scalar; K]>,
-) -> Result<Footing<S::Scalar, N>, Cause>
-where
-    S: Surface<N, K, C>,
-{
-    let residuals = system.residuals_at(state.t, &state.q, &state.v);
-    let mut accelerations = None;
-    let mut retraction = match inputs {
-        Some(inputs) => {
-            let equations = system.equations_at(constants, state.t, &state.q, &state.v, inputs);
-            if equations.saddle.independence().is_clear() {
-                accelerations = Some(equations.balance().accelerations);
-            }
-            Retraction::with(state, residuals, (equations.saddle, equations.gradients))
-        }
-        None => Retraction::new(system, state, residuals),
-    };
-    if !residuals.are_roundings() {
-        retraction.level(system, Level::Positions, From::Near)?;
-        retraction.level(system, Level::Velocities, From::Near)?;
-        *state = retraction.state;
-    }
-    // Beside the constraints, rows are independent that depend on each other on them.
-    if !retraction.saddle.independence().is_clear() {
-        retraction.refresh(system);
-    }
-    slopes(system, state);
-    let ulps = |level| retraction.metric.ulps(retraction.extent(level));
-    Ok(Footing {
-        independence: retraction.independence(system),
-        accelerations,
-        ulps_q: ulps(Level::Positions),
-        ulps_v: ulps(Level::Velocities),
-        metric: retraction.metric,
-    })
-}
-
-/// Moves the derivatives of a state on the constraints onto their tangent space, and leaves its values: one correction of each
-/// level is linear in the derivatives, and makes good one order of them.
+/// Moves the derivatives of a state on the constraints onto their tangent space, and leaves its values: one
+/// correction of each level is linear in the derivatives, and makes good one order of them.
 #[inline]
 pub(super) fn slopes<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
@@ -151,23 +109,6 @@ pub(super) fn slopes<S, const N: usize, const K: usize, const C: usize>(
             }
         }
     }
-}
-
-/// What is known of a state on the constraints.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Footing<R, const N: usize> {
-    /// How well the constraints determine it.
-    pub independence: Independence<R>,
-    /// What the equations give at the state that was reached, before it was moved onto the constraints: if that was asked for,
-    /// and if the constraints are clearly independent there.
-    pub accelerations: Option<[R; N]>,
-    /// An ulp of the largest coordinate in the kinetic metric, in the unit of each: constraints couple them, so none is known
-    /// better than that.
-    pub ulps_q: [R; N],
-    /// The same of the velocities.
-    pub ulps_v: [R; N],
-    /// The kinetic metric.
-    pub metric: Metric<R, N>,
 }
 
 /// A corrected state, its residuals, and the share of the correction that was made.
@@ -195,7 +136,7 @@ where
     }
 
     /// With factors that have been made for this state.
-    fn with(
+    pub(super) fn with(
         state: &State<S::Scalar, N>,
         residuals: Residuals<S::Scalar, C>,
         (saddle, gradients): (S::Saddle, [[S::Scalar; N]; C]),
@@ -268,8 +209,8 @@ where
         Err(self.residuals.cause(level, &self.slopes))
     }
 
-    /// Takes factors that belong to the constraints, where rows depend on each other on them but not beside them: what such
-    /// rows demand together beside them is no motion.
+    /// Takes factors that belong to the constraints, where rows depend on each other on them but not beside
+    /// them: what such rows demand together beside them is no motion.
     #[cold]
     fn settle(&mut self, system: &S, level: Level) {
         if level == Level::Velocities {
@@ -326,60 +267,11 @@ where
         self.residuals.is_within(level, S::Scalar::epsilon().sqrt(), &by_state)
     }
 
-    /// How well the constraints determine the state.
-    ///
-    /// The factors know how close rows are to each other, and the gradients how close they are to vanishing. What is not
-    /// far from either is measured: roundings of the constraint functions move the coordinates by ε/σ, and what that makes of the gradients moves the
-    /// velocities by ε/σ², with a σ that is relative to how fast the gradients change. So the relative change of the velocities
-    /// tells σ, whether a row comes close to others or vanishes. The signs of the roundings are those to which the multipliers
-    /// respond, as in an estimate of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
-    fn independence(&self, system: &S) -> Independence<S::Scalar> {
-        let mut independence = self.saddle.independence();
-        // One row depends on no other.
-        if C == 1 {
-            return independence;
-        }
-        // What the coordinates make of a constraint, as a part of its summands.
-        let extent = self.extent(Level::Positions);
-        for (c, (&slope, &summands)) in self.slopes.iter().zip(&self.residuals.position_sizes).enumerate() {
-            if summands.is_positive() {
-                independence.take(c, slope * extent / summands);
-            }
-        }
-        if !independence.are_far_apart() {
-            self.measure(system, &mut independence);
-        }
-        independence
-    }
-
-    /// Corrects the independence by what roundings of the constraint functions do.
-    #[cold]
-    #[inline(never)]
-    fn measure(&self, system: &S, independence: &mut Independence<S::Scalar>) {
-        let (saddle, here) = (&self.saddle, &self.residuals);
-        let none = [num_traits::Zero::zero(); N];
-        let (_, response) = saddle.solve(&none, &here.position_sizes);
-        let ulp = S::Scalar::epsilon();
-        let roundings = core::array::from_fn(|c| ulp * here.position_sizes[c] * response[c].signum());
-        let (change, _) = saddle.solve(&none, &roundings);
-        let there = moved(&self.state, &change, &none, num_traits::One::one());
-        let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
-        let (turned, _) = saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c]));
-        let relative = self.metric.extent(&turned) / self.extent(Level::Velocities);
-        *independence = saddle.independence();
-        // At rest nothing turns.
-        if relative.is_positive() {
-            independence.least = independence.least.min((ulp / relative).sqrt());
-        }
-    }
-
-    /// Whether the way from the `end` of a step to here is longer than the step from `from` to its end, in coordinates or in
-    /// velocities, by more than noise.
+    /// Whether the way from the `end` of a step to here is longer than the step from `from` to its end, in
+    /// coordinates or in velocities, by more than noise.
     fn outweighs(&self, end: &State<S::Scalar, N>, from: &State<S::Scalar, N>) -> bool {
         let here = &self.state;
-        let apart = |a: &[S::Scalar; N], b: &[S::Scalar; N]| {
-            self.metric.extent(&core::array::from_fn(|i| a[i] - b[i]))
-        };
+        let apart = |a, b| self.metric.extent(&difference(a, b));
         let noise = S::Scalar::epsilon().sqrt();
         [(&here.q, &end.q, &from.q), (&here.v, &end.v, &from.v)].into_iter().any(|(here, end, from)| {
             let own = apart(end, from) + noise * self.metric.extent(end);
@@ -388,11 +280,11 @@ where
     }
 
     /// The size of what is corrected.
-    fn extent(&self, level: Level) -> S::Scalar {
+    pub(super) fn extent(&self, level: Level) -> S::Scalar {
         self.metric.extent(if level == Level::Positions { &self.state.q } else { &self.state.v })
     }
 
-    fn refresh(&mut self, system: &S) {
+    pub(super) fn refresh(&mut self, system: &S) {
         if !self.is_fresh {
             self.take(system.saddle_at(self.state.t, &self.state.q, &self.state.v), true);
         }

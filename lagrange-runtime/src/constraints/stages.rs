@@ -1,5 +1,5 @@
-//! Accelerations where the stages of a method for ordinary differential equations lie: beside the constraints, and sometimes
-//! in a configuration in which these depend on each other.
+//! Accelerations where the stages of a method for ordinary differential equations lie: beside the
+//! constraints, and sometimes in a configuration in which these depend on each other.
 
 use super::{Balance, Metric, Surface, moved, project};
 use crate::linear::{Independence, determined};
@@ -9,11 +9,11 @@ use crate::state::State;
 /// Accelerations of a state beside the constraints.
 ///
 /// * Where the rows of A are clearly independent they follow from the equations at the state itself.
-/// * Rows that depend on each other wherever the constraints hold are independent beside them, and what they then demand
-///   together is no motion. The accelerations are those of the nearest state on the constraints: as good a continuation of the
-///   equations, and a smooth one.
-/// * In a configuration where rows lose their independence for a moment, they are interpolated between states before and after
-///   it, along the velocity: accelerations of the motion that goes straight on.
+/// * Rows that depend on each other wherever the constraints hold are independent beside them, and what they
+///   then demand together is no motion. The accelerations are those of the nearest state on the constraints:
+///   as good a continuation of the equations, and a smooth one.
+/// * In a configuration where rows lose their independence for a moment, they are interpolated between states
+///   before and after it, along the velocity: accelerations of the motion that goes straight on.
 #[inline]
 pub fn accelerations<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
@@ -33,7 +33,8 @@ where
     settled(system, constants, &State { t, q: *q, v: *v }, u).unwrap_or(balance.accelerations)
 }
 
-/// Accelerations of the nearest state on the constraints, or of its neighbours, where those of the state itself are no good.
+/// Accelerations of the nearest state on the constraints, or of its neighbours, where those of the state
+/// itself are no good.
 #[cold]
 #[inline(never)]
 fn settled<S, const N: usize, const K: usize, const C: usize>(
@@ -84,8 +85,9 @@ const WIDENINGS: usize = 10;
 /// See [`WIDENINGS`].
 const WIDER: f64 = 2.0;
 
-/// Interpolation between six neighbours in which the rows are more independent than in `here`; `None` where there are none,
-/// because the rows depend on each other everywhere or because nothing moves.
+/// Accelerations by interpolation between six neighbours, three on each side along the velocity. The rows have to be
+/// more independent there than `here`. `None` where no such neighbours exist, because the rows depend on each other
+/// everywhere or because nothing moves.
 fn between<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     constants: &S::Constants,

@@ -9,14 +9,16 @@ use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 
-/// A start is good where what it violates is below this share of √ε of its numbers: as good as numbers written with nine
-/// digits, or with five in single precision.
+/// A start is good where what it violates is below this share of √ε of its numbers: as good as numbers
+/// written with nine digits, or with five in single precision.
 const SHARE: f64 = 1.0 / 16.0;
 
-/// Begins a motion at a state: refuses one that violates constraints, and takes the roundings from one that does not.
+/// Begins a motion at a state: refuses one that violates constraints, and takes the roundings from one that
+/// does not.
 ///
-/// A state is as good as its numbers. What it violates by no more than their last digits stays as it is: beside a
-/// configuration in which constraints depend on each other a retraction would make large changes of these digits.
+/// A state is as good as its numbers. What it violates by no more than their last digits stays as it is:
+/// beside a configuration in which constraints depend on each other a retraction would make large changes of
+/// these digits.
 ///
 /// # Errors
 /// The constraint that is violated, and constraints without a gradient.
@@ -69,7 +71,8 @@ where
     let Retraction { state, saddle, slopes, metric, .. } = at;
     let part = S::Scalar::from_f64(SHARE) * S::Scalar::epsilon().sqrt();
     let numbers = if level == Level::Positions { &state.q } else { &state.v };
-    // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic metric.
+    // A constraint such as z = 0 has no size of its own: the state has, in its numbers and in the kinetic
+    // metric.
     let by_state = slopes.map(|slope| slope * metric.extent(numbers));
     let is_small = || {
         let (change, _) = saddle.solve(&[num_traits::Zero::zero(); N], residuals.values(level));
@@ -111,13 +114,14 @@ where
     sizes
 }
 
-/// A state on the constraints by Newton's method: coordinates, then velocities. Each correction is the shortest in the metric of
-/// the mass matrix where it is made, so the coordinates are the nearest ones up to the square of the distance, and the
-/// velocities the nearest of all at these coordinates.
+/// A state on the constraints by Newton's method: coordinates, then velocities. Each correction is the
+/// shortest in the metric of the mass matrix where it is made, so the coordinates are the nearest ones up to
+/// the square of the distance, and the velocities the nearest of all at these coordinates.
 ///
 /// # Errors
-/// [`Cause::Contradictory`] where dependent constraints cannot be satisfied together, [`Cause::NoConsistentState`] where the
-/// search ends before a solution, [`Cause::VanishingGradient`], [`Cause::SingularMassMatrix`], [`Cause::NotFinite`].
+/// [`Cause::Contradictory`] where dependent constraints cannot be satisfied together,
+/// [`Cause::NoConsistentState`] where the search ends before a solution, [`Cause::VanishingGradient`],
+/// [`Cause::SingularMassMatrix`], [`Cause::NotFinite`].
 pub fn consistent<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     start: State<S::Scalar, N>,

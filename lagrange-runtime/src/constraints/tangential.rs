@@ -5,8 +5,8 @@ use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 
-/// The part of a change of coordinates or velocities along the constraints: the change less the smallest one, in the metric of
-/// the mass matrix, that has the same product with the gradients.
+/// The part of a change of coordinates or velocities along the constraints: the change less the smallest one,
+/// in the metric of the mass matrix, that has the same product with the gradients.
 #[cold]
 pub fn tangential<S, const N: usize, const K: usize, const C: usize>(
     system: &S,

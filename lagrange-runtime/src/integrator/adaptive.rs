@@ -22,8 +22,8 @@ pub struct Steps {
     pub evaluations: u64,
 }
 
-/// A method under error control, for motions with inputs from `C`. It may be ahead of the state that its caller sees,
-/// and goes on from the ends of its own steps.
+/// A method under error control, for motions with inputs from `C`. It may be ahead of the state that its
+/// caller sees, and goes on from the ends of its own steps.
 pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> {
     /// What a motion by this method remembers between steps.
     type Memory: Copy + core::fmt::Debug;

@@ -1,10 +1,10 @@
 //! Dormand–Prince 8(5,3) for q″ = a(t, q, v): 12 evaluations a step, error O(h⁸), step size control.
 //!
-//! Stage i: vᵢ = v + h Σ aᵢⱼ kⱼ, qᵢ = q + h Σ aᵢⱼ vⱼ, kᵢ = a(t + cᵢh, qᵢ, vᵢ), so qᵢ does not wait for kᵢ₋₁. The last
-//! evaluation of a step is the first of the next. Time, q and v are summed with compensation; a drift linear in
-//! time remains at the finest tolerance (relative energy: 1e-15 a Kepler period at e = 0.1).
-//! A stage that fails, or a result that is not finite, is a rejection: the step shrinks until it succeeds or falls
-//! below the resolution of time. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.5, II.10.
+//! Stage i: vᵢ = v + h Σ aᵢⱼ kⱼ, qᵢ = q + h Σ aᵢⱼ vⱼ, kᵢ = a(t + cᵢh, qᵢ, vᵢ), so qᵢ does not wait for kᵢ₋₁.
+//! The last evaluation of a step is the first of the next. Time, q and v are summed with compensation; a
+//! drift linear in time remains at the finest tolerance (relative energy: 1e-15 a Kepler period at e = 0.1).
+//! A stage that fails, or a result that is not finite, is a rejection: the step shrinks until it succeeds or
+//! falls below the resolution of time. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.5, II.10.
 //! Explicit: on stiff systems the steps stay short whatever the tolerance.
 
 use core::cmp::Ordering;
@@ -15,13 +15,13 @@ use super::Field;
 use super::adaptive::Steps;
 use super::dense::Dense;
 use super::landing::Determined;
-use super::slopes::{Slope, combine, difference, reach};
+use super::slopes::{Slope, combine, reach};
 use super::step_size::{self, Limits};
 use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
 use crate::error::{Cause, MotionError};
 use crate::linear::Independence;
 use crate::real::{Ordered, Real, larger, smaller};
-use crate::state::State;
+use crate::state::{State, difference};
 
 /// A state and what rounding took from it: the exact sum is `state + residue`.
 #[derive(Clone, Copy, Debug)]
@@ -132,8 +132,8 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         if a <= b { t >= b || a == b } else { t <= b }
     }
 
-    /// One step from `end` towards `target`, which differs from it; with `land`, never beyond `target` and, in
-    /// the last step, exactly on it. `attempts` counts down.
+    /// One step from `end` towards `target`, which differs from it; with `land`, never beyond `target` and,
+    /// in the last step, exactly on it. `attempts` counts down.
     #[inline]
     pub(crate) fn step<F>(
         &mut self,
@@ -247,7 +247,8 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             (end.state.q[n], end.residue.q[n]) = add(from.q[n], end.residue.q[n], h * mean.q[n]);
             (end.state.v[n], end.residue.v[n]) = add(from.v[n], end.residue.v[n], h * mean.v[n]);
         }
-        // Beside a configuration in which constraints depend on each other, roundings make large accelerations across them.
+        // Beside a configuration in which constraints depend on each other, roundings make large
+        // accelerations across them.
         if self.ground.is_some_and(|ground| !ground.here.are_far_apart()) {
             for change in [&mut fifth.q, &mut fifth.v, &mut third.q, &mut third.v] {
                 *change = f.along(&end.state, *change);

@@ -1,11 +1,11 @@
 //! Fixed steps of a Taylor series: one `sin_cos` per angle and one factorisation a step, whatever the order.
 //!
-//! Beside a configuration in which constraints depend on each other the coefficients of higher orders are made of roundings,
-//! and grow. A step whose last terms grow is taken by four steps of Runge and Kutta instead, whose stages lie where the
-//! accelerations are known.
+//! Beside a configuration in which constraints depend on each other the coefficients of higher orders are
+//! made of roundings, and grow. A step whose last terms grow is taken by four steps of Runge and Kutta
+//! instead, whose stages lie where the accelerations are known.
 //!
-//! The series is that of time in units of the step, so the state after it is the plain sum of the coefficients, added
-//! to the state with compensation.
+//! The series is that of time in units of the step, so the state after it is the plain sum of the
+//! coefficients, added to the state with compensation.
 
 use super::dop853::add;
 use super::{FixedStep, stages};
@@ -15,7 +15,8 @@ use crate::smooth::{Series, Smooth};
 use crate::state::State;
 use crate::system::System;
 
-/// A Taylor step of order `ORDER`, for control loops: `stepper::<Jet<6>>(start)`. Error O(h^(ORDER + 1)) a step.
+/// A Taylor step of order `ORDER`, for control loops: `stepper::<Jet<6>>(start)`. Error O(h^(ORDER + 1)) a
+/// step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Jet<const ORDER: usize>;
 
@@ -87,7 +88,8 @@ where
     }
 }
 
-/// Whether the last terms of a series are larger than those before them, and above the roundings of the state.
+/// Whether the last terms of a series are larger than those before them, and above the roundings of the
+/// state.
 fn grows<R: Real, const N: usize, const P: usize>(series: &Series<R, N, P>, from: &State<R, N>) -> bool {
     let largest = |row: &[R; N]| row.iter().fold(R::zero(), |all, x| all.max(x.abs()));
     [(&series.q, &from.q), (&series.v, &from.v)].into_iter().any(|(rows, start)| {
@@ -99,7 +101,8 @@ fn grows<R: Real, const N: usize, const P: usize>(series: &Series<R, N, P>, from
     })
 }
 
-/// So many orders of a series are worth one step by stages in its place: their errors are then smaller.
+/// One step by stages stands for so many orders of a series. The method by stages has order 8, so its error is
+/// smaller than that of the series.
 const ORDERS: usize = 4;
 
 /// A step by stages in the place of one of a series.

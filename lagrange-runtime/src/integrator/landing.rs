@@ -1,32 +1,32 @@
 //! The check of every step of a constrained motion, and where a step may end.
 //!
-//! Two things tell whether a step went wrong, whatever the reason. The **correction** that brings its end back onto the
-//! constraints is a part of its error. The **defect**, the difference between the accelerations of its polynomial and those of
-//! the equations, is another part (Enright, "A new error-control for initial value solvers", Appl. Math. Comput. 31, 1989). Both
-//! are held against the tolerance.
+//! Two things tell whether a step went wrong, whatever the reason. The **correction** that brings its end
+//! back onto the constraints is a part of its error. The **defect**, the difference between the accelerations
+//! of its polynomial and those of the equations, is another part (Enright, "A new error-control for initial
+//! value solvers", Appl. Math. Comput. 31, 1989). Both are held against the tolerance.
 //!
-//! A step does not end where the constraints do not determine the state well, beside a configuration in which they depend on
-//! each other: there, roundings of the constraints are large changes of the state. What was determined in the motion so far
-//! is the measure, so constraints that are redundant everywhere do no harm.
+//! A step does not end where the constraints do not determine the state well, beside a configuration in which
+//! they depend on each other: there, roundings of the constraints are large changes of the state. What was
+//! determined in the motion so far is the measure, so constraints that are redundant everywhere do no harm.
 
-use super::slopes::difference;
 use super::step_size::{self, Limits};
 use crate::constraints::Footing;
 use crate::error::Cause;
 use crate::linear::{Independence, determined};
 use crate::real::{Ordered, Real, larger, smaller};
-use crate::state::State;
+use crate::state::{State, difference};
 use crate::system::System;
 
-/// Corrections and defects are at most so many times the tolerance: the derivative of the last terms of a series is the order
-/// times larger than they are, a fifth of the tolerance.
+/// Corrections and defects are at most so many times the tolerance: the derivative of the last terms of a
+/// series is the order times larger than they are, a fifth of the tolerance.
 const MARGIN: f64 = 16.0;
 
-/// Accelerations are known to so many ulps of the largest term, and no error is held against a tolerance below that.
+/// Accelerations are known to so many ulps of the largest term, and no error is held against a tolerance
+/// below that.
 const NOISE: f64 = 256.0;
 
-/// How far [`Check::leaves`] looks ahead, in parts of the distance from a configuration in which constraints depend on each other,
-/// and of the step.
+/// How far [`Check::leaves`] looks ahead, in parts of the distance from a configuration in which constraints
+/// depend on each other, and of the step.
 const AHEAD: f64 = 1.0 / 64.0;
 
 /// What constraints have determined in a motion so far.
@@ -64,8 +64,8 @@ fn relative<R: Ordered>(limits: &Limits<R>) -> R {
     larger(limits.relative, R::from_f64(NOISE) * R::epsilon())
 }
 
-/// What an error across the constraints may be, relative to a state, at a tolerance: its square over the distance from a
-/// configuration in which constraints depend on each other is the tolerance.
+/// What an error across the constraints may be, relative to a state, at a tolerance: its square over the
+/// distance from a configuration in which constraints depend on each other is the tolerance.
 pub(crate) fn across<R: Ordered>(relative: R, independence: &Independence<R>) -> R {
     (relative * independence.least).sqrt()
 }
@@ -130,8 +130,8 @@ impl<S: System<N, K>, const N: usize, const K: usize> Check<'_, S, N, K>
 where
     S::Scalar: Ordered,
 {
-    /// Brings the state that a step has `reached` onto the constraints and checks it. `slopes` are the accelerations of its
-    /// polynomial there, if it has one.
+    /// Brings the state that a step has `reached` onto the constraints and checks it. `slopes` are the
+    /// accelerations of its polynomial there, if it has one.
     ///
     /// # Errors
     /// Why it cannot be brought back.
@@ -183,14 +183,16 @@ where
         there.is_ok_and(|there| there.independence.least > footing.independence.least)
     }
 
-    /// Whether the correction is within the tolerance. Constraints couple the coordinates, so differences and sizes are those of
-    /// whole states in the kinetic metric: a coordinate that is zero but for roundings has none of its own.
+    /// Whether the correction is within the tolerance. Constraints couple the coordinates, so differences and
+    /// sizes are those of whole states in the kinetic metric: a coordinate that is zero but for roundings
+    /// has none of its own.
     fn is_near(&self, reached: &State<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
         let Landing { end, footing, sizes, .. } = landing;
         is_within(&apart(reached, end), footing, self.bounds(sizes))
     }
 
-    /// Whether a change of the state before the step is an error within the tolerance, for a step of this `span` \[s].
+    /// Whether a change of the state before the step is an error within the tolerance, for a step of this
+    /// `span` \[s].
     pub(crate) fn is_small(
         &self,
         change: &State<S::Scalar, N>,
@@ -200,8 +202,8 @@ where
         is_within(change, footing, self.bounds(&self.sizes(self.from, span.abs(), footing)))
     }
 
-    /// Whether a change leaves half of all digits of the state: a start is as good as its numbers, and those of one beside a
-    /// configuration in which constraints depend on each other lie beside the motion.
+    /// Whether a change leaves half of all digits of the state: a start is as good as its numbers, and those
+    /// of one beside a configuration in which constraints depend on each other lie beside the motion.
     pub(crate) fn is_half(
         &self,
         change: &State<S::Scalar, N>,
@@ -212,8 +214,8 @@ where
         is_within(change, footing, self.sizes(self.from, span.abs(), footing).of.map(|size| half * size))
     }
 
-    /// Whether a change of the state `to` which a step leads may be carried to the state before it as in free flight: the error of
-    /// that is the change times the angle by which the velocity turns.
+    /// Whether a change of the state `to` which a step leads may be carried to the state before it as in free
+    /// flight: the error of that is the change times the angle by which the velocity turns.
     pub(crate) fn is_carried_rightly(
         &self,
         change: &State<S::Scalar, N>,
@@ -239,7 +241,8 @@ where
         Sizes { of: [larger(size, speed * span), speed], absolute: footing.metric.extent(&[absolute; N]) }
     }
 
-    /// Whether the polynomial obeys the equations within the tolerance and the roundings of its accelerations.
+    /// Whether the polynomial obeys the equations within the tolerance and the roundings of its
+    /// accelerations.
     fn obeys(&self, defect: &Defect<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
         self.obeys_with(defect, landing, num_traits::Zero::zero())
     }
@@ -258,8 +261,8 @@ where
             <= self.bound(size, sizes.absolute) + roundings * span
     }
 
-    /// What roundings of the coordinates make of the accelerations. Where strong forces keep a balance it is more than the
-    /// accelerations show.
+    /// What roundings of the coordinates make of the accelerations. Where strong forces keep a balance it is
+    /// more than the accelerations show.
     #[cold]
     fn roundings(&self, state: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> S::Scalar {
         let here = self.accelerations(state);
@@ -279,9 +282,10 @@ where
     /// Whether what is beyond the tolerance is no error of the motion. Two things are none.
     ///
     /// * Roundings of forces that keep a balance.
-    /// * Errors across the constraints, beside a configuration in which these depend on each other: there, roundings of a state
-    ///   grow on the way, and a retraction takes them back. What it leaves is their square, times the curvature of the
-    ///   constraints, which is the reciprocal of the distance from that configuration.
+    /// * Errors across the constraints, beside a configuration in which these depend on each other: there,
+    ///   roundings of a state grow on the way, and a retraction takes them back. What it leaves is their
+    ///   square, times the curvature of the constraints, which is the reciprocal of the distance from that
+    ///   configuration.
     #[cold]
     #[inline(never)]
     fn is_excused(

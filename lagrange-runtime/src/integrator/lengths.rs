@@ -6,8 +6,8 @@ use crate::linear::{Independence, determined};
 use crate::real::{Ordered, larger, smaller};
 use crate::system::System;
 
-/// Parts of a length that ends where the state is not determined well: a little shorter or longer ones first, so that the cost
-/// is small.
+/// Parts of a length that ends where the state is not determined well: a little shorter or longer ones first,
+/// so that the cost is small.
 const PARTS: [f64; 8] = [0.9, 1.05, 0.8, 0.7, 0.6, 0.5, 0.35, 0.25];
 
 /// A length whose error is not measured but bounded is shortened to this part where the bound does not hold.
@@ -48,7 +48,8 @@ enum Next<R> {
 /// The lengths that are tried for one step, in any unit of time.
 pub(crate) struct Lengths<R> {
     determined: Determined<R>,
-    /// How independent constraints are where the step begins, and the tolerance: they give what is good enough for an end.
+    /// How independent constraints are where the step begins, and the tolerance: they give what is good
+    /// enough for an end.
     begun: R,
     tolerance: R,
     /// The longest step whose error is measured.
@@ -63,11 +64,13 @@ pub(crate) struct Lengths<R> {
 }
 
 impl<R: Ordered> Lengths<R> {
-    /// The lengths for a step of a `measured` error that begins with `here`, at a tolerance. `base` is tried first.
+    /// The lengths for a step of a `measured` error that begins with `here`, at a tolerance. `base` is tried
+    /// first.
     ///
-    /// Roundings move a velocity by ε/σ², with the independence σ of the constraints. So an end is good enough where that is
-    /// the tolerance, or where half is left of what the step started with; and one that leaves the configuration in which
-    /// constraints depend on each other is better than any before it. Where no length ends so well, the best is taken.
+    /// Roundings move a velocity by ε/σ², with the independence σ of the constraints. So an end is good
+    /// enough where that is the tolerance, or where half is left of what the step started with; and one
+    /// that leaves the configuration in which constraints depend on each other is better than any before
+    /// it. Where no length ends so well, the best is taken.
     pub(crate) fn new(
         determined: Determined<R>,
         here: &Independence<R>,
@@ -115,7 +118,8 @@ impl<R: Ordered> Lengths<R> {
         }
     }
 
-    /// What to do after a length was tried. `leaves` tells whether constraints become more independent beyond its end.
+    /// What to do after a length was tried. `leaves` tells whether constraints become more independent beyond
+    /// its end.
     fn next(&mut self, length: R, outcome: Outcome<R>, leaves: impl FnOnce() -> bool) -> Next<R> {
         match outcome {
             Outcome::Right(there) => {

@@ -1,7 +1,7 @@
 //! Methods of integration. One method, one file; coefficients are data in `tableau`.
 //!
-//! A fixed-step method implements [`FixedStep`] and runs in a [`Stepper`](crate::Stepper). Dormand–Prince 8(5,3)
-//! carries error control and dense output and runs in a [`Simulation`](crate::Simulation).
+//! A fixed-step method implements [`FixedStep`] and runs in a [`Stepper`](crate::Stepper). Dormand–Prince
+//! 8(5,3) carries error control and dense output and runs in a [`Simulation`](crate::Simulation).
 
 pub(crate) mod adaptive;
 pub(crate) mod dense;
@@ -37,15 +37,15 @@ use crate::system::System;
 
 /// A method that takes steps of a size chosen by the caller.
 pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
-    /// What it remembers between steps. It belongs to one system with its constants, but outlives steps that fail and
-    /// inputs that change: a method asks whether it still fits.
+    /// What it remembers between steps. It belongs to one system with its constants, but outlives steps that
+    /// fail and inputs that change: a method asks whether it still fits.
     type Memory: Copy + core::fmt::Debug;
 
     /// The memory before the first step.
     fn begin(system: &S) -> Self::Memory;
 
-    /// The state after a step of `h` from `from`, with the inputs `u` held. The time of the result is `from.t + h`.
-    /// A result that is not finite is left to the caller.
+    /// The state after a step of `h` from `from`, with the inputs `u` held. The time of the result is `from.t
+    /// + h`. A result that is not finite is left to the caller.
     ///
     /// # Errors
     /// What kept a method that solves equations from solving them.

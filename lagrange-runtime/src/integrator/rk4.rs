@@ -1,7 +1,8 @@
 //! Classical Runge–Kutta, order 4: four evaluations a step, error O(h⁴).
 //!
-//! Written for q″ = a(t, q, v): the slope of q at a stage is the velocity of that stage, so nothing of length 2N
-//! is formed. No error estimate; unstable for stiff systems when h times the fastest rate exceeds about 2.8.
+//! Written for q″ = a(t, q, v): the slope of q at a stage is the velocity of that stage, so nothing of length
+//! 2N is formed. No error estimate; unstable for stiff systems when h times the fastest rate exceeds about
+//! 2.8.
 
 use core::array;
 

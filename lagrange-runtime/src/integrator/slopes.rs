@@ -18,7 +18,8 @@ pub(crate) fn combine<R: Real, const N: usize, const M: usize, const W: usize, c
 ) -> Slope<R, N> {
     let first = R::from_f64(weights[0]);
     let mut sum = Slope { q: slopes[0].q.map(|x| first * x), v: slopes[0].v.map(|x| first * x) };
-    // Written out because LLVM leaves a loop over the stages standing, and with it tests that are on constants.
+    // Written out because LLVM leaves a loop over the stages standing, and with it tests that are on
+    // constants.
     macro_rules! terms {
         ($($j:literal)*) => {$(
             if $j < M && weights[$j] != 0.0 {
@@ -32,11 +33,6 @@ pub(crate) fn combine<R: Real, const N: usize, const M: usize, const W: usize, c
     }
     terms!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
     sum
-}
-
-/// a − b.
-pub(crate) fn difference<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> [R; N] {
-    core::array::from_fn(|i| a[i] - b[i])
 }
 
 /// `from` + h · `slope`, without its residue: coordinates and velocities of a stage.

@@ -1,4 +1,5 @@
-//! One step of order 8 by stages, without an estimate of its error: what takes the place of a series that does not converge.
+//! One step of order 8 by stages, without an estimate of its error: what takes the place of a series that
+//! does not converge.
 //!
 //! The method is that of [`Dop853`](super::Dop853). A table and a loop, for it is small and rarely run.
 

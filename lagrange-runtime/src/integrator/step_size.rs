@@ -2,8 +2,9 @@
 //!
 //! Norm: root mean square of error / (absolute + relative·|y|) over q and v. The error is
 //! |h| e₅² / √(e₅² + 0.01 e₃²), of order h⁸; next step h · 0.9 · error^(−1/8), within factors 1/3 and 6.
-//! First step: an explicit Euler probe estimates the second derivative. Hairer, Nørsett, Wanner, "Solving ODEs
-//! I", 2nd ed., II.4 and II.10. The estimate presumes smooth accelerations; at a jump it only shortens steps.
+//! First step: an explicit Euler probe estimates the second derivative. Hairer, Nørsett, Wanner, "Solving
+//! ODEs I", 2nd ed., II.4 and II.10. The estimate presumes smooth accelerations; at a jump it only shortens
+//! steps.
 
 use core::cmp::Ordering;
 
@@ -43,8 +44,8 @@ impl<R: Ordered> Limits<R> {
         }
     }
 
-    /// Weights of the error norm. Neither part may vanish: a relative error below rounding cannot be met, and an
-    /// absolute one of zero would divide by it where a component passes through zero.
+    /// Weights of the error norm. Neither part may vanish: a relative error below rounding cannot be met, and
+    /// an absolute one of zero would divide by it where a component passes through zero.
     #[inline]
     pub(crate) fn scale(&self) -> Scale<R> {
         let ulp = R::epsilon();
@@ -82,8 +83,8 @@ pub(crate) struct Scale<R> {
 }
 
 impl<R: Ordered> Scale<R> {
-    /// The weights of the values, or of one of their derivatives on the way from one state to another. Linear equations have no
-    /// scale: an absolute error of a derivative is one beside the whole of its column.
+    /// The weights of the values, or of one of their derivatives on the way from one state to another. Linear
+    /// equations have no scale: an absolute error of a derivative is one beside the whole of its column.
     #[inline]
     pub(crate) fn of_part<const N: usize>(&self, part: usize, states: [&State<R, N>; 2]) -> Scale<R::Lane> {
         let (relative, absolute) = (self.relative.largest(), self.absolute.largest());
@@ -103,7 +104,8 @@ impl<R: Ordered> Scale<R> {
     }
 }
 
-/// Error over tolerance of a step of length `h`, from the sums of squared weighted estimates over `n` numbers.
+/// Error over tolerance of a step of length `h`, from the sums of squared weighted estimates over `n`
+/// numbers.
 #[inline]
 pub(crate) fn error<R: Ordered>(h: R, fifth: R, third: R, n: usize) -> R {
     let both = fifth + R::from_f64(0.01) * third;
@@ -122,8 +124,8 @@ pub(crate) fn factor<R: Ordered>(error: R) -> R {
     larger(wanted, R::from_f64(1.0 / 3.0))
 }
 
-/// Length of the first step from weighted norms: of the state, of its slope, and of the change of the slope over
-/// a probe of length [`probe`].
+/// Length of the first step from weighted norms: of the state, of its slope, and of the change of the slope
+/// over a probe of length [`probe`].
 #[inline]
 pub(crate) fn first<R: Ordered>(probe: R, slope: R, change: R) -> R {
     let curvature = larger(change / probe, slope);

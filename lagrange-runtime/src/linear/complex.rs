@@ -1,7 +1,8 @@
-//! P M = L U of a complex matrix, by elimination with partial pivoting, for the Newton matrices of implicit methods.
+//! P M = L U of a complex matrix, by elimination with partial pivoting, for the Newton matrices of implicit
+//! methods.
 //!
-//! A pivot is the entry of largest |re| + |im| in its column. No pivot is too small here: a matrix that is nearly
-//! singular makes corrections that do not converge, which the iteration notices by itself.
+//! A pivot is the entry of largest |re| + |im| in its column. No pivot is too small here: a matrix that is
+//! nearly singular makes corrections that do not converge, which the iteration notices by itself.
 
 use core::ops::{Add, Mul, Sub};
 

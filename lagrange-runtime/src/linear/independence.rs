@@ -1,16 +1,20 @@
 //! How independent the rows of a constraint matrix are, and the numbers that decide about it.
 //!
-//! Rows are measured in the metric of the kinetic energy, each relative to its own size. The distance of a row from the span of
-//! the others is then about the smallest singular value σ of A M^(−1/2). A constraint function is known to ε of its summands, so
-//! coordinates are known to ε/σ, and each decision follows from where that meets another number of the arithmetic:
+//! Rows are measured in the metric of the kinetic energy, each relative to its own size. The distance of a
+//! row from the span of the others is then about the smallest singular value σ of A M^(−1/2). A constraint
+//! function is known to ε of its summands, so coordinates are known to ε/σ, and each decision follows from
+//! where that meets another number of the arithmetic:
 //!
-//! * Below **√ε** a row is dependent. What it alone restricts enters the constraint function by its square, so roundings of the
-//!   function leave these coordinates uncertain by √ε already, and a linear row of less than √ε tells nothing that this does not
-//!   hide. (Golub and Van Loan, "Matrix Computations", 4th ed., § 5.5, on numerical rank.)
-//! * Below **∜ε** a state is poorly determined: the direction of the motion, a derivative of the gradients, is known to ε/σ²
-//!   only, which is √ε there, half of all digits. Steps do not end at such a state where they can end beside it.
-//! * From **a quarter** on rows are far apart. An error across the constraints then changes the direction by 1/σ² ≤ 16 times
-//!   itself, which is what the check of a step allows anyway; below that it is held against its square.
+//! * Below **√ε** a row is dependent. What it alone restricts enters the constraint function by its square,
+//!   so roundings of the function leave these coordinates uncertain by √ε already, and a linear row of less
+//!   than √ε tells nothing that this does not hide. (Golub and Van Loan, "Matrix Computations", 4th ed., §
+//!   5.5, on numerical rank.)
+//! * Below **∜ε** a state is poorly determined: the direction of the motion, a derivative of the gradients,
+//!   is known to ε/σ² only, which is √ε there, half of all digits. Steps do not end at such a state where
+//!   they can end beside it.
+//! * From **a quarter** on rows are far apart. An error across the constraints then changes the direction by
+//!   1/σ² ≤ 16 times itself, which is what the check of a step allows anyway; below that it is held against
+//!   its square.
 
 use crate::real::Real;
 
@@ -21,7 +25,8 @@ pub struct Independence<R> {
     pub rows: usize,
     /// How many of them are independent.
     pub rank: usize,
-    /// About the smallest distance of one of these from the span of those before it, relative to its size; one of a single row.
+    /// About the smallest distance of one of these from the span of those before it, relative to its size;
+    /// one of a single row.
     pub least: R,
     /// The row that is closest to depending on the others, or does.
     pub weakest: usize,
@@ -66,15 +71,17 @@ impl<R: Real> Independence<R> {
         self.rank == self.rows && (self.least - determined()).is_positive()
     }
 
-    /// Whether more is determined than in `other`: more rows are independent, or as many and now by more than `least`.
+    /// Whether more is determined than in `other`: more rows are independent, or as many and now by more than
+    /// `least`.
     pub(crate) fn improves(&self, other: &Self, least: R) -> bool {
         let well = |this: &Self| (this.least - least).is_positive();
         self.rank > other.rank || self.rank == other.rank && well(self) && !well(other)
     }
 }
 
-/// The distance from which rows are clearly independent, in any precision: three rows at this distance cost as many digits as
-/// `f32` has. Of random systems with as many constraints as coordinates one in a hundred is below, of others hardly any.
+/// The distance from which rows are clearly independent, in any precision: three rows at this distance cost
+/// as many digits as `f32` has. Of random systems with as many constraints as coordinates one in a hundred is
+/// below, of others hardly any.
 pub(crate) const CLEAR: f64 = 1.0 / 256.0;
 
 /// The distance from which rows are far apart.

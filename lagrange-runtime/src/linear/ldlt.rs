@@ -1,9 +1,10 @@
 //! M = L D Lᵀ of a symmetric positive definite matrix, L unit lower triangular, D diagonal.
 //!
-//! Column k leaves the rest of the lower triangle as row i ← row i − L\[i]\[k] · column k: the inner loop runs over
-//! contiguous memory and has no sum to reassociate, so it vectorises. Cost: n³/6 multiplications to factor (n³/3 flops),
-//! n² to solve. Backward stable without pivoting (Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed.,
-//! ch. 10). Not for indefinite matrices: those stop at the first pivot that is not positive.
+//! Column k leaves the rest of the lower triangle as row i ← row i − L\[i]\[k] · column k: the inner loop
+//! runs over contiguous memory and has no sum to reassociate, so it vectorises. Cost: n³/6 multiplications to
+//! factor (n³/3 flops), n² to solve. Backward stable without pivoting (Higham, "Accuracy and Stability of
+//! Numerical Algorithms", 2nd ed., ch. 10). Not for indefinite matrices: those stop at the first pivot that
+//! is not positive.
 
 use crate::real::Real;
 
@@ -20,7 +21,8 @@ impl<R: Real, const N: usize> Ldlt<R, N> {
     /// Factors `matrix`, of which only the lower triangle is read.
     ///
     /// # Errors
-    /// The index of the first pivot that is not positive beyond rounding: D\[i] ≤ 2(i + 1) ε M\[i]\[i], or NaN.
+    /// The index of the first pivot that is not positive beyond rounding: D\[i] ≤ 2(i + 1) ε M\[i]\[i], or
+    /// NaN.
     #[inline]
     pub fn factor(matrix: [[R; N]; N]) -> Result<Self, usize> {
         let mut factor = matrix;

@@ -1,8 +1,9 @@
 //! P M = L U of any regular matrix by Gaussian elimination with partial pivoting.
 //!
-//! Rows are exchanged so that the largest entry of a column is the pivot; with several lanes the choice is common
-//! to all of them and follows the largest lane. Cost: n³/3 multiplications to factor, n² to solve (Higham, ch. 9).
-//! For the indefinite ∂²L/∂v² of a Lagrangian given directly; use [`Ldlt`](super::Ldlt) where M is definite.
+//! Rows are exchanged so that the largest entry of a column is the pivot; with several lanes the choice is
+//! common to all of them and follows the largest lane. Cost: n³/3 multiplications to factor, n² to solve
+//! (Higham, ch. 9). For the indefinite ∂²L/∂v² of a Lagrangian given directly; use [`Ldlt`](super::Ldlt)
+//! where M is definite.
 
 use crate::real::Real;
 
@@ -21,7 +22,8 @@ impl<R: Real, const N: usize> Lu<R, N> {
     /// Factors `matrix`.
     ///
     /// # Errors
-    /// The index of the first column without a pivot above rounding: 2Nε times the sum of the column's magnitudes in M.
+    /// The index of the first column without a pivot above rounding: 2Nε times the sum of the column's
+    /// magnitudes in M.
     #[inline]
     pub fn factor(matrix: [[R; N]; N]) -> Result<Self, usize> {
         let mut factor = matrix;

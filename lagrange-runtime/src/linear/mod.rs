@@ -1,9 +1,10 @@
 //! Factorisations of small dense matrices of fixed size: factor once, solve often, never allocate.
 //!
-//! [`Ldlt`] is for symmetric positive definite matrices (the mass matrix of any T), [`Lu`] for the rest (a user's
-//! own L may have an indefinite ∂²L/∂v²). Both report the index of the pivot at which they stop. [`Saddle`] and
-//! [`Diagonal`] solve for velocities and multipliers of a constrained system together, redundant constraints
-//! included; [`Schur`] is what is left of such a system once the velocities are eliminated.
+//! [`Ldlt`] is for symmetric positive definite matrices (the mass matrix of any T), [`Lu`] for the rest (a
+//! user's own L may have an indefinite ∂²L/∂v²). Both report the index of the pivot at which they stop.
+//! [`Saddle`] and [`Diagonal`] solve for velocities and multipliers of a constrained system together,
+//! redundant constraints included; [`Schur`] is what is left of such a system once the velocities are
+//! eliminated.
 
 pub(crate) mod complex;
 mod independence;

@@ -5,24 +5,26 @@
 //! A v        = y        A: C × N                   κ: multipliers, Aᵀ κ the forces of constraint
 //! ```
 //!
-//! Coordinates are scaled to unit mass and rows of A to unit size, so that no decision depends on units. Then A gives
-//! velocities v₀ that meet the constraints and a basis Z of those that they leave open, in which the equations are
-//! Zᵀ M Z t = Zᵀ (r − M v₀). M need be regular only there: coordinates without mass are welcome if the constraints tie
-//! them to others. (Nocedal and Wright, "Numerical Optimization", 2nd ed., § 16.2; Golub and Van Loan, "Matrix
-//! Computations", 4th ed., §§ 5.4 and 6.2.)
+//! Coordinates are scaled to unit mass and rows of A to unit size, so that no decision depends on units. Then
+//! A gives velocities v₀ that meet the constraints and a basis Z of those that they leave open, in which the
+//! equations are Zᵀ M Z t = Zᵀ (r − M v₀). M need be regular only there: coordinates without mass are welcome
+//! if the constraints tie them to others. (Nocedal and Wright, "Numerical Optimization", 2nd ed., § 16.2;
+//! Golub and Van Loan, "Matrix Computations", 4th ed., §§ 5.4 and 6.2.)
 //!
-//! Where rows of A are clearly independent, Z comes from an elimination that solves them for as many coordinates;
-//! otherwise from a Householder QR of Aᵀ with column pivoting, which decides about the rank.
+//! Where rows of A are clearly independent, Z comes from an elimination that solves them for as many
+//! coordinates; otherwise from a Householder QR of Aᵀ with column pivoting, which decides about the rank.
 //!
-//! From this the blocks of the inverse are formed explicitly, because a factorisation is used some twenty times:
+//! From this the blocks of the inverse are formed explicitly, because a factorisation is used some twenty
+//! times:
 //!
 //! ```text
 //! v = P r + Y y,   κ = −Yᵀ r + T y,   P = Z (Zᵀ M Z)⁻¹ Zᵀ,   A Y = 1,   T = Yᵀ M Y
 //! ```
 //!
-//! so that a solution is one product of a matrix and a vector, without divisions and without substitutions that wait
-//! for each other. Solutions are as accurate as those of the factors; residuals are a few roundings where the scaled A
-//! and Zᵀ M Z are well conditioned, and grow with their condition, which those of factors would not.
+//! so that a solution is one product of a matrix and a vector, without divisions and without substitutions
+//! that wait for each other. Solutions are as accurate as those of the factors; residuals are a few roundings
+//! where the scaled A and Zᵀ M Z are well conditioned, and grow with their condition, which those of factors
+//! would not.
 
 use super::Independence;
 use crate::real::Real;
@@ -61,8 +63,8 @@ pub enum Defect {
 pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// (v, κ) with M v − Aᵀ κ = `r` and A v = `y`; NaN where there is a [`defect`](Self::defect).
     ///
-    /// Of dependent rows of A as many as are independent have a say in v, and κ is the shortest of all that give the
-    /// same Aᵀ κ.
+    /// Of dependent rows of A as many as are independent have a say in v, and κ is the shortest of all that
+    /// give the same Aᵀ κ.
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]);
 
     /// How independent the rows of A are.
@@ -79,16 +81,16 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
 
-    /// Units of the coordinates in which none is larger than another: 1/√M\[i]\[i], or what A makes of them where that
-    /// does not exist; zero for a coordinate that nothing moves.
+    /// Units of the coordinates in which none is larger than another: 1/√M\[i]\[i], or what A makes of them
+    /// where that does not exist; zero for a coordinate that nothing moves.
     fn units(&self) -> [R; N];
 }
 
 /// The inverse of a saddle-point system with any symmetric M.
 ///
-/// With several lanes the order of the pivots and the rank are common to all of them. A lane that has a smaller rank
-/// than another, or other dependent rows, or a singular Zᵀ M Z where another has none, gives NaN; the other lanes are
-/// right. A defect of some lanes is [`Defect::NotFinite`].
+/// With several lanes the order of the pivots and the rank are common to all of them. A lane that has a
+/// smaller rank than another, or other dependent rows, or a singular Zᵀ M Z where another has none, gives
+/// NaN; the other lanes are right. A defect of some lanes is [`Defect::NotFinite`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saddle<R, const N: usize, const C: usize> {
     /// P, symmetric up to rounding: the row of a component of r.
@@ -115,7 +117,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         Self::with::<true>(mass, a)
     }
 
-    /// Factors the system of a symmetric matrix of any signature, by partial pivoting in the null space of `a`.
+    /// Factors the system of a symmetric matrix of any signature, by partial pivoting in the null space of
+    /// `a`.
     ///
     /// Only the lower triangle of `mass` is read. What cannot be solved is left to [`SaddlePoint::defect`].
     #[inline]
@@ -128,8 +131,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     fn with<const DEFINITE: bool>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
         let full = symmetric(mass);
         let mut split = Split { null: [[R::zero(); N]; N], inverse: [[R::zero(); C]; N] };
-        // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts from the
-        // arguments again, so that nothing else need be in memory.
+        // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts
+        // from the arguments again, so that nothing else need be in memory.
         let scaled = Scaled::new(mass, a);
         if let Some(independence) = partition(&scaled, &mut split) {
             let mut reduced = Reduced::new(&full, &split.null, C);
@@ -148,8 +151,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         Self::carefully::<DEFINITE>(mass, a)
     }
 
-    /// A single row whose largest entry is none: one row depends on no other, and a program that has no more links none of
-    /// what decides about them.
+    /// A single row whose largest entry is none: one row depends on no other, and a program that has no more
+    /// links none of what decides about them.
     #[cold]
     #[inline(never)]
     fn without_gradient(a: &[[R; N]; C]) -> Self {

@@ -1,9 +1,10 @@
-//! The Schur complement S = A M⁻¹ Aᵀ of constrained mechanics: symmetric, positive semidefinite, singular where rows of
-//! A depend on each other.
+//! The Schur complement S = A M⁻¹ Aᵀ of constrained mechanics: symmetric, positive semidefinite, singular
+//! where rows of A depend on each other.
 //!
-//! Matrices that are clearly regular are factored as L D Lᵀ in the order given. A small pivot leaves the square of A: the
-//! rows themselves, in the metric of M, are brought to triangular form by the QR factorisation that reveals their rank, and
-//! the inverse, or the generalised inverse that gives the shortest solution, is formed from that.
+//! Matrices that are clearly regular are factored as L D Lᵀ in the order given. A small pivot leaves the
+//! square of A: the rows themselves, in the metric of M, are brought to triangular form by the QR
+//! factorisation that reveals their rank, and the inverse, or the generalised inverse that gives the shortest
+//! solution, is formed from that.
 
 use crate::real::Real;
 
@@ -15,23 +16,25 @@ use super::saddle::vectors::{add_product, add_scaled, multiply, poison, scale, u
 
 /// A pivot below this part of its diagonal is left to the careful way.
 ///
-/// A pivot is the squared sine of the angle between a row of A and those before it, in the metric of the kinetic energy, and
-/// S is known to some Cε, so what is above has lost three digits at most.
+/// A pivot is the squared sine of the angle between a row of A and those before it, in the metric of the
+/// kinetic energy, and S is known to some Cε, so what is above has lost three digits at most.
 const LEAST: f64 = 1.0 / 1024.0;
 
 /// Up to this size the inverse is formed: one product instead of two substitutions.
 pub(super) const SMALL: usize = 6;
 
-/// So many orders of a Taylor series are refined: the terms of those after them are smaller by two powers of ten.
+/// So many orders of a Taylor series are refined: the terms of those after them are smaller by two powers of
+/// ten.
 const REFINED: usize = 4;
 
 /// A factored Schur complement.
 ///
-/// With several lanes the rank and the order of the pivots are common to all of them. A lane with a smaller rank than
-/// another, or with other dependent rows, gives NaN; the other lanes are right.
+/// With several lanes the rank and the order of the pivots are common to all of them. A lane with a smaller
+/// rank than another, or with other dependent rows, gives NaN; the other lanes are right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schur<R, const C: usize> {
-    /// L without its unit diagonal, below the diagonal; or the inverse: the row of what a component of y adds to κ.
+    /// L without its unit diagonal, below the diagonal; or the inverse: the row of what a component of y
+    /// adds to κ.
     factor: [[R; C]; C],
     /// 1 / D.
     inverse: [R; C],
@@ -42,7 +45,8 @@ pub struct Schur<R, const C: usize> {
 }
 
 impl<R: Real, const C: usize> Schur<R, C> {
-    /// Factors S, of which only the lower triangle is read. `system` gives M⁻¹, as a diagonal, and A where S alone is not enough.
+    /// Factors S, of which only the lower triangle is read. `system` gives M⁻¹, as a diagonal, and A where S
+    /// alone is not enough.
     #[inline]
     #[must_use]
     pub fn factor<const N: usize>(
@@ -111,8 +115,8 @@ impl<R: Real, const C: usize> Schur<R, C> {
         Some(Self { factor, inverse, inverted: false, independence, vanishing: None })
     }
 
-    /// A single row whose square is not positive: it depends on no other, and a program that has no more rows links nothing
-    /// of what decides about them.
+    /// A single row whose square is not positive: it depends on no other, and a program that has no more rows
+    /// links nothing of what decides about them.
     #[cold]
     #[inline(never)]
     fn single(lower: &[[R; C]; C]) -> Self {
@@ -149,8 +153,8 @@ impl<R: Real, const C: usize> Schur<R, C> {
         if range.rank < C {
             redundant::shorten(&mut factor, &range.combinations(), range.rank);
         }
-        // A row that is not a number is not taken, but it does not depend on others either. Nor does one that a negative
-        // mass has made such.
+        // A row that is not a number is not taken, but it does not depend on others either. Nor does one that
+        // a negative mass has made such.
         poison(factor.as_flattened_mut(), rows.as_flattened());
         Self {
             factor,
@@ -210,9 +214,9 @@ impl<R: Real, const C: usize> Schur<R, C> {
 
     /// κ for the Taylor coefficients of an order, with S given again.
     ///
-    /// Where a constraint keeps S what it is, as a rod does, the rounding errors of the factors are the same in every step,
-    /// and energy would drift with the number of steps instead of its root. So the first orders, which carry most of a
-    /// step, are refined (Higham, chapter 12).
+    /// Where a constraint keeps S what it is, as a rod does, the rounding errors of the factors are the same
+    /// in every step, and energy would drift with the number of steps instead of its root. So the first
+    /// orders, which carry most of a step, are refined (Higham, chapter 12).
     #[inline]
     #[must_use]
     pub fn solve_order(&self, order: usize, lower: &[[R; C]; C], y: [R; C]) -> [R; C] {

@@ -1,8 +1,8 @@
 //! Singular values by one-sided Jacobi rotations, for least squares with any rank.
 //!
-//! Columns are rotated in pairs until all are orthogonal: B = U Σ Vᵀ. No bidiagonal form is needed, and small singular
-//! values keep their relative accuracy (Golub and Van Loan, "Matrix Computations", 4th ed., § 8.6.3; J. Demmel and
-//! K. Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204).
+//! Columns are rotated in pairs until all are orthogonal: B = U Σ Vᵀ. No bidiagonal form is needed, and small
+//! singular values keep their relative accuracy (Golub and Van Loan, "Matrix Computations", 4th ed., § 8.6.3;
+//! J. Demmel and K. Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204).
 
 use crate::real::{Ordered, Real, larger};
 use crate::stored::Stored;
@@ -76,7 +76,8 @@ impl<R: Ordered, const N: usize> SingularValues<R, N> {
         dot(&rest, &rest)
     }
 
-    /// The x of least |B x − b|² + `damping` |x|². Directions whose singular value is rounding are left alone.
+    /// The x of least |B x − b|² + `damping` |x|². Directions whose singular value is rounding are left
+    /// alone.
     pub fn solve(&self, b: &[R; N], damping: R) -> [R; N] {
         let least = self.least();
         let mut x = [R::zero(); N];

@@ -1,15 +1,16 @@
 //! Eigenvalues and eigenvectors of a symmetric matrix by Jacobi's rotations.
 //!
-//! A rotation in the plane of two coordinates makes the entry between them zero; sweeps over all pairs converge quadratically
-//! (Golub and Van Loan, "Matrix Computations", 4th ed., § 8.5). Nothing is stored but the matrix and the product of the rotations.
+//! A rotation in the plane of two coordinates makes the entry between them zero; sweeps over all pairs
+//! converge quadratically (Golub and Van Loan, "Matrix Computations", 4th ed., § 8.5). Nothing is stored but
+//! the matrix and the product of the rotations.
 
 use crate::real::{Ordered, larger};
 
 /// Sweeps over all pairs; quadratic convergence needs some six to ten.
 const SWEEPS: usize = 40;
 
-/// Brings the leading `count` rows and columns of a symmetric matrix to their diagonal, in place: its eigenvalues. The rows of
-/// `vectors` become the eigenvectors.
+/// Brings the leading `count` rows and columns of a symmetric matrix to their diagonal, in place: its
+/// eigenvalues. The rows of `vectors` become the eigenvectors.
 pub(crate) fn diagonalise<R: Ordered, const N: usize>(
     matrix: &mut [[R; N]; N],
     vectors: &mut [[R; N]; N],

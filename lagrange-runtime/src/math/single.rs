@@ -1,9 +1,9 @@
 //! Functions of `f32` in single precision throughout.
 //!
-//! The `libm` crate computes these in double precision. On a processor whose floating-point unit knows `f32` alone each
-//! would take thousands of instructions and link the emulation of doubles, several kilobytes. What is here needs neither;
-//! the largest errors, found by trying all arguments, are 2.5 units in the last place for sine and cosine (1.1e-7 at
-//! most), 4 for the tangent and the arc sine, 1 for the others.
+//! The `libm` crate computes these in double precision. On a processor whose floating-point unit knows `f32`
+//! alone each would take thousands of instructions and link the emulation of doubles, several kilobytes. What
+//! is here needs neither; the largest errors, found by trying all arguments, are 2.5 units in the last place
+//! for sine and cosine (1.1e-7 at most), 4 for the tangent and the arc sine, 1 for the others.
 
 pub(crate) use libm::*;
 
@@ -47,8 +47,8 @@ fn reduce(x: f32) -> (u32, f32) {
     (shifted.to_bits(), rest)
 }
 
-/// The same for any angle: the product with the binary digits of 2/π that matter (Payne and Hanek). NaN for what is not
-/// finite.
+/// The same for any angle: the product with the binary digits of 2/π that matter (Payne and Hanek). NaN for
+/// what is not finite.
 #[cold]
 #[inline(never)]
 fn reduce_large(x: f32) -> (u32, f32) {

@@ -1,9 +1,10 @@
 //! A scalar of twice the digits: the unevaluated sum of two doubles.
 //!
-//! T. J. Dekker, *A floating-point technique for extending the available precision*, Numer. Math. 18 (1971) 224; the
-//! algorithms with proven errors are those of M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for
-//! basic building blocks of double-word arithmetic*, ACM Trans. Math. Softw. 44 (2017) 15. With u = 2⁻⁵³, sums are right
-//! to 3u² ≈ 4e-32 of the result, however much cancels, products to 5u², quotients and roots to 10u².
+//! T. J. Dekker, *A floating-point technique for extending the available precision*, Numer. Math. 18 (1971)
+//! 224; the algorithms with proven errors are those of M. Joldes, J.-M. Muller, V. Popescu, *Tight and
+//! rigorous error bounds for basic building blocks of double-word arithmetic*, ACM Trans. Math. Softw. 44
+//! (2017) 15. With u = 2⁻⁵³, sums are right to 3u² ≈ 4e-32 of the result, however much cancels, products to
+//! 5u², quotients and roots to 10u².
 //!
 //! Infinities and NaN behave as those of `f64`: the low part of a number that is not finite is zero.
 
@@ -28,8 +29,9 @@ pub use digits::Digits;
 
 /// A real number with 31 decimal digits in the range of `f64`: the sum of two doubles that do not overlap.
 ///
-/// As the scalar of a system (`impl<R: Real> … `) it gives the motion with twice the digits of `f64`, at 10 to 30 times the
-/// cost. Literals of a description are exact to all its digits. Parameters are what they are made from:
+/// As the scalar of a system (`impl<R: Real> … `) it gives the motion with twice the digits of `f64`, at 10
+/// to 30 times the cost. Literals of a description are exact to all its digits. Parameters are what they are
+/// made from:
 ///
 /// ```
 /// use lagrange_runtime::DoubleDouble;

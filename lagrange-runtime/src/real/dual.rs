@@ -7,15 +7,16 @@ use num_traits::{One, Zero};
 
 use super::Real;
 
-/// A number with its derivatives in `D` directions: value + Σ slopeᵢ εᵢ with εᵢ εⱼ = 0 (forward accumulation; Griewank and
-/// Walther, *Evaluating Derivatives*, 2nd ed., chapter 3).
+/// A number with its derivatives in `D` directions: value + Σ slopeᵢ εᵢ with εᵢ εⱼ = 0 (forward accumulation;
+/// Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 3).
 ///
-/// Every function of the library takes it for a scalar. A motion of a system of such numbers is the motion of the values and its
-/// derivatives by whatever the slopes of start and parameters say, and the step follows the errors of both
-/// ([`Real::part`]). The order is that of the values, among equal ones that of the slopes one by one, as for infinitesimals.
-/// `Dual<Dual<f64, A>, B>` has second derivatives.
+/// Every function of the library takes it for a scalar. A motion of a system of such numbers is the motion of
+/// the values and its derivatives by whatever the slopes of start and parameters say, and the step follows
+/// the errors of both ([`Real::part`]). The order is that of the values, among equal ones that of the slopes
+/// one by one, as for infinitesimals. `Dual<Dual<f64, A>, B>` has second derivatives.
 ///
-/// A number whose slopes are zero has functions whose slopes are zero, also where the function has no derivative.
+/// A number whose slopes are zero has functions whose slopes are zero, also where the function has no
+/// derivative.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Dual<R, const D: usize> {
     /// The number.

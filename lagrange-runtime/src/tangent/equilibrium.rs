@@ -1,12 +1,12 @@
 //! Where a system can rest.
 //!
-//! Unknown are the coordinates alone: on the constraints, the multipliers of least squares solve Aᵀλ = −f as well as can be,
-//! and what is left are the generalized forces g = Zᵀ f along the motions that the constraints allow. After each step the
-//! coordinates are brought back onto the constraints. Sizes are measured in the inertia of the coordinates, so that units do
-//! not matter.
+//! Unknown are the coordinates alone: on the constraints, the multipliers of least squares solve Aᵀλ = −f as
+//! well as can be, and what is left are the generalized forces g = Zᵀ f along the motions that the
+//! constraints allow. After each step the coordinates are brought back onto the constraints. Sizes are
+//! measured in the inertia of the coordinates, so that units do not matter.
 //!
-//! Where g has a potential, [`descent`] goes down in it, and Newton's method gives the last digits; where not, Newton's method does
-//! it all ([`newton`]). [`stability`] says what was found.
+//! Where g has a potential, [`descent`] goes down in it, and Newton's method gives the last digits; where
+//! not, Newton's method does it all ([`newton`]). [`stability`] says what was found.
 
 mod descent;
 mod newton;
@@ -38,12 +38,13 @@ const DESCENTS: usize = 16;
 pub struct Equilibrium<R, const N: usize, const C: usize> {
     /// At rest, at the time of the guess.
     pub state: State<R, N>,
-    /// Multipliers λ in the order of `CONSTRAINTS`: `Aᵀλ` balances all other forces. Where constraints are redundant, those
-    /// of least Σ λ².
+    /// Multipliers λ in the order of `CONSTRAINTS`: `Aᵀλ` balances all other forces. Where constraints are
+    /// redundant, those of least Σ λ².
     pub multipliers: [R; C],
     /// Whether the equilibrium determines each multiplier.
     pub are_unique: bool,
-    /// Whether there is no other equilibrium nearby: the stiffness is regular on the motions that the constraints allow.
+    /// Whether there is no other equilibrium nearby: the stiffness is regular on the motions that the
+    /// constraints allow.
     pub is_isolated: bool,
     /// What becomes of small deviations.
     pub stability: Stability,
@@ -202,7 +203,8 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    /// Whether what is left of the forces at a start is rounding of those that a change by the size of the coordinates makes.
+    /// Whether what is left of the forces at a start is rounding of those that a change by the size of the
+    /// coordinates makes.
     fn is_stationary(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> bool {
         let share = S::Scalar::from_f64(16.0 * N as f64) * S::Scalar::epsilon() * rest.stiffness.size;
         let most = rest.forces.iter().fold(S::Scalar::zero(), |most, x| larger(x.abs(), most));

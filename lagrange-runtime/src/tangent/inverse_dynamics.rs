@@ -13,8 +13,8 @@ use crate::state::State;
 pub struct InverseDynamics<R, const N: usize, const C: usize> {
     /// M a − f = M a + b − (Q − ∂D/∂v), with the inputs in Q at zero.
     pub total: [R; N],
-    /// What is left of it once the constraints bear what they can: the part in M times the velocities that the constraints
-    /// allow. The same as `total` without constraints.
+    /// What is left of it once the constraints bear what they can: the part in M times the velocities that
+    /// the constraints allow. The same as `total` without constraints.
     pub required: [R; N],
     /// The multipliers under `required`: `total` = `required` + Aᵀλ.
     pub multipliers: [R; C],

@@ -1,10 +1,10 @@
 //! Linear equations of small deviations from a motion.
 //!
-//! M δa + (C + G) δv + K δq = Aᵀ δλ + (∂f/∂u) δu, with C the symmetric and G the skew part of −∂r/∂v and K = −∂r/∂q at the
-//! accelerations and multipliers of the state (Meirovitch, *Methods of Analytical Dynamics*, § 9.3). K has the stiffness of
-//! the reactions, −∂(Aᵀλ)/∂q, in it, so that it counts on the tangent space of the constraints. There
-//! δq = Z ξ and δv = Y η − A⁺ (∂w/∂q) δq, with Z and Y the velocities that holonomic and that all constraints allow, and
-//! x = (ξ, η).
+//! M δa + (C + G) δv + K δq = Aᵀ δλ + (∂f/∂u) δu, with C the symmetric and G the skew part of −∂r/∂v and K =
+//! −∂r/∂q at the accelerations and multipliers of the state (Meirovitch, *Methods of Analytical Dynamics*, §
+//! 9.3). K has the stiffness of the reactions, −∂(Aᵀλ)/∂q, in it, so that it counts on the tangent space of
+//! the constraints. There δq = Z ξ and δv = Y η − A⁺ (∂w/∂q) δq, with Z and Y the velocities that holonomic
+//! and that all constraints allow, and x = (ξ, η).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -41,8 +41,8 @@ pub struct LinearModel<R, const N: usize, const K: usize> {
     drift: [SVector<R, N>; 2],
 }
 
-/// Vectors that span a space of motions: of unit kinetic energy ½ zᵀ M z = ½ and orthogonal in M where M is positive on that
-/// space; without constraints the coordinates themselves.
+/// Vectors that span a space of motions: of unit kinetic energy ½ zᵀ M z = ½ and orthogonal in M where M is
+/// positive on that space; without constraints the coordinates themselves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Basis<R, const N: usize> {
     vectors: Stored<SMatrix<R, N, N>>,
@@ -189,8 +189,9 @@ impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
         self.displacements.len() + self.velocities.len()
     }
 
-    /// A of ẋ = A x + B u + drift, where x are the components of δq in [`LinearModel::displacements`], then those of δv in
-    /// [`LinearModel::velocities`]; without constraints x = (δq, δv). `None` if `D` is not [`LinearModel::order`].
+    /// A of ẋ = A x + B u + drift, where x are the components of δq in [`LinearModel::displacements`], then
+    /// those of δv in [`LinearModel::velocities`]; without constraints x = (δq, δv). `None` if `D` is not
+    /// [`LinearModel::order`].
     #[must_use]
     pub fn state_matrix<const D: usize>(&self) -> Option<SMatrix<R, D, D>> {
         (D == self.order()).then(|| SMatrix::from_fn(|i, j| self.entry(i, j)))
@@ -224,7 +225,8 @@ impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
         (D == self.order()).then(|| SVector::from_fn(|i, _| entry(i)))
     }
 
-    /// M, C, G or K on the velocities that the constraints allow: Zᵀ X Z, of which the leading rows and columns count.
+    /// M, C, G or K on the velocities that the constraints allow: Zᵀ X Z, of which the leading rows and
+    /// columns count.
     #[must_use]
     pub fn on_tangent_space(&self, matrix: &SMatrix<R, N, N>) -> SMatrix<R, N, N> {
         self.velocities.vectors.transpose() * matrix * *self.displacements.vectors

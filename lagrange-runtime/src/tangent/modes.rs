@@ -1,8 +1,9 @@
 //! Small oscillations: eigenvalues and shapes, on hosts with a standard library.
 //!
-//! Without damping, gyroscopic and circulatory forces, the stiffness is brought to the orthonormal coordinates of the
-//! inertia, K̃ = L⁻¹ K L⁻ᵀ with M = L Lᵀ, and is a symmetric eigenproblem (Golub and Van Loan, *Matrix Computations*, 4th
-//! ed., § 8.7). Otherwise the eigenvalues are those of the balanced state matrix, and inverse iteration gives the shapes.
+//! Without damping, gyroscopic and circulatory forces, the stiffness is brought to the orthonormal
+//! coordinates of the inertia, K̃ = L⁻¹ K L⁻ᵀ with M = L Lᵀ, and is a symmetric eigenproblem (Golub and Van
+//! Loan, *Matrix Computations*, 4th ed., § 8.7). Otherwise the eigenvalues are those of the balanced state
+//! matrix, and inverse iteration gives the shapes.
 
 mod balance;
 mod qr;
@@ -23,13 +24,14 @@ use vectors::{eigenvector, null_vectors};
 /// Iterations for each eigenvalue of a symmetric matrix before the search is given up.
 const ITERATIONS: usize = 100;
 
-/// The least scale of an eigenvalue beside entries of size one: its pivots are roundings of it, and their squares must be
-/// numbers.
+/// The least scale of an eigenvalue beside entries of size one: its pivots are roundings of it, and their
+/// squares must be numbers.
 const SOFTEST: f64 = 1e-120;
 
 const ZERO: Complex<f64> = Complex::new(0.0, 0.0);
 
-/// The share of the largest entry of a matrix below which an eigenvalue is rounding, if the entries err by `unit`.
+/// The share of the largest entry of a matrix below which an eigenvalue is rounding, if the entries err by
+/// `unit`.
 fn rounding(order: usize, unit: f64) -> f64 {
     16.0 * order as f64 * unit
 }
@@ -50,7 +52,8 @@ impl<const N: usize> Mode<N> {
         self.eigenvalue.re.hypot(self.eigenvalue.im)
     }
 
-    /// Damping ratio −Re λ / |λ|: 0 undamped, 1 from the critical damping on, negative where the mode grows; zero for λ = 0.
+    /// Damping ratio −Re λ / |λ|: 0 undamped, 1 from the critical damping on, negative where the mode grows;
+    /// zero for λ = 0.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
         if self.frequency() > 0.0 { -self.eigenvalue.re / self.frequency() } else { 0.0 }
@@ -90,7 +93,8 @@ where
     Ok(modes)
 }
 
-/// All eigenvalues of a matrix whose entries have a relative error of `unit`; `None` where the iteration fails.
+/// All eigenvalues of a matrix whose entries have a relative error of `unit`; `None` where the iteration
+/// fails.
 pub(super) fn values(matrix: &DMatrix<f64>, unit: f64) -> Option<Vec<Complex<f64>>> {
     let found = eigenvalues(matrix, unit, false)?;
     Some(found.into_iter().map(|found| found.value).collect())
@@ -102,7 +106,8 @@ pub(super) struct Growth {
     pub still: usize,
 }
 
-/// Counts eigenvalues by the signs of their real parts; `None` where the iteration fails. The numbers err by `unit`.
+/// Counts eigenvalues by the signs of their real parts; `None` where the iteration fails. The numbers err by
+/// `unit`.
 pub(super) fn growth<const N: usize, const K: usize>(
     model: &LinearModel<f64, N, K>,
     unit: f64,

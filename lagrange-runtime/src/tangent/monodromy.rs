@@ -1,8 +1,9 @@
 //! Floquet multipliers of periodic motions, on hosts with a standard library.
 //!
-//! The state-transition matrix over one period, the monodromy matrix, maps a deviation from a periodic motion to what has become of
-//! it a period later; its eigenvalues, the multipliers, say whether it grows (Yakubovich and Starzhinskii, *Linear Differential
-//! Equations with Periodic Coefficients*, chapter II; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, § I.16).
+//! The state-transition matrix over one period, the monodromy matrix, maps a deviation from a periodic motion
+//! to what has become of it a period later; its eigenvalues, the multipliers, say whether it grows
+//! (Yakubovich and Starzhinskii, *Linear Differential Equations with Periodic Coefficients*, chapter II;
+//! Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, § I.16).
 
 use std::vec::Vec;
 
@@ -17,13 +18,15 @@ use crate::state::State;
 /// What a period makes of deviations from a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Monodromy<R, const N: usize, const P: usize = 0> {
-    /// The state after the period with its derivatives by the start. Where the motion is periodic it is the start, up to whole
-    /// turns of angles.
+    /// The state after the period with its derivatives by the start. Where the motion is periodic it is the
+    /// start, up to whole turns of angles.
     pub transition: Transition<R, N, P>,
-    /// The eigenvalues of the state-transition matrix, largest modulus first; under constraints those on the tangent space.
+    /// The eigenvalues of the state-transition matrix, largest modulus first; under constraints those on the
+    /// tangent space.
     ///
-    /// A periodic motion of a system that does not depend on time has a multiplier 1, and a second one where energy is conserved;
-    /// every other integral adds a pair. Equal multipliers are uncertain by the root of a rounding and more.
+    /// A periodic motion of a system that does not depend on time has a multiplier 1, and a second one where
+    /// energy is conserved; every other integral adds a pair. Equal multipliers are uncertain by the
+    /// root of a rounding and more.
     pub multipliers: Vec<Complex<f64>>,
 }
 
@@ -52,12 +55,12 @@ where
     S: Sensitive<N, K, C, P, D>,
     S::Scalar: Ordered + Into<f64>,
 {
-    /// The multipliers of the periodic motion from the start. That it is periodic is the caller's to know: the eigenvalues of
-    /// another motion's matrix mean little.
+    /// The multipliers of the periodic motion from the start. That it is periodic is the caller's to know:
+    /// the eigenvalues of another motion's matrix mean little.
     ///
     /// # Errors
-    /// Why and when the motion or a derivative cannot go on; [`Cause::NoEigenvalues`] for eigenvalues that the iteration does not
-    /// find.
+    /// Why and when the motion or a derivative cannot go on; [`Cause::NoEigenvalues`] for eigenvalues that
+    /// the iteration does not find.
     pub fn monodromy(
         mut self,
         period: S::Scalar,

@@ -1,8 +1,8 @@
-//! Constrained systems as ordinary differential equations: [`Linearized`](crate::Linearized) with the multipliers solved
-//! for.
+//! Constrained systems as ordinary differential equations: [`Linearized`](crate::Linearized) with the
+//! multipliers solved for.
 //!
-//! With a(t, q, v, u) from the saddle-point system, r = a(t, q, v, u) − a has the derivatives of the accelerations, and a
-//! unit matrix in the place of M. Reached through generated code only.
+//! With a(t, q, v, u) from the saddle-point system, r = a(t, q, v, u) − a has the derivatives of the
+//! accelerations, and a unit matrix in the place of M. Reached through generated code only.
 
 use super::Tangent;
 use super::response::{Factored, columns, factored};

@@ -46,8 +46,8 @@ pub struct Sensitivities<R, const N: usize, const C: usize, const P: usize> {
     pub multipliers: SMatrix<R, C, P>,
 }
 
-/// A system with derivatives by the `P` parameters that its attribute lists as `sensitivities`, none if it lists none, and by
-/// its start, in `D` directions at once.
+/// A system with derivatives by the `P` parameters that its attribute lists as `sensitivities`, none if it
+/// lists none, and by its start, in `D` directions at once.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the equations of `{Self}` are not generated",
     label = "this needs `jacobians`, and `sensitivities = […]` for derivatives by parameters",
@@ -67,11 +67,11 @@ pub trait Sensitive<
     /// The same equations over another scalar.
     type Over<R: Real>: System<N, K, Scalar = R> + Copy + core::fmt::Debug;
 
-    /// The system with each parameter replaced by a number of another scalar, such as [`Dual`](crate::Dual). `parameter` makes
-    /// it from the value and, for those of [`Sensitive::PARAMETERS`], the index there.
+    /// The system with each parameter replaced by a number of another scalar, such as [`Dual`](crate::Dual).
+    /// `parameter` makes it from the value and, for those of [`Sensitive::PARAMETERS`], the index there.
     ///
-    /// Whatever takes a system takes the result: `simulate`, steppers, batches. So derivatives by any combination of start and
-    /// parameters, and second ones by duals of duals, are motions like others.
+    /// Whatever takes a system takes the result: `simulate`, steppers, batches. So derivatives by any
+    /// combination of start and parameters, and second ones by duals of duals, are motions like others.
     fn over<R: Real>(&self, parameter: impl FnMut(Self::Scalar, Option<usize>) -> R) -> Self::Over<R>;
 
     /// Derivatives of the equations by the parameters.

@@ -1,13 +1,14 @@
 //! The motion together with its derivatives by the start and by parameters: the variational equations
-//! δq̈ = (∂a/∂q) δq + (∂a/∂v) δv + ∂a/∂p (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.,
-//! § I.14).
+//! δq̈ = (∂a/∂q) δq + (∂a/∂v) δv + ∂a/∂p (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations
+//! I*, 2nd ed., § I.14).
 //!
-//! They are never written down. The system runs on numbers that carry their derivatives ([`Dual`]), so that its own method, of
-//! its own order, gives the derivatives of what it computes: of Taylor series, of multipliers, of projections. Steps follow the
-//! errors of the derivatives as they follow those of the motion.
+//! They are never written down. The system runs on numbers that carry their derivatives ([`Dual`]), so that
+//! its own method, of its own order, gives the derivatives of what it computes: of Taylor series, of
+//! multipliers, of projections. Steps follow the errors of the derivatives as they follow those of the
+//! motion.
 //!
-//! Of many directions some go at once, and the motion is passed through again for the others, so that the memory is that of a
-//! few motions whatever the size of the system.
+//! Of many directions some go at once, and the motion is passed through again for the others, so that the
+//! memory is that of a few motions whatever the size of the system.
 
 use nalgebra::SMatrix;
 
@@ -19,8 +20,8 @@ use crate::simulation::{Held, Simulation};
 use crate::state::State;
 use crate::system::System;
 
-/// A system whose states carry their derivatives by `N` initial coordinates, `N` initial velocities and `P` parameters, `D` of
-/// these at once.
+/// A system whose states carry their derivatives by `N` initial coordinates, `N` initial velocities and `P`
+/// parameters, `D` of these at once.
 #[derive(Clone, Copy, Debug)]
 pub struct Variational<
     'a,
@@ -42,8 +43,8 @@ type Varied<S, const N: usize, const K: usize, const C: usize, const P: usize, c
 type Pass<'a, T, const N: usize, const K: usize> =
     Simulation<'a, T, Held<<T as System<N, K>>::Scalar, K>, <T as System<N, K>>::Method, N, K>;
 
-/// On the heap where there is one: the tables of a Taylor series are as many times as large as those of the motion as it has
-/// directions, and one more.
+/// On the heap where there is one: the tables of a Taylor series are as many times as large as those of the
+/// motion as it has directions, and one more.
 #[cfg(feature = "std")]
 type Place<T> = std::boxed::Box<T>;
 #[cfg(not(feature = "std"))]
@@ -56,7 +57,8 @@ fn placed<T>(content: T) -> Place<T> {
     return content;
 }
 
-/// A motion with its derivatives, by the method of the system, [`Jets`](crate::Jets) or [`Dop853`](crate::Dop853).
+/// A motion with its derivatives, by the method of the system, [`Jets`](crate::Jets) or
+/// [`Dop853`](crate::Dop853).
 pub struct VariationalMotion<
     'a,
     S,
@@ -201,8 +203,8 @@ where
         Self { system, first: over(system, 0) }
     }
 
-    /// A motion from a state, with inputs at zero. Of a constrained system the derivatives at the start are those of the
-    /// nearest consistent state, so that every column obeys the constraints.
+    /// A motion from a state, with inputs at zero. Of a constrained system the derivatives at the start are
+    /// those of the nearest consistent state, so that every column obeys the constraints.
     ///
     /// # Errors
     /// What is wrong with the constraints at the start.
@@ -237,8 +239,8 @@ where
     S: Sensitive<N, K, C, P, D>,
     S::Scalar: Ordered,
 {
-    /// Tolerated local error of the motion and of its derivatives, relative to the size of each component; see
-    /// [`Simulation::with_tolerance`].
+    /// Tolerated local error of the motion and of its derivatives, relative to the size of each component;
+    /// see [`Simulation::with_tolerance`].
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: S::Scalar) -> Self {
         let limits = self.simulation.limits();
@@ -246,8 +248,9 @@ where
         self
     }
 
-    /// Tolerated local error of a component y: `absolute` + `relative` · |y|. In a column of derivatives `absolute` is relative
-    /// to its largest component: columns are solutions of linear equations, which have no scale.
+    /// Tolerated local error of a component y: `absolute` + `relative` · |y|. In a column of derivatives
+    /// `absolute` is relative to its largest component: columns are solutions of linear equations, which
+    /// have no scale.
     #[must_use]
     pub fn with_tolerances(mut self, relative: S::Scalar, absolute: S::Scalar) -> Self {
         let limits = self.simulation.limits();
@@ -284,7 +287,8 @@ where
     /// Goes on to time `t` \[s], forward or backward.
     ///
     /// # Errors
-    /// Why and when the motion or a derivative cannot go on. [`VariationalMotion::transition`] is then that before the call.
+    /// Why and when the motion or a derivative cannot go on. [`VariationalMotion::transition`] is then that
+    /// before the call.
     pub fn advance_to(
         &mut self,
         t: S::Scalar,

@@ -14,7 +14,8 @@ struct Judge {
 }
 
 impl Judge {
-    /// Whether two numbers agree to half the digits of what was added up for them, and to the uncertainty of differences.
+    /// Whether two numbers agree to half the digits of what was added up for them, and to the uncertainty of
+    /// differences.
     fn compare<R: Real>(
         &mut self,
         identity: Identity,
@@ -25,7 +26,8 @@ impl Judge {
     ) -> Result<(), Violation> {
         let off = (found - expected).abs();
         let allowed = R::epsilon().sqrt() * R::from_f64(2.0) * scale + R::from_f64(8.0) * uncertainty;
-        // Outside the domain there is nothing to compare, nor among the smallest numbers, whose roundings are no share of them.
+        // Outside the domain there is nothing to compare, nor among the smallest numbers, whose roundings are
+        // no share of them.
         let is_smallest = scale.is_positive() && !(scale * R::epsilon()).is_positive();
         if !off.is_finite() || !allowed.is_finite() || is_smallest {
             return Ok(());

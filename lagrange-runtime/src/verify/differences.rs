@@ -8,11 +8,13 @@ const GROWTH: f64 = 4.0;
 /// Differences that are so many times as uncertain as the best ones are beyond the scale of the function.
 const BEYOND: f64 = 1e3;
 
-/// df/dx at 0 by differences of order four, f′ ≈ (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h, and by how much it is uncertain.
+/// df/dx at 0 by differences of order four, f′ ≈ (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h, and by how much
+/// it is uncertain.
 ///
-/// `scale` is a change of x in which f may change by its own size, at most. Steps grow from half the digits of it: at first
-/// roundings are divided by less and less, then f is no longer its own tangent, at a step that is not known. The best of them is
-/// where consecutive ones agree, and the search ends where they disagree again: further away a function may be flat.
+/// `scale` is a change of x in which f may change by its own size, at most. Steps grow from half the digits
+/// of it: at first roundings are divided by less and less, then f is no longer its own tangent, at a step
+/// that is not known. The best of them is where consecutive ones agree, and the search ends where they
+/// disagree again: further away a function may be flat.
 pub fn derivative<R: Real>(f: impl Fn(R) -> R, scale: R) -> (R, R) {
     let number = R::from_f64;
     let mut h = scale * R::epsilon().sqrt();
@@ -44,7 +46,8 @@ pub fn derivative<R: Real>(f: impl Fn(R) -> R, scale: R) -> (R, R) {
     best.unwrap_or((last, R::one() / R::zero()))
 }
 
-/// The difference, and the size of what it subtracts: beside a place at which f vanishes, roundings are those of the values beside.
+/// The difference, and the size of what it subtracts: beside a place at which f vanishes, roundings are those
+/// of the values beside.
 fn quotient<R: Real>(f: &impl Fn(R) -> R, h: R) -> (R, R) {
     let [before, after] = [f(-h), f(h)];
     let (near, far) = (after - before, f(h + h) - f(-h - h));

@@ -1,8 +1,9 @@
-//! The certificate of a model: identities that must hold, checked at sampled states against the user's own functions.
+//! The certificate of a model: identities that must hold, checked at sampled states against the user's own
+//! functions.
 //!
-//! No stored numbers are compared. Derivatives are central differences of what the model computes, and of the user's
-//! positions and energies; their steps follow the scales of the motion, and how uncertain a difference is follows from steps
-//! of several lengths, so that nothing is asked of it that it cannot give.
+//! No stored numbers are compared. Derivatives are central differences of what the model computes, and of the
+//! user's positions and energies; their steps follow the scales of the motion, and how uncertain a difference
+//! is follows from steps of several lengths, so that nothing is asked of it that it cannot give.
 
 mod checks;
 mod differences;
@@ -188,8 +189,9 @@ pub trait Verifiable<const N: usize, const K: usize = 0>: System<N, K> {
 /// How many states are drawn where none are given.
 const STATES: usize = 12;
 
-/// Checks all identities at states with coordinates and velocities between −1 and 1. Where the scales of a model are far from
-/// one, nothing happens at such states, or too much: [`verify_at`] takes states at which it moves.
+/// Checks all identities at states with coordinates and velocities between −1 and 1. Where the scales of a
+/// model are far from one, nothing happens at such states, or too much: [`verify_at`] takes states at which
+/// it moves.
 ///
 /// # Errors
 /// The first identity that does not hold.
@@ -213,7 +215,8 @@ pub fn verify<S: Verifiable<N, K>, const N: usize, const K: usize>(
 /// Checks all identities at the given states, moved onto the constraints if there are any.
 ///
 /// # Errors
-/// The first identity that does not hold; [`Identity::Domain`] where the model cannot be evaluated at any of the states.
+/// The first identity that does not hold; [`Identity::Domain`] where the model cannot be evaluated at any of
+/// the states.
 pub fn verify_at<S: Verifiable<N, K>, const N: usize, const K: usize>(
     system: &S,
     states: &[State<S::Scalar, N>],

@@ -12,16 +12,16 @@ const MOST: usize = 12;
 
 /// A position or a pose as numbers whose rates give the kinetic energy.
 pub trait Placed<R> {
-    /// Components of the position from place 0, those of the attitude from place 3: an angle; cosine and sine; or the nine
-    /// entries of a rotation, row by row.
+    /// Components of the position from place 0, those of the attitude from place 3: an angle; cosine and
+    /// sine; or the nine entries of a rotation, row by row.
     fn components(&self) -> [R; MOST];
 
     /// Whether the attitude is that of a body in space.
     const SPATIAL: bool = false;
 }
 
-/// T = ½ m ṙ² + ½ ω·I ω of a particle or body on a path, and the uncertainty of it; `time` is the scale of the path. The
-/// inertia of a planar body stands in the first entry.
+/// T = ½ m ṙ² + ½ ω·I ω of a particle or body on a path, and the uncertainty of it; `time` is the scale of
+/// the path. The inertia of a planar body stands in the first entry.
 ///
 /// With J = ½ tr I − I the energy of a rotation is ½ tr(Ṙ J Ṙᵀ), so that no angular velocity is formed.
 pub fn kinetic<R: Real, P: Placed<R>>(

@@ -1,8 +1,8 @@
 //! How far a state may be changed for differences: the scales of a motion at that state.
 //!
-//! Molecules and moons move on scales of their own, which only the state tells: the distance of a coordinate from its origin,
-//! and the time in which its velocity or acceleration would bring it as far. A scale too large does no harm, because differences
-//! look for better steps below it.
+//! Molecules and moons move on scales of their own, which only the state tells: the distance of a coordinate
+//! from its origin, and the time in which its velocity or acceleration would bring it as far. A scale too
+//! large does no harm, because differences look for better steps below it.
 
 use crate::real::Real;
 use crate::state::State;
@@ -23,7 +23,8 @@ pub(super) struct Scales<R, const N: usize> {
 impl<R: Real, const N: usize> Scales<R, N> {
     /// The scales of a motion with these accelerations.
     pub fn of(mass: &[[R; N]; N], state: &State<R, N>, a: &[R; N]) -> Self {
-        // Steps are shares of a scale down to its roundings, and energies squares of them, which must be numbers.
+        // Steps are shares of a scale down to its roundings, and energies squares of them, which must be
+        // numbers.
         let is_scale = |x: &R| x.is_finite() && (*x * R::epsilon() * (*x * R::epsilon())).is_positive();
         let first = |candidates: [R; 2]| candidates.into_iter().find(is_scale).unwrap_or(R::one());
         let places = core::array::from_fn(|i| {
@@ -48,7 +49,8 @@ impl<R: Real, const N: usize> Scales<R, N> {
         Scales { time, places, pace }
     }
 
-    /// What the rates of some quantities along a motion are added up from, Σ |∂f/∂q v| + Σ |∂f/∂v a|, roughly.
+    /// What the rates of some quantities along a motion are added up from, Σ |∂f/∂q v| + Σ |∂f/∂v a|,
+    /// roughly.
     pub fn terms<const M: usize>(
         &self,
         state: &State<R, N>,

@@ -7,7 +7,8 @@ use lagrangian::{EquilibriumError, prelude::*};
 use crate::support::close::{all_close, close};
 use crate::support::reference::classical;
 
-/// Two links with friction in the joints and a motor at the elbow; angles from straight down, the second one relative.
+/// Two links with friction in the joints and a motor at the elbow; angles from straight down, the second one
+/// relative.
 struct Acrobot;
 
 #[lagrangian(coordinates = [shoulder, elbow], inputs = [motor], jacobians)]

@@ -1,4 +1,5 @@
-//! Systems with constraints: S04, S05, S08 and S14 in Cartesian coordinates, redundant and nonholonomic constraints.
+//! Systems with constraints: S04, S05, S08 and S14 in Cartesian coordinates, redundant and nonholonomic
+//! constraints.
 
 use std::f64::consts::{FRAC_PI_6, PI};
 

@@ -1,4 +1,5 @@
-//! Generated derivatives against dual numbers, which differentiate the generated accelerations and multipliers.
+//! Generated derivatives against dual numbers, which differentiate the generated accelerations and
+//! multipliers.
 
 use lagrangian::{Constrained, Response, prelude::*};
 
@@ -7,8 +8,8 @@ use crate::support::difference::{STEP, derivative};
 use crate::support::dual::Dual;
 use crate::support::sample::Samples;
 
-/// A cart on a rail that shakes, with a pole on it whose tip is kept on a rope, and a blade that holds: everything
-/// that a description may have.
+/// A cart on a rail that shakes, with a pole on it whose tip is kept on a rope, and a blade that holds:
+/// everything that a description may have.
 struct Everything<R> {
     mass: R,
     length: R,
@@ -151,7 +152,8 @@ fn linear_models_describe_neighbouring_motions() {
     for k in 0..5 {
         let (dq, dv) = if k < 3 {
             let dq = model.displacements.iter().nth(k).unwrap();
-            // The velocity that keeps df/dt and g at zero, of least size in M, from the constraints themselves.
+            // The velocity that keeps df/dt and g at zero, of least size in M, from the constraints
+            // themselves.
             let along = derivative(STEP, |x| {
                 let moved = State { q: std::array::from_fn(|i| state.q[i] + x * dq[i]), ..state };
                 SYSTEM.constraint_rates(&moved)

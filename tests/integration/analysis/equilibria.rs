@@ -223,7 +223,8 @@ impl Table {
 
 #[test]
 fn gyroscopic_forces_hold_what_damping_lets_fall() {
-    // s⁴ + (4 W² + a + b) s² + a b with a, b = k − W²: a turning shaft, stable between or beyond its critical speeds.
+    // s⁴ + (4 W² + a + b) s² + a b with a, b = k − W²: a turning shaft, stable between or beyond its critical
+    // speeds.
     let stability = |rate: f64, springs, drag| {
         let table = Table { rate, springs, drag };
         table.equilibrium([0.0, 0.0], &[]).unwrap().stability
@@ -241,7 +242,8 @@ fn gyroscopic_forces_hold_what_damping_lets_fall() {
     assert_eq!(back.stability, Stability::Gyroscopic { directions: 2 });
 }
 
-/// Two links with a force along the last one that follows it (Ziegler's column): m = 2, 1 at the joints, both springs 1.
+/// Two links with a force along the last one that follows it (Ziegler's column): m = 2, 1 at the joints, both
+/// springs 1.
 struct Column;
 
 #[lagrangian(coordinates = [a, b], inputs = [thrust], jacobians)]

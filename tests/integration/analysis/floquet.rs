@@ -24,8 +24,9 @@ impl Mathieu {
     }
 }
 
-/// A boundary of stability by its series (McLachlan, *Theory and Application of Mathieu Functions*, § 2.25; DLMF 28.6.1–28.6.6),
-/// with the entry of the state-transition matrix over half a period that is zero there, and the multiplier.
+/// A boundary of stability by its series (McLachlan, *Theory and Application of Mathieu Functions*, § 2.25;
+/// DLMF 28.6.1–28.6.6), with the entry of the state-transition matrix over half a period that is zero there,
+/// and the multiplier.
 struct Boundary {
     name: &'static str,
     series: fn(f64) -> f64,
@@ -137,8 +138,9 @@ fn aligned([x, y, vx, vy]: [f64; 4]) -> State<f64, 6> {
 
 #[test]
 fn the_figure_eight_is_stable() {
-    // Chenciner and Montgomery, *A remarkable periodic solution of the three-body problem in the case of equal masses*, Annals of
-    // Mathematics 152, 2000: eight digits, made sixteen by Newton's method with the monodromy matrix.
+    // Chenciner and Montgomery, *A remarkable periodic solution of the three-body problem in the case of
+    // equal masses*, Annals of Mathematics 152, 2000: eight digits, made sixteen by Newton's method with
+    // the monodromy matrix.
     let mut start = [0.970_004_36, -0.243_087_53, 0.932_407_37 / 2.0, 0.864_731_46 / 2.0];
     let mut period = 6.325_913_98;
     let varied = Bodies.variational();
@@ -169,10 +171,10 @@ fn the_figure_eight_is_stable() {
     }
     assert!(lack < 1e-13, "closed to {lack:e}");
     let found = varied.monodromy(aligned(start), period).unwrap().multipliers;
-    // The state-transition matrix by a Taylor series of order 44 in numbers of 42 digits, written by hand for these equations,
-    // about the orbit closed to 1e-35. Eight multipliers are 1, with Jordan blocks; Roberts, *Linear stability analysis of
-    // the figure-eight orbit in the three-body problem*, Ergodic Theory and Dynamical Systems 27, 2007, has these pairs
-    // to eight digits.
+    // The state-transition matrix by a Taylor series of order 44 in numbers of 42 digits, written by hand for
+    // these equations, about the orbit closed to 1e-35. Eight multipliers are 1, with Jordan blocks;
+    // Roberts, *Linear stability analysis of the figure-eight orbit in the three-body problem*, Ergodic
+    // Theory and Dynamical Systems 27, 2007, has these pairs to eight digits.
     for expected in [
         Complex::new(-0.297_596_667_518_712_9, 0.954_691_690_275_848_5),
         Complex::new(0.998_599_982_092_038_4, 0.052_896_840_792_060_63),

@@ -206,8 +206,8 @@ fn a_stiff_direction_does_not_round_a_soft_one() {
     }
 }
 
-/// A symmetric top on its tip: inertias 1 about the axis and 0.5 across it, weight times height 5, by the direction of its
-/// axis.
+/// A symmetric top on its tip: inertias 1 about the axis and 0.5 across it, weight times height 5, by the
+/// direction of its axis.
 struct Top {
     spin: f64,
 }
@@ -252,8 +252,8 @@ fn a_sleeping_top_stands_above_its_critical_spin() {
     }
 }
 
-/// The restricted three-body problem in the plane, in the frame that turns with both masses: 1 − μ at (−μ, 0) and μ at
-/// (1 − μ, 0), both at rest.
+/// The restricted three-body problem in the plane, in the frame that turns with both masses: 1 − μ at (−μ, 0)
+/// and μ at (1 − μ, 0), both at rest.
 struct ThreeBodies {
     ratio: f64,
 }
@@ -385,7 +385,8 @@ impl Ring {
 
 #[test]
 fn about_a_motion_the_equations_are_frozen() {
-    // The bead goes round and does not oscillate, but (x, y) deviates along the momentary tangent by δẍ = −(v/r)² δx.
+    // The bead goes round and does not oscillate, but (x, y) deviates along the momentary tangent by δẍ =
+    // −(v/r)² δx.
     for angle in [0.0_f64, 0.3, 1.0, 2.0] {
         let state = State::new([angle.cos(), angle.sin()], [-2.0 * angle.sin(), 2.0 * angle.cos()]);
         let modes = Ring.modes(&state, &[]).unwrap();

@@ -261,7 +261,8 @@ impl Bowl {
 
 #[test]
 fn s13_horizontal_circles_in_a_bowl() {
-    // No horizontal circle is an equilibrium, but the motion on one is steady: about it the polar angle oscillates.
+    // No horizontal circle is an equilibrium, but the motion on one is steady: about it the polar angle
+    // oscillates.
     let bowl = Bowl { radius: 1.2 };
     let phi: f64 = 2.2;
     let rate = (-G / (bowl.radius * phi.cos())).sqrt();

@@ -1,4 +1,5 @@
-//! Derivatives of motions by the start and by parameters, against differences of motions and against each other.
+//! Derivatives of motions by the start and by parameters, against differences of motions and against each
+//! other.
 
 use lagrangian::{Transition, prelude::*};
 

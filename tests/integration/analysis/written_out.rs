@@ -1,12 +1,14 @@
-//! Motions with derivatives of random systems against the variational equations written out, Φ′ = (∂f/∂x) Φ + ∂f/∂p, with the
-//! symbolic derivatives of the equations, and extrapolated (Gragg; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations
-//! I*, § II.9): neither the method nor the derivatives are those of the motions.
+//! Motions with derivatives of random systems against the variational equations written out, Φ′ = (∂f/∂x) Φ +
+//! ∂f/∂p, with the symbolic derivatives of the equations, and extrapolated (Gragg; Hairer, Nørsett, Wanner,
+//! *Solving Ordinary Differential Equations I*, § II.9): neither the method nor the derivatives are those of
+//! the motions.
 
 use lagrangian::prelude::*;
 
 use crate::support::close::close_on;
 
-/// Three coordinates with inertia that depends on place, waves of potential, friction, gyroscopic and driving forces.
+/// Three coordinates with inertia that depends on place, waves of potential, friction, gyroscopic and driving
+/// forces.
 #[derive(Clone, Copy)]
 struct Waves {
     mass: [f64; 3],

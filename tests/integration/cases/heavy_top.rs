@@ -1,4 +1,5 @@
-//! C04: the heavy symmetric top released from rest with a fast spin (cusps), by T in Euler angles and as a body.
+//! C04: the heavy symmetric top released from rest with a fast spin (cusps), by T in Euler angles and as a
+//! body.
 
 use lagrangian::prelude::*;
 

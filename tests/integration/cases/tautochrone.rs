@@ -74,7 +74,8 @@ fn the_motion_closes_after_the_period() {
 
 #[test]
 fn the_acceleration_is_proportional_to_the_arc() {
-    // The arc length from the lowest point, s = 4r cos(w/2), obeys s″ = −g s / 4r: that makes it a tautochrone.
+    // The arc length from the lowest point, s = 4r cos(w/2), obeys s″ = −g s / 4r: that makes it a
+    // tautochrone.
     for amplitude in AMPLITUDES {
         let arc = 4.0 * POSITION.r * (amplitude / 2.0).cos();
         let a = POSITION.accelerations(&State::at_rest([amplitude])).unwrap()[0];

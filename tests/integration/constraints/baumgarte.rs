@@ -89,7 +89,8 @@ fn on_the_constraints_it_is_the_same_motion() {
     close(found.blade, projected.blade, 1e-13);
 }
 
-/// The violation of a start that nine digits allow, which decays; the rate shows in the violation's second derivative.
+/// The violation of a start that nine digits allow, which decays; the rate shows in the violation's second
+/// derivative.
 fn violated(by: f64) -> State<f64, 5> {
     let mut state = start();
     (state.q[0], state.q[1]) = (0.6 * (1.0 + by), -0.8 * (1.0 + by));

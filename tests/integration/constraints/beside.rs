@@ -68,8 +68,8 @@ fn adaptive_steps_are_those_of_one_row() {
     all_close(dop853.advance_to(10.0).unwrap().q, expected.q, 1e-10);
 }
 
-/// Six bars and six hinges in a ring. The last bar returns turned by half a turn, where the skew part of a rotation matrix
-/// vanishes whatever its axis is: three rows of rank one.
+/// Six bars and six hinges in a ring. The last bar returns turned by half a turn, where the skew part of a
+/// rotation matrix vanishes whatever its axis is: three rows of rank one.
 struct Ring;
 
 /// The same with one of the three.

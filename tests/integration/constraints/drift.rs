@@ -7,7 +7,8 @@ use crate::support::motion::numbers;
 
 const G: f64 = 9.81;
 
-/// Three masses on rods, the lowest on a floor that tilts to and fro: holonomic, rheonomic, and a mass matrix of blocks.
+/// Three masses on rods, the lowest on a floor that tilts to and fro: holonomic, rheonomic, and a mass matrix
+/// of blocks.
 struct Chain {
     tilt: f64,
 }
@@ -75,7 +76,8 @@ fn sleigh() -> State<f64, 4> {
     Sleigh.consistent(rough).expect("a string that reaches the tug")
 }
 
-/// The largest violation of a state, relative to Σ |∂f/∂q| times its largest coordinate or velocity: what roundings amount to.
+/// The largest violation of a state, relative to Σ |∂f/∂q| times its largest coordinate or velocity: what
+/// roundings amount to.
 macro_rules! violation {
     ($system:expr, $state:expr) => {{
         let (system, state): (_, &State<f64, _>) = (&$system, $state);

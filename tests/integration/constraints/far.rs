@@ -1,4 +1,5 @@
-//! Constraints far from the origin, where coordinates are large and what is constrained is their small difference.
+//! Constraints far from the origin, where coordinates are large and what is constrained is their small
+//! difference.
 
 use lagrangian::prelude::*;
 

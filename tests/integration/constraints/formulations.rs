@@ -1,4 +1,5 @@
-//! Constraints beside other ways to describe a system: a Lagrangian given as a whole, and constraints that are not affine.
+//! Constraints beside other ways to describe a system: a Lagrangian given as a whole, and constraints that
+//! are not affine.
 
 use lagrangian::prelude::*;
 
@@ -76,7 +77,8 @@ impl Relativistic {
     }
 }
 
-/// A particle that falls at a constant speed, by Chetaev's rule: the constraint is quadratic in the velocities.
+/// A particle that falls at a constant speed, by Chetaev's rule: the constraint is quadratic in the
+/// velocities.
 struct Constant {
     m: f64,
     speed: f64,

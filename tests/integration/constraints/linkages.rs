@@ -196,8 +196,9 @@ fn energy_and_closure_stay() {
 
 #[test]
 fn a_parallelogram_passes_its_flat_configurations() {
-    // Flat, the constraints lose a rank and two branches of motions meet. Accelerations are those of the branch that the
-    // state is on however near to flat it is, so a method that evaluates them goes across.
+    // Flat, the constraints lose a rank and two branches of motions meet. Accelerations are those of the
+    // branch that the state is on however near to flat it is, so a method that evaluates them goes
+    // across.
     let (angles, wheel) = (Angles(PARALLELOGRAM), Wheel(PARALLELOGRAM));
     let start = State::new([0.3, 0.0, 0.3], [12.0, 0.0, 12.0]);
     let energy = angles.energy(&start);

@@ -1,6 +1,8 @@
-//! Motions through configurations in which gradients of constraints become dependent: straight on, with the energy that they have.
+//! Motions through configurations in which gradients of constraints become dependent: straight on, with the
+//! energy that they have.
 //!
-//! The linkages have one degree of freedom, and a branch of their motions is known, so that a place on the wrong one shows.
+//! The linkages have one degree of freedom, and a branch of their motions is known, so that a place on the
+//! wrong one shows.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -8,7 +10,8 @@ use lagrangian::prelude::*;
 
 use crate::support::close::close_on;
 
-/// A parallelogram of three bars by their angles; the closing hinge is two constraints, which the flat position makes one.
+/// A parallelogram of three bars by their angles; the closing hinge is two constraints, which the flat
+/// position makes one.
 #[derive(Clone, Copy)]
 struct Bars {
     m: [f64; 3],
@@ -174,8 +177,8 @@ fn redundant_cranks_pass_their_flat_position() {
 
 #[test]
 fn the_velocity_decides_about_the_branch() {
-    // Both branches of equal bars meet in the flat position: as a parallelogram, and with the second bar turning about the end
-    // of the first, which lies in the other hinge of the ground.
+    // Both branches of equal bars meet in the flat position: as a parallelogram, and with the second bar
+    // turning about the end of the first, which lies in the other hinge of the ground.
     let system = Joints;
     let flat = [1.0, 0.0, 2.0, 0.0];
     for (v, branch) in [([0.0, 5.0, 0.0, 5.0], 0), ([0.0, 0.0, 0.0, 5.0], 1)] {

@@ -189,7 +189,8 @@ fn a_flat_parallelogram_goes_on_as_one() {
                 .expect("a start");
             let mut motion = linkage.simulate(start).with_tolerance(tolerance);
             let end = *motion.advance_to(3.0).expect("a motion");
-            // Errors of some tens of steps, and the rounding of states that end 1e-5 beside the flat position.
+            // Errors of some tens of steps, and the rounding of states that end 1e-5 beside the flat
+            // position.
             let allowed = 100.0 * tolerance + f64::EPSILON / 1e-5;
             close_on(30.0, linkage.energy(&end), linkage.energy(&start), allowed);
             close_on(1.0, end.q[5], 0.0, allowed);

@@ -188,7 +188,8 @@ fn velocities_are_projected_across_the_constraints() {
 
 #[test]
 fn coordinates_are_projected_across_the_constraints() {
-    // The error of the direction falls with the distance: each Newton step goes across the surface where it starts.
+    // The error of the direction falls with the distance: each Newton step goes across the surface where it
+    // starts.
     let tilt = |distance: f64| {
         let (sin, cos) = 0.7_f64.sin_cos();
         let rough = State::at_rest([2.0 * cos + distance, sin + distance]);

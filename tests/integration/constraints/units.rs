@@ -4,8 +4,8 @@ use lagrangian::prelude::*;
 
 use crate::support::close::close;
 
-/// A pendulum whose pivot runs on a rail and whose rod turns a wheel by a gear: lengths and angles together, a
-/// constraint that is one coordinate alone, and one on velocities.
+/// A pendulum whose pivot runs on a rail and whose rod turns a wheel by a gear: lengths and angles together,
+/// a constraint that is one coordinate alone, and one on velocities.
 #[derive(Clone, Copy)]
 struct Rig {
     mass: f64,

@@ -1,4 +1,5 @@
-//! Constraints: what a function may return, the signs of multipliers, forces on particles and bodies, Chetaev's rule.
+//! Constraints: what a function may return, the signs of multipliers, forces on particles and bodies,
+//! Chetaev's rule.
 
 use lagrangian::prelude::*;
 

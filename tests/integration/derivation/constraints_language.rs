@@ -1,4 +1,5 @@
-//! Constraints beside the rest of the language: names, scalars, helpers, coordinates without mass, elimination, Baumgarte.
+//! Constraints beside the rest of the language: names, scalars, helpers, coordinates without mass,
+//! elimination, Baumgarte.
 
 use lagrangian::prelude::*;
 

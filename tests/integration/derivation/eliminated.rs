@@ -8,8 +8,8 @@ use crate::support::identities::model;
 use crate::support::motion::state_at;
 use crate::support::sample::Samples;
 
-/// A bead on a hoop that is driven about its vertical diameter. The driven angle is declared first, so that the
-/// other coordinate changes its number.
+/// A bead on a hoop that is driven about its vertical diameter. The driven angle is declared first, so that
+/// the other coordinate changes its number.
 struct Hoop {
     mass: f64,
     radius: f64,
@@ -107,7 +107,8 @@ fn a_force_on_an_eliminated_coordinate_acts_on_the_others() {
     all_close([wheel.coordinates(&state).angle, wheel.velocities(&state).angle], [3.75, -5.0], 1e-15);
 }
 
-/// Constraints that need one another, in single precision as well: a[0] = x + t² + …, a[1], and the height over a parabola.
+/// Constraints that need one another, in single precision as well: a[0] = x + t² + …, a[1], and the height
+/// over a parabola.
 struct Linkage<R> {
     steepness: R,
     offset: R,

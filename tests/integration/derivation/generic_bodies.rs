@@ -1,5 +1,5 @@
-//! Bodies, rotations and vectors in a generic scalar: poses as pairs, since nalgebra's isometries know only their
-//! own scalars.
+//! Bodies, rotations and vectors in a generic scalar: poses as pairs, since nalgebra's isometries know only
+//! their own scalars.
 
 use lagrangian::prelude::*;
 

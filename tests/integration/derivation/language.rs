@@ -1,4 +1,5 @@
-//! Constructs of Rust in a description: one potential written in many ways, and the control flow of constants.
+//! Constructs of Rust in a description: one potential written in many ways, and the control flow of
+//! constants.
 
 use lagrangian::prelude::*;
 

@@ -5,7 +5,8 @@ use lagrangian::prelude::*;
 use crate::support::close::{all_close, close};
 use crate::support::sample::Samples;
 
-/// A block between a stop below, which only pushes, and a rope above, which only pulls; a motor with a largest force.
+/// A block between a stop below, which only pushes, and a rope above, which only pulls; a motor with a
+/// largest force.
 #[derive(Clone, Copy)]
 struct Lift<R> {
     mass: R,

@@ -1,4 +1,5 @@
-//! Every way in which M a = f is solved: written out, in blocks, factored in the runtime, once or at every step.
+//! Every way in which M a = f is solved: written out, in blocks, factored in the runtime, once or at every
+//! step.
 
 use lagrangian::prelude::*;
 

@@ -1,4 +1,5 @@
-//! Constraints that cannot be met, or restrict nothing where the system is: the same error from everything that asks.
+//! Constraints that cannot be met, or restrict nothing where the system is: the same error from everything
+//! that asks.
 
 use lagrangian::{EquilibriumError, prelude::*};
 

@@ -1,4 +1,5 @@
-//! The methods for special systems: symplectic splittings, implicit collocation, and the derivatives it needs.
+//! The methods for special systems: symplectic splittings, implicit collocation, and the derivatives it
+//! needs.
 
 mod collocation;
 mod jacobians;

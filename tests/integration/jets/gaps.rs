@@ -1,4 +1,5 @@
-//! Series with gaps: orders whose coefficients vanish by symmetry, or nearly vanish, say nothing about the step.
+//! Series with gaps: orders whose coefficients vanish by symmetry, or nearly vanish, say nothing about the
+//! step.
 
 use lagrangian::prelude::*;
 

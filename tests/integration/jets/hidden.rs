@@ -1,5 +1,5 @@
-//! What a series cannot know where it starts: walls far away, switches thrown later, steep friction. References by
-//! Dormand–Prince, whose stages look into a step, or closed forms.
+//! What a series cannot know where it starts: walls far away, switches thrown later, steep friction.
+//! References by Dormand–Prince, whose stages look into a step, or closed forms.
 
 use lagrangian::prelude::*;
 use lagrangian::{Batch, Smooth};

@@ -57,8 +57,8 @@ impl Kepler {
     }
 }
 
-/// The root of the mean square of a relative error of the energy over each of `blocks` blocks, each twice as long as
-/// the one before, of which the first has `first` samples of `dt`.
+/// The root of the mean square of a relative error of the energy over each of `blocks` blocks, each twice as
+/// long as the one before, of which the first has `first` samples of `dt`.
 fn growth<S: System<2, 0, Scalar = f64, Method = Jets> + lagrangian::Smooth<2>>(
     name: &str,
     system: &S,

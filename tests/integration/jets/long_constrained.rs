@@ -1,5 +1,5 @@
-//! Long runs of constrained motions: no drift off the constraints, and an error of the energy that is that of rounding.
-//! Slow: `cargo test --release --test integration jets::long -- --ignored --nocapture`.
+//! Long runs of constrained motions: no drift off the constraints, and an error of the energy that is that of
+//! rounding. Slow: `cargo test --release --test integration jets::long -- --ignored --nocapture`.
 
 use lagrangian::Smooth;
 use lagrangian::prelude::*;
@@ -104,16 +104,16 @@ impl Joints {
     }
 }
 
-/// What a run leaves: relative errors of the energy, root of the mean square block by block, and the largest of
-/// all |f| and |w| relative to lengths and speeds.
+/// What a run leaves: relative errors of the energy, root of the mean square block by block, and the largest
+/// of all |f| and |w| relative to lengths and speeds.
 struct Figures {
     energies: Vec<f64>,
     position: f64,
     velocity: f64,
 }
 
-/// Runs over `blocks` blocks of which each is twice as long as the one before and the first has `first` samples of `dt`.
-/// The violations are those of a state, |f| per unit of length and |w| per unit of speed.
+/// Runs over `blocks` blocks of which each is twice as long as the one before and the first has `first`
+/// samples of `dt`. The violations are those of a state, |f| per unit of length and |w| per unit of speed.
 fn run<S, const N: usize>(
     name: &str,
     system: &S,
@@ -206,8 +206,8 @@ fn a_squared_length_keeps_length_and_energy() {
     }
 }
 
-/// On the unit circle x² + y² lies where the spacing of numbers doubles, so that its rounding has a mean: the energy grows
-/// with the number of steps, not with its root.
+/// On the unit circle x² + y² lies where the spacing of numbers doubles, so that its rounding has a mean: the
+/// energy grows with the number of steps, not with its root.
 #[test]
 #[ignore = "a million steps and more"]
 fn a_length_of_one_keeps_length_and_energy() {

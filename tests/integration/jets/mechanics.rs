@@ -74,8 +74,8 @@ fn single_precision_is_double_precision_rounded() {
     assert!(coarse.steps().evaluations < 200, "{:?}", coarse.steps());
 }
 
-/// Every form of a mass matrix at once: a constant dense block of parameters, a dense block of 2 and one of 4 that
-/// move, single entries that are one, a number, a parameter, and a function.
+/// Every form of a mass matrix at once: a constant dense block of parameters, a dense block of 2 and one of 4
+/// that move, single entries that are one, a number, a parameter, and a function.
 struct Blocks {
     m: [f64; 4],
     k: f64,

@@ -1,7 +1,7 @@
 //! Taylor series of the motion: coefficients, fixed and adaptive steps, units, failures, long runs.
 //!
-//! The oracle of a series is never another series: accelerations for the first coefficient, Dormand–Prince at the
-//! finest tolerance for motions, closed forms and conserved quantities where there are any.
+//! The oracle of a series is never another series: accelerations for the first coefficient, Dormand–Prince at
+//! the finest tolerance for motions, closed forms and conserved quantities where there are any.
 
 mod control;
 mod failures;

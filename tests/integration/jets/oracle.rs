@@ -26,8 +26,8 @@ where
     series
 }
 
-/// Checks the series of a motion and the motion: against accelerations, against the equations along the series, and
-/// against Dormand–Prince at several times up to `end`.
+/// Checks the series of a motion and the motion: against accelerations, against the equations along the
+/// series, and against Dormand–Prince at several times up to `end`.
 #[track_caller]
 pub fn agrees<S, const N: usize, const K: usize>(
     system: &S,
@@ -50,8 +50,8 @@ pub fn agrees<S, const N: usize, const K: usize>(
     assert!(jets.steps().accepted < 5000, "{:?}", jets.steps());
 }
 
-/// Checks that the series satisfies q′ = v and v′ = a(t, q, v), at its start and at points near it, and that its
-/// coefficients are those of the unit of time.
+/// Checks that the series satisfies q′ = v and v′ = a(t, q, v), at its start and at points near it, and that
+/// its coefficients are those of the unit of time.
 #[track_caller]
 pub fn obeys<S, const N: usize, const K: usize>(system: &S, start: &State<f64, N>, inputs: &[f64; K])
 where
@@ -69,8 +69,8 @@ where
         let scaled = |row: [f64; N]| row.map(|x| x * power);
         assert_eq!((half.q[k], half.v[k]), (scaled(unit.q[k]), scaled(unit.v[k])), "order {}", k + 1);
     }
-    // The truncated series leaves a defect of its last order: coefficients up to it are right when the defect falls by
-    // its full power. Sizes of the coefficients say how far the series may be trusted.
+    // The truncated series leaves a defect of its last order: coefficients up to it are right when the defect
+    // falls by its full power. Sizes of the coefficients say how far the series may be trusted.
     let largest = |row: &[f64; N]| row.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let scale = unit.v.iter().map(largest).fold(1.0, f64::max);
     let growth = (1..ORDERS)

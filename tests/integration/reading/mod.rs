@@ -1,4 +1,5 @@
-//! Descriptions in which names mean something else than usual: read as Rust reads them, or caught at first use.
+//! Descriptions in which names mean something else than usual: read as Rust reads them, or caught at first
+//! use.
 
 #[cfg(debug_assertions)]
 mod caught;

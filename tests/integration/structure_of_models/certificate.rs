@@ -3,8 +3,9 @@
 use lagrangian::prelude::*;
 use lagrangian::{Certificate, Identity, Violation};
 
-/// Every way to describe: arrays of points and bodies, poses of several types, arguments by value, a constraint that is
-/// eliminated, one that moves, one on velocities, inputs, dissipation, and a scalar of the user's choice.
+/// Every way to describe: arrays of points and bodies, poses of several types, arguments by value, a
+/// constraint that is eliminated, one that moves, one on velocities, inputs, dissipation, and a scalar of the
+/// user's choice.
 struct Machine<R> {
     mass: R,
     inertia: [R; 3],

@@ -1,5 +1,5 @@
-//! What must not be claimed: Lagrangians that depend on time though their equations do not, and forces that a search could
-//! overlook.
+//! What must not be claimed: Lagrangians that depend on time though their equations do not, and forces that a
+//! search could overlook.
 
 use lagrangian::prelude::*;
 use lagrangian::{Autonomous, Conservative, Cyclic};
@@ -112,7 +112,8 @@ fn equations_without_time_do_not_make_a_conserved_energy() {
     Twisted.verify().unwrap();
 }
 
-/// Forces that act far away, or are small: a stop, one of Hertz's law, a wall of an exponential, a weak field.
+/// Forces that act far away, or are small: a stop, one of Hertz's law, a wall of an exponential, a weak
+/// field.
 struct Stopped;
 
 #[lagrangian(coordinates = [x, y, z, w], analysis)]

@@ -97,7 +97,8 @@ fn a_singular_metric_is_an_error() {
     assert_eq!(error, MotionError { cause: Cause::SingularMassMatrix { pivot: 2 }, t: 2.0 });
 }
 
-/// A double pendulum that a motor turns about the vertical, its support on a lift: M, T₁ and T₀ depend on everything.
+/// A double pendulum that a motor turns about the vertical, its support on a lift: M, T₁ and T₀ depend on
+/// everything.
 struct Carried {
     m: [f64; 2],
     l: [f64; 2],

@@ -1,6 +1,8 @@
-//! Identities that hold for every constrained system, checked on its generated methods at states on its constraints.
+//! Identities that hold for every constrained system, checked on its generated methods at states on its
+//! constraints.
 //!
-//! With w = df/dt of the holonomic constraints and w = g of the nonholonomic ones, A = ∂w/∂v, Q = applied forces:
+//! With w = df/dt of the holonomic constraints and w = g of the nonholonomic ones, A = ∂w/∂v, Q = applied
+//! forces:
 //!
 //! 1. M a + bias = Q + Aᵀ λ, and the reaction forces are the rows of A times λ;
 //! 2. A = ∂w/∂v; w = df/dt along the velocities where f is holonomic;
@@ -50,8 +52,8 @@ pub struct Bound<'a, const N: usize, const C: usize> {
     pub holonomic: [bool; C],
 }
 
-/// The methods of a system and which of its constraints are holonomic: `bound!(system, [true, false])`, with `forces` if
-/// it has applied forces, with `inputs = [..]` held if it has inputs.
+/// The methods of a system and which of its constraints are holonomic: `bound!(system, [true, false])`, with
+/// `forces` if it has applied forces, with `inputs = [..]` held if it has inputs.
 macro_rules! bound {
     ($system:expr, $holonomic:expr) => {
         bound!(@ $system, $holonomic, |_| Default::default(),)
@@ -178,7 +180,8 @@ impl<const N: usize, const C: usize> Bound<'_, N, C> {
 mod tests {
     use super::*;
 
-    /// A point of mass 2 with drag on the moving line f = y − x/2 − t²; `wrong` picks one method to spoil by 1e-8.
+    /// A point of mass 2 with drag on the moving line f = y − x/2 − t²; `wrong` picks one method to spoil by
+    /// 1e-8.
     fn lift(wrong: usize) -> Bound<'static, 2, 1> {
         let spoil = move |method: usize| if method == wrong { 1.0 + 1e-8 } else { 1.0 };
         let drag = |s: &State<f64, 2>| [-0.3 * s.v[0], -0.3 * s.v[1]];

@@ -1,8 +1,8 @@
 //! Derivatives by central differences of order eight, and what follows from them: Jacobians and spectra.
 //!
-//! f′ ≈ Σₖ cₖ (f(x + kh) − f(x − kh)) / h, k = 1..4, with error h⁸ f⁽⁹⁾/630. At h = 0.005 the truncation of functions
-//! of natural scale is below rounding, which is amplified by 1/h: about 1e-13 of |f| is reached, so 1e-12 is a
-//! tolerance that a test may ask for. Functions that vary on a shorter scale take a smaller step.
+//! f′ ≈ Σₖ cₖ (f(x + kh) − f(x − kh)) / h, k = 1..4, with error h⁸ f⁽⁹⁾/630. At h = 0.005 the truncation of
+//! functions of natural scale is below rounding, which is amplified by 1/h: about 1e-13 of |f| is reached, so
+//! 1e-12 is a tolerance that a test may ask for. Functions that vary on a shorter scale take a smaller step.
 
 use lagrangian::State;
 use nalgebra::{Complex, DMatrix};

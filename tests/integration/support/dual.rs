@@ -1,4 +1,5 @@
-//! Dual numbers a + b ε with ε² = 0: a scalar of the user's own, which differentiates whatever is evaluated in it.
+//! Dual numbers a + b ε with ε² = 0: a scalar of the user's own, which differentiates whatever is evaluated
+//! in it.
 
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

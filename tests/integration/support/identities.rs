@@ -1,6 +1,7 @@
 //! Identities that hold for every mechanical system, checked on its generated methods at random states.
 //!
-//! With p = ∂L/∂v, h = v·p − L (the Jacobi integral; T + V where they are the same) and the applied forces Q − ∂D/∂v:
+//! With p = ∂L/∂v, h = v·p − L (the Jacobi integral; T + V where they are the same) and the applied forces Q
+//! − ∂D/∂v:
 //!
 //! 1. M = ∂p/∂v, and M is symmetric to the last bit;
 //! 2. M a + bias = applied forces;
@@ -38,8 +39,8 @@ pub struct Model<'a, const N: usize> {
     pub jacobi_integral: Scalar<'a, N>,
 }
 
-/// The methods of a system: `model!(system)`, with `forces` if it has applied forces, and `jacobi` if its Jacobi
-/// integral is not its energy; with `inputs = [..]` held if it has inputs.
+/// The methods of a system: `model!(system)`, with `forces` if it has applied forces, and `jacobi` if its
+/// Jacobi integral is not its energy; with `inputs = [..]` held if it has inputs.
 macro_rules! model {
     ($system:expr) => {
         model!(@ $system, |_| Default::default(), |_| 0.0, |s| $system.energy(s))

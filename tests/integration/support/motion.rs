@@ -4,8 +4,8 @@ use lagrangian::{Adaptive, Control, Dop853, Held, Simulation, State, System};
 
 use super::close::all_close;
 
-/// The tolerance of all reference motions. Down to it the errors of most cases fall in proportion; a tenth of it
-/// gains a factor of a few and takes six times as long, because the error estimate is rounding then.
+/// The tolerance of all reference motions. Down to it the errors of most cases fall in proportion; a tenth of
+/// it gains a factor of a few and takes six times as long, because the error estimate is rounding then.
 pub const TIGHT: f64 = 1e-15;
 
 /// Moves to each time and compares the state, given as coordinates then velocities.

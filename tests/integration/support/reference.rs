@@ -1,6 +1,7 @@
 //! The reference digits of `tests/data`, read as the nearest `f64`.
 //!
-//! The files hold the numbers of an independent multi-precision generator as decimal strings, by case and key.
+//! The files hold the numbers of an independent multi-precision generator as decimal strings, by case and
+//! key.
 
 use serde_json::Value;
 

@@ -47,14 +47,16 @@ fn mass<F: FirstOrder<D>, const D: usize>(x: &[f64], _: &[f64], _: f64, beta: f6
     }
 }
 
-/// Multipliers are held this much more loosely, and the Jacobian is renewed after so many steps: in trials the cheapest
-/// way to all errors. With its own fifty steps the crate's BDF gives up on `andrews` at loose tolerances.
+/// Multipliers are held this much more loosely, and the Jacobian is renewed after so many steps: in trials
+/// the cheapest way to all errors. With its own fifty steps the crate's BDF gives up on `andrews` at loose
+/// tolerances.
 const LOOSER: f64 = 30.0;
 const RENEWED: usize = 10;
 /// Newton's iteration may fail this often before a run does.
 const FAILURES: usize = 100_000;
 
-/// A subject: name, method, the finest tolerance that it can do, and a mass matrix where there are multipliers.
+/// A subject: name, method, the finest tolerance that it can do, and a mass matrix where there are
+/// multipliers.
 macro_rules! method {
     ($start:ident, $t_end:ident, $name:literal, $method:ident $(::<$solver:ty>)?, $finest:expr $(, $mass:expr)?) => {
         subject($name, move |tolerance| {

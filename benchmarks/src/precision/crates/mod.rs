@@ -1,5 +1,5 @@
-//! Integrators from crates, on the best equations known by hand: closed forms, for chains the rod tensions, for systems with
-//! constraints reduced ones; diffsol also with the multipliers.
+//! Integrators from crates, on the best equations known by hand: closed forms, for chains the rod tensions,
+//! for systems with constraints reduced ones; diffsol also with the multipliers.
 
 mod differential_equations;
 mod diffsol;

@@ -1,7 +1,7 @@
 //! The crate `ode_solvers`: Dormand–Prince 8(5,3).
 //!
-//! Version 0.6.2 evaluates one stage at the wrong time, so its order is lost where the equations depend on time:
-//! the figures for `cart` and `caraxis` are what a user gets.
+//! Version 0.6.2 evaluates one stage at the wrong time, so its order is lost where the equations depend on
+//! time: the figures for `cart` and `caraxis` are what a user gets.
 
 use std::marker::PhantomData;
 

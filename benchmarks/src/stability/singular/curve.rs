@@ -1,14 +1,15 @@
 //! The true motion along a known curve of configurations q(s): energy gives the speed, quadrature the time.
 //!
-//! On a branch of its motions a linkage of one degree of freedom is a bead on a curve that is smooth even where branches
-//! cross. With v = q′(s) ds/dt, T = m(s) (ds/dt)²/2 and dt = √(m(s) / 2(E − V(s))) ds. Nothing of the library but
-//! the energies of the description is used.
+//! On a branch of its motions a linkage of one degree of freedom is a bead on a curve that is smooth even
+//! where branches cross. With v = q′(s) ds/dt, T = m(s) (ds/dt)²/2 and dt = √(m(s) / 2(E − V(s))) ds. Nothing
+//! of the library but the energies of the description is used.
 
 use lagrangian::prelude::*;
 
 use super::runs::Run;
 
-/// Nodes and weights of Gauss and Legendre on (−1, 1), five on one side; Abramowitz and Stegun, table 25.4, n = 10.
+/// Nodes and weights of Gauss and Legendre on (−1, 1), five on one side; Abramowitz and Stegun, table 25.4, n
+/// = 10.
 const GAUSS: [(f64, f64); 5] = [
     (0.148_874_338_981_631_22, 0.295_524_224_714_752_87),
     (0.433_395_394_129_247_2, 0.269_266_719_309_996_35),
@@ -16,14 +17,15 @@ const GAUSS: [(f64, f64); 5] = [
     (0.865_063_366_688_984_5, 0.149_451_349_150_580_6),
     (0.973_906_528_517_171_7, 0.066_671_344_308_688_14),
 ];
-/// Length of an interval of quadrature in s: motions turn by parts of a radian in it, so ten nodes are good to 1e-15.
+/// Length of an interval of quadrature in s: motions turn by parts of a radian in it, so ten nodes are good
+/// to 1e-15.
 const INTERVAL: f64 = 0.02;
 
 /// A configuration and its derivative by the parameter.
 pub type Point<const N: usize> = ([f64; N], [f64; N]);
 
-/// A run that starts at s₀ with the rate ds/dt₀ and is regular again after a share of its span [s]. `None` where the motion
-/// comes to rest.
+/// A run that starts at s₀ with the rate ds/dt₀ and is regular again after a share of its span [s]. `None`
+/// where the motion comes to rest.
 pub fn run<S, const N: usize>(
     system: S,
     curve: impl Fn(f64) -> Point<N>,
@@ -40,7 +42,8 @@ where
     Some(Run { system, start, offset: s0, regular, end })
 }
 
-/// A motion that starts at s₀ with the rate ds/dt₀; its start, and its state at `span`. `None` where it comes to rest before.
+/// A motion that starts at s₀ with the rate ds/dt₀; its start, and its state at `span`. `None` where it comes
+/// to rest before.
 fn motion<S, const N: usize>(
     system: &S,
     curve: impl Fn(f64) -> Point<N>,

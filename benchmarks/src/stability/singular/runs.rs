@@ -34,7 +34,8 @@ pub const METHODS: [Method; 12] = [
     Method::Rk4(1e-3),
 ];
 
-/// Steps after which a run counts as `TooManySteps`. A regular run takes a few dozen by jets and some hundreds by Dop853.
+/// Steps after which a run counts as `TooManySteps`. A regular run takes a few dozen by jets and some
+/// hundreds by Dop853.
 const MAX_STEPS: u64 = 2_000;
 
 impl Method {
@@ -57,14 +58,14 @@ impl Method {
     }
 }
 
-/// Where the smallest singular value of the scaled constraint gradients is s, which is about the distance from the singular
-/// position, rounding determines a state and its velocity to ε/s only. A method that chooses its steps need not end them
-/// where s is below this.
+/// Where the smallest singular value of the scaled constraint gradients is s, which is about the distance
+/// from the singular position, rounding determines a state and its velocity to ε/s only. A method that
+/// chooses its steps need not end them where s is below this.
 const KEPT: f64 = 1e-5;
 /// Errors of steps add up, over some tens of steps at a tolerance, and are not all of the same sign.
 const ADDED: f64 = 100.0;
-/// By how much an error of the energy may grow into one of the place: the motions last half a second, in which neighbouring
-/// ones part by less than this factor.
+/// By how much an error of the energy may grow into one of the place: the motions last half a second, in
+/// which neighbouring ones part by less than this factor.
 const PARTING: f64 = 10.0;
 
 /// A start, and what is known of its motion.
@@ -205,7 +206,8 @@ where
         Errors { energy, place, allowed }
     }
 
-    /// What the method may do. An order's error depends on the motion, and that of its regular part tells which.
+    /// What the method may do. An order's error depends on the motion, and that of its regular part tells
+    /// which.
     fn allowed(&self, method: Method) -> f64 {
         match method.tolerance() {
             Some(tolerance) => ADDED * tolerance + f64::EPSILON / KEPT,
@@ -221,8 +223,9 @@ where
         }
     }
 
-    /// Whether halves of fixed steps divide an error by two to the power of the order, within a factor of four: then it is that
-    /// of the steps, which are long for the first part of the motion, and not one of the singular position.
+    /// Whether halves of fixed steps divide an error by two to the power of the order, within a factor of
+    /// four: then it is that of the steps, which are long for the first part of the motion, and not one
+    /// of the singular position.
     fn falls_by_order(&self, method: Method, errors: Errors) -> bool {
         let (half, factor) = match method {
             Method::Jet8(h) => (Method::Jet8(h / 2.0), 256.0),

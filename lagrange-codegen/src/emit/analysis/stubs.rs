@@ -5,8 +5,8 @@ use quote::{format_ident, quote};
 
 use crate::syntax::Item;
 
-/// The methods and constants of `analysis`, but for those whose name the user has taken. How many quantities are conserved, and
-/// how many parameters lumped, is not known: arrays of them fit any length.
+/// The methods and constants of `analysis`, but for those whose name the user has taken. How many quantities
+/// are conserved, and how many parameters lumped, is not known: arrays of them fit any length.
 pub(in crate::emit) fn stubs(item: &Item, scalar: &TokenStream, count: usize, inputs: usize) -> TokenStream {
     if !item.analysis {
         return TokenStream::new();

@@ -1,4 +1,5 @@
-//! The certificate: the implementation of the runtime's `Verifiable`, and the test that the attribute asks for.
+//! The certificate: the implementation of the runtime's `Verifiable`, and the test that the attribute asks
+//! for.
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};

@@ -1,4 +1,5 @@
-//! What a system with constraints has beyond others: multipliers by name, the saddle-point system, projection.
+//! What a system with constraints has beyond others: multipliers by name, the saddle-point system,
+//! projection.
 //!
 //! | file | what it emits |
 //! | --- | --- |

@@ -1,7 +1,8 @@
-//! The model as a page of a textbook: `EQUATIONS`, `EQUATIONS_LATEX`, and the documentation of the generated block.
+//! The model as a page of a textbook: `EQUATIONS`, `EQUATIONS_LATEX`, and the documentation of the generated
+//! block.
 //!
-//! The equations stand as M a + b = Q − ∂D/∂v + Aᵀλ, a row for each coordinate. What several rows share gets a name where the
-//! rows would be long otherwise, and of large systems only the first rows are written.
+//! The equations stand as M a + b = Q − ∂D/∂v + Aᵀλ, a row for each coordinate. What several rows share gets
+//! a name where the rows would be long otherwise, and of large systems only the first rows are written.
 
 mod fold;
 mod formula;

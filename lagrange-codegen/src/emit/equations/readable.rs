@@ -1,6 +1,8 @@
-//! Rewritings for a reader: products of sines and cosines that belong to one angle, and products multiplied out.
+//! Rewritings for a reader: products of sines and cosines that belong to one angle, and products multiplied
+//! out.
 //!
-//! What is cheap to compute (sin a sin b + cos a cos b, where the four are at hand) is not what a textbook prints.
+//! What is cheap to compute (sin a sin b + cos a cos b, where the four are at hand) is not what a textbook
+//! prints.
 
 use crate::calculus::rebuild;
 use crate::collections::Lookup;
@@ -157,7 +159,8 @@ fn merged_terms(terms: Vec<(NodeId, Number)>) -> Vec<(NodeId, Number)> {
     merged
 }
 
-/// The summands of an expression, products with one sum among their factors multiplied out; sums of parameters are kept.
+/// The summands of an expression, products with one sum among their factors multiplied out; sums of
+/// parameters are kept.
 pub(super) fn summands(graph: &mut Graph, id: NodeId) -> Vec<NodeId> {
     match graph.node(id).clone() {
         Node::Sum { offset, terms } if terms.len() <= MOST && !graph.dependence(id).is_fixed() => {

@@ -6,8 +6,8 @@ use super::wide::Wide;
 use crate::collections::Lookup;
 use crate::jets::Lane;
 
-/// Up to this many lanes, the outermost terms of the interior sums are kept out of the tables: their sweep would wait
-/// for the row that was just written, which more lanes hide behind each other.
+/// Up to this many lanes, the outermost terms of the interior sums are kept out of the tables: their sweep
+/// would wait for the row that was just written, which more lanes hide behind each other.
 pub(super) const EDGED: usize = 16;
 
 /// So many sums are made anew in each order; more are overwritten, which saves setting them to zero.
@@ -31,8 +31,8 @@ impl Writer<'_, '_> {
         format!("let mut inner: [{scalar}; {sums}] = [{}; {sums}];\n", self.zero())
     }
 
-    /// The interior sums. Their outermost terms, with coefficients of order 1 and of the last order, are not in the
-    /// tables: a sweep over a row that was just written would wait for it.
+    /// The interior sums. Their outermost terms, with coefficients of order 1 and of the last order, are not
+    /// in the tables: a sweep over a row that was just written would wait for it.
     pub(super) fn interiors(&mut self) {
         if let Some(wide) = self.wide {
             if wide.sums > FRESH {

@@ -42,7 +42,8 @@ enum Entries {
 
 /// What the body needs of it.
 pub(super) struct AtStart {
-    /// Names of what is hoisted beyond the polynomials: values of the moving entries, inverses of constant ones.
+    /// Names of what is hoisted beyond the polynomials: values of the moving entries, inverses of constant
+    /// ones.
     pub labels: Vec<String>,
     /// Statements that factor.
     pub statements: String,

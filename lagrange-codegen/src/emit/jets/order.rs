@@ -1,7 +1,7 @@
 //! The loop over the orders.
 //!
-//! An order starts with what lower orders determine (coordinates, then functions of them), evaluates the momenta with
-//! the new velocity coefficients at zero, solves for these, and completes what depends on them.
+//! An order starts with what lower orders determine (coordinates, then functions of them), evaluates the
+//! momenta with the new velocity coefficients at zero, solves for these, and completes what depends on them.
 
 use super::inertia::{AtStart, By};
 use super::start::Start;
@@ -122,9 +122,11 @@ pub(super) struct Writer<'a, 'b> {
     pub(super) partial: Vec<Option<String>>,
     /// The interior sums, by lane.
     pub(super) inner: Vec<String>,
-    /// Every factor of a lane with the variables that hold its coefficients of order 1 and of the last order.
+    /// Every factor of a lane with the variables that hold its coefficients of order 1 and of the last
+    /// order.
     pub(super) edges: Vec<(crate::jets::Operand, String, String)>,
-    /// Variables that carry the momentum rates of the last order, by coordinate, then those of relaxed constraints.
+    /// Variables that carry the momentum rates of the last order, by coordinate, then those of relaxed
+    /// constraints.
     pub(super) forces: Vec<String>,
     pub(super) before: String,
     pub(super) body: String,

@@ -1,7 +1,7 @@
 //! Velocities and multipliers of a constrained system, from one saddle-point system an order.
 //!
-//! M v − Aᵀκ = r, A v = y with κ = rate · μ. Where M is diagonal the velocities are eliminated on the graph, so that
-//! zeros of A cost nothing: (A M⁻¹ Aᵀ) κ = y − A M⁻¹ r.
+//! M v − Aᵀκ = r, A v = y with κ = rate · μ. Where M is diagonal the velocities are eliminated on the graph,
+//! so that zeros of A cost nothing: (A M⁻¹ Aᵀ) κ = y − A M⁻¹ r.
 
 use super::bare;
 use super::order::Writer;
@@ -125,8 +125,8 @@ impl SaddlePoint {
                 }
             }
         }
-        // Of these very numbers, not of a simpler formula: rounding errors of the gradients, which for a rod are the same in
-        // every step, must not make the matrix belong to other gradients.
+        // Of these very numbers, not of a simpler formula: rounding errors of the gradients, which for a rod
+        // are the same in every step, must not make the matrix belong to other gradients.
         let mut schur = Vec::new();
         for (c, row) in weighted.iter().enumerate() {
             for other in &gradients[..=c] {

@@ -5,9 +5,10 @@
 //! d/dt p − ∂T/∂q = M a + C v + ½ ∂M/∂t v + G v + ∂g/∂t − ∂T₀/∂q, with
 //! C = ½ (∂(Mv)/∂q − (∂(Mv)/∂q)ᵀ + Ṁ), G = ∂g/∂q − (∂g/∂q)ᵀ,
 //!
-//! so that Ṁ − 2C = (∂(Mv)/∂q)ᵀ − ∂(Mv)/∂q and G are skew and do no work, and C_kj = Σᵢ \[ij, k] vᵢ + ½ ∂M_kj/∂t with
-//! the Christoffel symbols of the first kind (Lurie, *Analytical Mechanics*, chapter 4; Siciliano et al., *Robotics*,
-//! section 7.2.1). C takes one forward sweep for each coordinate, not the N³ symbols.
+//! so that Ṁ − 2C = (∂(Mv)/∂q)ᵀ − ∂(Mv)/∂q and G are skew and do no work, and C_kj = Σᵢ \[ij, k] vᵢ + ½
+//! ∂M_kj/∂t with the Christoffel symbols of the first kind (Lurie, *Analytical Mechanics*, chapter 4;
+//! Siciliano et al., *Robotics*, section 7.2.1). C takes one forward sweep for each coordinate, not the N³
+//! symbols.
 
 use crate::calculus::{pushforward, substitute};
 use crate::expr::{Dependence, NodeId, Variable};
@@ -89,7 +90,8 @@ impl Covariant {
     }
 }
 
-/// Christoffel symbols of the first kind \[ij, k] = ½ (∂M_ik/∂q_j + ∂M_jk/∂q_i − ∂M_ij/∂q_k), by k, then i, then j ≤ i.
+/// Christoffel symbols of the first kind \[ij, k] = ½ (∂M_ik/∂q_j + ∂M_jk/∂q_i − ∂M_ij/∂q_k), by k, then i,
+/// then j ≤ i.
 pub fn christoffel(model: &mut Model, mass: &[Vec<NodeId>]) -> Vec<Vec<Vec<NodeId>>> {
     let graph = &mut model.graph;
     let count = mass.len();

@@ -1,9 +1,10 @@
 //! The homogeneous parts of the kinetic energy in the velocities, and the inertia forces that belong to each.
 //!
-//! L = T₂ + T₁ + T₀ − V with T₂ = ½ vᵀM v, T₁ = g·v. A Lagrangian given as a whole contributes its parts of degrees two and one, its
-//! part without velocities is −V. The inertia force −(d/dt ∂T/∂v − ∂T/∂q) is that of T₂, which is relative (−M a) and
-//! quadratic in the velocities, that of T₁, which is gyroscopic (−G v) and guiding (−∂g/∂t), and ∂T₀/∂q (Lurie, *Analytical
-//! Mechanics*, chapter 4; Päsler, *Prinzipe der Mechanik*, section 8).
+//! L = T₂ + T₁ + T₀ − V with T₂ = ½ vᵀM v, T₁ = g·v. A Lagrangian given as a whole contributes its parts of
+//! degrees two and one, its part without velocities is −V. The inertia force −(d/dt ∂T/∂v − ∂T/∂q) is that of
+//! T₂, which is relative (−M a) and quadratic in the velocities, that of T₁, which is gyroscopic (−G v) and
+//! guiding (−∂g/∂t), and ∂T₀/∂q (Lurie, *Analytical Mechanics*, chapter 4; Päsler, *Prinzipe der Mechanik*,
+//! section 8).
 
 use super::Covariant;
 use crate::calculus::{pullback, pushforward, substitute};

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use crate::expr::{Dependence, Exponent, Graph, Node, NodeId};
 use crate::number::Number;
 
-/// Coefficient by monomial; both are nodes. What is no power of a parameter but made of parameters alone counts as one.
+/// Coefficient by monomial; both are nodes. What is no power of a parameter but made of parameters alone
+/// counts as one.
 pub(super) type Polynomial = BTreeMap<NodeId, NodeId>;
 
 /// More monomials than this lump nothing together.

@@ -3,8 +3,9 @@
 /// Pivots below this share of the largest entry of their row as it was given count as zero.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// A basis of all x with `rows` x = 0: each vector has a one in a column of its own, as far right as can be, and zeros in
-/// those of the others. Rows are scaled to a largest entry of one; rows that are not finite are left out.
+/// A basis of all x with `rows` x = 0: each vector has a one in a column of its own, as far right as can be,
+/// and zeros in those of the others. Rows are scaled to a largest entry of one; rows that are not finite are
+/// left out.
 pub(super) fn null_space(rows: Vec<Vec<f64>>, columns: usize) -> Vec<Vec<f64>> {
     let mut rows: Vec<Vec<f64>> = rows.into_iter().filter_map(scaled).collect();
     let mut pivots: Vec<Option<usize>> = vec![None; columns];

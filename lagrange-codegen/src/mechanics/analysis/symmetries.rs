@@ -1,12 +1,13 @@
 //! Integrals of the motion by Noether's theorem, found by search.
 //!
-//! A shift q → q + ε ξ with ξ = S q + s takes I = p·ξ along: dI/dt = f·ξ + p·S v with f = ∂L/∂q + Q − ∂D/∂v, plus λᵀ A ξ where
-//! there are constraints. Both must vanish for all q, v, t, u and all values of the parameters (Arnold, *Mathematical Methods
-//! of Classical Mechanics*, section 20). They are linear in S and s: random samples give a linear system, its null space the
-//! candidates, and each candidate is then confirmed at points of its own, near and far, up to the roundings of what is
-//! evaluated there and nothing beyond: a small force is a force. Kinks are put out of the way: a limit that no sample comes
-//! near would look like no force at all, so each sample goes on as on one side of every kink, by chance. Integrals that are not linear in the momenta, or
-//! whose ξ depends on parameters, are not found.
+//! A shift q → q + ε ξ with ξ = S q + s takes I = p·ξ along: dI/dt = f·ξ + p·S v with f = ∂L/∂q + Q − ∂D/∂v,
+//! plus λᵀ A ξ where there are constraints. Both must vanish for all q, v, t, u and all values of the
+//! parameters (Arnold, *Mathematical Methods of Classical Mechanics*, section 20). They are linear in S and
+//! s: random samples give a linear system, its null space the candidates, and each candidate is then
+//! confirmed at points of its own, near and far, up to the roundings of what is evaluated there and nothing
+//! beyond: a small force is a force. Kinks are put out of the way: a limit that no sample comes near would
+//! look like no force at all, so each sample goes on as on one side of every kink, by chance. Integrals that
+//! are not linear in the momenta, or whose ξ depends on parameters, are not found.
 
 use super::nullspace::{Noise, null_space};
 use crate::expr::{Graph, NodeId, Rounded, Variable};
@@ -127,7 +128,8 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
         .collect()
 }
 
-/// What to search: all of S where there are few coordinates, rotations where M is diagonal, else translations alone.
+/// What to search: all of S where there are few coordinates, rotations where M is diagonal, else translations
+/// alone.
 fn unknowns(model: &Model, equations: &Equations) -> Vec<Unknown> {
     let graph = &model.graph;
     let mass = &equations.mass;

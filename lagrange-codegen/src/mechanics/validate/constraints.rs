@@ -124,7 +124,8 @@ fn fault(
     None
 }
 
-/// Where the gradient of an expression vanishes, or has no value, wherever the expression is zero: how to mend it.
+/// Where the gradient of an expression vanishes, or has no value, wherever the expression is zero: how to
+/// mend it.
 fn vanishing_gradient(graph: &Graph, value: NodeId, moving: Dependence) -> Option<&'static str> {
     let (_, value) = graph.scaled(value);
     let moves = |node: NodeId| graph.dependence(node).meets(moving);

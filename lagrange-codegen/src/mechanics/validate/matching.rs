@@ -1,6 +1,7 @@
 //! Maximum matchings of rows to columns by augmenting paths.
 //!
-//! A square matrix whose pattern of nonzero entries has no complete matching is singular whatever the entries.
+//! A square matrix whose pattern of nonzero entries has no complete matching is singular whatever the
+//! entries.
 
 /// A matching that grows row by row.
 pub(super) struct Matching<F> {

@@ -57,8 +57,8 @@ impl Interpreter<'_> {
         Some(self.call(function, arguments))
     }
 
-    /// A function of the `System` or `Surface` implementation or of the derivatives, which takes constants, state,
-    /// accelerations, multipliers and inputs as it asks for them.
+    /// A function of the `System` or `Surface` implementation or of the derivatives, which takes constants,
+    /// state, accelerations, multipliers and inputs as it asks for them.
     pub fn of_system(&self, name: &str) -> Option<Run<Value>> {
         let Expansion { system, surface, derivatives, .. } = self.expansion;
         let function = system.get(name).or_else(|| surface.get(name)).or_else(|| derivatives.get(name))?;

@@ -1,5 +1,5 @@
-//! Random constraints. Each has a coordinate or velocity of its own that it depends on almost everywhere, so that almost
-//! all gradients are independent at almost all states.
+//! Random constraints. Each has a coordinate or velocity of its own that it depends on almost everywhere, so
+//! that almost all gradients are independent at almost all states.
 
 use proptest::prelude::*;
 

@@ -61,8 +61,8 @@ fn of_inertia(quadratic: bool) -> BoxedStrategy<System> {
         .boxed()
 }
 
-/// Adds constraints as long as there are coordinates for them, from a first one on. `based` has the roles that give
-/// coordinates their inertia.
+/// Adds constraints as long as there are coordinates for them, from a first one on. `based` has the roles
+/// that give coordinates their inertia.
 fn restrain(system: &mut System, restraints: Vec<Restraint>, first: usize, based: &[Option<usize>]) {
     let (count, mut held, mut functions) = (system.count(), 0, [0; 2]);
     for restraint in restraints {

@@ -1,10 +1,11 @@
 //! Newton's method with one matrix for all stages and corrections.
 //!
 //! With g = M⁻¹ f − a at each stage, a correction Δ of the accelerations solves
-//! M Δᵢ − h Σ aᵢⱼ ∂r/∂v Δⱼ − h² Σ (A²)ᵢⱼ ∂r/∂q Δⱼ = M gᵢ, with M and the derivatives of r = f − M a at one state for all
-//! stages. (With rᵢ on the right instead of M gᵢ, the change of M over a step would slow the iteration down.) In the
-//! eigenvectors of A that is one complex system of size N for each pair of eigenvalues λ:
-//! (M − hλ ∂r/∂v − (hλ)² ∂r/∂q) w = M g. The matrix is made anew where corrections shrink too slowly.
+//! M Δᵢ − h Σ aᵢⱼ ∂r/∂v Δⱼ − h² Σ (A²)ᵢⱼ ∂r/∂q Δⱼ = M gᵢ, with M and the derivatives of r = f − M a at one
+//! state for all stages. (With rᵢ on the right instead of M gᵢ, the change of M over a step would slow the
+//! iteration down.) In the eigenvectors of A that is one complex system of size N for each pair of
+//! eigenvalues λ: (M − hλ ∂r/∂v − (hλ)² ∂r/∂q) w = M g. The matrix is made anew where corrections shrink too
+//! slowly.
 
 use num_traits::Zero;
 

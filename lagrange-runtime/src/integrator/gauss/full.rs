@@ -1,8 +1,8 @@
 //! Newton's method with the derivatives of every stage, for long steps of stiff systems.
 //!
-//! Where a stiff force turns within a step, no single matrix stands for all stages. The matrix of all of them,
-//! M Δᵢ δᵢⱼ − h aᵢⱼ (∂r/∂v)ᵢ − h² (A²)ᵢⱼ (∂r/∂q)ᵢ, is eliminated as a whole. That costs some ten times as much, so it is the
-//! second choice, and it stays on the stack, so it is for systems of moderate size.
+//! Where a stiff force turns within a step, no single matrix stands for all stages. The matrix of all of
+//! them, M Δᵢ δᵢⱼ − h aᵢⱼ (∂r/∂v)ᵢ − h² (A²)ᵢⱼ (∂r/∂q)ᵢ, is eliminated as a whole. That costs some ten times
+//! as much, so it is the second choice, and it stays on the stack, so it is for systems of moderate size.
 
 use num_traits::Zero;
 
@@ -27,8 +27,8 @@ where
     S: Linearized<N, K>,
     S::Scalar: Ordered,
 {
-    /// Accelerations at the stages from a guess of them; `None` where corrections do not shrink to rounding, or the
-    /// system is too large.
+    /// Accelerations at the stages from a guess of them; `None` where corrections do not shrink to rounding,
+    /// or the system is too large.
     #[cold]
     #[inline(never)]
     pub(super) fn solve_fully(&self, guess: Row<S::Scalar, N, STAGES>) -> Option<Row<S::Scalar, N, STAGES>> {

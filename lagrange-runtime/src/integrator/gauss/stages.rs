@@ -12,8 +12,8 @@ use crate::state::State;
 /// A correction that no longer shrinks is rounding if it is below this many roundings of what it corrects.
 const ROUNDINGS: f64 = 1e4;
 
-/// A correction of this many roundings is not worth making. Anything larger turns the random walk of the energy into
-/// a drift.
+/// A correction of this many roundings is not worth making. Anything larger turns the random walk of the
+/// energy into a drift.
 const REST: f64 = 1e-4;
 
 /// The equations of one step.

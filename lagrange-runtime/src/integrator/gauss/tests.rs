@@ -83,7 +83,8 @@ fn where_steps_resolve_the_motion_the_energy_does_not_drift() {
         }
         *after = motion.energy() / energy - 1.0;
     }
-    // A hundred periods each. Corrections that stop early, or coefficients rounded one by one, drift by 1e-14.
+    // A hundred periods each. Corrections that stop early, or coefficients rounded one by one, drift by
+    // 1e-14.
     assert!(after.iter().all(|error| error.abs() < 5e-15), "{after:?}");
 }
 

@@ -41,8 +41,9 @@ where
     at(memory, system, control, from)
 }
 
-/// Expands the motion about the start of the memory, for a step of `left` \[s] at most. Returns the length that the tolerance
-/// allows \[s], without direction; `None` of a polynomial in time, or of coefficients that underflow.
+/// Expands the motion about the start of the memory, for a step of `left` \[s] at most. Returns the length
+/// that the tolerance allows \[s], without direction; `None` of a polynomial in time, or of coefficients that
+/// underflow.
 #[inline(always)]
 pub(super) fn expand<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
@@ -68,7 +69,8 @@ where
         }
         *attempts -= 1;
         memory.unit = left.signum() * unit;
-        // One copy of the code is optimised better than several, and that of a free motion best where it is called.
+        // One copy of the code is optimised better than several, and that of a free motion best where it is
+        // called.
         let solved = if S::CONSTRAINED {
             outlined(memory, system, control, &from)
         } else {
@@ -106,8 +108,8 @@ where
         overflowed |= !is_finite;
         let factor =
             if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
-        // Two units may each ask for the other: a component that starts with many zero derivatives has no size but in
-        // the unit. The shorter one is sure.
+        // Two units may each ask for the other: a component that starts with many zero derivatives has no
+        // size but in the unit. The shorter one is sure.
         overflowed |= lengthened && factor < num_traits::One::one();
         lengthened |= factor > num_traits::One::one();
         unit *= factor;

@@ -40,7 +40,8 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) independence: Option<Independence<R>>,
     /// What constraints have determined so far; `None` before the first step.
     pub(super) determined: Option<Determined<R>>,
-    /// Ulps below which neither coordinates nor velocities are known through the constraints that couple them.
+    /// Ulps below which neither coordinates nor velocities are known through the constraints that couple
+    /// them.
     pub(super) ulps: [[R; N]; 2],
     pub(super) end: State<R, N>,
     pub(super) end_residue: State<R, N>,
@@ -122,7 +123,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         }
     }
 
-    /// Time runs in the other direction: odd coefficients of the coordinates change their sign, and all of them the unit.
+    /// Time runs in the other direction: odd coefficients of the coordinates change their sign, and all of
+    /// them the unit.
     pub(super) fn turn(&mut self) {
         self.unit = -self.unit;
         for rows in [&mut self.series.q, &mut self.series.v] {
@@ -173,14 +175,15 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         row(&self.series.q) && row(&self.series.v)
     }
 
-    /// The length at which the last two terms fall to the tolerance, in units of the scaled time; not finite where
-    /// a coefficient is not, infinite for a polynomial.
+    /// The length at which the last two terms fall to the tolerance, in units of the scaled time; not finite
+    /// where a coefficient is not, infinite for a polynomial.
     ///
-    /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish beside it.
-    /// So the terms before the last two may not exceed the tolerance by more than [`super::STEEPEST`] for each order either.
+    /// Symmetry makes coefficients vanish, at x = 0 of x″ = −x³ two of any four orders, or nearly vanish
+    /// beside it. So the terms before the last two may not exceed the tolerance by more than
+    /// [`super::STEEPEST`] for each order either.
     ///
-    /// The size of a component is that of its first terms over `span`, which should be about the length itself. With
-    /// `steady` the unit is the last step.
+    /// The size of a component is that of its first terms over `span`, which should be about the length
+    /// itself. With `steady` the unit is the last step.
     ///
     /// Of numbers with derivatives each component of each derivative has its own size, as coordinates have.
     #[inline]
@@ -204,7 +207,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         self.bounded(length, term)
     }
 
-    /// Weights of coordinates and of velocities, or of one of their derivatives: the reciprocals of what a last term may be.
+    /// Weights of coordinates and of velocities, or of one of their derivatives: the reciprocals of what a
+    /// last term may be.
     #[inline]
     fn weights(&self, limits: &Limits<R>, span: R, part: usize) -> [[R::Lane; N]; 2] {
         let (number, zero) = (R::Lane::from_f64, R::Lane::zero());
@@ -221,11 +225,12 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             })
         };
         let sizes = [sizes(&self.start.q, &series.q), sizes(&self.start.v, &series.v)];
-        // Linear equations have no scale: an absolute error of a derivative is one beside the whole of its column.
+        // Linear equations have no scale: an absolute error of a derivative is one beside the whole of its
+        // column.
         let column = |largest, &size: &R::Lane| larger(largest, size);
         let whole = if part == 0 { R::Lane::one() } else { sizes.iter().flatten().fold(zero, column) };
         let absolute = number(SAFETY) * absolute * whole + step_size::smallest::<R::Lane>();
-        // Who asks for less than rounding asks for it of the coupled coordinates as well.
+        // A tolerance below rounding applies to the coupled coordinates as well.
         let ulps = smaller(relative / R::Lane::epsilon(), R::Lane::one());
         core::array::from_fn(|k| {
             let known = if part == 0 { self.ulps[k].map(|ulp| ulps * of(ulp)) } else { [zero; N] };
@@ -245,7 +250,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         })
     }
 
-    /// The last terms of the series at `theta` units of the scaled time, each as large as those that follow it may be.
+    /// The last terms of the series at `theta` units of the scaled time, each as large as those that follow
+    /// it may be.
     pub(super) fn last_terms(&self, theta: R) -> [State<R, N>; 2] {
         let zero = [R::zero(); N];
         [(self.orders, R::one()), (self.orders - 1, R::from_f64(DECAY))].map(|(order, share)| {
@@ -256,11 +262,12 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         })
     }
 
-    /// The length, in units of the scaled time, at which the last terms are what errors across constraints may be, where
-    /// such errors and no others keep the series to the length `theta`.
+    /// The length, in units of the scaled time, at which the last terms are what errors across constraints
+    /// may be, where such errors and no others keep the series to the length `theta`.
     ///
-    /// Beside a configuration in which constraints depend on each other roundings of a state grow along the series, and its
-    /// last terms hardly decay at the tolerated length. Those of the motion itself have decayed to nothing long before.
+    /// Beside a configuration in which constraints depend on each other roundings of a state grow along the
+    /// series, and its last terms hardly decay at the tolerated length. Those of the motion itself have
+    /// decayed to nothing long before.
     #[cold]
     pub(super) fn reach_across(&self, limits: &Limits<R>, theta: R) -> Option<R> {
         let (number, p) = (R::Lane::from_f64, self.orders);
@@ -272,7 +279,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         if halfway.ln() > -number(DECAY).ln() * number(0.25) * number(p as f64) {
             return None;
         }
-        // Constraints couple the coordinates, so these errors are parts of the whole state in the kinetic metric.
+        // Constraints couple the coordinates, so these errors are parts of the whole state in the kinetic
+        // metric.
         let share = across(last_term(limits.relative), &self.independence?).largest() / R::Lane::epsilon();
         let weights = self.ulps.map(|ulps| ulps.map(|ulp| (share * ulp.largest()).recip()));
         let term = |order: usize| self.term(&weights, order, 0);

@@ -1,15 +1,17 @@
 //! Taylor series under error control: the method of smooth systems.
 //!
-//! Each step expands the motion to an order that follows from the tolerance and takes the length at which the last
-//! two terms of the series fall to the tolerance (Jorba and Zou, *A software package for the numerical integration
-//! of ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005). The polynomial is the dense
-//! output, so nothing ever shortens a step to land on a time. State and time are summed with compensation.
+//! Each step expands the motion to an order that follows from the tolerance and takes the length at which the
+//! last two terms of the series fall to the tolerance (Jorba and Zou, *A software package for the numerical
+//! integration of ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005). The
+//! polynomial is the dense output, so nothing ever shortens a step to land on a time. State and time are
+//! summed with compensation.
 //!
-//! The memory of a motion holds tables for the highest order: 7.5 kB for a double pendulum, 50 kB for a chain of 20
-//! links. Where that is too much, take fixed steps by [`Jet`](crate::Jet), whose tables end at its own order.
+//! The memory of a motion holds tables for the highest order: 7.5 kB for a double pendulum, 50 kB for a chain
+//! of 20 links. Where that is too much, take fixed steps by [`Jet`](crate::Jet), whose tables end at its own
+//! order.
 //!
-//! Coefficients are those of time in units of the last step, so none over- or underflows in any units of mass,
-//! length and time.
+//! Coefficients are those of time in units of the last step, so none over- or underflows in any units of
+//! mass, length and time.
 
 mod expansion;
 mod memory;
@@ -29,30 +31,33 @@ use crate::state::State;
 pub use memory::JetsMemory;
 use step::step;
 
-/// Taylor series of the motion, order and step from the tolerance: the fastest and most accurate method for a smooth
-/// system.
+/// Taylor series of the motion, order and step from the tolerance: the fastest and most accurate method for a
+/// smooth system.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Jets;
 
 /// The highest order.
 pub(crate) const HIGHEST: usize = 32;
 
-/// Orders for each natural digit of the tolerance. One half is the optimum where the work of a step grows with the
-/// square of the order (Jorba and Zou); here it grows more slowly. Measured on the systems of the benchmarks.
+/// Orders for each natural digit of the tolerance. One half is the optimum where the work of a step grows
+/// with the square of the order (Jorba and Zou); here it grows more slowly. Measured on the systems of the
+/// benchmarks.
 const ORDERS_PER_DIGIT: f64 = 0.8;
 
-/// exp(−1 / `ORDERS_PER_DIGIT`): how much the terms of a series fall from order to order at the tolerated length.
+/// exp(−1 / `ORDERS_PER_DIGIT`): how much the terms of a series fall from order to order at the tolerated
+/// length.
 const DECAY: f64 = 0.29;
 
-/// The last term of a series falls to this part of the tolerance: all terms after it together are then smaller still.
+/// The last term of a series falls to this part of the tolerance: all terms after it together are then
+/// smaller still.
 const SAFETY: f64 = 0.2;
 
 /// A tolerance of so many roundings, or fewer, means rounding.
 const AT_ROUNDING: f64 = 8.0;
 
-/// The last term of a series in units of rounding, where the tolerance means rounding: the error of a series is
-/// systematic, that of rounding a random walk, so over millions of steps the first must be smaller by far. Sums are
-/// compensated and carry the digits.
+/// The last term of a series in units of rounding, where the tolerance means rounding: the error of a series
+/// is systematic, that of rounding a random walk, so over millions of steps the first must be smaller by far.
+/// Sums are compensated and carry the digits.
 const FINEST: f64 = 1e-3;
 
 /// What is asked of the last term for a tolerance on a component's size, relative to that size.
@@ -70,8 +75,9 @@ pub(crate) fn last_term<R: Ordered>(tolerance: R) -> R {
 /// Terms of a series decay by less than this from order to order, at a step that follows from the last two.
 pub(crate) const STEEPEST: f64 = 6.0;
 
-/// The same where [`HIGHEST`] leaves fewer orders for a digit than [`ORDERS_PER_DIGIT`], as scalars of more digits than `f64`
-/// do: half as much again as the decay that tolerance and order demand, a factor that [`STEEPEST`] leaves as well.
+/// The same where [`HIGHEST`] leaves fewer orders for a digit than [`ORDERS_PER_DIGIT`], as scalars of more
+/// digits than `f64` do: half as much again as the decay that tolerance and order demand, a factor that
+/// [`STEEPEST`] leaves as well.
 #[inline]
 fn steepest<R: Ordered>(relative: R, orders: usize) -> R {
     let demanded = (-last_term(relative).ln() / R::from_f64(orders as f64)).exp();

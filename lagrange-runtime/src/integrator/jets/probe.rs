@@ -1,8 +1,8 @@
 //! Whether a step of a series obeys the equations of motion.
 //!
-//! A series knows the motion from where it starts. What rounding or underflow hides there (a wall far away, a switch that
-//! is thrown later) is not in its coefficients, and their decay says nothing of it. So the accelerations are compared at
-//! some places of the step with those of the polynomial.
+//! A series knows the motion from where it starts. What rounding or underflow hides there (a wall far away, a
+//! switch that is thrown later) is not in its coefficients, and their decay says nothing of it. So the
+//! accelerations are compared at some places of the step with those of the polynomial.
 
 use crate::real::Real;
 use crate::smooth::{Series, Smooth};
@@ -23,8 +23,8 @@ const MARGIN: f64 = 16.0;
 /// Accelerations are known to so many roundings of the largest.
 const NOISE: f64 = 256.0;
 
-/// The `length` of a step that grows with restraint: what is far away is not jumped over. `last` is the length of the
-/// step before it, or zero; `left` the way to go.
+/// The `length` of a step that grows with restraint: what is far away is not jumped over. `last` is the
+/// length of the step before it, or zero; `left` the way to go.
 pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
     length.min(if last.is_positive() { R::from_f64(GROWTH) * last } else { R::from_f64(FIRST) * left })
 }
@@ -44,8 +44,9 @@ pub(crate) struct Probe<'a, S: Smooth<N, K>, const N: usize, const K: usize, con
 }
 
 impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, S, N, K, P> {
-    /// Whether the first `theta` units agree with the equations of motion. `known` are the largest accelerations that were
-    /// met so far, whose roundings are no disagreement; those met here join them where there is none.
+    /// Whether the first `theta` units agree with the equations of motion. `known` are the largest
+    /// accelerations that were met so far, whose roundings are no disagreement; those met here join them
+    /// where there is none.
     pub fn agrees(&self, theta: S::Scalar, known: &mut [S::Scalar; N]) -> bool {
         let mut strongest = *known;
         let agrees = self.compared(theta, &mut strongest);
@@ -55,7 +56,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         agrees
     }
 
-    /// The comparison, with all accelerations that were met. Of a polynomial in time they are those that lie ahead.
+    /// The comparison, with all accelerations that were met. Of a polynomial in time they are those that lie
+    /// ahead.
     pub fn compared(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) -> bool {
         let span = theta * self.unit;
         let noise = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon();

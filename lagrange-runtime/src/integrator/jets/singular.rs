@@ -1,9 +1,10 @@
 //! A motion that starts in a configuration in which constraints depend on each other, or very close to one.
 //!
-//! There the equations do not give the multipliers, and beside it they give them with few digits. But the motion is smooth, and
-//! a little later it is well determined. So the step is expanded about its **end**: a state on the constraints whose series
-//! leads back to the start. It is found by shooting, with free flight as the approximation of the flow, which leaves an error
-//! of the square of the time. The velocity of the start decides along which of the motions that meet there it goes on.
+//! There the equations do not give the multipliers, and beside it they give them with few digits. But the
+//! motion is smooth, and a little later it is well determined. So the step is expanded about its **end**: a
+//! state on the constraints whose series leads back to the start. It is found by shooting, with free flight
+//! as the approximation of the flow, which leaves an error of the square of the time. The velocity of the
+//! start decides along which of the motions that meet there it goes on.
 
 use super::super::adaptive::Adaptive;
 use super::super::landing::{Check, apart};
@@ -20,15 +21,16 @@ use crate::state::State;
 /// Lengths of the step that are tried, each half of the one before, from half of the way to go.
 const LENGTHS: usize = 64;
 
-/// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over the time in which
-/// accelerations change.
+/// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over
+/// the time in which accelerations change.
 const CORRECTIONS: usize = 24;
 
-/// Takes the first step about its end. False where the constraints depend on each other beside the start as well, so that it is
-/// as good as any other state.
+/// Takes the first step about its end. False where the constraints depend on each other beside the start as
+/// well, so that it is as good as any other state.
 ///
 /// # Errors
-/// [`Cause::Undetermined`] where they are independent beside it, but no motion leads there with this velocity.
+/// [`Cause::Undetermined`] where they are independent beside it, but no motion leads there with this
+/// velocity.
 #[cold]
 #[inline(never)]
 #[allow(clippy::too_many_arguments)]

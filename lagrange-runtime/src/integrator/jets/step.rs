@@ -12,8 +12,9 @@ use crate::real::{Ordered, Real, smaller};
 use crate::simulation::Held;
 use crate::smooth::Smooth;
 
-/// A step of a constrained motion is at most so many times as long as the one before it. Its end is checked, so the bound only
-/// keeps the check within reach of a polynomial that exact cancellations have robbed of its coefficients.
+/// A step of a constrained motion is at most so many times as long as the one before it. Its end is checked,
+/// so the bound only keeps the check within reach of a polynomial that exact cancellations have robbed of its
+/// coefficients.
 const LONGER: f64 = 32.0;
 
 /// One step from the end of the last one towards `target`.
@@ -69,7 +70,8 @@ where
     let theta = length / memory.unit.abs();
     memory.reach(theta);
     memory.next = if is_free { num_traits::Zero::zero() } else { natural };
-    // Of a polynomial in time only the equations tell whether it holds. A constrained step is always compared with them.
+    // Of a polynomial in time only the equations tell whether it holds. A constrained step is always compared
+    // with them.
     if !S::CONSTRAINED && (S::STEEP || is_free) {
         let free = is_free.then_some(left);
         shorten(memory, system, constants, control, limits, (free, resolution))?;
@@ -85,9 +87,10 @@ where
     Ok(())
 }
 
-/// Ends a step of a constrained motion where it can be checked and goes on well: at the length that it has, or near that.
-/// `measured` is what the step has and error control has measured, `natural` what it would allow without a limit, both in
-/// units of the scaled time. Beyond `measured` only a part of the error is known to be small.
+/// Ends a step of a constrained motion where it can be checked and goes on well: at the length that it has,
+/// or near that. `measured` is what the step has and error control has measured, `natural` what it would
+/// allow without a limit, both in units of the scaled time. Beyond `measured` only a part of the error is
+/// known to be small.
 #[inline]
 fn land<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
@@ -156,8 +159,8 @@ where
     }
 }
 
-/// The length, in units of the scaled time, that leads across a configuration in which constraints depend on each other, where
-/// the roundings that grow there keep the step to the length `theta`.
+/// The length, in units of the scaled time, that leads across a configuration in which constraints depend on
+/// each other, where the roundings that grow there keep the step to the length `theta`.
 #[inline]
 fn beyond<C, T, R, const N: usize>(memory: &JetsMemory<C, T, R, N>, limits: &Limits<R>, theta: R) -> Option<R>
 where
@@ -176,7 +179,8 @@ where
     (longest > theta * unit).then(|| longest / unit)
 }
 
-/// Halves the step until it obeys the equations of motion. For a polynomial in time, what is left to go is given.
+/// Halves the step until it obeys the equations of motion. For a polynomial in time, what is left to go is
+/// given.
 #[cold]
 fn shorten<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,

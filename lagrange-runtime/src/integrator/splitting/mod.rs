@@ -1,12 +1,13 @@
 //! Symplectic splitting methods for separable systems: the motion as a palindrome of drifts and kicks.
 //!
-//! A drift moves q by the velocity and time with it, a kick changes v by the accelerations at that q and t. Each is the
-//! exact motion of a Hamiltonian, so a step is symplectic and reversible: no energy is gained or lost over long runs,
-//! its error stays bounded at the size of one step's. Forces may depend on time and on inputs that are held.
+//! A drift moves q by the velocity and time with it, a kick changes v by the accelerations at that q and t.
+//! Each is the exact motion of a Hamiltonian, so a step is symplectic and reversible: no energy is gained or
+//! lost over long runs, its error stays bounded at the size of one step's. Forces may depend on time and on
+//! inputs that are held.
 //!
-//! Where the last stage is a kick, its accelerations serve the first kick of the next step, if that starts at the same
-//! q and t with the same inputs. The sums of all but the leapfrog are compensated, so that roundings do not add up over
-//! long runs.
+//! Where the last stage is a kick, its accelerations serve the first kick of the next step, if that starts at
+//! the same q and t with the same inputs. The sums of all but the leapfrog are compensated, so that roundings
+//! do not add up over long runs.
 
 use num_traits::Zero;
 
@@ -43,8 +44,8 @@ impl<R: Real, const N: usize, const K: usize> LastSplit<R, N, K> {
 
 /// Störmer–Verlet in its velocity form: symplectic, order 2, one evaluation a step.
 ///
-/// Stable below h·ω = 2 for the fastest frequency ω. The method of molecular dynamics, where one evaluation is all that
-/// a step may cost.
+/// Stable below h·ω = 2 for the fastest frequency ω. The method of molecular dynamics, where one evaluation
+/// is all that a step may cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Leapfrog;
 
@@ -60,8 +61,8 @@ pub type Yoshida4 = Yoshida<4>;
 /// Yoshida's composition of seven leapfrogs: symplectic, order 6, seven evaluations a step.
 pub type Yoshida6 = Yoshida<6>;
 
-/// Suzuki and Umeno's composition of fifteen leapfrogs in Yoshida's manner: symplectic, order 8, fifteen evaluations a
-/// step.
+/// Suzuki and Umeno's composition of fifteen leapfrogs in Yoshida's manner: symplectic, order 8, fifteen
+/// evaluations a step.
 pub type Yoshida8 = Yoshida<8>;
 
 /// Runge–Kutta–Nyström splittings by Blanes and Moan, of order 4 and 6: [`BlanesMoan4`] and [`BlanesMoan6`].
@@ -88,7 +89,8 @@ trait Splitting {
     const KICKS: &'static [f64];
     /// Drifts.
     const DRIFTS: &'static [f64];
-    /// Whether sums are compensated: not where the error of the method is above rounding at any step worth taking.
+    /// Whether sums are compensated: not where the error of the method is above rounding at any step worth
+    /// taking.
     const COMPENSATED: bool;
 }
 
@@ -111,8 +113,8 @@ tabulated! {
     BlanesMoan6 = BLANES_MOAN6;
 }
 
-// Three implementations written out: one for every `Splitting` would take the compiler's messages about other methods
-// away, and a macro would stand in the middle of those about these.
+// Three implementations written out: one for every `Splitting` would take the compiler's messages about other
+// methods away, and a macro would stand in the middle of those about these.
 
 impl<S: Separable<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Leapfrog {
     type Memory = Option<LastSplit<S::Scalar, N, K>>;

@@ -1,9 +1,9 @@
 //! Dormand–Prince 8(5,3): 12 stages of order 8, error estimates of orders 5 and 3, dense output of order 7.
 //!
 //! P. J. Prince, J. R. Dormand, J. Comput. Appl. Math. 7 (1981) 67; estimators and dense output by E. Hairer,
-//! S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993), II.5, II.6 and II.10,
-//! with the coefficients of their code DOP853 rounded to double precision. Stage 12 is the slope at the end of
-//! the step (first same as last); stages 13 to 15 serve the dense output alone.
+//! S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", 2nd ed. (1993), II.5, II.6 and
+//! II.10, with the coefficients of their code DOP853 rounded to double precision. Stage 12 is the slope at
+//! the end of the step (first same as last); stages 13 to 15 serve the dense output alone.
 
 /// Stages of a step.
 pub(crate) const STAGES: usize = 12;

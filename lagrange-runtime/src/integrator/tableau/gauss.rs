@@ -1,9 +1,10 @@
 //! Gauss–Legendre collocation with 2, 3 and 4 stages: nodes, weights, and the modes that decouple the stages.
 //!
-//! J. C. Butcher, Math. Comp. 18 (1964) 50. The coefficients are written as μᵢⱼ = aᵢⱼ / bⱼ, because a method is symplectic
-//! where μᵢⱼ + μⱼᵢ = 1, which rounding then cannot touch: M. Antoñana, J. Makazaga, A. Murua, Numer. Algorithms 76 (2017)
-//! 861. A = T Λ T⁻¹ takes the linear system of all stages apart into one for each eigenvalue: E. Hairer, G. Wanner,
-//! "Solving Ordinary Differential Equations II", 2nd ed., IV.8. Computed with 40 digits.
+//! J. C. Butcher, Math. Comp. 18 (1964) 50. The coefficients are written as μᵢⱼ = aᵢⱼ / bⱼ, because a method
+//! is symplectic where μᵢⱼ + μⱼᵢ = 1, which rounding then cannot touch: M. Antoñana, J. Makazaga, A. Murua,
+//! Numer. Algorithms 76 (2017) 861. A = T Λ T⁻¹ takes the linear system of all stages apart into one for each
+//! eigenvalue: E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II", 2nd ed., IV.8. Computed
+//! with 40 digits.
 
 /// A method with `S` stages, of order 2`S`.
 pub(crate) struct Collocation<const S: usize> {

@@ -1,10 +1,11 @@
 //! Splitting methods: fractions of the step for kicks and drifts, alternating, a kick first and last.
 //!
-//! All are palindromes, so only the first half stands here; a kick of zero is left out. Composition methods by
-//! H. Yoshida, Phys. Lett. A 150 (1990) 262, of which that of order 8 by M. Suzuki and K. Umeno in "Computer Simulation
-//! Studies in Condensed-Matter Physics VI" (1993) 74, with coefficients from E. Hairer, C. Lubich, G. Wanner, "Geometric
-//! Numerical Integration", 2nd ed., V.3.2. Runge–Kutta–Nyström splittings SRKN6b and SRKN14a by S. Blanes and P. C.
-//! Moan, J. Comput. Appl. Math. 142 (2002) 313; what follows from consistency is computed to all digits.
+//! All are palindromes, so only the first half stands here; a kick of zero is left out. Composition methods
+//! by H. Yoshida, Phys. Lett. A 150 (1990) 262, of which that of order 8 by M. Suzuki and K. Umeno in
+//! "Computer Simulation Studies in Condensed-Matter Physics VI" (1993) 74, with coefficients from E. Hairer,
+//! C. Lubich, G. Wanner, "Geometric Numerical Integration", 2nd ed., V.3.2. Runge–Kutta–Nyström splittings
+//! SRKN6b and SRKN14a by S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313; what follows from
+//! consistency is computed to all digits.
 
 /// A splitting of one step.
 pub(crate) struct Fractions<const KICKS: usize, const DRIFTS: usize> {
@@ -69,8 +70,8 @@ pub(crate) const BLANES_MOAN6: Fractions<16, 15> = {
     )
 };
 
-/// Leapfrogs of the given lengths, one in the middle that makes their sum 1, and the given ones backward; the kicks
-/// between two of them are one.
+/// Leapfrogs of the given lengths, one in the middle that makes their sum 1, and the given ones backward; the
+/// kicks between two of them are one.
 const fn composed<const HALF: usize, const KICKS: usize, const DRIFTS: usize>(
     lengths: [f64; HALF],
 ) -> Fractions<KICKS, DRIFTS> {

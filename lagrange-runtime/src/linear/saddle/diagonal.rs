@@ -9,7 +9,8 @@ use super::{Defect, SaddlePoint};
 
 /// A saddle-point system with a diagonal M: particles in Cartesian coordinates.
 ///
-/// κ solves A M⁻¹ Aᵀ κ = y − A M⁻¹ r, whose matrix has the band of the constraints: links of a chain stay a chain.
+/// κ solves A M⁻¹ Aᵀ κ = y − A M⁻¹ r, whose matrix has the band of the constraints: links of a chain stay a
+/// chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Diagonal<R, const N: usize, const C: usize> {
     inverse_masses: [R; N],
@@ -21,8 +22,8 @@ pub struct Diagonal<R, const N: usize, const C: usize> {
 }
 
 impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
-    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves; a negative one gives NaN where it
-    /// makes a row of A negative.
+    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves; a negative one gives NaN
+    /// where it makes a row of A negative.
     ///
     /// A row that reaches only coordinates that nothing moves counts as [vanishing](SaddlePoint::vanishing).
     #[inline]

@@ -1,9 +1,10 @@
 //! The fast way to the null space: as many coordinates are expressed by the others as there are constraints.
 //!
-//! A Gauss–Jordan elimination of A, row by row in the order given, each solved for the coordinate in which it is
-//! largest: v\[lead] = Y₀ y − X v\[free]. (Wehage and Haug, "Generalized coordinate partitioning for dimension reduction
-//! in analysis of constrained dynamic systems", 1982.) That is as accurate as orthogonal vectors where all pivots are
-//! well away from zero, and half the work; where one is not, [`Range`](super::range::Range) decides.
+//! A Gauss–Jordan elimination of A, row by row in the order given, each solved for the coordinate in which it
+//! is largest: v\[lead] = Y₀ y − X v\[free]. (Wehage and Haug, "Generalized coordinate partitioning for
+//! dimension reduction in analysis of constrained dynamic systems", 1982.) That is as accurate as orthogonal
+//! vectors where all pivots are well away from zero, and half the work; where one is not,
+//! [`Range`](super::range::Range) decides.
 
 use crate::linear::independence::{CLEAR, Independence};
 use crate::real::Real;
@@ -15,8 +16,9 @@ use super::vectors::{add_scaled, pick, put, scale, smallest};
 /// In a row of so many entries or fewer the largest is above [`CLEAR`], for their sum is one.
 pub(super) const WIDEST: usize = 128;
 
-/// Fills `split` from rows that are clearly independent, and says how much they are. `None`, with `split` in disorder, if a
-/// pivot is a smaller part of its row than [`CLEAR`], in any lane, for the coordinates are common to all.
+/// Fills `split` from rows that are clearly independent, and says how much they are. `None`, with `split` in
+/// disorder, if a pivot is a smaller part of its row than [`CLEAR`], in any lane, for the coordinates are
+/// common to all.
 #[inline(always)]
 pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     scaled: &Scaled<R, N, C>,
@@ -27,8 +29,8 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     }
     let mut independence = Independence::clear(C);
     let mut rows = scaled.rows;
-    // The unit matrix with the operations on rows made so far. Not in place of columns of A, and not only up to the
-    // diagonal: constant places and lengths are faster than half the work.
+    // The unit matrix with the operations on rows made so far. Not in place of columns of A, and not only up
+    // to the diagonal: constant places and lengths are faster than half the work.
     let mut parts = [[R::zero(); C]; C];
     // The coordinate of each row, then those that stay free.
     let mut places: [usize; N] = core::array::from_fn(|i| i);
@@ -75,7 +77,8 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     Some(independence)
 }
 
-/// The entry whose smallest lane is largest, and where it is: by halves, so that few comparisons wait for others.
+/// The entry whose smallest lane is largest, and where it is: by halves, so that few comparisons wait for
+/// others.
 #[inline(always)]
 fn largest<R: Real, const N: usize>(row: &[R; N]) -> usize {
     let mut places: [usize; N] = core::array::from_fn(|i| i);

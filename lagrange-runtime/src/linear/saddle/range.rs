@@ -1,10 +1,11 @@
-//! The Householder QR of Aᵀ with column pivoting, which reveals the rank: the one place where that is decided.
+//! The Householder QR of Aᵀ with column pivoting, which reveals the rank: the one place where that is
+//! decided.
 //!
-//! Rows are eliminated longest first. The reflector of step k maps what is left of its row on one coordinate, the one
-//! with the largest component, and is zero in those of earlier steps: with the sign that avoids cancellation this
-//! keeps the error of every coordinate relative to that coordinate (Cox and Higham, "Stability of Householder QR
-//! factorization for weighted least squares problems", 1998), and it needs no exchange of coordinates. Nothing depends
-//! on which coordinate that is, so lanes that disagree do no harm.
+//! Rows are eliminated longest first. The reflector of step k maps what is left of its row on one coordinate,
+//! the one with the largest component, and is zero in those of earlier steps: with the sign that avoids
+//! cancellation this keeps the error of every coordinate relative to that coordinate (Cox and Higham,
+//! "Stability of Householder QR factorization for weighted least squares problems", 1998), and it needs no
+//! exchange of coordinates. Nothing depends on which coordinate that is, so lanes that disagree do no harm.
 
 use crate::real::Real;
 
@@ -125,7 +126,8 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
         self.inverse[k] = diagonal.recip();
     }
 
-    /// The null space and the right inverse: A Y₀ = 1 on the independent rows, with velocities in the range of Aᵀ.
+    /// The null space and the right inverse: A Y₀ = 1 on the independent rows, with velocities in the range
+    /// of Aᵀ.
     pub(in crate::linear) fn split(&self) -> Split<R, N, C> {
         let rank = self.rank.min(C).min(N);
         let mut basis = self.leads.map(unit);

@@ -52,8 +52,8 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
         let Self { mass, basis, matrix, solution, .. } = self;
         let mut column = [R::zero(); N];
         for k in rank..N {
-            // Rounding errors of B are relative to what its entries would be without cancellation, which for a
-            // positive semidefinite M is at most N times the inertia without couplings.
+            // Rounding errors of B are relative to what its entries would be without cancellation, which for
+            // a positive semidefinite M is at most N times the inertia without couplings.
             let mut uncoupled = basis[k];
             for (i, x) in uncoupled.iter_mut().enumerate() {
                 *x *= mass[i][i];
@@ -92,8 +92,8 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
     #[inline(always)]
     fn indefinite(&mut self, rank: usize) -> Result<(), usize> {
         let Self { mass, basis, matrix, solution, .. } = self;
-        // What the entries of B would be without cancellation. In the units that vectors were made in they all have
-        // similar sizes, so the sum does for all.
+        // What the entries of B would be without cancellation. In the units that vectors were made in they
+        // all have similar sizes, so the sum does for all.
         let mut total = R::zero();
         for vector in basis.iter().skip(rank) {
             let sizes = vector.map(R::abs);
@@ -144,8 +144,8 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
         Ok(())
     }
 
-    /// The motion Z c without inertia that makes pivot `direction` vanish: the combination of the vectors up to that
-    /// one whose products with the vectors before it are zero.
+    /// The motion Z c without inertia that makes pivot `direction` vanish: the combination of the vectors up
+    /// to that one whose products with the vectors before it are zero.
     pub(super) fn motion<const DEFINITE: bool>(&self, rank: usize, direction: usize) -> [R; N] {
         let mut c = [R::zero(); N];
         let mut motion = [R::zero(); N];

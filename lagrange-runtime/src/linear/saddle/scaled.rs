@@ -1,8 +1,8 @@
 //! Units in which no coordinate and no constraint is larger than another.
 //!
-//! A coordinate is measured in units of 1/√M\[i]\[i], in which a velocity of 1 has the same kinetic energy in all of
-//! them, and a row of A in units of the sum of its magnitudes. Decisions and rounding errors are then independent of
-//! the user's units.
+//! A coordinate is measured in units of 1/√M\[i]\[i], in which a velocity of 1 has the same kinetic energy in
+//! all of them, and a row of A in units of the sum of its magnitudes. Decisions and rounding errors are then
+//! independent of the user's units.
 
 use crate::real::Real;
 
@@ -71,14 +71,15 @@ fn units<R: Real, const N: usize, const C: usize>(mass: &[[R; N]; N], a: &[[R; N
     if all { units } else { completed(mass, a) }
 }
 
-/// How much larger a column of A may be for a coordinate without inertia than for others: such coordinates had better
-/// be those that are expressed by others.
+/// How much larger a column of A may be for a coordinate without inertia than for others: such coordinates
+/// had better be those that are expressed by others.
 const LIGHT: f64 = 8.0;
 
 /// Units of coordinates without inertia of their own.
 ///
-/// By what ties them to coordinates whose units are known: a coupling in M of size 1, or else columns of A as large as
-/// the rows are in the others. If nothing does, the first gets the unit of its own entries, and the others follow.
+/// By what ties them to coordinates whose units are known: a coupling in M of size 1, or else columns of A as
+/// large as the rows are in the others. If nothing does, the first gets the unit of its own entries, and the
+/// others follow.
 #[cold]
 #[inline(never)]
 fn completed<R: Real, const N: usize, const C: usize>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> [R; N] {

@@ -17,8 +17,8 @@ pub(crate) struct TangentSpace<R, const N: usize> {
 }
 
 impl<R: Real, const N: usize> TangentSpace<R, N> {
-    /// The null space of `a`, orthonormal in the metric of the diagonal of `mass`; where that is zero, a size that the
-    /// constraints suggest takes its place. Without rows it is all of space, as unit vectors.
+    /// The null space of `a`, orthonormal in the metric of the diagonal of `mass`; where that is zero, a size
+    /// that the constraints suggest takes its place. Without rows it is all of space, as unit vectors.
     pub fn new<const C: usize>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
         let scaled = Scaled::new(&symmetric(mass), a);
         let metric = scaled.units.map(|unit| (unit * unit).recip());

@@ -35,8 +35,8 @@ pub(super) fn product<const I: usize, const J: usize>(m: &[[f64; J]; I], x: &[f6
     m.map(|row| row.iter().zip(x).map(|(a, x)| a * x).sum())
 }
 
-/// The largest residuals of M v − Aᵀ κ = r and of A v = y, each relative to the magnitudes that are added up for it, in
-/// units of `epsilon`.
+/// The largest residuals of M v − Aᵀ κ = r and of A v = y, each relative to the magnitudes that are added up
+/// for it, in units of `epsilon`.
 pub(super) fn residuals<const N: usize, const C: usize>(
     (mass, a): (&[[f64; N]; N], &[[f64; N]; C]),
     (v, kappa): &([f64; N], [f64; C]),

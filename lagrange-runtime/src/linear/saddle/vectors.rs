@@ -73,7 +73,8 @@ pub(in crate::linear) fn unit<R: Real, const N: usize>(place: usize) -> [R; N] {
     vector
 }
 
-/// start + Σ rows\[k] · factors\[k], in two sums, so that the additions of one need not wait for those of the other.
+/// start + Σ rows\[k] · factors\[k], in two sums, so that the additions of one need not wait for those of the
+/// other.
 #[inline(always)]
 pub(in crate::linear) fn add_product<R: Real, const K: usize, const N: usize>(
     start: &[R; N],
@@ -112,8 +113,8 @@ pub(in crate::linear) fn smallest<R: Real>(x: R) -> R::Lane {
     -(-x).largest()
 }
 
-/// Where the largest of some sizes is: in its smallest lane if that is above `least`, so that all lanes can use it,
-/// else in its largest lane.
+/// Where the largest of some sizes is: in its smallest lane if that is above `least`, so that all lanes can
+/// use it, else in its largest lane.
 #[inline(always)]
 pub(in crate::linear) fn best<R: Real, const C: usize>(sizes: &[R; C], least: R) -> usize {
     let (mut common, mut any) = (0, 0);

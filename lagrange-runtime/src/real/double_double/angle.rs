@@ -1,13 +1,15 @@
-//! Angles in quarter turns, in integers: M. H. Payne, R. N. Hanek, *Radian reduction for trigonometric functions*, SIGNUM
-//! Newsletter 18 (1983) 19.
+//! Angles in quarter turns, in integers: M. H. Payne, R. N. Hanek, *Radian reduction for trigonometric
+//! functions*, SIGNUM Newsletter 18 (1983) 19.
 
-/// The words of a fixed-point number that are its fraction; one more is its integer part. The lowest come first.
+/// The words of a fixed-point number that are its fraction; one more is its integer part. The lowest come
+/// first.
 const FRACTION: usize = 5;
 
 /// A fixed-point number modulo 2⁶⁴, negative ones in two's complement.
 type Fixed = [u64; FRACTION + 1];
 
-/// The bits of 2/π after the point, by mpmath: 53 for the largest mantissa times its exponent, 320 for the fraction.
+/// The bits of 2/π after the point, by mpmath: 53 for the largest mantissa times its exponent, 320 for the
+/// fraction.
 const TWO_OVER_PI: [u64; 21] = [
     0xa2f9_836e_4e44_1529,
     0xfc27_57d1_f534_ddc0,
@@ -32,11 +34,11 @@ const TWO_OVER_PI: [u64; 21] = [
     0xa9e3_9161_5ee6_1b08,
 ];
 
-/// The multiple of a quarter turn that is nearest to `high` + `low` radians, modulo four, and what is left: whether it is
-/// negative, the zeros of its fraction before the first bit, and the 128 bits from there.
+/// The multiple of a quarter turn that is nearest to `high` + `low` radians, modulo four, and what is left:
+/// whether it is negative, the zeros of its fraction before the first bit, and the 128 bits from there.
 ///
-/// Bits of 2⁻²⁶⁷ and more are right. No sum of two doubles with 107 bits in this range is expected to come closer to a
-/// multiple than 2⁻¹³⁰, because there are fewer than 2¹³⁰ of them: 107 bits are left.
+/// Bits of 2⁻²⁶⁷ and more are right. No sum of two doubles with 107 bits in this range is expected to come
+/// closer to a multiple than 2⁻¹³⁰, because there are fewer than 2¹³⁰ of them: 107 bits are left.
 pub(super) fn nearest_quarter(high: f64, low: f64) -> (u64, bool, u32, u128) {
     let mut turns = sum(quarter_turns(high), quarter_turns(low));
     let mut quadrant = turns[FRACTION];

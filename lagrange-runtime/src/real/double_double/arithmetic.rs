@@ -1,7 +1,7 @@
 //! Sums, products, quotients and roots.
 //!
-//! They stay calls: an expansion has thousands of them, and inlined they make it 40 % larger and a quarter longer to compile for
-//! 6 % fewer instructions.
+//! They stay calls: an expansion has thousands of them, and inlined they make it 40 % larger and a quarter
+//! longer to compile for 6 % fewer instructions.
 
 use super::DoubleDouble;
 use crate::math;
@@ -38,8 +38,8 @@ pub(super) fn two_product(a: f64, b: f64) -> DoubleDouble {
     split_product(a, b)
 }
 
-/// [`two_product`] by Dekker's splitting: faster than a call of a fused multiply–add where there is no such instruction, and
-/// the same on every target.
+/// [`two_product`] by Dekker's splitting: faster than a call of a fused multiply–add where there is no such
+/// instruction, and the same on every target.
 #[allow(dead_code)]
 #[inline(always)]
 pub(super) fn split_product(a: f64, b: f64) -> DoubleDouble {
@@ -147,7 +147,8 @@ pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
     fast_two_sum(root, remainder / (root + root)).or(root)
 }
 
-/// Two of Newton's steps from a double root: one would leave the square of its error, which is what is asked for.
+/// Two of Newton's steps from a double root: one would leave the square of its error, which is what is asked
+/// for.
 pub(super) fn cbrt(x: DoubleDouble) -> DoubleDouble {
     let (scale, back) = scales(x.high, 3);
     let scaled = x.scaled(scale);
@@ -174,8 +175,8 @@ pub(super) fn hypot(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
     sqrt(add(mul(a, a), mul(b, b))).scaled(back)
 }
 
-/// A power of two that brings a very large or small number to where products are exact, and what undoes it in a root of this
-/// `degree`.
+/// A power of two that brings a very large or small number to where products are exact, and what undoes it in
+/// a root of this `degree`.
 fn scales(x: f64, degree: i32) -> (f64, f64) {
     const FAR: f64 = f64::from_bits((1023 + 300) << 52);
     let exponent = match x.abs() {

@@ -99,7 +99,8 @@ impl Decimal {
         Self { digits, exponent }
     }
 
-    /// Rounds to so many digits, which may be none; half away from zero, as what is beyond the digits is lost.
+    /// Rounds to so many digits, which may be none; half away from zero, as what is beyond the digits is
+    /// lost.
     fn round(&mut self, count: i32) {
         let Ok(count) = usize::try_from(count) else {
             self.digits = [0; DIGITS];
@@ -198,8 +199,8 @@ impl DoubleDouble {
     }
 }
 
-/// 32 significant digits, or as many after the point as are asked for. Of those that are written, the 38th and all before
-/// it are right; what follows are zeros.
+/// 32 significant digits, or as many after the point as are asked for. Of those that are written, the 38th
+/// and all before it are right; what follows are zeros.
 impl fmt::Display for DoubleDouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(done) = self.special(f) {

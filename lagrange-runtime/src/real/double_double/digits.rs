@@ -23,11 +23,12 @@ impl<const N: usize> Digits<N> {
 }
 
 impl<R: Real + Into<DoubleDouble>, const N: usize> State<R, N> {
-    /// How many decimal digits of each coordinate and velocity agree with a reference: −log₁₀ of the relative difference,
-    /// from zero to the digits of the scalar, about 15.7 for `f64`. A number beside zero has few, however small its error is.
+    /// How many decimal digits of each coordinate and velocity agree with a reference: −log₁₀ of the relative
+    /// difference, from zero to the digits of the scalar, about 15.7 for `f64`. A number beside zero has
+    /// few, however small its error is.
     ///
-    /// With the same motion of the same system in [`DoubleDouble`], at a tolerance far below, these are the digits that are
-    /// true.
+    /// With the same motion of the same system in [`DoubleDouble`], at a tolerance far below, these are the
+    /// digits that are true.
     #[must_use]
     pub fn digits_in_common(&self, reference: &State<DoubleDouble, N>) -> Digits<N> {
         let of =

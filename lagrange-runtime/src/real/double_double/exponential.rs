@@ -159,7 +159,8 @@ pub(super) fn ln_1p(x: DoubleDouble) -> DoubleDouble {
     }
 }
 
-/// e to the power y ln x: the relative error is that of a rounding times y ln x. Zeros, infinities and signs as in `f64`.
+/// e to the power y ln x: the relative error is that of a rounding times y ln x. Zeros, infinities and signs
+/// as in `f64`.
 pub(super) fn powf(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble {
     let special = x.high == 0.0 || !x.high.is_finite() || !y.high.is_finite() || y.high == 0.0;
     if special {

@@ -1,5 +1,5 @@
-//! Operations against integers and identities that doubles cannot fake; the table of functions stands in `tests/digits.rs` of
-//! the facade.
+//! Operations against integers and identities that doubles cannot fake; the table of functions stands in
+//! `tests/digits.rs` of the facade.
 
 use super::arithmetic::{split_product, two_product};
 use super::*;

@@ -1,4 +1,5 @@
-//! Every function against differences of order four, at points on both sides of zero and near the ends of its domain.
+//! Every function against differences of order four, at points on both sides of zero and near the ends of its
+//! domain.
 
 use super::*;
 

@@ -1,14 +1,15 @@
 //! Down in potential energy, by trust regions.
 //!
-//! On the constraints the energy is, to second order in the components y of a motion, V − g·y + ½ yᵀ H y, where g are the forces
-//! that the multipliers of least squares leave and H = −Zᵀ (∂r/∂q) Z, in which the curvature of the constraints counts with
-//! their multipliers. The least value of this model in a ball is known from the eigenvalues of H, also where H is not positive
-//! (J. Nocedal, S. Wright, *Numerical Optimization*, 2nd ed., § 4.3): forces and negative curvature lead down alike. Its radius
-//! follows from how well the model foretells the change of energy.
+//! On the constraints the energy is, to second order in the components y of a motion, V − g·y + ½ yᵀ H y,
+//! where g are the forces that the multipliers of least squares leave and H = −Zᵀ (∂r/∂q) Z, in which the
+//! curvature of the constraints counts with their multipliers. The least value of this model in a ball is
+//! known from the eigenvalues of H, also where H is not positive (J. Nocedal, S. Wright, *Numerical
+//! Optimization*, 2nd ed., § 4.3): forces and negative curvature lead down alike. Its radius follows from how
+//! well the model foretells the change of energy.
 //!
-//! The energy itself is never evaluated: a change of it is the work of the forces along the way. So nothing cancels near the end,
-//! constant inputs and moving coordinates need no energy of their own, and the forces along a step tell whether it
-//! crosses a hill.
+//! The energy itself is never evaluated: a change of it is the work of the forces along the way. So nothing
+//! cancels near the end, constant inputs and moving coordinates need no energy of their own, and the forces
+//! along a step tell whether it crosses a hill.
 
 use super::newton::Search;
 use super::statics::{Rest, Statics, dot};
@@ -20,11 +21,12 @@ use crate::tangent::Tangent;
 /// Steps before the search is given up.
 const STEPS: usize = 200;
 
-/// Halvings of an interval of multipliers of the trust region: its radius is arbitrary, and a few digits of it will do.
+/// Halvings of an interval of multipliers of the trust region: its radius is arbitrary, and a few digits of
+/// it will do.
 const HALVINGS: usize = 40;
 
-/// The rule of Kronrod with seven points on [−1, 1]: points, weights, and the weights of the rule of Gauss with three of the points
-/// (R. Piessens et al., *QUADPACK*, 1983).
+/// The rule of Kronrod with seven points on [−1, 1]: points, weights, and the weights of the rule of Gauss
+/// with three of the points (R. Piessens et al., *QUADPACK*, 1983).
 const RULE: [(f64, f64, f64); 7] = [
     (-0.960_491_268_708_020_3, 0.104_656_226_026_467_27, 0.0),
     (-0.774_596_669_241_483_4, 0.268_488_089_868_333_44, 5.0 / 9.0),
@@ -70,7 +72,8 @@ where
 {
     /// The curvature of the energy; `None` where forces have no potential.
     ///
-    /// An entry is rounded by 16 N roundings of the magnitudes that it is summed up from at the most, as in the modes.
+    /// An entry is rounded by 16 N roundings of the magnitudes that it is summed up from at the most, as in
+    /// the modes.
     pub fn curvature(&self, rest: &Rest<S::Scalar, N, C>) -> Option<Curvature<S::Scalar, N>> {
         let count = rest.motions.count;
         let mut stiffness = rest.stiffness.clone();
@@ -107,7 +110,8 @@ where
             let stiffest = curvature.values.iter().fold(zero, |most, x| larger(x.abs(), most));
             let mut model = Model::new(&curvature, &rest.forces, count);
             model.flatten(&curvature, epsilon * stiffest * stiffest * reach);
-            // Near enough for Newton's method: a quarter of the digits are there, and it doubles them with each step.
+            // Near enough for Newton's method: a quarter of the digits are there, and it doubles them with
+            // each step.
             if model.is_low() && model.newton_square() <= epsilon.sqrt() * reach {
                 return Descent::At(rest);
             }
@@ -147,8 +151,9 @@ where
         ended(rest, goes_on)
     }
 
-    /// The place at the end of a step, the fall and the way there; `None` if the step is too long for the model: the
-    /// energy does not surely fall by a tenth of what is predicted, or it crosses a hill, or the constraints lead elsewhere.
+    /// The place at the end of a step, the fall and the way there; `None` if the step is too long for the
+    /// model: the energy does not surely fall by a tenth of what is predicted, or it crosses a hill, or
+    /// the constraints lead elsewhere.
     #[allow(clippy::type_complexity)]
     fn fallen(
         &self,
@@ -170,8 +175,8 @@ where
         next.norm.is_finite().then_some((next, by, length))
     }
 
-    /// The work of the forces along a straight way between two places on the constraints. The multipliers do none, because both
-    /// ends are on the constraints; with them the forces are those that are left.
+    /// The work of the forces along a straight way between two places on the constraints. The multipliers do
+    /// none, because both ends are on the constraints; with them the forces are those that are left.
     fn fall(&self, rest: &Rest<S::Scalar, N, C>, way: &[S::Scalar; N]) -> Fall<S::Scalar> {
         let number = S::Scalar::from_f64;
         let mut powers = [number(0.0); RULE.len()];
@@ -249,8 +254,8 @@ impl<R: Ordered, const N: usize> Model<R, N> {
         Self { forces: along, values: curvature.values, least: R::zero() }
     }
 
-    /// Curvatures that are rounding become zero, and with them forces whose square is below a bound: nothing holds them and nothing
-    /// drives them, as along a symmetry.
+    /// Curvatures that are rounding become zero, and with them forces whose square is below a bound: nothing
+    /// holds them and nothing drives them, as along a symmetry.
     fn flatten(&mut self, curvature: &Curvature<R, N>, bound: R) {
         for (value, force) in self.values.iter_mut().zip(&mut self.forces) {
             if value.abs() <= curvature.rounding {

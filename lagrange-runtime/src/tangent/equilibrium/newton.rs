@@ -1,8 +1,9 @@
-//! Levenberg–Marquardt steps to a place where forces vanish, whatever its stability, and the judgement of such a place.
+//! Levenberg–Marquardt steps to a place where forces vanish, whatever its stability, and the judgement of
+//! such a place.
 //!
-//! With the multipliers of least squares the derivative of the forces along the constraints is exactly Zᵀ (∂r/∂q) Z, so that the
-//! steps converge quadratically, also to equilibria that are not isolated (N. Yamashita, M. Fukushima, Computing Suppl. 15 (2001)
-//! 239).
+//! With the multipliers of least squares the derivative of the forces along the constraints is exactly Zᵀ
+//! (∂r/∂q) Z, so that the steps converge quadratically, also to equilibria that are not isolated (N.
+//! Yamashita, M. Fukushima, Computing Suppl. 15 (2001) 239).
 
 use super::statics::{Rest, Statics};
 use crate::linear::SingularValues;
@@ -43,8 +44,9 @@ impl<R: Ordered, const N: usize> Search<R, N> {
         self.met = larger(self.met, next.norm);
     }
 
-    /// Whether the way grows with the number n of steps like a power of it: as n^p, the last of them is p/n of the way, and
-    /// that of a search that converges far less. The force of a Gaussian bump drives Newton's method out as √n.
+    /// Whether the way grows with the number n of steps like a power of it: as n^p, the last of them is p/n
+    /// of the way, and that of a search that converges far less. The force of a Gaussian bump drives
+    /// Newton's method out as √n.
     pub fn goes_on(&self) -> bool {
         let [sum, last, count] = self.path;
         count > R::one() && R::from_f64(8.0) * last * count >= sum
@@ -125,7 +127,8 @@ where
         let (step, remainder) =
             (self.size(&self.displacement(rest, &values, number(0.0))), values.remainder(&rest.forces));
         let (epsilon, reach) = (S::Scalar::epsilon(), self.reach(rest, search));
-        // What a step leaves of the forces, because nothing stiff is in their way, must be rounding of those in balance.
+        // What a step leaves of the forces, because nothing stiff is in their way, must be rounding of those
+        // in balance.
         let is_rounding = remainder <= epsilon * epsilon.sqrt() * largest * reach;
         // Forces that fade on the way to infinity are small there, too, but the way does not end.
         let ends = step <= number(1e-6) * reach;

@@ -1,10 +1,11 @@
 //! What becomes of small deviations from an equilibrium.
 //!
-//! With a potential, the signs of its curvature decide where nothing turns: a strict minimum of V − T₀ is stable (Lagrange and
-//! Dirichlet), whatever gyroscopic forces and damping act, and each direction that leads down makes one motion that grows,
-//! with damping or without. Gyroscopic forces may hold a system at the top of its potential, as long as nothing damps it
-//! (W. Thomson, P. Tait; N. Chetaev, *The Stability of Motion*, 1961; P. Hagedorn, *Technische Schwingungslehre*): there, and
-//! where there is no potential, the eigenvalues of the linear equations decide.
+//! With a potential, the signs of its curvature decide where nothing turns: a strict minimum of V − T₀ is
+//! stable (Lagrange and Dirichlet), whatever gyroscopic forces and damping act, and each direction that leads
+//! down makes one motion that grows, with damping or without. Gyroscopic forces may hold a system at the top
+//! of its potential, as long as nothing damps it (W. Thomson, P. Tait; N. Chetaev, *The Stability of Motion*,
+//! 1961; P. Hagedorn, *Technische Schwingungslehre*): there, and where there is no potential, the eigenvalues
+//! of the linear equations decide.
 
 use core::fmt;
 
@@ -18,23 +19,23 @@ use crate::tangent::Tangent;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stability {
-    /// They stay small: the potential energy (of a moving system V − T₀) has a strict minimum on the constraints, or all
-    /// deviations decay.
+    /// They stay small: the potential energy (of a moving system V − T₀) has a strict minimum on the
+    /// constraints, or all deviations decay.
     Stable,
-    /// To first order nothing drives the system back along so many independent directions, and nothing away in any: it has a
-    /// symmetry, or a minimum flatter than a parabola.
+    /// To first order nothing drives the system back along so many independent directions, and nothing away
+    /// in any: it has a symmetry, or a minimum flatter than a parabola.
     Neutral {
         /// How many.
         directions: usize,
     },
-    /// Gyroscopic forces hold the system where its potential energy falls along so many directions: to first order deviations
-    /// stay small, but the least damping lets them grow.
+    /// Gyroscopic forces hold the system where its potential energy falls along so many directions: to first
+    /// order deviations stay small, but the least damping lets them grow.
     Gyroscopic {
         /// How many.
         directions: usize,
     },
-    /// The number of independent motions that grow: without gyroscopic forces these are the directions in which the potential energy
-    /// falls, one for a saddle between two valleys.
+    /// The number of independent motions that grow: without gyroscopic forces these are the directions in
+    /// which the potential energy falls, one for a saddle between two valleys.
     Unstable {
         /// How many.
         directions: usize,

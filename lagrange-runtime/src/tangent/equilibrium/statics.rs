@@ -1,6 +1,7 @@
 //! Places on the constraints: forces, stiffness, and the way from one place to another.
 //!
-//! What needs large tables on the stack for a moment is a function that is not inlined, so that only one of them is there at a time.
+//! What needs large tables on the stack for a moment is a function that is not inlined, so that only one of
+//! them is there at a time.
 
 use num_traits::{One, Zero};
 
@@ -42,8 +43,8 @@ pub(super) struct Rest<R, const N: usize, const C: usize> {
     /// Motions that the holonomic constraints allow, where that is not the same.
     places: Option<Directions<R, N>>,
     pub gradients: Stored<[[R; N]; C]>,
-    /// The unit of `forces` and `stiffness`: the largest of their entries, so that squares of them are numbers where forces fade, or
-    /// grow, by more than the exponents of the scalar.
+    /// The unit of `forces` and `stiffness`: the largest of their entries, so that squares of them are
+    /// numbers where forces fade, or grow, by more than the exponents of the scalar.
     pub unit: R,
     /// f + Aᵀλ along `motions`; zero from their number on.
     pub forces: [R; N],
@@ -277,8 +278,8 @@ where
         }
     }
 
-    /// The number of independent constraints, one without a gradient, and the multipliers that balance the forces as well as can
-    /// be.
+    /// The number of independent constraints, one without a gradient, and the multipliers that balance the
+    /// forces as well as can be.
     #[inline(never)]
     fn balancing(
         &self,

@@ -1,22 +1,23 @@
 //! Balancing of a real matrix by a diagonal similarity in powers of two, which round nothing.
 //!
-//! Rows and columns come to similar norms (B. Parlett, C. Reinsch, Numer. Math. 13 (1969) 293), in the 2-norm with the diagonal, so
-//! that it does no harm (R. James, J. Langou, B. Lowery, arXiv:1401.5766). Norms are scaled, so that entries of any size count;
-//! that of nalgebra squares them, and beyond the root of the largest number it never ends.
+//! Rows and columns come to similar norms (B. Parlett, C. Reinsch, Numer. Math. 13 (1969) 293), in the 2-norm
+//! with the diagonal, so that it does no harm (R. James, J. Langou, B. Lowery, arXiv:1401.5766). Norms are
+//! scaled, so that entries of any size count; that of nalgebra squares them, and beyond the root of the
+//! largest number it never ends.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::largest;
 
-/// Each sweep that changes anything makes a row and its column less by a twentieth or more. From the ends of the range of
-/// numbers that takes some ten sweeps, because a factor is found at once.
+/// Each sweep that changes anything makes a row and its column less by a twentieth or more. From the ends of
+/// the range of numbers that takes some ten sweeps, because a factor is found at once.
 const SWEEPS: usize = 100;
 
 /// A sum of squares must be less by this factor to be worth a change.
 const GAIN: f64 = 0.95;
 
-/// Factors are no further from one than this power of two, so that their products with entries stay numbers; what is left is for the
-/// next sweep.
+/// Factors are no further from one than this power of two, so that their products with entries stay numbers;
+/// what is left is for the next sweep.
 const POWERS: f64 = 512.0;
 
 /// Balances a matrix, and gives the diagonal D of D⁻¹ A D.

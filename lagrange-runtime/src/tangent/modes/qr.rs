@@ -1,9 +1,10 @@
-//! Eigenvalues by the QR iteration with double shifts, as EISPACK's `hqr` (Golub and Van Loan, *Matrix Computations*, 4th ed.,
-//! § 7.5; Wilkinson and Reinsch, *Handbook for Automatic Computation* II/14).
+//! Eigenvalues by the QR iteration with double shifts, as EISPACK's `hqr` (Golub and Van Loan, *Matrix
+//! Computations*, 4th ed., § 7.5; Wilkinson and Reinsch, *Handbook for Automatic Computation* II/14).
 //!
-//! That of nalgebra has no exceptional shifts and does not look for two small entries in succession: where eigenvalues of equal
-//! modulus surround zero (a cyclic permutation, the quadruples of gyroscopic systems) or are nearly equal, it can go on
-//! for ever, also on matrices that are similar or moved by a multiple of the unit matrix.
+//! That of nalgebra has no exceptional shifts and does not look for two small entries in succession: where
+//! eigenvalues of equal modulus surround zero (a cyclic permutation, the quadruples of gyroscopic systems) or
+//! are nearly equal, it can go on for ever, also on matrices that are similar or moved by a multiple of the
+//! unit matrix.
 
 use std::vec::Vec;
 
@@ -27,7 +28,8 @@ pub(super) fn iterated(matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     let (mut values, mut end, mut moved, mut count) = (Vec::new(), h.nrows(), 0.0, 0);
     while end > 0 {
         let last = end - 1;
-        // Beside a diagonal that is small, or equal eigenvalues, an entry may stay at some roundings of the matrix.
+        // Beside a diagonal that is small, or equal eigenvalues, an entry may stay at some roundings of the
+        // matrix.
         let floor = if count < PATIENCE { 0.0 } else { norm * 2.0_f64.powi((count / PATIENCE) as i32 - 1) };
         let is_small = |&l: &usize| {
             let beside = h[(l, l)].abs() + h[(l - 1, l - 1)].abs();
@@ -65,8 +67,8 @@ pub(super) fn iterated(matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     Some(values)
 }
 
-/// One step with both shifts on the rows and columns from `start` to `end`: `shifts` are the diagonal of the 2 × 2 matrix whose
-/// eigenvalues they are, and the product of its other entries.
+/// One step with both shifts on the rows and columns from `start` to `end`: `shifts` are the diagonal of the
+/// 2 × 2 matrix whose eigenvalues they are, and the product of its other entries.
 fn sweep(h: &mut DMatrix<f64>, start: usize, end: usize, [x, y, w]: [f64; 3]) {
     let last = end - 1;
     // The first column of (H − s₁)(H − s₂), from where two small entries in succession let the step begin.
@@ -138,7 +140,8 @@ pub(super) fn of_two([[a, b], [c, d]]: [[f64; 2]; 2]) -> [Complex<f64>; 2] {
     if mean == 0.0 || root == 0.0 {
         return [real(mean + root), real(mean - root)];
     }
-    // The smaller one as a difference would be a rounding of the larger one. Kahan's ad − bc errs by two roundings.
+    // The smaller one as a difference would be a rounding of the larger one. Kahan's ad − bc errs by two
+    // roundings.
     let large = mean + root.copysign(mean);
     let product = b * c;
     let determinant = a.mul_add(d, -product) - b.mul_add(c, -product);

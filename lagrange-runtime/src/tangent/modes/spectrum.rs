@@ -1,8 +1,9 @@
 //! Eigenvalues of a real matrix: of its strongly connected parts, without their zeros, by the QR iteration.
 //!
-//! A matrix whose pattern splits is block triangular, so that the eigenvalues are those of its parts, each with a scale of
-//! its own: what is stiff in one part does not round what is soft in another. A null space takes no iteration, and without
-//! it zeros that depend on each other (a free motion has two) would come out as the root of a rounding.
+//! A matrix whose pattern splits is block triangular, so that the eigenvalues are those of its parts, each
+//! with a scale of its own: what is stiff in one part does not round what is soft in another. A null space
+//! takes no iteration, and without it zeros that depend on each other (a free motion has two) would come out
+//! as the root of a rounding.
 
 use std::rc::Rc;
 use std::vec::Vec;
@@ -24,8 +25,8 @@ pub(super) struct Eigenvalue {
     pub members: Rc<[usize]>,
 }
 
-/// All eigenvalues of a matrix whose entries have a relative error of `unit`; `None` where the iteration fails. With
-/// `is_reversible` they lie symmetrically about both axes.
+/// All eigenvalues of a matrix whose entries have a relative error of `unit`; `None` where the iteration
+/// fails. With `is_reversible` they lie symmetrically about both axes.
 pub(super) fn eigenvalues(matrix: &DMatrix<f64>, unit: f64, is_reversible: bool) -> Option<Vec<Eigenvalue>> {
     let mut found = Vec::new();
     for members in parts(matrix) {
@@ -90,8 +91,9 @@ fn deflated(part: &DMatrix<f64>, tolerance: f64) -> DMatrix<f64> {
 
 /// With an exact zero for a real or an imaginary part that is smaller than its error.
 ///
-/// To first order an eigenvalue is as uncertain as the matrix times |x| |y| / |yᵀx|, where x and y are its eigenvectors of the
-/// matrix and of the transpose; two that meet are uncertain by the root, to which that grows (Golub and Van Loan, § 7.2.2).
+/// To first order an eigenvalue is as uncertain as the matrix times |x| |y| / |yᵀx|, where x and y are its
+/// eigenvectors of the matrix and of the transpose; two that meet are uncertain by the root, to which that
+/// grows (Golub and Van Loan, § 7.2.2).
 fn settled(part: &DMatrix<f64>, value: Complex<f64>, scale: f64, share: f64) -> Complex<f64> {
     // Of a pair both alike.
     let above = Complex::new(value.re, value.im.abs());

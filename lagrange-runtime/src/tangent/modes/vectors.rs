@@ -7,14 +7,14 @@ use nalgebra::{ColPivQR, Complex, DMatrix, DVector};
 use super::spectrum::parts;
 use super::{largest, rounding};
 
-/// The eigenvector of an eigenvalue, from the start with that number, so that equal eigenvalues get different vectors where
-/// they have some; `None` if it is not finite. `scale` is that of the eigenvalue, and only components of its `members` are not
-/// zero in the start: what does not act on them has no part in the vector, not even a rounding, which the scales
-/// of a soft part might make large.
+/// The eigenvector of an eigenvalue, from the start with that number, so that equal eigenvalues get different
+/// vectors where they have some; `None` if it is not finite. `scale` is that of the eigenvalue, and only
+/// components of its `members` are not zero in the start: what does not act on them has no part in the
+/// vector, not even a rounding, which the scales of a soft part might make large.
 ///
-/// The shift is the eigenvalue itself, and pivots below the roundings of its scale are put there: no other shift will do for a
-/// defective eigenvalue, whose pivot is the square of a distance from it and so rounds to zero (Wilkinson, *The Algebraic
-/// Eigenvalue Problem*, chapter 9).
+/// The shift is the eigenvalue itself, and pivots below the roundings of its scale are put there: no other
+/// shift will do for a defective eigenvalue, whose pivot is the square of a distance from it and so rounds to
+/// zero (Wilkinson, *The Algebraic Eigenvalue Problem*, chapter 9).
 pub(super) fn eigenvector(
     matrix: &DMatrix<f64>,
     eigenvalue: Complex<f64>,
@@ -41,7 +41,8 @@ pub(super) fn eigenvector(
     for &i in members {
         vector[i] = Complex::new(((1 + i) as f64 * (1.3 + start as f64)).cos(), imaginary);
     }
-    // What a step grows by is the inverse of the residual, and near a defective eigenvalue a later step can be worse.
+    // What a step grows by is the inverse of the residual, and near a defective eigenvalue a later step can
+    // be worse.
     let (mut best, mut growth) = (None, 0.0);
     for _ in 0..3 {
         permutation.permute_rows(&mut vector);
@@ -58,10 +59,11 @@ pub(super) fn eigenvector(
     best
 }
 
-/// Orthonormal vectors of the null space of a matrix whose entries err by `unit`, in which zero is `zeros` times an
-/// eigenvalue: that many, or fewer where it is defective.
+/// Orthonormal vectors of the null space of a matrix whose entries err by `unit`, in which zero is `zeros`
+/// times an eigenvalue: that many, or fewer where it is defective.
 ///
-/// Inverse iteration would find the defective ones only, which it magnifies by the square of what it does to others.
+/// Inverse iteration would find the defective ones only, which it magnifies by the square of what it does to
+/// others.
 pub(super) fn null_vectors(matrix: &DMatrix<f64>, unit: f64, zeros: usize) -> Vec<DVector<Complex<f64>>> {
     let order = matrix.nrows();
     if zeros == 0 {

@@ -75,7 +75,8 @@ fn the_reactions_are_the_tensions() {
 
 #[test]
 fn small_swings_have_the_linear_frequencies() {
-    // Accelerations of the angles beside the lowest state, where they are y″ of the masses and of their difference.
+    // Accelerations of the angles beside the lowest state, where they are y″ of the masses and of their
+    // difference.
     let mut matrix = nalgebra::DMatrix::zeros(4, 4);
     for column in 0..2 {
         let slopes = derivative(STEP, |x| {

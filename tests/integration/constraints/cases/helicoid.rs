@@ -1,4 +1,5 @@
-//! S12b, S12c: a particle on a helicoid under an affine nonholonomic constraint, constant and periodic in time.
+//! S12b, S12c: a particle on a helicoid under an affine nonholonomic constraint, constant and periodic in
+//! time.
 
 use lagrangian::prelude::*;
 

@@ -28,8 +28,8 @@ impl Line {
     }
 }
 
-/// (i) The square has no gradient where it vanishes: here two factors, which a run may make equal. An exponent of two is
-/// refused at compile time.
+/// (i) The square has no gradient where it vanishes: here two factors, which a run may make equal. An
+/// exponent of two is refused at compile time.
 struct Squared {
     slope: f64,
 }

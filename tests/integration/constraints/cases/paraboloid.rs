@@ -1,4 +1,5 @@
-//! S11: a particle on a paraboloid, in parabolic coordinates with v = c as a constraint, and in Cartesian ones.
+//! S11: a particle on a paraboloid, in parabolic coordinates with v = c as a constraint, and in Cartesian
+//! ones.
 
 use lagrangian::prelude::*;
 

@@ -1,4 +1,5 @@
-//! S05: a mass on a wall and one on a floor, joined by a bar; also with wall and floor as constraints of their own.
+//! S05: a mass on a wall and one on a floor, joined by a bar; also with wall and floor as constraints of
+//! their own.
 
 use lagrangian::prelude::*;
 

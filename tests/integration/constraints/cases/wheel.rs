@@ -76,7 +76,8 @@ impl Driven {
     }
 }
 
-/// With the point of the rim that was at the ground at first: a place without mass, which the constraints carry along.
+/// With the point of the rim that was at the ground at first: a place without mass, which the constraints
+/// carry along.
 struct Full(Rim);
 
 #[lagrangian(coordinates = [x1, y1, z1, x2, y2, z2, heading, spin])]

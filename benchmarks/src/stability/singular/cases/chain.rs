@@ -1,5 +1,5 @@
-//! A chain of four equal rods with both ends at one place, a rhombus that folds: two degrees of freedom. Folded, rods
-//! that lie on each other could turn on as one.
+//! A chain of four equal rods with both ends at one place, a rhombus that folds: two degrees of freedom.
+//! Folded, rods that lie on each other could turn on as one.
 
 use lagrangian::prelude::*;
 
@@ -81,8 +81,8 @@ fn unfolded(state: &State<f64, 2>) -> State<f64, 4> {
     State::new([a, b, a + turn, b + turn], [x, y, x, y]).at_time(state.t)
 }
 
-/// Through the straight and the folded position by turns. The true motion is that of the free angles, which nothing singular
-/// is in; tolerance 1e-14.
+/// Through the straight and the folded position by turns. The true motion is that of the free angles, which
+/// nothing singular is in; tolerance 1e-14.
 pub fn starts(count: usize) -> Starts<Chain, 4> {
     let run = |folded: bool, d: f64, m: [f64; 4]| {
         let turn = if folded { std::f64::consts::PI } else { 0.0 };

@@ -1,4 +1,5 @@
-//! Parallel cranks: under one coupler, where all hinges but two are redundant; and in a row with a coupler from each to the next.
+//! Parallel cranks: under one coupler, where all hinges but two are redundant; and in a row with a coupler
+//! from each to the next.
 
 use lagrangian::prelude::*;
 

@@ -113,13 +113,14 @@ fn bars(l: [f64; 3], ground: f64, g: [f64; 2], random: &mut Random) -> FourBar {
     FourBar { l, ground, m, inertia, centre, g }
 }
 
-/// Linkages whose shortest and longest bars are together as long as the others, so that they can lie flat: lengths,
-/// masses, inertias and gravity at random.
+/// Linkages whose shortest and longest bars are together as long as the others, so that they can lie flat:
+/// lengths, masses, inertias and gravity at random.
 pub fn random(count: usize) -> Starts<FourBar, 3> {
     let mut random = Random(2);
     let mut runs = Vec::with_capacity(count);
     for d in offsets(count) {
-        // Most proportions have a curve of the kind that is followed here, and most motions go on for long enough.
+        // Most proportions have a curve of the kind that is followed here, and most motions go on for long
+        // enough.
         for _ in 0..100 {
             if let Some(found) = flat(d, &mut random) {
                 runs.push(found);
@@ -156,9 +157,9 @@ fn flat(offset: f64, random: &mut Random) -> Option<Run<FourBar, 3>> {
     run(system, curve, offset / fastest, rate / fastest, SPAN, SHARE)
 }
 
-/// All configurations of a linkage that lies flat where its angles vanish, its lengths signed. With t and u the
-/// tangents of half the angles of crank and rocker, closure is a polynomial c₂₂t²u² + c₂₀t² + c₁₁tu + c₀₂u², and with
-/// k = u/t a conic in (k, u) whose two points u = 0 are the two branches through flat.
+/// All configurations of a linkage that lies flat where its angles vanish, its lengths signed. With t and u
+/// the tangents of half the angles of crank and rocker, closure is a polynomial c₂₂t²u² + c₂₀t² + c₁₁tu +
+/// c₀₂u², and with k = u/t a conic in (k, u) whose two points u = 0 are the two branches through flat.
 struct Conic {
     l: [f64; 3],
     ground: f64,

@@ -1,6 +1,6 @@
-//! Peaucellier's cell: two long rods from a fixed hinge, four short ones in a rhombus, and a crank that leads a joint of
-//! it on a circle through the fixed hinge, so that the opposite joint moves on a straight line. Where the rhombus is flat the long rods
-//! lie on each other, and could go on as one.
+//! Peaucellier's cell: two long rods from a fixed hinge, four short ones in a rhombus, and a crank that leads
+//! a joint of it on a circle through the fixed hinge, so that the opposite joint moves on a straight line.
+//! Where the rhombus is flat the long rods lie on each other, and could go on as one.
 
 use lagrangian::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Bricard's ring of six bars and six hinges, its closure as more rows than it needs: three for a rotation of which one
-//! is independent, and two of those nearly vanish in the course of the motion.
+//! Bricard's ring of six bars and six hinges, its closure as more rows than it needs: three for a rotation of
+//! which one is independent, and two of those nearly vanish in the course of the motion.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -70,7 +70,8 @@ ring!(Lean, 1);
 /// When the two rows nearly vanish [s].
 const NARROW: f64 = 0.853;
 
-/// Starts at times about [`NARROW`] of one motion from rest. The true motion is that of the lean ring, tolerance 1e-14.
+/// Starts at times about [`NARROW`] of one motion from rest. The true motion is that of the lean ring,
+/// tolerance 1e-14.
 pub fn starts(count: usize) -> Starts<Ring, 6> {
     let rest = State::at_rest([-1.746, 2.277, 1.395, 1.898, 1.395, 2.277]);
     let Ok(rest) = Lean.consistent(rest) else { return Starts { name: "ring", runs: Vec::new() } };

@@ -64,7 +64,8 @@ fn check<const N: usize, const C: usize>(rank: usize, scale: f64) {
         let (motion, constraint) = residuals((&mass, &a), &(v, kappa), (&r, &y), EPS);
         assert!(motion < 200.0 && constraint < 200.0, "({N}, {C}): {motion} {constraint}");
         assert!(along_null(&null, &kappa) < 1e-13, "({N}, {C}): {:e}", along_null(&null, &kappa));
-        // A right-hand side that contradicts itself: the rows that are kept are met, and κ stays the shortest.
+        // A right-hand side that contradicts itself: the rows that are kept are met, and κ stays the
+        // shortest.
         let y = noise.vector();
         let (v, kappa) = saddle.solve(&r, &y);
         let left = product(&a, &v);

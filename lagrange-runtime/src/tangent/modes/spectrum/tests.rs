@@ -91,7 +91,8 @@ fn cyclic(count: usize) -> DMatrix<f64> {
 /// Cases of each family.
 const CASES: usize = 400;
 
-/// Eigenvalues, with sums and eigenvectors checked: the sum to `sum` and A x − λ x to `residual`, of the largest entry.
+/// Eigenvalues, with sums and eigenvectors checked: the sum to `sum` and A x − λ x to `residual`, of the
+/// largest entry.
 fn checked(matrix: &DMatrix<f64>, is_reversible: bool, [sum, residual]: [f64; 2]) -> Vec<Complex<f64>> {
     let Some(found) = eigenvalues(matrix, f64::EPSILON, is_reversible) else {
         panic!("no eigenvalues: {matrix}")
@@ -193,7 +194,8 @@ fn parts_are_those_that_act_on_each_other() {
 
 #[test]
 fn defective_zeros_are_exact() {
-    // Four masses in a row, free, with dampers between them, mixed by a turn: two zeros and no other near them.
+    // Four masses in a row, free, with dampers between them, mixed by a turn: two zeros and no other near
+    // them.
     let mut samples = Samples(9);
     for _ in 0..CASES {
         let springs = DMatrix::from_fn(4, 4, |i, j| match i.abs_diff(j) {

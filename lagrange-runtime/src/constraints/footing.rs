@@ -1,0 +1,147 @@
+//! What the constraints determine of a state: how independent they are there, and how well it is known.
+
+use super::metric::Metric;
+use super::residuals::Level;
+use super::retraction::{From, Retraction, slopes};
+use super::{Surface, moved};
+use crate::error::Cause;
+use crate::linear::{Independence, SaddlePoint};
+use crate::real::Real;
+use crate::state::{State, difference};
+
+/// Rows that are apart by so many times the way to the constraints, relative to the coordinates, or less may
+/// depend on each other there.
+const BESIDE: f64 = 16.0;
+
+/// What is known of a state on the constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Footing<R, const N: usize> {
+    /// How well the constraints determine it.
+    pub independence: Independence<R>,
+    /// What the equations give at the state that was reached, before it was moved onto the constraints: if
+    /// that was asked for, and if the constraints are clearly independent there.
+    pub accelerations: Option<[R; N]>,
+    /// An ulp of the largest coordinate in the kinetic metric, in the unit of each: constraints couple them,
+    /// so none is known better than that.
+    pub ulps_q: [R; N],
+    /// The same of the velocities.
+    pub ulps_v: [R; N],
+    /// The kinetic metric.
+    pub metric: Metric<R, N>,
+}
+
+/// The same for the end of a step, which is looked at: returns how well the constraints determine the state.
+/// With `inputs` the factors of the retraction give the accelerations as well.
+///
+/// # Errors
+/// The constraint that stays violated.
+#[inline]
+pub fn land<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &mut State<S::Scalar, N>,
+    inputs: Option<&[S::Scalar; K]>,
+) -> Result<Footing<S::Scalar, N>, Cause>
+where
+    S: Surface<N, K, C>,
+{
+    let reached = *state;
+    let residuals = system.residuals_at(state.t, &state.q, &state.v);
+    let mut accelerations = None;
+    let mut retraction = match inputs {
+        Some(inputs) => {
+            let equations = system.equations_at(constants, state.t, &state.q, &state.v, inputs);
+            if equations.saddle.independence().is_clear() {
+                accelerations = Some(equations.balance().accelerations);
+            }
+            Retraction::with(state, residuals, (equations.saddle, equations.gradients))
+        }
+        None => Retraction::new(system, state, residuals),
+    };
+    if !residuals.are_roundings() {
+        retraction.level(system, Level::Positions, From::Near)?;
+        retraction.level(system, Level::Velocities, From::Near)?;
+        *state = retraction.state;
+    }
+    // Beside the constraints, rows are independent that depend on each other on them.
+    if !retraction.is_known_from(&reached) {
+        retraction.refresh(system);
+    }
+    slopes(system, state);
+    let ulps = |level| retraction.metric.ulps(retraction.extent(level));
+    Ok(Footing {
+        independence: retraction.independence(system),
+        accelerations,
+        ulps_q: ulps(Level::Positions),
+        ulps_v: ulps(Level::Velocities),
+        metric: retraction.metric,
+    })
+}
+
+impl<S, const N: usize, const K: usize, const C: usize> Retraction<S, N, K, C>
+where
+    S: Surface<N, K, C>,
+{
+    /// Whether the rows are as independent as the factors say, which are those of a state that was `reached`
+    /// beside the constraints: clearly, and by more than the way from there can have made of them.
+    fn is_known_from(&self, reached: &State<S::Scalar, N>) -> bool {
+        // One row depends on no other.
+        if C == 1 {
+            return true;
+        }
+        let independence = self.saddle.independence();
+        let way = self.metric.extent(&difference(&reached.q, &self.state.q)) / self.extent(Level::Positions);
+        // There is no way at the origin.
+        let excess = S::Scalar::from_f64(BESIDE) * way - independence.least;
+        independence.is_clear() && !excess.is_positive()
+    }
+
+    /// How well the constraints determine the state.
+    ///
+    /// The factors know how close rows are to each other, and the gradients how close they are to vanishing.
+    /// What is not far from either is measured: roundings of the constraint functions move the
+    /// coordinates by ε/σ, and what that makes of the gradients moves the velocities by ε/σ², with a σ
+    /// that is relative to how fast the gradients change. So the relative change of the velocities
+    /// tells σ, whether a row comes close to others or vanishes. The signs of the roundings are those to
+    /// which the multipliers respond, as in an estimate of a condition number (Higham, "Accuracy and
+    /// Stability of Numerical Algorithms", ch. 15).
+    fn independence(&self, system: &S) -> Independence<S::Scalar> {
+        let mut independence = self.saddle.independence();
+        // One row depends on no other.
+        if C == 1 {
+            return independence;
+        }
+        // What the coordinates make of a constraint, as a part of its summands.
+        let extent = self.extent(Level::Positions);
+        for (c, (&slope, &summands)) in self.slopes.iter().zip(&self.residuals.position_sizes).enumerate() {
+            if summands.is_positive() {
+                independence.take(c, slope * extent / summands);
+            }
+        }
+        if !independence.are_far_apart() {
+            self.measure(system, &mut independence);
+        }
+        independence
+    }
+
+    /// Corrects the independence by what roundings of the constraint functions do.
+    #[cold]
+    #[inline(never)]
+    fn measure(&self, system: &S, independence: &mut Independence<S::Scalar>) {
+        let (saddle, here) = (&self.saddle, &self.residuals);
+        let none = [num_traits::Zero::zero(); N];
+        let (_, response) = saddle.solve(&none, &here.position_sizes);
+        let ulp = S::Scalar::epsilon();
+        let roundings = core::array::from_fn(|c| ulp * here.position_sizes[c] * response[c].signum());
+        let (change, _) = saddle.solve(&none, &roundings);
+        let there = moved(&self.state, &change, &none, num_traits::One::one());
+        let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
+        let (turned, _) = saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c]));
+        let relative = self.metric.extent(&turned) / self.extent(Level::Velocities);
+        *independence = saddle.independence();
+        // At rest nothing turns.
+        if relative.is_positive() {
+            independence.least = independence.least.min((ulp / relative).sqrt());
+        }
+    }
+}
