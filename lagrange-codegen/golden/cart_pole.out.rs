@@ -307,6 +307,10 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
         type Scalar = R;
         type Method = lagrange::Jets;
         type Constants = [R; 7];
+        const NAMES: lagrange::Names = lagrange::Names {
+            coordinates: &["x", "theta"],
+            constraints: &[],
+        };
         #[inline]
         fn constants(&self) -> Self::Constants {
             let cart_mass: R = self.cart_mass;

@@ -476,6 +476,10 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
         type Scalar = f64;
         type Method = lagrange::Jets;
         type Constants = [f64; 2];
+        const NAMES: lagrange::Names = lagrange::Names {
+            coordinates: &["x", "y"],
+            constraints: &["rod"],
+        };
         const CONSTRAINED: bool = true;
         #[inline]
         fn constants(&self) -> Self::Constants {

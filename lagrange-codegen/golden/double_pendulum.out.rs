@@ -263,6 +263,10 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
         type Scalar = f64;
         type Method = lagrange::Jets;
         type Constants = [f64; 6];
+        const NAMES: lagrange::Names = lagrange::Names {
+            coordinates: &["theta[0]", "theta[1]"],
+            constraints: &[],
+        };
         #[inline]
         fn constants(&self) -> Self::Constants {
             let m_0: f64 = self.m[0];

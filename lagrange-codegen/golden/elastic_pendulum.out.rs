@@ -293,6 +293,10 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
         type Scalar = f64;
         type Method = lagrange::Jets;
         type Constants = [f64; 3];
+        const NAMES: lagrange::Names = lagrange::Names {
+            coordinates: &["theta", "r"],
+            constraints: &[],
+        };
         #[inline]
         fn constants(&self) -> Self::Constants {
             let mass_2: f64 = self.mass;
@@ -916,6 +920,10 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
         type Scalar = R;
         type Method = lagrange::Jets;
         type Constants = [R; 3];
+        const NAMES: lagrange::Names = lagrange::Names {
+            coordinates: &["theta", "r"],
+            constraints: &[],
+        };
         #[inline]
         fn constants(&self) -> Self::Constants {
             let mass_2: R = self.parameters[0];

@@ -305,6 +305,10 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
         type Scalar = f64;
         type Method = lagrange::Jets;
         type Constants = [f64; 4];
+        const NAMES: lagrange::Names = lagrange::Names {
+            coordinates: &["phi", "theta", "psi"],
+            constraints: &[],
+        };
         #[inline]
         fn constants(&self) -> Self::Constants {
             let mass_2: f64 = self.mass;

@@ -369,10 +369,11 @@ A singular mass matrix, with the coordinate and the time.*/
             state: &lagrange::State<f64, 1>,
         ) -> ::core::result::Result<[[[f64; 1]; 1]; 1], lagrange::MotionError<f64>> {
             lagrange::analysis::second_kind(
-                &self.mass_matrix(state),
-                &self.christoffel_first(state),
-                state.t,
-            )
+                    &self.mass_matrix(state),
+                    &self.christoffel_first(state),
+                    state.t,
+                )
+                .map_err(|error| error.named(&<Self as lagrange::System<1, 0>>::NAMES))
         }
         /**Velocities that belong to momenta, p = ∂L/∂v(t, q, v): the inverse of `momenta`, by Newton's method where p is not affine in v.
 
@@ -387,20 +388,21 @@ A singular ∂²L/∂v∂v, or momenta that no velocities have.*/
             p: &[f64; 1],
         ) -> ::core::result::Result<[f64; 1], lagrange::MotionError<f64>> {
             lagrange::analysis::velocities(
-                |v: &[f64; 1]| {
-                    let _ = v;
-                    let [theta_dot] = *v;
-                    let mass_2: f64 = self.mass;
-                    let length: f64 = self.length;
-                    let mass_2_length_squared = mass_2 * (length * length);
-                    let mut mass = [[0.0; 1]; 1];
-                    mass[0][0] = mass_2_length_squared;
-                    (mass, [mass_2_length_squared * theta_dot])
-                },
-                t,
-                p,
-                true,
-            )
+                    |v: &[f64; 1]| {
+                        let _ = v;
+                        let [theta_dot] = *v;
+                        let mass_2: f64 = self.mass;
+                        let length: f64 = self.length;
+                        let mass_2_length_squared = mass_2 * (length * length);
+                        let mut mass = [[0.0; 1]; 1];
+                        mass[0][0] = mass_2_length_squared;
+                        (mass, [mass_2_length_squared * theta_dot])
+                    },
+                    t,
+                    p,
+                    true,
+                )
+                .map_err(|error| error.named(&<Self as lagrange::System<1, 0>>::NAMES))
         }
         /**Hamiltonian H(t, q, p) = p·v − L at the velocities that belong to p \[J\].
 
@@ -556,6 +558,10 @@ The first identity that does not hold, and by how much.*/
         type Scalar = f64;
         type Method = lagrange::Jets;
         type Constants = [f64; 2];
+        const NAMES: lagrange::Names = lagrange::Names {
+            coordinates: &["theta"],
+            constraints: &[],
+        };
         #[inline]
         fn constants(&self) -> Self::Constants {
             let length: f64 = self.length;

@@ -7,6 +7,7 @@ use nalgebra::SMatrix;
 
 use crate::error::{Cause, MotionError};
 use crate::linear::Lu;
+use crate::name::Name;
 use crate::real::Real;
 
 /// Generalized inertia forces −(d/dt ∂T/∂v − ∂T/∂q), apart by their origin: T = T₂ + T₁ + T₀ with T₂ = ½ vᵀM
@@ -51,7 +52,7 @@ pub fn second_kind<R: Real, const N: usize>(
 ) -> Result<[[[R; N]; N]; N], MotionError<R>> {
     // Columns are rows: M is symmetric.
     let factors = Lu::<R, N>::factor(mass.data.0)
-        .map_err(|pivot| MotionError { cause: Cause::SingularMassMatrix { pivot }, t })?;
+        .map_err(|pivot| MotionError { cause: Cause::SingularMassMatrix { pivot, name: Name::NONE }, t })?;
     let mut second = [[[R::zero(); N]; N]; N];
     for i in 0..N {
         for j in 0..=i {
@@ -89,7 +90,8 @@ pub fn velocities<R: Real, const N: usize>(
     for _ in 0..CORRECTIONS {
         let full =
             core::array::from_fn(|i: usize| core::array::from_fn(|j: usize| slopes[i.max(j)][i.min(j)]));
-        let factors = Lu::factor(full).map_err(|pivot| error(Cause::SingularMassMatrix { pivot }))?;
+        let factors =
+            Lu::factor(full).map_err(|pivot| error(Cause::SingularMassMatrix { pivot, name: Name::NONE }))?;
         let correction = factors.solve(core::array::from_fn(|i| p[i] - momenta[i]));
         if affine {
             return finite(correction).ok_or(error(Cause::NotFinite));

@@ -205,7 +205,8 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             return Ok(());
         }
         let constants = system.constants();
-        Err(system.check_at(&constants, state.t, &state.q, &state.v).err().unwrap_or(Cause::NotFinite))
+        let found = system.check_at(&constants, state.t, &state.q, &state.v);
+        Err(found.err().unwrap_or(Cause::NotFinite).named(&S::NAMES))
     }
 
     /// The lengths at which the terms of the highest orders fall to the tolerance, in units. The size of a

@@ -4,6 +4,8 @@
 
 use core::fmt;
 
+use crate::name::{Name, Names, Part};
+
 /// Why a motion could not go on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -13,12 +15,16 @@ pub enum Cause {
     SingularMassMatrix {
         /// Index of the coordinate at which the factorisation stopped.
         pivot: usize,
+        /// Its name.
+        name: Name,
     },
     /// The coordinates violate a constraint: a start that is not consistent, or a step that cannot be brought
     /// back.
     PositionViolated {
         /// Index of the constraint, as in `CONSTRAINTS` of the system.
         constraint: usize,
+        /// Its name.
+        name: Name,
         /// |f|, in the unit of the constraint.
         by: Magnitude,
     },
@@ -26,6 +32,8 @@ pub enum Cause {
     VelocityViolated {
         /// Index of the constraint.
         constraint: usize,
+        /// Its name.
+        name: Name,
         /// |df/dt| or |g|.
         by: Magnitude,
     },
@@ -33,6 +41,8 @@ pub enum Cause {
     NoConsistentState {
         /// Index of a constraint that is violated where the search ended.
         constraint: usize,
+        /// Its name.
+        name: Name,
         /// By how much, in its unit.
         by: Magnitude,
     },
@@ -40,11 +50,15 @@ pub enum Cause {
     Contradictory {
         /// Index of the constraint.
         constraint: usize,
+        /// Its name.
+        name: Name,
     },
     /// The gradient of a constraint vanishes, so that it restricts nothing and has no reaction.
     VanishingGradient {
         /// Index of the constraint.
         constraint: usize,
+        /// Its name.
+        name: Name,
     },
     /// A function of the description returns something else than what the macro read of it: a name in it
     /// means something else than usual. Found in builds with `debug_assertions` alone.
@@ -59,6 +73,8 @@ pub enum Cause {
     Undetermined {
         /// Index of the constraint that is closest to depending on the others.
         constraint: usize,
+        /// Its name.
+        name: Name,
     },
     /// A step in fixed steps is too long for its constraints: bringing its end back onto them would change
     /// the state by more than the step itself did.
@@ -137,41 +153,48 @@ impl fmt::Debug for Magnitude {
 impl fmt::Display for Cause {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::SingularMassMatrix { pivot } => write!(
+            Self::SingularMassMatrix { pivot, name } => write!(
                 out,
                 "the mass matrix is singular or negative at coordinate {pivot}: give that coordinate a mass or an inertia above \
-                 zero, or keep away from configurations where it loses it"
+                 zero, or keep away from configurations where it loses it",
+                pivot = Part(*pivot, *name)
             ),
-            Self::PositionViolated { constraint, by } => write!(
+            Self::PositionViolated { constraint, name, by } => write!(
                 out,
                 "the coordinates violate constraint {constraint} by {by}: start from `system.consistent(state)?`, which \
-                 projects a state onto the constraints; in the course of a motion take shorter steps"
+                 projects a state onto the constraints; in the course of a motion take shorter steps",
+                constraint = Part(*constraint, *name)
             ),
-            Self::VelocityViolated { constraint, by } => write!(
+            Self::VelocityViolated { constraint, name, by } => write!(
                 out,
                 "the velocities violate constraint {constraint} by {by}: start from `system.consistent(state)?`, which \
-                 projects a state onto the constraints; in the course of a motion take shorter steps"
+                 projects a state onto the constraints; in the course of a motion take shorter steps",
+                constraint = Part(*constraint, *name)
             ),
-            Self::NoConsistentState { constraint, by } => write!(
+            Self::NoConsistentState { constraint, name, by } => write!(
                 out,
                 "no consistent state was found: where the search ended, constraint {constraint} is violated by {by}; start it \
-                 nearer to a state that satisfies all constraints, or check that the parameters allow one"
+                 nearer to a state that satisfies all constraints, or check that the parameters allow one",
+                constraint = Part(*constraint, *name)
             ),
-            Self::Contradictory { constraint } => write!(
+            Self::Contradictory { constraint, name } => write!(
                 out,
-                "constraint {constraint} contradicts the others: no state satisfies all of them; check the parameters"
+                "constraint {constraint} contradicts the others: no state satisfies all of them; check the parameters",
+                constraint = Part(*constraint, *name)
             ),
-            Self::VanishingGradient { constraint } => write!(
+            Self::VanishingGradient { constraint, name } => write!(
                 out,
                 "the gradient of constraint {constraint} vanishes: where it is a square, give what is squared; else keep away \
-                 from this configuration"
+                 from this configuration",
+                constraint = Part(*constraint, *name)
             ),
             // The text comes with the name, so that it is in no program that cannot need it.
             Self::Misread { function, .. } => out.write_str(function.0[1]),
-            Self::Undetermined { constraint } => write!(
+            Self::Undetermined { constraint, name } => write!(
                 out,
                 "constraint {constraint} depends on the others in this configuration, and neither velocities nor accelerations \
-                 say how the motion goes on: start beside it, or with a velocity along one of the motions that meet there"
+                 say how the motion goes on: start beside it, or with a velocity along one of the motions that meet there",
+                constraint = Part(*constraint, *name)
             ),
             Self::StepTooLong => out.write_str(
                 "the step is too long for the constraints: bringing its end back onto them would change more than the step \
@@ -213,6 +236,34 @@ impl fmt::Display for Cause {
 
 impl core::error::Error for Cause {}
 
+impl Cause {
+    /// The same with the names of a system.
+    #[cold]
+    pub(crate) fn named(mut self, names: &Names) -> Self {
+        match &mut self {
+            Self::SingularMassMatrix { pivot, name } => *name = names.coordinate(*pivot),
+            Self::PositionViolated { constraint, name, .. }
+            | Self::VelocityViolated { constraint, name, .. }
+            | Self::NoConsistentState { constraint, name, .. }
+            | Self::Contradictory { constraint, name }
+            | Self::VanishingGradient { constraint, name }
+            | Self::Undetermined { constraint, name } => *name = names.constraint(*constraint),
+            Self::Misread { .. }
+            | Self::StepTooLong
+            | Self::NotFinite
+            | Self::NotConverged
+            | Self::NoEigenvalues
+            | Self::NoVelocities
+            | Self::StepTooSmall
+            | Self::TooManySteps
+            | Self::InvalidTime
+            | Self::InvalidStep
+            | Self::InvalidTolerance => {}
+        }
+        self
+    }
+}
+
 /// A motion that could not go on, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionError<R> {
@@ -220,6 +271,15 @@ pub struct MotionError<R> {
     pub cause: Cause,
     /// Time of the last good point \[s].
     pub t: R,
+}
+
+impl<R> MotionError<R> {
+    /// The same with the names of a system. For generated code.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn named(self, names: &Names) -> Self {
+        Self { cause: self.cause.named(names), t: self.t }
+    }
 }
 
 impl<R: fmt::Debug> fmt::Display for MotionError<R> {
@@ -242,10 +302,22 @@ mod tests {
 
     #[test]
     fn messages_name_the_time_the_coordinate_and_the_remedy() {
-        let text = MotionError { cause: Cause::SingularMassMatrix { pivot: 3 }, t: 1.5 }.to_string();
+        let text = MotionError { cause: Cause::SingularMassMatrix { pivot: 3, name: Name::NONE }, t: 1.5 }
+            .to_string();
         for part in ["t = 1.5", "coordinate 3", "give that coordinate a mass"] {
             assert!(text.contains(part), "{part} is missing in {text}");
         }
+    }
+
+    #[test]
+    fn messages_have_the_names_of_the_system() {
+        let names = Names { coordinates: &["phi", "theta"], constraints: &["rod", "hinge[1]"] };
+        let cause = Cause::SingularMassMatrix { pivot: 1, name: Name::NONE }.named(&names);
+        assert!(cause.to_string().contains("at coordinate `theta`: give"), "{cause}");
+        let cause = Cause::Contradictory { constraint: 1, name: Name::NONE }.named(&names);
+        assert!(cause.to_string().starts_with("constraint `hinge[1]` contradicts"), "{cause}");
+        let beyond = Cause::Undetermined { constraint: 2, name: Name::NONE }.named(&names);
+        assert!(beyond.to_string().starts_with("constraint 2 depends"), "{beyond}");
     }
 
     #[test]
@@ -260,6 +332,6 @@ mod tests {
 
     #[test]
     fn an_error_is_small() {
-        assert!(size_of::<Cause>() <= 2 * size_of::<usize>());
+        assert!(size_of::<Cause>() <= 3 * size_of::<usize>());
     }
 }

@@ -53,6 +53,7 @@ pub mod integrator;
 pub mod linear;
 pub mod linearized;
 mod math;
+pub mod name;
 pub mod proved;
 pub mod reading;
 pub mod real;
@@ -79,6 +80,7 @@ pub use integrator::{
 };
 pub use linear::Independence;
 pub use linearized::{Jacobians, Linearization, Linearized};
+pub use name::{Name, Names};
 pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};
 #[cfg(feature = "wide")]
@@ -112,6 +114,7 @@ pub mod __private {
     pub use crate::error::{Cause, Function, MotionError};
     pub use crate::linear::{Independence, Ldlt, Lu};
     pub use crate::linearized::{Linearization, Linearized};
+    pub use crate::name::Names;
     pub use crate::proved::{
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
     };

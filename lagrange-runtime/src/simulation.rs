@@ -263,7 +263,8 @@ where
         }
         if !S::CONSTRAINED {
             // Accelerations of a negative mass are finite.
-            return self.system.check_at(&self.constants, t, &q, &v).map_err(failed);
+            let found = self.system.check_at(&self.constants, t, &q, &v);
+            return found.map_err(|cause| failed(cause.named(&S::NAMES)));
         }
         self.system.begin_at(&self.constants, &mut self.state).map_err(failed)?;
         M::restart(&mut self.memory, self.state);

@@ -9,6 +9,7 @@ use nalgebra::SMatrix;
 use crate::error::{Cause, MotionError};
 use crate::integrator::diagnose;
 use crate::linear::{Ldlt, Lu};
+use crate::name::Name;
 use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
@@ -44,7 +45,7 @@ pub fn check<R: Real>(value: R, scale: R, coordinate: usize) -> Result<(), Cause
 /// A factorisation stops at a NaN as it stops at a zero pivot; whether the numbers are finite tells them
 /// apart.
 fn singular(finite: bool, coordinate: usize) -> Cause {
-    if finite { Cause::SingularMassMatrix { pivot: coordinate } } else { Cause::NotFinite }
+    if finite { Cause::SingularMassMatrix { pivot: coordinate, name: Name::NONE } } else { Cause::NotFinite }
 }
 
 /// The accelerations if they are finite.
@@ -168,7 +169,7 @@ mod tests {
         assert_eq!(check(1e-3, 1.0, 4), Ok(()));
         assert_eq!(pivot(1e-3, 1.0), 1e-3);
         for value in [0.0, -1.0, 1e-16_f64] {
-            assert_eq!(check(value, 1.0, 4), Err(Cause::SingularMassMatrix { pivot: 4 }));
+            assert_eq!(check(value, 1.0, 4), Err(Cause::SingularMassMatrix { pivot: 4, name: Name::NONE }));
             assert!(pivot(value, 1.0).is_nan());
         }
         assert_eq!(check(f64::NAN, 1.0, 4), Err(Cause::NotFinite));
@@ -182,7 +183,7 @@ mod tests {
         let mut mass = SMatrix::<f64, 6, 6>::identity();
         (mass[(3, 5)], mass[(5, 3)]) = (1.0, 1.0);
         let cause = check_block::<Ldlt<f64, 2>, _, 6, 2>(&mass, &[3, 5]);
-        assert_eq!(cause, Err(Cause::SingularMassMatrix { pivot: 5 }));
+        assert_eq!(cause, Err(Cause::SingularMassMatrix { pivot: 5, name: Name::NONE }));
     }
 
     #[test]

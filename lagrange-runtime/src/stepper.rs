@@ -82,7 +82,8 @@ where
         let mut start = self.state;
         if !S::CONSTRAINED {
             let State { t, q, v } = start;
-            self.system.check_at(&self.constants, t, &q, &v).map_err(|cause| MotionError { cause, t })?;
+            let found = self.system.check_at(&self.constants, t, &q, &v);
+            found.map_err(|cause| MotionError { cause: cause.named(&S::NAMES), t })?;
         }
         self.system
             .begin_at(&self.constants, &mut start)

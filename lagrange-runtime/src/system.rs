@@ -4,6 +4,7 @@ use crate::constraints::{Footing, Metric};
 use crate::error::Cause;
 use crate::integrator::{Adaptive, FixedStep};
 use crate::linear::Independence;
+use crate::name::Names;
 use crate::real::{Ordered, Real};
 use crate::simulation::{Held, Simulation};
 use crate::state::State;
@@ -20,6 +21,9 @@ pub trait System<const N: usize, const K: usize = 0> {
 
     /// Subexpressions of parameters alone, computed once per run.
     type Constants: Copy;
+
+    /// Names of coordinates and constraints, for errors.
+    const NAMES: Names = Names::NONE;
 
     /// Evaluates [`System::Constants`].
     fn constants(&self) -> Self::Constants;

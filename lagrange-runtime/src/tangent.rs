@@ -211,7 +211,7 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         Self: Sized,
         Self::Scalar: Ordered,
     {
-        equilibrium::equilibrium(self, guess.into(), u)
+        equilibrium::equilibrium(self, guess.into(), u).map_err(|error| error.named(&Self::NAMES))
     }
 
     /// An equilibrium near a guess, under steady inputs, of any stability: a minimum of the potential energy,
@@ -233,7 +233,7 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         Self: Sized,
         Self::Scalar: Ordered,
     {
-        equilibrium::stationary_point(self, guess.into(), u)
+        equilibrium::stationary_point(self, guess.into(), u).map_err(|error| error.named(&Self::NAMES))
     }
 
     /// The linear equations of small deviations from a state, or from the motion through it: mass, damping,

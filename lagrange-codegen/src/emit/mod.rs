@@ -226,6 +226,16 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     }
 }
 
+/// The constant `NAMES` as text.
+fn names_of_parts(emission: &Emission<'_>) -> String {
+    let model = &emission.model;
+    let coordinates: Vec<String> = model.coordinates.iter().map(|quantity| quantity.written()).collect();
+    let constraints: Vec<String> = model.constraints.iter().map(|constraint| constraint.written()).collect();
+    format!(
+        "const NAMES: lagrange::Names = lagrange::Names {{ coordinates: &{coordinates:?}, constraints: &{constraints:?} }};\n"
+    )
+}
+
 /// The constants `COST` and `STRUCTURE`.
 fn report(emission: &Emission<'_>, before: Operations, after: Operations) -> TokenStream {
     let cost = |operations: Operations| {

@@ -52,8 +52,10 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
         )
     };
     let method = if emission.jets.is_some() { "Jets" } else { "Dop853" };
+    let names = super::names_of_parts(emission);
     let mut text = format!(
         "type Scalar = {scalar};\ntype Method = lagrange::{method};\ntype Constants = {};\n\
+         {names}\
          #[inline]\nfn constants(&self) -> Self::Constants {{\n{}\n}}\n\
          #[inline]\nfn accelerations_at({}, {}: &{inputs}) -> {vector} {{\n{accelerations}\n}}\n",
         constants.0,

@@ -6,20 +6,22 @@ use crate::interpreter::{Interpreter, Run, Value};
 use crate::number::Tracked;
 use crate::oracle::Quantities;
 
-/// What the solver is given, whether or not it can solve it: `balance_at`, `saddle_at`, `residuals_at`.
+/// What the solver is given, whether or not it can solve it: `equations_at`, `saddle_at`, `residuals_at`.
 pub fn unsolved(run: &Interpreter<'_>, expected: &Quantities) -> Result<Agreements, String> {
     let held = &expected.held;
     let force: Vec<Tracked> =
         expected.applied.iter().zip(&expected.bias).map(|(&applied, &bias)| applied - bias).collect();
     let mut agreements = Agreements::new();
-    let balance = of_system(run, "balance_at")?;
-    for (name, part, wanted) in [
-        ("mass of balance", "mass", expected.mass.concat()),
-        ("gradients of balance", "gradients", held.jacobian.concat()),
-        ("force of balance", "force", force),
-        ("gamma of balance", "gamma", held.gamma.clone()),
+    let equations = of_system(run, "equations_at")?;
+    let factors = equations.field("saddle").map_err(|stop| format!("equations_at: {stop:?}"))?;
+    for (name, record, part, wanted) in [
+        ("mass of equations", factors, "mass", expected.mass.concat()),
+        ("gradients of their factors", factors, "gradients", held.jacobian.concat()),
+        ("gradients of equations", &equations, "gradients", held.jacobian.concat()),
+        ("forces of equations", &equations, "forces", force),
+        ("gamma of equations", &equations, "gamma", held.gamma.clone()),
     ] {
-        agreements.push((name, compare(name, &field(&balance, part)?, &wanted)?));
+        agreements.push((name, compare(name, &field(record, part)?, &wanted)?));
     }
     let saddle = of_system(run, "saddle_at")?;
     let [factors, gradients] = saddle.list().map_err(|stop| format!("saddle_at: {stop:?}"))? else {

@@ -2,6 +2,7 @@
 
 use super::{magnitude, worst};
 use crate::error::{Cause, Magnitude};
+use crate::name::Name;
 use crate::real::Real;
 
 /// A residual counts as zero up to so many ulps of the magnitudes of its summands: there are a few, and each is
@@ -84,8 +85,8 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         let value = self.values(level).get(constraint);
         let by = value.map_or(Magnitude(0.0), |value| magnitude(value.abs().largest()));
         match level {
-            Level::Positions => Cause::PositionViolated { constraint, by },
-            Level::Velocities => Cause::VelocityViolated { constraint, by },
+            Level::Positions => Cause::PositionViolated { constraint, name: Name::NONE, by },
+            Level::Velocities => Cause::VelocityViolated { constraint, name: Name::NONE, by },
         }
     }
 }

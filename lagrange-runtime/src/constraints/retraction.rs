@@ -168,7 +168,7 @@ where
             }
             if from == From::Far {
                 self.refresh(system);
-                super::regular(&self.saddle)?;
+                super::regular(&self.saddle).map_err(|cause| cause.named(&S::NAMES))?;
             }
             let lack = self.residuals.values(level).map(|value| -value);
             let none = [num_traits::Zero::zero(); N];
@@ -206,7 +206,7 @@ where
         if self.is_rounding(level, begun) {
             return Ok(());
         }
-        Err(self.residuals.cause(level, &self.slopes))
+        Err(self.residuals.cause(level, &self.slopes).named(&S::NAMES))
     }
 
     /// Takes factors that belong to the constraints, where rows depend on each other on them but not beside

@@ -6,6 +6,7 @@ use super::{Balance, Surface};
 use crate::error::{Cause, MotionError};
 use crate::integrator::diagnose;
 use crate::linear::{Defect, Independence, SaddlePoint};
+use crate::name::Name;
 use crate::real::Real;
 use crate::state::State;
 
@@ -32,8 +33,10 @@ pub fn regular<R: Real, const N: usize, const C: usize>(
     saddle: &impl SaddlePoint<R, N, C>,
 ) -> Result<(), Cause> {
     match (saddle.vanishing(), saddle.defect()) {
-        (Some(constraint), _) => Err(Cause::VanishingGradient { constraint }),
-        (None, Some(Defect::Singular { coordinate })) => Err(Cause::SingularMassMatrix { pivot: coordinate }),
+        (Some(constraint), _) => Err(Cause::VanishingGradient { constraint, name: Name::NONE }),
+        (None, Some(Defect::Singular { coordinate })) => {
+            Err(Cause::SingularMassMatrix { pivot: coordinate, name: Name::NONE })
+        }
         (None, Some(Defect::NotFinite)) => Err(Cause::NotFinite),
         (None, None) => Ok(()),
     }
@@ -53,7 +56,7 @@ pub fn check<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    regular(&system.saddle_at(t, q, v).0)
+    regular(&system.saddle_at(t, q, v).0).map_err(|cause| cause.named(&S::NAMES))
 }
 
 /// Whether accelerations and multipliers are finite.

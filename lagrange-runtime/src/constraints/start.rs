@@ -35,7 +35,7 @@ where
     }
     let residuals = system.residuals_at(start.t, &start.q, &start.v);
     let mut retraction = Retraction::new(system, start, residuals);
-    regular(&retraction.saddle)?;
+    regular(&retraction.saddle).map_err(|cause| cause.named(&S::NAMES))?;
     let last_digits = last_digits(system, start, &residuals);
     let ulps = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon();
     let levels = [Level::Positions, Level::Velocities];
@@ -87,7 +87,7 @@ where
     {
         return Ok(());
     }
-    Err(residuals.cause(level, slopes))
+    Err(residuals.cause(level, slopes).named(&S::NAMES))
 }
 
 /// What the last digits of the coordinates make of the residuals, as sizes of which an ulp is that.
@@ -135,7 +135,7 @@ where
     }
     let residuals = system.residuals_at(start.t, &start.q, &start.v);
     let mut retraction = Retraction::new(system, &start, residuals);
-    regular(&retraction.saddle).map_err(failed)?;
+    regular(&retraction.saddle).map_err(|cause| failed(cause.named(&S::NAMES)))?;
     let ulps = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon();
     for level in [Level::Positions, Level::Velocities] {
         let Retraction { state, residuals, .. } = &retraction;
@@ -144,13 +144,15 @@ where
         }
         retraction.level(system, level, From::Far).map_err(|cause| {
             failed(match cause {
-                Cause::PositionViolated { constraint, .. } | Cause::VelocityViolated { constraint, .. }
+                Cause::PositionViolated { constraint, name, .. }
+                | Cause::VelocityViolated { constraint, name, .. }
                     if retraction.saddle.independence().rank < C =>
                 {
-                    Cause::Contradictory { constraint }
+                    Cause::Contradictory { constraint, name }
                 }
-                Cause::PositionViolated { constraint, by } | Cause::VelocityViolated { constraint, by } => {
-                    Cause::NoConsistentState { constraint, by }
+                Cause::PositionViolated { constraint, name, by }
+                | Cause::VelocityViolated { constraint, name, by } => {
+                    Cause::NoConsistentState { constraint, name, by }
                 }
                 other => other,
             })

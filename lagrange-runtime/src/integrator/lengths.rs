@@ -102,7 +102,13 @@ impl<R: Ordered> Lengths<R> {
         let (outcome, cause) = match &landed {
             Ok(landing) if landing.is_right => {
                 let there = landing.footing.independence;
-                (Outcome::Right(there), Cause::Undetermined { constraint: there.weakest })
+                (
+                    Outcome::Right(there),
+                    Cause::Undetermined {
+                        constraint: there.weakest,
+                        name: S::NAMES.constraint(there.weakest),
+                    },
+                )
             }
             Ok(_) => (Outcome::Wrong, Cause::StepTooSmall),
             Err(cause) => (Outcome::Wrong, *cause),

@@ -81,7 +81,7 @@ pub(crate) fn diagnose<S: System<N, K>, const N: usize, const K: usize>(
     v: &[S::Scalar; N],
 ) -> Cause {
     if q.iter().chain(v).all(|x| x.is_finite()) && t.is_finite() {
-        system.check_at(constants, t, q, v).err().unwrap_or(Cause::NotFinite)
+        system.check_at(constants, t, q, v).err().unwrap_or(Cause::NotFinite).named(&S::NAMES)
     } else {
         Cause::NotFinite
     }

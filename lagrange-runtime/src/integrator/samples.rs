@@ -72,7 +72,11 @@ system!(
     0,
     |_t, q, v, _u| [if q[0] < 2.0 { 0.0 } else { f64::NAN }],
     0.5 * v[0] * v[0] + 0.0 * q[0],
-    if q[0] < 2.0 { Ok(()) } else { Err(Cause::SingularMassMatrix { pivot: 0 }) }
+    if q[0] < 2.0 {
+        Ok(())
+    } else {
+        Err(Cause::SingularMassMatrix { pivot: 0, name: crate::name::Name::NONE })
+    }
 );
 
 // Free motion until the force has no value at q = 2.

@@ -20,6 +20,7 @@ use num_traits::Zero;
 use super::Tangent;
 use crate::constraints::magnitude;
 use crate::error::{Cause, Magnitude};
+use crate::name::{Name, Names, Part};
 use crate::real::{Ordered, Real, larger};
 use crate::state::State;
 use descent::Descent;
@@ -74,11 +75,15 @@ pub enum EquilibriumError {
     MovingConstraint {
         /// Index of the constraint, as in `CONSTRAINTS` of the system.
         constraint: usize,
+        /// Its name.
+        name: Name,
     },
     /// The forces cannot be balanced near the guess.
     Unbalanced {
         /// Index of the coordinate along which the largest force is left.
         coordinate: usize,
+        /// Its name.
+        name: Name,
         /// The generalized force there, in its own unit.
         force: Magnitude,
     },
@@ -86,27 +91,47 @@ pub enum EquilibriumError {
     RanAway {
         /// Index of the coordinate that went furthest.
         coordinate: usize,
+        /// Its name.
+        name: Name,
     },
+}
+
+impl EquilibriumError {
+    /// The same with the names of a system.
+    #[cold]
+    pub(super) fn named(mut self, names: &Names) -> Self {
+        match &mut self {
+            Self::Constraints(cause) => *cause = cause.named(names),
+            Self::MovingConstraint { constraint, name } => *name = names.constraint(*constraint),
+            Self::Unbalanced { coordinate, name, .. } | Self::RanAway { coordinate, name } => {
+                *name = names.coordinate(*coordinate);
+            }
+        }
+        self
+    }
 }
 
 impl fmt::Display for EquilibriumError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Constraints(cause) => write!(out, "no equilibrium: {cause}"),
-            Self::MovingConstraint { constraint } => write!(
+            Self::MovingConstraint { constraint, name } => write!(
                 out,
                 "no equilibrium: constraint {constraint} moves; use coordinates that move along, in which the state is at \
-                 rest"
+                 rest",
+                constraint = Part(*constraint, *name)
             ),
-            Self::Unbalanced { coordinate, force } => write!(
+            Self::Unbalanced { coordinate, name, force } => write!(
                 out,
                 "no equilibrium near the guess: a force of {force} along coordinate {coordinate} is left; start nearer \
-                 to one"
+                 to one",
+                coordinate = Part(*coordinate, *name)
             ),
-            Self::RanAway { coordinate } => write!(
+            Self::RanAway { coordinate, name } => write!(
                 out,
                 "no equilibrium found: the search ran away along coordinate {coordinate}, where the energy falls or the forces fade \
-                 but nothing rests; start nearer to an equilibrium, or ask for one of any stability with `stationary_point`"
+                 but nothing rests; start nearer to an equilibrium, or ask for one of any stability with `stationary_point`",
+                coordinate = Part(*coordinate, *name)
             ),
         }
     }
@@ -264,13 +289,14 @@ where
             let far = |i: usize| self.sizes[i] * travelled[i] * travelled[i];
             coordinate = if far(i) > far(coordinate) { i } else { coordinate };
         }
-        EquilibriumError::RanAway { coordinate }
+        EquilibriumError::RanAway { coordinate, name: Name::NONE }
     }
 }
 
 /// Refuses a place at which a constraint restricts nothing.
 fn has_gradients<R, const N: usize, const C: usize>(rest: &Rest<R, N, C>) -> Result<(), EquilibriumError> {
-    let vanishing = rest.vanishing.map(|constraint| Cause::VanishingGradient { constraint });
+    let vanishing =
+        rest.vanishing.map(|constraint| Cause::VanishingGradient { constraint, name: Name::NONE });
     vanishing.map_or(Ok(()), |cause| Err(EquilibriumError::Constraints(cause)))
 }
 
@@ -281,5 +307,5 @@ fn unbalanced<R: Ordered, const N: usize, const C: usize>(rest: &Rest<R, N, C>) 
             (coordinate, force) = (i, left.abs());
         }
     }
-    EquilibriumError::Unbalanced { coordinate, force: magnitude(force) }
+    EquilibriumError::Unbalanced { coordinate, name: Name::NONE, force: magnitude(force) }
 }

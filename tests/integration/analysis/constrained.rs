@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_6, PI};
 
-use lagrangian::{EquilibriumError, Stability, prelude::*};
+use lagrangian::{EquilibriumError, Name, Stability, prelude::*};
 
 use crate::support::close::{all_close, close};
 use crate::support::reference::seed;
@@ -298,7 +298,8 @@ impl Shaken {
 #[test]
 fn where_a_constraint_moves_nothing_rests() {
     let found = Shaken.equilibrium([0.3, -0.2], &[]);
-    assert_eq!(found, Err(EquilibriumError::MovingConstraint { constraint: 0 }));
+    let name = Name::new(&Shaken::NAMES.constraints[0]);
+    assert_eq!(found, Err(EquilibriumError::MovingConstraint { constraint: 0, name }));
 }
 
 /// A skate on a plane, tied to a place by a spring.

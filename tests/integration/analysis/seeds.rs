@@ -350,7 +350,7 @@ impl Falling {
 #[test]
 fn without_an_equilibrium_the_error_says_what_is_left() {
     match Falling.equilibrium([0.3, 1.0], &[]) {
-        Err(EquilibriumError::Unbalanced { coordinate, force }) => {
+        Err(EquilibriumError::Unbalanced { coordinate, force, .. }) => {
             assert_eq!(coordinate, 1);
             close(f64::from(force.0), 2.0 * G, 1e-7);
         }

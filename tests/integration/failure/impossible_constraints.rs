@@ -1,7 +1,7 @@
 //! Constraints that cannot be met, or restrict nothing where the system is: the same error from everything
 //! that asks.
 
-use lagrangian::{EquilibriumError, prelude::*};
+use lagrangian::{EquilibriumError, Name, prelude::*};
 
 /// A circle twice, the second time of another radius.
 struct Twice {
@@ -34,7 +34,7 @@ impl Twice {
 #[test]
 fn contradictory_constraints_are_named_by_all_that_look_for_a_state() {
     let (system, guess) = (Twice { square: 2.0 }, State::at_rest([0.6, 0.9]));
-    let expected = Cause::Contradictory { constraint: 1 };
+    let expected = Cause::Contradictory { constraint: 1, name: Name::new(&"again") };
     assert_eq!(system.consistent(guess).unwrap_err().cause, expected);
     assert_eq!(system.equilibrium(guess, &[]).unwrap_err(), EquilibriumError::Constraints(expected));
     assert_eq!(system.stationary_point(guess, &[]).unwrap_err(), EquilibriumError::Constraints(expected));
@@ -67,7 +67,7 @@ impl Cross {
 #[test]
 fn vanishing_gradients_are_named_by_everything() {
     let state = State::at_rest([0.0, 0.0]);
-    let expected = Cause::VanishingGradient { constraint: 0 };
+    let expected = Cause::VanishingGradient { constraint: 0, name: Name::new(&"lines") };
     assert_eq!(Cross.accelerations(&state).unwrap_err().cause, expected);
     assert_eq!(Cross.reactions(&state).unwrap_err().cause, expected);
     assert_eq!(Cross.consistent(state).unwrap_err().cause, expected);

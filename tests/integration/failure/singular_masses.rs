@@ -1,5 +1,6 @@
 //! Mass matrices without an inverse: at a place, by a parameter, in every form in which M is solved.
 
+use lagrangian::Name;
 use lagrangian::prelude::*;
 
 use crate::support::close::close;
@@ -25,7 +26,8 @@ impl SphericalPendulum {
 #[test]
 fn the_pole_of_a_spherical_pendulum_is_reported_with_coordinate_and_time() {
     let pole = State::new([0.0, 0.3], [0.5, 2.0]).at_time(7.0);
-    let expected = MotionError { cause: Cause::SingularMassMatrix { pivot: 1 }, t: 7.0 };
+    let expected =
+        MotionError { cause: Cause::SingularMassMatrix { pivot: 1, name: Name::new(&"phi") }, t: 7.0 };
     assert_eq!(SphericalPendulum.accelerations(&pole).unwrap_err(), expected);
     let mut motion = SphericalPendulum.simulate(pole);
     assert_eq!(motion.advance_to(8.0).unwrap_err(), expected);
@@ -76,7 +78,8 @@ impl Chain {
 fn a_chain_that_ends_without_mass_names_its_first_free_coordinate() {
     let state = State::at_rest([0.1, 0.2, 0.3, 0.4]).at_time(1.5);
     for (m, pivot) in [([0.0; 4], 0), ([1.0, 0.0, 0.0, 0.0], 1), ([1.0, 1.0, 0.0, 0.0], 2)] {
-        let expected = MotionError { cause: Cause::SingularMassMatrix { pivot }, t: 1.5 };
+        let name = Name::new(&Chain::NAMES.coordinates[pivot]);
+        let expected = MotionError { cause: Cause::SingularMassMatrix { pivot, name }, t: 1.5 };
         assert_eq!(Chain { m }.accelerations(&state).unwrap_err(), expected);
         assert_eq!(Chain { m }.simulate(state).advance_to(2.0).unwrap_err(), expected);
     }
@@ -86,7 +89,7 @@ fn a_chain_that_ends_without_mass_names_its_first_free_coordinate() {
 fn mass_at_the_tip_alone_leaves_links_without_inertia() {
     // One particle in the plane cannot carry four angles.
     let error = Chain { m: [0.0, 0.0, 0.0, 1.0] }.accelerations(&State::at_rest([0.1, 1.2, 2.3, 3.0]));
-    assert!(matches!(error.unwrap_err().cause, Cause::SingularMassMatrix { pivot: 2 | 3 }));
+    assert!(matches!(error.unwrap_err().cause, Cause::SingularMassMatrix { pivot: 2 | 3, .. }));
 }
 
 /// A constant M, factored once per run.
@@ -149,6 +152,7 @@ fn a_vanishing_entry_of_a_diagonal_names_its_coordinate() {
     let state = State::at_rest([1.0, 1.0]);
     for (m, pivot) in [([0.0, 1.0], 0), ([1.0, 0.0], 1)] {
         let error = Diagonal { m }.accelerations(&state).unwrap_err();
-        assert_eq!(error.cause, Cause::SingularMassMatrix { pivot });
+        let name = Name::new(&Diagonal::NAMES.coordinates[pivot]);
+        assert_eq!(error.cause, Cause::SingularMassMatrix { pivot, name });
     }
 }

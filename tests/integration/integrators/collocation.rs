@@ -270,7 +270,8 @@ fn a_step_that_cannot_be_solved_leaves_the_state() {
 #[test]
 fn a_singular_mass_matrix_is_named() {
     let mut motion = ELASTIC.stepper::<Gauss4>(State::new([1.0, 0.0], [0.0, 1.0]));
-    assert_eq!(motion.step(0.01, &[]).unwrap_err().cause, Cause::SingularMassMatrix { pivot: 0 });
+    let error = motion.step(0.01, &[]).unwrap_err();
+    assert!(matches!(error.cause, Cause::SingularMassMatrix { pivot: 0, .. }), "{error}");
 }
 
 #[test]

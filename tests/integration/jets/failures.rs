@@ -1,5 +1,6 @@
 //! Motions that cannot go on, bad arguments, and motions that go on for ever.
 
+use lagrangian::Name;
 use lagrangian::prelude::*;
 
 use crate::support::close::{between, close};
@@ -152,7 +153,8 @@ fn a_singular_mass_matrix_is_reported_with_coordinate_and_time() {
     ];
     for (m, start, pivot) in cases {
         let masses = Masses { m };
-        let expected = MotionError { cause: Cause::SingularMassMatrix { pivot }, t: 7.0 };
+        let name = Name::new(&Masses::NAMES.coordinates[pivot]);
+        let expected = MotionError { cause: Cause::SingularMassMatrix { pivot, name }, t: 7.0 };
         let mut motion = masses.simulate(start);
         for t in [8.0, 6.0] {
             assert_eq!(motion.advance_to(t).unwrap_err(), expected);

@@ -1,5 +1,6 @@
 //! Christoffel symbols and Coriolis matrices: S16, and identities of any system.
 
+use lagrangian::Name;
 use lagrangian::prelude::*;
 
 use super::{CLOSED_FORM, DIFFERENCES};
@@ -94,7 +95,8 @@ fn parabolic_symbols_are_those_of_the_textbook() {
 #[test]
 fn a_singular_metric_is_an_error() {
     let error = Spherical.christoffel_second(&State::at_rest([1.0, 0.0, 0.0]).at_time(2.0)).unwrap_err();
-    assert_eq!(error, MotionError { cause: Cause::SingularMassMatrix { pivot: 2 }, t: 2.0 });
+    let name = Name::new(&Spherical::NAMES.coordinates[2]);
+    assert_eq!(error, MotionError { cause: Cause::SingularMassMatrix { pivot: 2, name }, t: 2.0 });
 }
 
 /// A double pendulum that a motor turns about the vertical, its support on a lift: M, T₁ and T₀ depend on

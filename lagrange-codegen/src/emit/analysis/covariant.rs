@@ -93,7 +93,12 @@ fn symbols(emission: &mut Emission<'_>) -> String {
             "christoffel_second(&self, state: &{}) -> ::core::result::Result<{cube}, lagrange::MotionError<{scalar}>>",
             emission.state_type()
         ),
-        "lagrange::analysis::second_kind(&self.mass_matrix(state), &self.christoffel_first(state), state.t)",
+        &format!(
+            "lagrange::analysis::second_kind(&self.mass_matrix(state), &self.christoffel_first(state), state.t)\
+             .map_err(|error| error.named(&<Self as lagrange::System<{}, {}>>::NAMES))",
+            emission.count(),
+            emission.model.inputs.len()
+        ),
     );
     first + &second
 }

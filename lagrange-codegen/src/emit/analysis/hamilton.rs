@@ -48,8 +48,10 @@ fn velocities(emission: &mut Emission<'_>, affine: bool) -> String {
         format!("{}(mass, [{}])", body::lower_triangle(&scalar, count, mass), momenta.join(", "))
     });
     format!(
-        "lagrange::analysis::velocities(|v: &{}| {{\nlet _ = v;\n{body}\n}}, t, p, {affine})",
-        emission.vector_type()
+        "lagrange::analysis::velocities(|v: &{}| {{\nlet _ = v;\n{body}\n}}, t, p, {affine})\
+         .map_err(|error| error.named(&<Self as lagrange::System<{count}, {}>>::NAMES))",
+        emission.vector_type(),
+        emission.model.inputs.len()
     )
 }
 

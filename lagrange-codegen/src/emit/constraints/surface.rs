@@ -1,10 +1,10 @@
 //! `System` of a constrained model, and the runtime's `Surface` and `Constrained`.
 
 use super::{factored, record_ident, rows, saddle_type};
-use crate::emit::Emission;
 use crate::emit::block;
 use crate::emit::body::{self, Source};
 use crate::emit::names::Names;
+use crate::emit::{Emission, names_of_parts as names};
 use crate::expr::NodeId;
 use crate::schedule::{Operations, plan};
 use crate::simplify::simplify;
@@ -39,9 +39,11 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
     };
     // A motion that is drawn to the constraints begins where it is.
     let begin = if emission.model.baumgarte.is_some() { "let start = &mut start.clone();\n" } else { "" };
+    let names = names(emission);
     let coupled = if held > 1 { "const COUPLED: bool = true;\n" } else { "" };
     let system = format!(
         "type Scalar = {scalar};\ntype Method = lagrange::{integrator};\ntype Constants = {constants_type};\n\
+         {names}\
          const CONSTRAINED: bool = true;\n{coupled}\
          #[inline]\nfn constants(&self) -> Self::Constants {{\n{constants}\n}}\n\
          {accelerations}\

@@ -108,7 +108,7 @@ fn independence(rows: usize) -> Value {
     Value::record([("rank", Value::Integer(rows))])
 }
 
-/// `Balance`, with what it was made of.
+/// `Balance`.
 fn balance(saddle: &Value, force: &Value, gamma: &Value) -> Run<Value> {
     let (matrix, force_and_gamma) = (equations(saddle)?, [force.to_numbers()?, gamma.to_numbers()?].concat());
     if matrix.len() != force_and_gamma.len() {
@@ -122,10 +122,6 @@ fn balance(saddle: &Value, force: &Value, gamma: &Value) -> Run<Value> {
         ("accelerations", Value::numbers(&solution[..count])),
         ("multipliers", Value::numbers(&solution[count..])),
         ("independence", independence(matrix.len() - count)),
-        ("mass", saddle.field("mass")?.clone()),
-        ("gradients", saddle.field("gradients")?.clone()),
-        ("force", force.clone()),
-        ("gamma", gamma.clone()),
     ]))
 }
 

@@ -6,7 +6,7 @@ use super::value::{Run, Value, unknown};
 use super::{Interpreter, Point, find};
 
 /// The runtime's structs that generated code makes field by field.
-pub(super) const RECORDS: [&str; 4] = [
+pub(super) const RECORDS: [&str; 5] = [
     "lagrange::Residuals",
     "lagrange::Equations",
     "lagrange::Balance",

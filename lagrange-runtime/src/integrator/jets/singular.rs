@@ -71,7 +71,7 @@ where
     *memory = kept;
     if leads_out {
         let constraint = here.weakest;
-        return Err(memory.stay(Cause::Undetermined { constraint }));
+        return Err(memory.stay(Cause::Undetermined { constraint, name: S::NAMES.constraint(constraint) }));
     }
     Ok(false)
 }

@@ -9,6 +9,7 @@ use super::EquilibriumError;
 use crate::constraints::{Level, Metric};
 use crate::error::Cause;
 use crate::linear::{Saddle, SaddlePoint, TangentSpace};
+use crate::name::Name;
 use crate::real::{Ordered, Real, larger};
 use crate::state::State;
 use crate::stored::Stored;
@@ -220,14 +221,19 @@ where
         }
         let (saddle, gradients) = self.tangent(&q);
         if let Some(constraint) = saddle.vanishing() {
-            return Err(EquilibriumError::Constraints(Cause::VanishingGradient { constraint }));
+            return Err(EquilibriumError::Constraints(Cause::VanishingGradient {
+                constraint,
+                name: Name::NONE,
+            }));
         }
         let cause = residuals.cause(Level::Positions, &Metric::of(&*saddle).slopes(&gradients));
         Err(EquilibriumError::Constraints(match cause {
-            Cause::PositionViolated { constraint, .. } if saddle.rank() < C => {
-                Cause::Contradictory { constraint }
+            Cause::PositionViolated { constraint, name, .. } if saddle.rank() < C => {
+                Cause::Contradictory { constraint, name }
             }
-            Cause::PositionViolated { constraint, by } => Cause::NoConsistentState { constraint, by },
+            Cause::PositionViolated { constraint, name, by } => {
+                Cause::NoConsistentState { constraint, name, by }
+            }
             other => other,
         }))
     }
@@ -312,8 +318,8 @@ where
             return Ok(());
         }
         match residuals.cause(Level::Velocities, &Metric::of(&*saddle).slopes(&rest.gradients)) {
-            Cause::VelocityViolated { constraint, .. } => {
-                Err(EquilibriumError::MovingConstraint { constraint })
+            Cause::VelocityViolated { constraint, name, .. } => {
+                Err(EquilibriumError::MovingConstraint { constraint, name })
             }
             cause => Err(EquilibriumError::Constraints(cause)),
         }
