@@ -21,6 +21,7 @@
 //! | [`stored`] | large tables on the heap where there is one |
 //! | [`structure`] | operation counts and proven facts of a model |
 //! | [`error`] | why and when a motion stopped |
+//! | [`name`] | names of coordinates and constraints in errors |
 //!
 //! Nothing allocates but analyses with `std` ([`Stored`]), nothing panics, and an error leaves the motion at
 //! its last good state.

@@ -27,7 +27,7 @@ impl SphericalPendulum {
 fn the_pole_of_a_spherical_pendulum_is_reported_with_coordinate_and_time() {
     let pole = State::new([0.0, 0.3], [0.5, 2.0]).at_time(7.0);
     let expected =
-        MotionError { cause: Cause::SingularMassMatrix { pivot: 1, name: Name::new(&"phi") }, t: 7.0 };
+        MotionError { cause: Cause::SingularMassMatrix { pivot: 1, name: Name::new(&"theta") }, t: 7.0 };
     assert_eq!(SphericalPendulum.accelerations(&pole).unwrap_err(), expected);
     let mut motion = SphericalPendulum.simulate(pole);
     assert_eq!(motion.advance_to(8.0).unwrap_err(), expected);

@@ -122,11 +122,9 @@ pub(super) struct Writer<'a, 'b> {
     pub(super) partial: Vec<Option<String>>,
     /// The interior sums, by lane.
     pub(super) inner: Vec<String>,
-    /// Every factor of a lane with the variables that hold its coefficients of order 1 and of the last
-    /// order.
+    /// Every factor of a lane with the variables of its coefficients of the first and of the last order.
     pub(super) edges: Vec<(crate::jets::Operand, String, String)>,
-    /// Variables that carry the momentum rates of the last order, by coordinate, then those of relaxed
-    /// constraints.
+    /// Variables that carry the momentum rates of the last order, by coordinate, then relaxed constraints.
     pub(super) forces: Vec<String>,
     pub(super) before: String,
     pub(super) body: String,

@@ -162,3 +162,35 @@ fn rows_that_are_close_are_told_apart() {
         }
     }
 }
+
+#[test]
+fn both_ways_measure_the_same_distance_between_rows() {
+    let mass = diagonal_matrix(&[1.0, 4.0, 0.25]);
+    for k in 0..60 {
+        let distance = 0.5 * 0.8_f64.powi(k);
+        // Orthogonal in the metric of the masses.
+        let a = [[1.0, 0.0, 0.0], [1.0, 2.0 * distance, 0.0]];
+        let ways = [
+            Saddle::factor(&mass, &a).independence(),
+            Saddle::<f64, 3, 2>::carefully::<true>(&mass, &a).independence(),
+            Diagonal::factor([1.0, 0.25, 4.0], &a).independence(),
+        ];
+        for found in ways {
+            assert_eq!((found.rank, found.weakest), (2, 1));
+            assert!((0.5..=2.0).contains(&(found.least / distance)), "{found:?} for {distance:e}");
+        }
+    }
+}
+
+#[test]
+fn a_row_alone_is_as_independent_as_can_be() {
+    let mass = diagonal_matrix(&[1.0, 4.0]);
+    for a in [[[1e-9, 3.0]], [[2.0, 2.0]]] {
+        let ways = [
+            Saddle::factor(&mass, &a).independence(),
+            Saddle::<f64, 2, 1>::carefully::<true>(&mass, &a).independence(),
+            Diagonal::factor([1.0, 0.25], &a).independence(),
+        ];
+        assert!(ways.iter().all(|found| found.least == 1.0 && found.are_far_apart()), "{ways:?}");
+    }
+}
