@@ -35,23 +35,14 @@ impl<R: Real, const N: usize> Metric<R, N> {
     /// The largest of some coordinates, or velocities, in these units.
     #[inline(always)]
     pub(crate) fn extent(&self, x: &[R; N]) -> R {
-        let mut largest = R::zero();
-        for i in 0..N {
-            largest = largest.max(x[i].abs() * self.weights[i]);
-        }
-        largest
+        x.iter().zip(&self.weights).fold(R::zero(), |most, (x, &weight)| most.max(x.abs() * weight))
     }
 
     /// How fast constraints with these gradients change along all coordinates together, each in its unit.
     #[inline(always)]
     pub(crate) fn slopes<const C: usize>(&self, gradients: &[[R; N]; C]) -> [R; C] {
-        let mut slopes = [R::zero(); C];
-        for c in 0..C {
-            for i in 0..N {
-                slopes[c] = R::mul_add(gradients[c][i].abs(), self.units[i], slopes[c]);
-            }
-        }
-        slopes
+        let add = |sum, (a, &unit): (&R, &R)| R::mul_add(a.abs(), unit, sum);
+        gradients.each_ref().map(|row| row.iter().zip(&self.units).fold(R::zero(), add))
     }
 
     /// An ulp of something of this extent, in the unit of each coordinate.
