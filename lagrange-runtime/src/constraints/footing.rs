@@ -107,10 +107,6 @@ where
     /// Stability of Numerical Algorithms", ch. 15).
     fn independence(&self, system: &S) -> Independence<S::Scalar> {
         let mut independence = self.saddle.independence();
-        // One row depends on no other.
-        if C == 1 {
-            return independence;
-        }
         // What the coordinates make of a constraint, as a part of its summands.
         let extent = self.extent(Level::Positions);
         for (c, (&slope, &summands)) in self.slopes.iter().zip(&self.residuals.position_sizes).enumerate() {

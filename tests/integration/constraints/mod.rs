@@ -27,6 +27,7 @@ mod linkages;
 mod passages;
 mod redundancy;
 mod scalars;
+mod single_row;
 mod singular;
 mod starts;
 mod units;

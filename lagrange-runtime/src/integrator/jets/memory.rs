@@ -269,6 +269,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// series, and its last terms hardly decay at the tolerated length. Those of the motion itself have
     /// decayed to nothing long before.
     #[cold]
+    #[inline(never)]
     pub(super) fn reach_across(&self, limits: &Limits<R>, theta: R) -> Option<R> {
         let (number, p) = (R::Lane::from_f64, self.orders);
         let weights = self.weights(limits, theta, 0);

@@ -108,7 +108,7 @@ where
     let (Some(determined), Some(here)) = (memory.determined, memory.independence) else { return Ok(()) };
     let unit = memory.unit.abs();
     let mut theta = measured;
-    if S::COUPLED
+    if !here.are_far_apart()
         && let Some(across) = beyond(memory, limits, theta)
     {
         theta = across;
@@ -161,16 +161,14 @@ where
 
 /// The length, in units of the scaled time, that leads across a configuration in which constraints depend on
 /// each other, where the roundings that grow there keep the step to the length `theta`.
-#[inline]
+#[cold]
+#[inline(never)]
 fn beyond<C, T, R, const N: usize>(memory: &JetsMemory<C, T, R, N>, limits: &Limits<R>, theta: R) -> Option<R>
 where
     C: Copy,
     T: Copy + Default,
     R: Ordered,
 {
-    if memory.independence.is_none_or(|independence| independence.are_far_apart()) {
-        return None;
-    }
     let unit = memory.unit.abs();
     let mut longest = limits.clip(memory.reach_across(limits, theta)? * unit);
     if memory.last.is_positive() {
