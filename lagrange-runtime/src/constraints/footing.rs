@@ -30,8 +30,8 @@ pub struct Footing<R, const N: usize> {
     pub metric: Metric<R, N>,
 }
 
-/// The same for the end of a step, which is looked at: returns how well the constraints determine the state.
-/// With `inputs` the factors of the retraction give the accelerations as well.
+/// Moves the end of a step onto the constraints, as [`project`](super::project) does, and tells how well they
+/// determine the state. With `inputs` the factors of the retraction give the accelerations as well.
 ///
 /// # Errors
 /// The constraint that stays violated.
@@ -63,7 +63,7 @@ where
         retraction.level(system, Level::Velocities, From::Near)?;
         *state = retraction.state;
     }
-    // Beside the constraints, rows are independent that depend on each other on them.
+    // Rows that depend on each other on the constraints are independent beside them.
     if !retraction.is_known_from(&reached) {
         retraction.refresh(system);
     }
@@ -134,7 +134,7 @@ where
         let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
         let (turned, _) = saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c]));
         let relative = self.metric.extent(&turned) / self.extent(Level::Velocities);
-        *independence = saddle.independence();
+        independence.least = saddle.independence().least;
         // At rest nothing turns.
         if relative.is_positive() {
             independence.least = independence.least.min((ulp / relative).sqrt());

@@ -78,9 +78,12 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         worst::<R, C>(|c| relative(self.values(level)[c], slopes[c])).1
     }
 
-    /// The constraint that the state is furthest from.
+    /// The constraint that the state is furthest from; that of a parameter which is no number cannot be told.
     #[cold]
     pub(crate) fn cause(&self, level: Level, slopes: &[R; C]) -> Cause {
+        if !self.values(level).iter().all(|value| value.is_finite()) {
+            return Cause::NotFinite;
+        }
         let (constraint, _) = worst::<R, C>(|c| relative(self.values(level)[c], slopes[c]));
         let value = self.values(level).get(constraint);
         let by = value.map_or(Magnitude(0.0), |value| magnitude(value.abs().largest()));

@@ -43,6 +43,18 @@ fn contradictory_constraints_are_named_by_all_that_look_for_a_state() {
     assert!((rest.state.q[1] + 1.0).abs() < 1e-12 && !rest.are_unique);
 }
 
+#[test]
+fn a_constraint_with_a_parameter_that_is_no_number_is_not_finite() {
+    let (system, start) = (Twice { square: f64::NAN }, State::new([0.6, 0.8], [0.8, -0.6]));
+    assert_eq!(system.consistent(start).unwrap_err().cause, Cause::NotFinite);
+    assert_eq!(system.simulate(start).advance_to(1.0).unwrap_err().cause, Cause::NotFinite);
+    let mut dop853 = system.simulate_with::<Dop853>(start);
+    assert_eq!(dop853.advance_to(1.0).unwrap_err().cause, Cause::NotFinite);
+    assert_eq!(system.stepper::<Rk4>(start).step(0.1, &[]).unwrap_err().cause, Cause::NotFinite);
+    let nowhere = EquilibriumError::Constraints(Cause::NotFinite);
+    assert_eq!(system.equilibrium(start, &[]).unwrap_err(), nowhere);
+}
+
 /// Two lines that cross, as one constraint.
 struct Cross;
 
