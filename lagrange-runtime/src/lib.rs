@@ -65,6 +65,7 @@ pub mod state;
 pub mod stepper;
 pub mod stored;
 pub mod structure;
+pub mod switching;
 pub mod system;
 mod tables;
 pub mod tangent;
@@ -95,6 +96,7 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use stored::Stored;
 pub use structure::{Cost, Costs, Structure};
+pub use switching::{Laws, Regime, Row, Switching};
 pub use system::System;
 pub use tangent::{
     Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel,
@@ -138,7 +140,7 @@ pub mod __private {
     pub use crate::tangent::{self, ByParameters, Imbalance, Place, Sensitive, Tangent, Variation};
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
-        pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur};
+        pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur, Switched};
     }
     pub mod jets {
         //! Recurrences of Taylor coefficients.
@@ -148,6 +150,7 @@ pub mod __private {
         };
     }
     pub use crate::structure::{Cost, Costs, Structure};
+    pub use crate::switching::{Laws, Regime, Row, Switching};
     pub use crate::system::System;
     pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;

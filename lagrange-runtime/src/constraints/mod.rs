@@ -114,7 +114,7 @@ impl<P: SaddlePoint<R, N, C>, R: Real, const N: usize, const C: usize> Equations
     /// Their solution; NaN where there is none.
     #[inline(always)]
     pub fn balance(&self) -> Balance<R, N, C> {
-        let (mut accelerations, multipliers) = self.saddle.solve(&self.forces, &self.gamma);
+        let (mut accelerations, multipliers) = self.saddle.solve_motion(&self.forces, &self.gamma);
         if self.saddle.vanishing().is_some() {
             accelerations = [R::from_f64(f64::NAN); N];
         }

@@ -38,8 +38,27 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     where
         S::Scalar: Ordered;
 
+    /// The start of the last step.
+    fn start(memory: &Self::Memory) -> &State<S::Scalar, N>;
+
     /// The end of the last step.
     fn end(memory: &Self::Memory) -> &State<S::Scalar, N>;
+
+    /// One step from the end of the last one towards time `t` \[s], and perhaps beyond it.
+    ///
+    /// # Errors
+    /// As [`Adaptive::advance`].
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered;
 
     /// What the motion has cost.
     fn counts(memory: &Self::Memory) -> Steps;
@@ -105,8 +124,29 @@ where
     }
 
     #[inline]
+    fn start(memory: &Self::Memory) -> &State<S::Scalar, N> {
+        &memory.start.state
+    }
+
+    #[inline]
     fn end(memory: &Self::Memory) -> &State<S::Scalar, N> {
         &memory.end.state
+    }
+
+    #[inline]
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        Driven { system, constants, control }.step(memory, limits, t, false, attempts)
     }
 
     #[inline]

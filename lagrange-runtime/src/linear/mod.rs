@@ -20,7 +20,7 @@ pub(crate) use independence::determined;
 pub use ldlt::Ldlt;
 pub use lu::Lu;
 pub(crate) use saddle::TangentSpace;
-pub use saddle::{Defect, Diagonal, Saddle, SaddlePoint};
+pub use saddle::{Defect, Diagonal, Saddle, SaddlePoint, Switched};
 pub use schur::Schur;
 pub(crate) use singular_values::SingularValues;
 pub(crate) use symmetric::diagonalise;

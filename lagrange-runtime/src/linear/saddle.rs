@@ -35,10 +35,12 @@ pub(super) mod range;
 mod reduced;
 pub(super) mod redundant;
 pub(super) mod scaled;
+mod switched;
 mod tangent_space;
 pub(super) mod vectors;
 
 pub use diagonal::Diagonal;
+pub use switched::Switched;
 pub(crate) use tangent_space::TangentSpace;
 
 use partition::partition;
@@ -66,6 +68,12 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// Of dependent rows of A as many as are independent have a say in v, and κ is the shortest of all that
     /// give the same Aᵀ κ.
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]);
+
+    /// The same with the friction that multipliers drive, which is no part of a projection.
+    #[inline(always)]
+    fn solve_motion(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
+        self.solve(r, y)
+    }
 
     /// How independent the rows of A are.
     fn independence(&self) -> Independence<R>;
@@ -134,7 +142,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts
         // from the arguments again, so that nothing else need be in memory.
         let scaled = Scaled::new(mass, a);
-        if let Some(independence) = partition(&scaled, &mut split) {
+        if let Some(independence) = partition(&scaled, &mut split, |_| true) {
             let mut reduced = Reduced::new(&full, &split.null, C);
             match reduced.factor::<DEFINITE>(C) {
                 Ok(()) => return Self::assemble(&split, &reduced, scaled.units, independence),
@@ -185,6 +193,34 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             poison(this.transfer.as_flattened_mut(), a.as_flattened());
             poison(this.stiffness.as_flattened_mut(), a.as_flattened());
         }
+        this
+    }
+
+    /// The system of the active rows alone; multipliers of the others are zero.
+    pub(super) fn with_active<const DEFINITE: bool>(
+        mass: &[[R; N]; N],
+        a: &[[R; N]; C],
+        active: &[bool; C],
+    ) -> Self {
+        let mut rows = *a;
+        for (row, _) in rows.iter_mut().zip(active).filter(|(_, is_active)| !**is_active) {
+            *row = [R::zero(); N];
+        }
+        let full = symmetric(mass);
+        let mut split = Split { null: [[R::zero(); N]; N], inverse: [[R::zero(); C]; N] };
+        let scaled = Scaled::new(mass, &rows);
+        if let Some(independence) =
+            partition(&scaled, &mut split, |c| active.get(c).copied().unwrap_or(false))
+        {
+            let mut reduced = Reduced::new(&full, &split.null, independence.rank);
+            if reduced.factor::<DEFINITE>(independence.rank).is_ok() {
+                return Self::assemble(&split, &reduced, scaled.units, independence);
+            }
+        }
+        let mut this = Self::carefully::<DEFINITE>(mass, &rows);
+        this.independence.rows = active.iter().filter(|is_active| **is_active).count();
+        let is_zero = |row: &[R; N]| row.iter().all(|&x| x == R::zero());
+        this.vanishing = rows.iter().zip(active).position(|(row, &is_active)| is_active && is_zero(row));
         this
     }
 

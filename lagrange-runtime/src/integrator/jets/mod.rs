@@ -126,8 +126,41 @@ where
     }
 
     #[inline]
+    fn start(memory: &Self::Memory) -> &State<S::Scalar, N> {
+        &memory.start
+    }
+
+    #[inline]
     fn end(memory: &Self::Memory) -> &State<S::Scalar, N> {
         &memory.end
+    }
+
+    #[inline]
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &Held<S::Scalar, K>,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        if memory.tolerance != limits.relative {
+            (memory.tolerance, memory.orders) = (limits.relative, orders(limits.relative, ORDERS_PER_DIGIT));
+            memory.steepest = steepest(limits.relative, memory.orders);
+        }
+        step(memory, system, constants, control, limits, t, attempts).map_err(|cause| {
+            let at = memory.end;
+            let cause = match cause {
+                Cause::NotFinite => diagnose(system, constants, at.t, &at.q, &at.v),
+                cause => cause,
+            };
+            memory.next = num_traits::Zero::zero();
+            MotionError { cause, t: at.t }
+        })
     }
 
     #[inline]
@@ -164,23 +197,13 @@ where
     where
         S::Scalar: Ordered,
     {
-        if memory.tolerance != limits.relative {
-            (memory.tolerance, memory.orders) = (limits.relative, orders(limits.relative, ORDERS_PER_DIGIT));
-            memory.steepest = steepest(limits.relative, memory.orders);
-        }
         while !memory.covers(t) {
             if !memory.ahead(t) {
                 (memory.end, memory.end_residue) = (memory.start, memory.residue);
             }
-            if let Err(cause) = step(memory, system, constants, control, limits, t, attempts) {
-                let at = memory.end;
-                let cause = match cause {
-                    Cause::NotFinite => diagnose(system, constants, at.t, &at.q, &at.v),
-                    cause => cause,
-                };
-                memory.next = num_traits::Zero::zero();
-                return Err(MotionError { cause, t: at.t });
-            }
+            <Self as Adaptive<S, Held<S::Scalar, K>, N, K>>::step(
+                memory, system, constants, control, limits, t, attempts,
+            )?;
         }
         let mut state = memory.at(t);
         // The polynomial obeys constraints to the tolerance, the ends of its steps to rounding.

@@ -16,32 +16,38 @@ use super::vectors::{add_scaled, pick, put, scale, smallest};
 /// In a row of so many entries or fewer the largest is above [`CLEAR`], for their sum is one.
 pub(super) const WIDEST: usize = 128;
 
-/// Fills `split` from rows that are clearly independent, and says how much they are. `None`, with `split` in
+/// Fills `split` from the active rows that are clearly independent, and says how much they are. `None`, with `split` in
 /// disorder, if a pivot is a smaller part of its row than [`CLEAR`], in any lane, for the coordinates are
 /// common to all.
 #[inline(always)]
 pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     scaled: &Scaled<R, N, C>,
     split: &mut Split<R, N, C>,
+    is_active: impl Fn(usize) -> bool,
 ) -> Option<Independence<R>> {
-    if C > N {
+    let count = (0..C).filter(|&k| is_active(k)).count();
+    if count > N {
         return None;
     }
-    let mut independence = Independence::clear(C);
+    let mut independence = Independence::clear(count);
     let mut rows = scaled.rows;
     // The unit matrix with the operations on rows made so far. Not in place of columns of A, and not only up
     // to the diagonal: constant places and lengths are faster than half the work.
     let mut parts = [[R::zero(); C]; C];
     // The coordinate of each row, then those that stay free.
     let mut places: [usize; N] = core::array::from_fn(|i| i);
+    let mut rank = 0;
     for k in 0..C {
+        if !is_active(k) {
+            continue;
+        }
         parts[k][k] = scaled.factors[k];
         let lead = largest(&rows[k]);
         let pivot = pick(&rows[k], lead);
         if !(pivot.abs() - R::from_f64(CLEAR)).is_positive() {
             return None;
         }
-        if k > 0 {
+        if rank > 0 {
             independence.take(k, pivot.abs());
         }
         let inverse = pivot.recip();
@@ -56,22 +62,24 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
                 add_scaled(&mut parts[c], &part, l);
             }
         }
-        for i in k..N {
+        for i in rank..N {
             if places[i] == lead {
-                places[i] = places[k];
+                places[i] = places[rank];
             }
         }
-        places[k] = lead;
+        places[rank] = lead;
+        rank += 1;
     }
-    for k in 0..C {
-        let unit = pick(&scaled.units, places[k]);
-        put(&mut split.inverse, places[k], parts[k].map(|x| x * unit));
+    let leads = |k: usize| places[(0..k).filter(|&k| is_active(k)).count()];
+    for k in (0..C).filter(|&k| is_active(k)) {
+        let unit = pick(&scaled.units, leads(k));
+        put(&mut split.inverse, leads(k), parts[k].map(|x| x * unit));
     }
-    for f in C..N {
+    for f in rank..N {
         put(&mut split.null[f], places[f], pick(&scaled.units, places[f]));
-        for k in 0..C {
-            let entry = pick(&rows[k], places[f]) * pick(&scaled.units, places[k]);
-            put(&mut split.null[f], places[k], -entry);
+        for k in (0..C).filter(|&k| is_active(k)) {
+            let entry = pick(&rows[k], places[f]) * pick(&scaled.units, leads(k));
+            put(&mut split.null[f], leads(k), -entry);
         }
     }
     Some(independence)

@@ -1,0 +1,172 @@
+//! The saddle-point system with rows that can be switched off, and with friction that reactions drive.
+//!
+//! ```text
+//! M v − Bᵀ κ = r        B = A + D        D: what a reaction adds to the force of its row, as friction −μ n t
+//! A v        = y        of the active rows; κ = 0 of the others
+//! ```
+//!
+//! With the inverse of the symmetric system, v = P (r + Dᵀκ) + Y y and κ = −Yᵀ(r + Dᵀκ) + T y, so that
+//! (1 + Yᵀ Dᵀ) κ = −Yᵀ r + T y. Where that matrix is singular friction jams: no reaction, or any, keeps the
+//! contact closed (Painlevé).
+
+use super::vectors::{add_scaled, put};
+use super::{Defect, Saddle, SaddlePoint};
+use crate::linear::{Independence, Lu};
+use crate::real::Real;
+
+/// The inverse of a saddle-point system, rows of which are active or not.
+#[derive(Clone, Copy, Debug)]
+pub struct Switched<R, const N: usize, const C: usize> {
+    saddle: Saddle<R, N, C>,
+    /// P Dᵀ: what friction adds to v for each reaction.
+    driven: [[R; N]; C],
+    jam: Jam<R, C>,
+}
+
+/// 1 + Yᵀ Dᵀ.
+#[derive(Clone, Copy, Debug)]
+enum Jam<R, const C: usize> {
+    /// No reaction drives friction.
+    None,
+    Regular(Lu<R, C>),
+    Singular,
+}
+
+impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
+    /// Factors the system of a mass matrix that is positive definite on the null space of the active rows.
+    ///
+    /// Rows of `a` that are not active are not read.
+    #[must_use]
+    pub fn factor(mass: &[[R; N]; N], a: &[[R; N]; C], coupling: &[[R; N]; C], active: &[R; C]) -> Self {
+        Self::with::<true>(mass, a, coupling, active)
+    }
+
+    /// The same of a symmetric matrix of any signature.
+    #[must_use]
+    pub fn factor_indefinite(
+        mass: &[[R; N]; N],
+        a: &[[R; N]; C],
+        coupling: &[[R; N]; C],
+        active: &[R; C],
+    ) -> Self {
+        Self::with::<false>(mass, a, coupling, active)
+    }
+
+    fn with<const DEFINITE: bool>(
+        mass: &[[R; N]; N],
+        a: &[[R; N]; C],
+        coupling: &[[R; N]; C],
+        active: &[R; C],
+    ) -> Self {
+        let active = active.map(|x| x.is_positive());
+        let saddle = Saddle::with_active::<DEFINITE>(mass, a, &active);
+        let mut this = Self { saddle, driven: [[R::zero(); N]; C], jam: Jam::None };
+        let mut matrix = [[R::zero(); C]; C];
+        let mut is_coupled = false;
+        for (j, (row, &is_active)) in coupling.iter().zip(&active).enumerate() {
+            put(&mut matrix[j], j, R::one());
+            if !is_active || row.iter().all(|&x| x == R::zero()) {
+                continue;
+            }
+            is_coupled = true;
+            let (driven, reaction) = this.saddle.solve(row, &[R::zero(); C]);
+            this.driven[j] = driven;
+            for (entries, x) in matrix.iter_mut().zip(reaction) {
+                entries[j] -= x;
+            }
+        }
+        if is_coupled {
+            this.jam = Lu::factor(matrix).map_or(Jam::Singular, Jam::Regular);
+        }
+        this
+    }
+}
+
+impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Switched<R, N, C> {
+    #[inline]
+    fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
+        self.saddle.solve(r, y)
+    }
+
+    #[inline]
+    fn solve_motion(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
+        let (mut v, kappa) = self.saddle.solve(r, y);
+        match &self.jam {
+            Jam::None => (v, kappa),
+            Jam::Regular(lu) => {
+                let kappa = lu.solve(kappa);
+                for (driven, &x) in self.driven.iter().zip(&kappa) {
+                    add_scaled(&mut v, driven, x);
+                }
+                (v, kappa)
+            }
+            Jam::Singular => ([R::from_f64(f64::NAN); N], [R::from_f64(f64::NAN); C]),
+        }
+    }
+
+    #[inline]
+    fn independence(&self) -> Independence<R> {
+        self.saddle.independence()
+    }
+
+    fn defect(&self) -> Option<Defect> {
+        match self.jam {
+            Jam::Singular => Some(Defect::NotFinite),
+            _ => self.saddle.defect(),
+        }
+    }
+
+    #[inline]
+    fn vanishing(&self) -> Option<usize> {
+        self.saddle.vanishing()
+    }
+
+    #[inline]
+    fn units(&self) -> [R; N] {
+        self.saddle.units()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MASS: [[f64; 3]; 3] = [[2.0, 0.0, 0.0], [0.5, 1.0, 0.0], [0.0, 0.25, 3.0]];
+    const ROWS: [[f64; 3]; 2] = [[1.0, 0.5, 0.0], [0.0, 1.0, -1.0]];
+
+    #[test]
+    fn inactive_rows_have_no_say() {
+        let (r, y) = ([1.0, -2.0, 0.5], [0.25, 7.0]);
+        let one = Saddle::factor(&MASS, &[ROWS[0]]).solve(&r, &[y[0]]);
+        let two = Switched::factor(&MASS, &ROWS, &[[0.0; 3]; 2], &[1.0, 0.0]);
+        let (v, kappa) = two.solve_motion(&r, &y);
+        assert!(v.iter().zip(&one.0).all(|(a, b)| (a - b).abs() < 1e-14), "{v:?} {one:?}");
+        assert!((kappa[0] - one.1[0]).abs() < 1e-14);
+        assert_eq!(kappa[1], 0.0);
+        assert_eq!((two.independence().rows, two.independence().rank), (1, 1));
+        let none = Switched::factor(&MASS, &ROWS, &[[0.0; 3]; 2], &[0.0, 0.0]);
+        assert_eq!(none.solve_motion(&r, &y).1, [0.0; 2]);
+        assert_eq!(none.vanishing(), None);
+    }
+
+    #[test]
+    fn friction_follows_its_reaction() {
+        // A block of 2 kg on a floor, pushed by 1 N and its weight, slipping with μ = 0.3.
+        let mass = [[2.0, 0.0], [0.0, 2.0]];
+        let (normal, friction) = ([0.0, 1.0], [-0.3, 0.0]);
+        let switched = Switched::factor(&mass, &[normal, [1.0, 0.0]], &[friction, [0.0; 2]], &[1.0, 0.0]);
+        let (a, lambda) = switched.solve_motion(&[1.0, -20.0], &[0.0; 2]);
+        assert!((lambda[0] - 20.0).abs() < 1e-13 && (a[0] - (1.0 - 6.0) / 2.0).abs() < 1e-14, "{a:?}");
+        assert!(a[1].abs() < 1e-14);
+    }
+
+    #[test]
+    fn dependent_active_rows_are_no_defect() {
+        let rows = [ROWS[0], ROWS[0], ROWS[1]];
+        let switched = Switched::factor(&MASS, &rows, &[[0.0; 3]; 3], &[1.0, 1.0, 0.0]);
+        assert_eq!((switched.independence().rows, switched.independence().rank), (2, 1));
+        assert_eq!((switched.vanishing(), switched.defect()), (None, None));
+        let (v, kappa) = switched.solve_motion(&[1.0, 2.0, 3.0], &[0.0; 3]);
+        assert!((v[0] + 0.5 * v[1]).abs() < 1e-14 && (kappa[0] - kappa[1]).abs() < 1e-13, "{v:?} {kappa:?}");
+    }
+}

@@ -1,0 +1,104 @@
+//! Systems whose equations switch: kinks in a description, unilateral contacts, dry friction.
+//!
+//! In one *mode* the equations are smooth. A mode says which rows are constraints at present (a closed contact, a
+//! sticking friction), in which direction a friction slips, and on which side of each kink the motion is.
+//! Rows that are not active stay in the saddle-point system and have no say in it, so one piece of generated
+//! code serves all modes: code for each would be exponential.
+//!
+//! Brogliato, *Nonsmooth Mechanics*, 3rd ed.; Glocker, *Set-Valued Force Laws*; Acary and Brogliato,
+//! *Numerical Methods for Nonsmooth Dynamical Systems*.
+
+use crate::constraints::{Equations, Residuals};
+use crate::linear::Switched;
+use crate::real::Real;
+use crate::system::System;
+
+/// What a row of the constraint matrix stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Row {
+    /// A constraint that always holds.
+    Bilateral,
+    /// A gap f(q, t) ≥ 0 with a reaction λ ≥ 0.
+    Unilateral,
+    /// A slip velocity that is zero while the friction sticks, and its multiplier the friction force.
+    Friction {
+        /// The row whose reaction limits it; without one the limit is given.
+        normal: Option<usize>,
+        /// The other component of a slip in two directions. The first of the two carries the direction.
+        pair: Option<usize>,
+    },
+}
+
+/// A mode: one piece of the equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Regime<R, const C: usize, const W: usize> {
+    /// Which rows are constraints.
+    pub active: [bool; C],
+    /// The sign of the slip velocity of a friction that slips, zero of one that does not. Of a slip in two
+    /// directions, in the row of the first: one if it slips.
+    pub slip: [R; C],
+    /// The sign of a reaction that limits friction: one of a contact, either one of a bilateral constraint.
+    pub side: [R; C],
+    /// On which side of its kink each switching function is: one or minus one.
+    pub kinks: [R; W],
+}
+
+/// What decides about modes, at a state: the numbers of all rows, active or not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Laws<R, const C: usize, const W: usize> {
+    /// Gaps, rates and slip velocities, with the sizes of their summands.
+    pub rows: Residuals<R, C>,
+    /// Coefficients of restitution of unilateral rows.
+    pub restitution: [R; C],
+    /// Coefficients of friction while slipping, or the force itself \[N] where its size is given.
+    pub kinetic: [R; C],
+    /// The same while sticking: no less than the kinetic ones.
+    pub fixed: [R; C],
+    /// Switching functions of kinks.
+    pub kinks: [R; W],
+    /// Σ |summands| of these.
+    pub kink_sizes: [R; W],
+}
+
+/// A system whose equations switch, with `C` rows of constraints and `W` kinks.
+pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usize>: System<N, K> {
+    /// The equations in one mode.
+    type InRegime: System<N, K, Scalar = Self::Scalar> + Copy + core::fmt::Debug;
+
+    /// What the rows stand for, in the order of `NAMES.constraints`.
+    const ROWS: [Row; C];
+
+    /// The equations in a mode.
+    fn in_regime(&self, mode: &Regime<Self::Scalar, C, W>) -> Self::InRegime;
+
+    /// What decides about modes at a state.
+    fn laws_at(
+        &self,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+    ) -> Laws<Self::Scalar, C, W>;
+
+    /// The equations of a mode at a state, factored; `None` of a system without rows.
+    fn equations_in(
+        _in_regime: &Self::InRegime,
+        _t: Self::Scalar,
+        _q: &[Self::Scalar; N],
+        _v: &[Self::Scalar; N],
+        _u: &[Self::Scalar; K],
+    ) -> Option<Equations<Switched<Self::Scalar, N, C>, Self::Scalar, N, C>> {
+        None
+    }
+}
+
+impl<R: Real, const C: usize, const W: usize> Regime<R, C, W> {
+    /// All contacts open, nothing that sticks or slips; every switching function positive.
+    pub fn open(rows: &[Row; C]) -> Self {
+        Self {
+            active: rows.map(|row| row == Row::Bilateral),
+            slip: [R::zero(); C],
+            side: [R::one(); C],
+            kinks: [R::one(); W],
+        }
+    }
+}
