@@ -14,7 +14,7 @@ use crate::model::Model;
 use crate::schedule::{Operations, plan};
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
-use crate::{eliminate, jets, lower, mechanics, syntax};
+use crate::{eliminate, jets, lower, mechanics, regimes, syntax};
 
 /// Expands `#[lagrangian(args)] item`. Generated code names `default_crate` unless the user says
 /// `crate = path`. Where the description has mistakes, the expansion is all of their messages
@@ -66,6 +66,11 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         return None;
     }
     let jets = jets::derive(&mut model, &equations);
+    contacts_stand_alone(item, &model, diagnostics);
+    let switching = regimes::derive(&model, jets.is_some(), diagnostics);
+    if diagnostics.has_errors() {
+        return None;
+    }
     let emission = Emission {
         item,
         scalar: item.scalar.clone(),
@@ -74,8 +79,9 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         facts: &facts,
         solution: &solution,
         jets: jets.as_ref(),
+        method: None,
     };
-    Some(emit(emission, before, diagnostics))
+    Some(emit(emission, switching, before, diagnostics))
 }
 
 /// Reports functions of the user that are named like generated methods.
@@ -94,6 +100,20 @@ fn names_are_free(item: &Item, model: &Model, equations: &Equations, diagnostics
         if generated {
             diagnostics.at(function.origin, physics::name_of_generated(&function.name));
         }
+    }
+}
+
+/// Reports what contacts and dry friction do not go with.
+fn contacts_stand_alone(item: &Item, model: &Model, diagnostics: &mut Diagnostics) {
+    let Some(contact) = model.contacts.first() else { return };
+    let asked = [
+        ("jacobians", item.jacobians),
+        ("analysis", item.analysis),
+        ("verify", item.verify.is_some()),
+        ("baumgarte", item.baumgarte.is_some()),
+    ];
+    for (argument, _) in asked.into_iter().filter(|(_, asked)| *asked) {
+        diagnostics.at(contact.constraint.origin, physics::beside_contacts(argument));
     }
 }
 

@@ -8,7 +8,7 @@ use crate::diagnostics::Origin;
 use crate::expr::{Graph, NodeId};
 
 /// A lowered description.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Model {
     /// The graph that all nodes below belong to.
     pub graph: Graph,
@@ -41,6 +41,10 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Constraints, arrays flattened, in the order of declaration.
     pub constraints: Vec<Constraint>,
+    /// Gaps and slip velocities, in the order of declaration, gaps first: rows that are constraints at times.
+    pub contacts: Vec<Contact>,
+    /// Functions whose zeros are events.
+    pub events: Vec<Term>,
     /// Particles and bodies in the order of declaration, as places where constraint forces act; empty
     /// without holonomic constraints.
     pub places: Vec<Place>,
@@ -327,6 +331,36 @@ impl Constraint {
     pub fn label(&self) -> String {
         label(&self.name, self.index)
     }
+}
+
+/// A row that is a constraint at times.
+#[derive(Clone, Debug)]
+pub struct Contact {
+    /// The gap as a holonomic constraint, or the slip velocity as a nonholonomic one.
+    pub constraint: Constraint,
+    /// When it holds, and what it exerts when it does not.
+    pub law: Law,
+}
+
+/// The law of a row that is a constraint at times.
+#[derive(Clone, Debug)]
+pub enum Law {
+    /// The reaction only pushes.
+    Unilateral {
+        /// Newton's coefficient of restitution.
+        restitution: NodeId,
+    },
+    /// Dry friction.
+    Friction {
+        /// Coefficient while slipping, or the force itself.
+        kinetic: NodeId,
+        /// The same while sticking.
+        fixed: NodeId,
+        /// The row whose reaction limits it, among all constraints and then all contacts.
+        normal: Option<usize>,
+        /// The other component of a slip in two directions, likewise.
+        pair: Option<usize>,
+    },
 }
 
 /// A particle or a body as a place where forces act.

@@ -58,6 +58,7 @@ pub mod name;
 pub mod proved;
 pub mod reading;
 pub mod real;
+pub(crate) mod roots;
 pub mod simulation;
 pub mod smooth;
 mod solve;
@@ -150,7 +151,7 @@ pub mod __private {
         };
     }
     pub use crate::structure::{Cost, Costs, Structure};
-    pub use crate::switching::{Laws, Regime, Row, Switching};
+    pub use crate::switching::{self, Hybrid, Laws, Regime, Row, Switching};
     pub use crate::system::System;
     pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;

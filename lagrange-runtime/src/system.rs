@@ -73,6 +73,10 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Whether constraints restrict the states.
     const CONSTRAINED: bool = false;
 
+    /// Whether contacts or dry friction switch the equations: a motion then needs a method that sees that, and
+    /// accelerations alone do not tell how it goes on.
+    const SWITCHED: bool = false;
+
     /// Whether there are several constraints, which may come to depend on each other.
     const COUPLED: bool = false;
 

@@ -42,7 +42,7 @@ impl CartPole {
         Vector2::new(u.motor, 0.0)
     }
 
-    #[event]
+    #[evnt]
     fn rail(&self, q: &Coordinates) -> f64 {
         q.phi
     }

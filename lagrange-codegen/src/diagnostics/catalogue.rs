@@ -65,9 +65,18 @@ messages! {
 // Roles and their signatures.
 messages! {
     unknown_role(name, near) = "there is no role `{name}`; did you mean `{near}`?";
-    planned_role(name) = "the role `{name}` is not supported yet; remove the function or express it by the \
-        supported roles `point`, `body`, `kinetic`, `potential`, `lagrangian`, `dissipation`, `force`, \
-        `holonomic` and `nonholonomic`";
+    mixed_friction() = "a friction is limited by a reaction or by a given force; write `#[friction(coefficient = …, \
+        normal = …)]` with `static_coefficient` where it differs, or `#[friction(limit = …)]` with `static_limit`";
+    friction_without_normal() = "a coefficient of friction needs the constraint whose reaction it multiplies; add \
+        `normal = floor`, or give the force itself: `#[friction(limit = …)]`";
+    friction_on_unknown(name; near) = "`{name}` is no constraint with a reaction{near}; name a function with the role \
+        `unilateral` or `holonomic`";
+    friction_on_place(name, count) = "{count} act on `{name}`, and friction needs exactly one; name the constraint whose \
+        reaction limits it, or give the force itself as a function: `#[friction(limit = force)]`";
+    friction_count(name, have, want) = "`{name}` has {have}, and its normal has {want}; name one of these, or return as \
+        many slip velocities";
+    velocity_in_gap() = "a gap is a function of coordinates and time; its velocity follows from it and is not needed \
+        here";
     two_roles(first, second) = "this function has the role `{first}` already; write a function of its own \
         for `{second}`";
     missing_role_argument(role, argument) = "`#[{role}]` needs `{argument}`; write \

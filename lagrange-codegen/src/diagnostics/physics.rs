@@ -8,6 +8,14 @@ pub fn kinetic_not_quadratic(function: &str) -> String {
     )
 }
 
+/// Derivatives or analyses of a system with contacts.
+pub fn beside_contacts(argument: &str) -> String {
+    format!(
+        "`{argument}` needs equations without contacts and dry friction; leave it out here, and give a second type without \
+         the functions that are `unilateral` or `friction` what you want to analyse"
+    )
+}
+
 /// Which coordinates are meant where some are eliminated.
 fn left(eliminated: bool) -> &'static str {
     if eliminated { " that is not eliminated" } else { "" }

@@ -6,7 +6,7 @@
 //! every quantity. By d'Alembert's principle, δe = Σ ∂φ/∂qᵢ δqᵢ, a generalized force on e acts on the others
 //! with the weights ∂φ/∂qᵢ; all other forces follow from what is substituted.
 
-mod quantities;
+pub(crate) mod quantities;
 
 use crate::calculus::{pullback, pushforward, sizes, substitute};
 use crate::diagnostics::{Diagnostics, Origin, physics};

@@ -2,10 +2,10 @@
 
 use crate::calculus::substitute;
 use crate::expr::{Node, NodeId};
-use crate::model::{Action, Attitude, Model, Rotation, RotationForm};
+use crate::model::{Action, Attitude, Contact, Model, Rotation, RotationForm};
 
 /// Replaces nodes in all quantities of a model. Names and places in the source go with what they belong to.
-pub(super) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
+pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
     let mut roots = Vec::new();
     visit(model, &mut |node| roots.push(*node));
     let cone = model.graph.cone(roots);
@@ -49,6 +49,8 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         dissipation,
         forces,
         constraints,
+        contacts,
+        events,
         places,
         eliminations: _,
         eliminated: _,
@@ -71,7 +73,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
             Attitude::Spatial { rotation: turn, inertia: _ } => rotation(turn, each),
         }
     }
-    for term in [kinetic, potential, lagrangian, dissipation].into_iter().flatten() {
+    for term in [kinetic, potential, lagrangian, dissipation, events].into_iter().flatten() {
         each(&mut term.value);
     }
     for force in forces {
@@ -89,6 +91,9 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
                 torque.iter_mut().for_each(&mut *each);
             }
         }
+    }
+    for Contact { constraint, law: _ } in contacts {
+        each(&mut constraint.value);
     }
     for constraint in constraints {
         each(&mut constraint.value);

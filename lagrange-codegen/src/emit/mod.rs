@@ -6,6 +6,7 @@ mod body;
 mod constraints;
 mod docs;
 mod eliminated;
+mod events;
 mod equations;
 mod gather;
 mod jets;
@@ -18,6 +19,7 @@ mod parts;
 mod proofs;
 mod readings;
 mod records;
+mod regimes;
 mod scalar;
 mod stubs;
 mod system;
@@ -30,6 +32,7 @@ use crate::diagnostics::Diagnostics;
 use crate::jets::Jets;
 use crate::mechanics::Equations;
 use crate::model::Model;
+use crate::regimes::Regimes;
 use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
 use crate::syntax::{Item, Scalar};
@@ -51,11 +54,19 @@ pub(crate) struct Emission<'a> {
     pub solution: &'a Solution,
     /// The recurrences of a smooth system.
     pub jets: Option<&'a Jets>,
+    /// The integrator, where it is another one than that of a smooth system or of one that is not.
+    pub method: Option<String>,
 }
 
 impl Emission<'_> {
     fn count(&self) -> usize {
         self.model.coordinates.len()
+    }
+
+    /// The integrator of the system.
+    fn method(&self) -> String {
+        let usual = if self.jets.is_some() { "lagrange::Jets" } else { "lagrange::Dop853" };
+        self.method.clone().unwrap_or_else(|| usual.to_owned())
     }
 
     fn state_type(&self) -> String {
@@ -72,8 +83,15 @@ impl Emission<'_> {
 }
 
 /// The whole expansion.
-pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: &Diagnostics) -> TokenStream {
+pub(crate) fn emit(
+    mut emission: Emission<'_>,
+    mut switching: Option<Regimes>,
+    before: Operations,
+    diagnostics: &Diagnostics,
+) -> TokenStream {
     emission.model.locals = names::locals(emission.model);
+    emission.method = switching.as_ref().map(regimes::method);
+    let has_contacts = switching.as_ref().is_some_and(Regimes::has_contacts);
     let (system, surface, after) = match emission.solution.saddle {
         Some(method) => {
             let (system, surface, after) = constraints::system(&mut emission, method);
@@ -84,12 +102,23 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             (system, None, after)
         }
     };
+    let system = match &switching {
+        Some(switching) if has_contacts => regimes::system(&emission, switching),
+        _ => system,
+    };
     let system = system + &readings::implementation(&mut emission);
     let (mut methods, sides) = methods::methods(&mut emission);
     if surface.is_some() {
-        methods.push_str(&constraints::methods(&mut emission));
+        methods.push_str(&match has_contacts {
+            // Of what else there is contacts have a say.
+            true => constraints::consistent(&emission),
+            false => constraints::methods(&mut emission),
+        });
     }
-    let report = report(&emission, before, after);
+    let events = events::events(&emission);
+    methods.push_str(&events.methods);
+    let regimes = switching.as_mut().map(|switching| regimes::regimes(&emission, switching));
+    let report = report(&emission, switching.as_ref(), before, after);
     let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
     let linearization = linearization::linearization(&mut emission);
     let over = emission.item.jacobians.then(|| over::over(&mut emission));
@@ -116,10 +145,20 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
     let (impl_generics, _, where_clause) = generics.split_for_impl();
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let records = records::records(emission.item);
-    let proofs = proofs::proofs(emission.item, &proofs::proved(emission.facts), count, inputs);
+    let proved = if has_contacts { Vec::new() } else { proofs::proved(emission.facts) };
+    let proofs = proofs::proofs(emission.item, &proved, count, inputs);
     let surface = surface.map(|items| {
         let (items, held) = (parameters.parse(&items), emission.equations.conditions.count());
-        let constrained = parameters.parse(&constraints::implementations(&emission));
+        let constrained = (!has_contacts).then(|| {
+            let items = parameters.parse(&constraints::implementations(&emission));
+            quote! {
+                #[automatically_derived]
+                #[allow(clippy::all)]
+                impl #impl_generics lagrange::Constrained<#count, #inputs> for #self_ty #where_clause {
+                    #items
+                }
+            }
+        });
         quote! {
             #[automatically_derived]
             #[allow(clippy::all)]
@@ -127,16 +166,35 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
                 #items
             }
 
-            #[automatically_derived]
-            #[allow(clippy::all)]
-            impl #impl_generics lagrange::Constrained<#count, #inputs> for #self_ty #where_clause {
-                #constrained
-            }
+            #constrained
         }
     });
-    let reactions = surface
-        .is_some()
-        .then(|| constraints::record(emission.item, &constraints::held(&emission.model.constraints)));
+    let rows = switching.as_ref().map_or(&emission.model.constraints, |switching| &switching.rows.constraints);
+    let reactions = (!rows.is_empty()).then(|| constraints::record(emission.item, &constraints::held(rows)));
+    let regimes = regimes.map(|regimes::Items { companion, switching, constrained, rows, kinks }| {
+        let switching = parameters.parse(&switching);
+        let constrained = constrained.map(|items| {
+            let items = parameters.parse(&items);
+            quote! {
+                #[automatically_derived]
+                #[allow(clippy::all)]
+                impl #impl_generics lagrange::Constrained<#count, #inputs> for #self_ty #where_clause {
+                    #items
+                }
+            }
+        });
+        quote! {
+            #companion
+
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Switching<#count, #inputs, #rows, #kinks> for #self_ty #where_clause {
+                #switching
+            }
+
+            #constrained
+        }
+    });
     let linearization = linearization.map(|[linearized, tangent, sensitive]| {
         let held = emission.equations.conditions.count();
         let by = emission.model.sensitivities.len();
@@ -182,7 +240,8 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             }
         }
     });
-    let smooth = smooth.map(|items| {
+    let events::Items { named: named_events, guards, .. } = events;
+    let smooth = smooth.filter(|_| !has_contacts).map(|items| {
         quote! {
             #[automatically_derived]
             #[allow(clippy::all)]
@@ -195,6 +254,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
         #cleaned
         #records
         #reactions
+        #named_events
         const _: () = {
             use #crate_path::__private as lagrange;
 
@@ -220,6 +280,8 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
             #smooth
             #linearization
             #over
+            #regimes
+            #guards
             #certificate
         };
         #test
@@ -227,8 +289,7 @@ pub(crate) fn emit(mut emission: Emission<'_>, before: Operations, diagnostics: 
 }
 
 /// The constant `NAMES` as text.
-fn names_of_parts(emission: &Emission<'_>) -> String {
-    let model = &emission.model;
+fn names_of_parts(model: &Model) -> String {
     let coordinates: Vec<String> = model.coordinates.iter().map(|quantity| quantity.written()).collect();
     let constraints: Vec<String> = model.constraints.iter().map(|constraint| constraint.written()).collect();
     format!(
@@ -237,16 +298,31 @@ fn names_of_parts(emission: &Emission<'_>) -> String {
 }
 
 /// The constants `COST` and `STRUCTURE`.
-fn report(emission: &Emission<'_>, before: Operations, after: Operations) -> TokenStream {
+fn report(
+    emission: &Emission<'_>,
+    switching: Option<&Regimes>,
+    before: Operations,
+    after: Operations,
+) -> TokenStream {
     let cost = |operations: Operations| {
         let Operations { additions, multiplications, divisions, square_roots, functions } = operations;
         quote!(lagrange::Cost::new(#additions, #multiplications, #divisions, #square_roots, #functions))
     };
     let (before, after) = (cost(before), cost(after));
-    let mass_matrix = emission.solution.describe(emission.facts);
-    let mut facts = emission.facts.found(emission.model);
-    let mut skipped = emission.facts.skipped(emission.model);
-    match emission.jets {
+    let mass_matrix = match switching.filter(|switching| switching.has_contacts()) {
+        Some(switching) => switching.solution.describe(&switching.facts),
+        None => emission.solution.describe(emission.facts),
+    };
+    let has_contacts = switching.is_some_and(Regimes::has_contacts);
+    let (mut facts, mut skipped) = (emission.facts.found(emission.model), emission.facts.skipped(emission.model));
+    if has_contacts {
+        // Contacts take energy and momenta, and their reactions depend on everything.
+        let held = Facts { separable: false, conservative: false, cyclic: Vec::new(), ..emission.facts.clone() };
+        (facts, skipped) = (held.found(emission.model), held.skipped(emission.model));
+        let needed = ["constraints", "dissipation", "the solution of a linear system"];
+        skipped.retain(|line| !needed.iter().any(|start| line.starts_with(start)));
+    }
+    match emission.jets.filter(|_| !has_contacts) {
         Some(jets) => {
             facts.push(jets.describe());
             if jets.is_momentum_linear() {
@@ -254,15 +330,17 @@ fn report(emission: &Emission<'_>, before: Operations, after: Operations) -> Tok
                 skipped.push(line.to_owned());
             }
         }
+        None if switching.is_some() => {}
         None => {
             facts.push("not smooth: a function has a kink or a jump, so there is no Taylor series".to_owned())
         }
     }
+    facts.extend(switching.into_iter().flat_map(regimes::facts));
     let coordinates: Vec<String> =
         emission.model.coordinates.iter().map(|quantity| quantity.written()).collect();
     let count = coordinates.len();
-    let constraints: Vec<String> =
-        emission.model.constraints.iter().map(|constraint| constraint.written()).collect();
+    let rows = switching.map_or(&emission.model.constraints, |switching| &switching.rows.constraints);
+    let constraints: Vec<String> = rows.iter().map(|constraint| constraint.written()).collect();
     let constraints = (!constraints.is_empty()).then(|| {
         let count = constraints.len();
         quote! {

@@ -35,11 +35,24 @@ pub(super) fn over(emission: &mut Emission<'_>) -> TokenStream {
         Scalar::Generic(ident) => ident.clone(),
         Scalar::F64 | Scalar::F32 => format_ident!("R"),
     };
-    emission.scalar = Scalar::Generic(scalar.clone());
+    emission.scalar = Scalar::Generic(scalar);
+    let method = emission.method.take();
+    let items = numbers(emission, NAME, constraints::implementations);
+    (emission.scalar, emission.method) = (own, method);
+    items
+}
+
+/// A struct of numbers for all parameters, with the implementations of the system. `constrained` gives the
+/// items of `Constrained`, none if that is not implemented.
+pub(super) fn numbers(
+    emission: &mut Emission<'_>,
+    name: &str,
+    constrained: impl Fn(&Emission<'_>) -> String,
+) -> TokenStream {
     let (system, surface) = match emission.solution.saddle {
         Some(method) => {
             let (system, surface, _) = constraints::system(emission, method);
-            (system, Some((surface, constraints::implementations(emission))))
+            (system, Some((surface, constrained(emission))))
         }
         None => (system::system(emission).0, None),
     };
@@ -48,13 +61,17 @@ pub(super) fn over(emission: &mut Emission<'_>) -> TokenStream {
     if system.contains("self.mass_matrix(") {
         methods.push_str(&methods::mass_matrix(emission));
     }
-    emission.scalar = own;
 
     let kept = Parameters::kept(emission.model);
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let (held, parameters) = (emission.equations.conditions.count(), emission.model.parameters.len());
-    let name = format_ident!("{NAME}");
-    let (generics, itself) = (quote!(<#scalar: lagrange::Real>), quote!(#name<#scalar>));
+    let name = format_ident!("{name}");
+    let (generics, short, scalar) = match &emission.scalar {
+        Scalar::Generic(scalar) => (quote!(<#scalar: lagrange::Real>), quote!(<#scalar>), scalar.clone()),
+        Scalar::F64 => (quote!(), quote!(), format_ident!("f64")),
+        Scalar::F32 => (quote!(), quote!(), format_ident!("f32")),
+    };
+    let itself = quote!(#name #short);
     let implementation = |name: TokenStream, items: &str| {
         let items = kept.parse(items);
         quote! {
@@ -69,7 +86,8 @@ pub(super) fn over(emission: &mut Emission<'_>) -> TokenStream {
     let system = implementation(quote!(lagrange::System<#count, #inputs> for), &system);
     let surface = surface.map(|(surface, constrained)| {
         let surface = implementation(quote!(lagrange::Surface<#count, #inputs, #held> for), &surface);
-        let constrained = implementation(quote!(lagrange::Constrained<#count, #inputs> for), &constrained);
+        let constrained = (!constrained.is_empty())
+            .then(|| implementation(quote!(lagrange::Constrained<#count, #inputs> for), &constrained));
         quote!(#surface #constrained)
     });
     let smooth = smooth.map(|items| implementation(quote!(lagrange::Smooth<#count, #inputs> for), &items));
@@ -80,7 +98,7 @@ pub(super) fn over(emission: &mut Emission<'_>) -> TokenStream {
     quote! {
         #[doc(hidden)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
-        pub struct #name<#scalar> {
+        pub struct #name #short {
             parameters: [#scalar; #parameters],
         }
 

@@ -91,6 +91,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             }
         }
     });
+    let (named_events, guards) = super::events::stubs(item, count);
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let mut methods = methods(item, &quote!(#scalar), count, inputs);
     methods.extend(constraint_methods(item, &held, &quote!(#scalar), count, inputs));
@@ -99,6 +100,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     Some(quote! {
         #records
         #reactions
+        #named_events
         const _: () = {
             use #crate_path::__private as lagrange;
 
@@ -130,6 +132,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             }
 
             #proofs
+            #guards
             #constrained
             #linearization
             #over

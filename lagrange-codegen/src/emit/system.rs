@@ -51,10 +51,10 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
             named(body, "v"),
         )
     };
-    let method = if emission.jets.is_some() { "Jets" } else { "Dop853" };
-    let names = super::names_of_parts(emission);
+    let method = emission.method();
+    let names = super::names_of_parts(emission.model);
     let mut text = format!(
-        "type Scalar = {scalar};\ntype Method = lagrange::{method};\ntype Constants = {};\n\
+        "type Scalar = {scalar};\ntype Method = {method};\ntype Constants = {};\n\
          {names}\
          #[inline]\nfn constants(&self) -> Self::Constants {{\n{}\n}}\n\
          #[inline]\nfn accelerations_at({}, {}: &{inputs}) -> {vector} {{\n{accelerations}\n}}\n",

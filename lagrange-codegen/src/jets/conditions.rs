@@ -27,7 +27,8 @@ impl Restrictions {
             gradients: conditions.jacobian.clone(),
             reactions: conditions.reactions.clone(),
         };
-        if conditions.relaxation.is_some() {
+        // Friction belongs to the multipliers of the rows as they are.
+        if conditions.relaxation.is_some() || conditions.switched.is_some() {
             return plain;
         }
         let rates: Vec<NodeId> = plain.rates.iter().map(|&rate| numerator(graph, rate)).collect();

@@ -200,6 +200,9 @@ impl<'a> Interpreter<'a> {
             Some(RoleKind::Point { .. } | RoleKind::Body { .. }) => "a position",
             Some(RoleKind::Dissipation) => "a dissipation function",
             Some(RoleKind::Holonomic { .. } | RoleKind::Nonholonomic { .. }) => "a constraint",
+            Some(RoleKind::Unilateral { .. }) => "a gap",
+            Some(RoleKind::Friction(_)) => "a slip velocity",
+            Some(RoleKind::Event) => "an event function",
             Some(RoleKind::Kinetic | RoleKind::Potential | RoleKind::Lagrangian) | None => "a Lagrangian",
         }
     }

@@ -11,6 +11,7 @@ mod call;
 mod compare;
 mod constraint;
 mod construct;
+mod contact;
 mod control;
 mod force;
 mod hint;

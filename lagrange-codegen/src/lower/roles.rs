@@ -42,7 +42,9 @@ impl<'a> Interpreter<'a> {
                 RoleKind::Nonholonomic { chetaev } => {
                     self.constraint(index, ConstraintKind::Nonholonomic { chetaev: *chetaev }, None);
                 }
-                RoleKind::Force(_) => {}
+                RoleKind::Unilateral { restitution } => self.gap(index, restitution.as_ref()),
+                RoleKind::Event => self.energy(index, |model| &mut model.events),
+                RoleKind::Force(_) | RoleKind::Friction(_) => {}
             }
         }
         for (index, function) in item.functions.iter().enumerate() {
@@ -51,6 +53,11 @@ impl<'a> Interpreter<'a> {
             }
         }
         self.places();
+        for (index, function) in item.functions.iter().enumerate() {
+            if let Some(RoleKind::Friction(friction)) = function.role.as_ref().map(|role| &role.kind) {
+                self.friction(index, friction);
+            }
+        }
         if let Some(rate) = &item.baumgarte {
             self.baumgarte(rate);
         }
@@ -250,7 +257,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// One value for all, or one for each.
-    fn distributed(
+    pub fn distributed(
         &mut self,
         expr: &'a Expr,
         value: Value,

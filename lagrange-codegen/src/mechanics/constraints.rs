@@ -41,6 +41,17 @@ pub struct Conditions {
     pub on_places: Vec<Vec<Vec<NodeId>>>,
     /// dw/dt, where stabilised by Baumgarte's method; elsewhere it is zero.
     pub relaxation: Option<Vec<NodeId>>,
+    /// Of rows that are constraints at times.
+    pub switched: Option<Switched>,
+}
+
+/// Rows that are constraints at times, with the friction that reactions drive.
+#[derive(Clone, Debug)]
+pub struct Switched {
+    /// What the reaction of each row exerts beside its own direction, by coordinate.
+    pub coupling: Vec<Vec<NodeId>>,
+    /// One for a row that holds, else zero.
+    pub active: Vec<NodeId>,
 }
 
 impl Conditions {
@@ -119,6 +130,7 @@ impl Conditions {
             losses,
             on_places,
             relaxation,
+            switched: None,
         }
     }
 

@@ -16,7 +16,7 @@ mod motion;
 mod places;
 mod validate;
 
-pub use constraints::Conditions;
+pub use constraints::{Conditions, Switched};
 pub use linearization::{Linearization, Sensitivities};
 
 use crate::diagnostics::Diagnostics;

@@ -61,6 +61,11 @@ pub enum Saddle {
         /// Whether the mass matrix has no negative direction.
         definite: bool,
     },
+    /// The same with rows that hold at times.
+    Switched {
+        /// Whether the mass matrix has no negative direction.
+        definite: bool,
+    },
 }
 
 /// The solution of M a = f, or with constraints of M a − Aᵀλ = f and A a = γ.
@@ -165,7 +170,7 @@ impl Solution {
                 Saddle::Diagonal => {
                     format!("{kind}, eliminated from the saddle-point system of the constraints")
                 }
-                Saddle::Whole { .. } => {
+                Saddle::Whole { .. } | Saddle::Switched { .. } => {
                     format!("{kind}, solved with the constraints in the null space of their gradients")
                 }
             };
@@ -194,6 +199,9 @@ impl Solution {
 /// coordinates the accelerations would be differences of large forces, so that rest were noise; without a
 /// null space they are exact.
 fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
+    if equations.conditions.switched.is_some() {
+        return Saddle::Switched { definite: equations.definite };
+    }
     let full = || equations.mass.iter().enumerate().all(|(i, row)| !graph.is_zero(row[i]));
     let open = equations.conditions.count() < equations.mass.len();
     match facts.diagonal_mass && open && full() {

@@ -74,6 +74,13 @@ impl Item {
         matches!(kind, Some(RoleKind::Holonomic { eliminate: None } | RoleKind::Nonholonomic { .. }))
     }
 
+    /// Whether a function has a multiplier at times at least.
+    pub fn has_multiplier(&self, function: &Function) -> bool {
+        let kind = function.role.as_ref().map(|role| &role.kind);
+        self.is_kept_constraint(function)
+            || matches!(kind, Some(RoleKind::Unilateral { .. } | RoleKind::Friction(_)))
+    }
+
     /// The number of components of what a function returns, if that is an array or a vector.
     pub fn components(&self, function: &Function) -> Option<usize> {
         match function.output.as_ref().map(|ty| &ty.kind) {
@@ -253,6 +260,26 @@ pub enum RoleKind {
         /// `#[nonholonomic(chetaev)]`: it need not be affine in the velocities.
         chetaev: bool,
     },
+    /// `#[unilateral(restitution = …)]`.
+    Unilateral {
+        /// Newton's coefficient; without one an impact is plastic.
+        restitution: Option<Expr>,
+    },
+    /// `#[friction(coefficient = …, normal = …)]` or `#[friction(limit = …)]`.
+    Friction(Friction),
+    /// `#[event]`.
+    Event,
+}
+
+/// What limits a friction.
+#[derive(Clone, Debug)]
+pub struct Friction {
+    /// The coefficient, or the force where its size is given.
+    pub kinetic: Expr,
+    /// The same while it sticks, where that differs.
+    pub fixed: Option<Expr>,
+    /// The constraint whose reaction limits it.
+    pub normal: Option<(Word, Option<Expr>)>,
 }
 
 /// The coordinates that a constraint is solved for.

@@ -7,14 +7,14 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, Ident, Meta, Token};
 
 use super::body::{ExprKind, Owner, Word};
-use super::item::{Eliminate, Role, RoleKind, Target};
+use super::item::{Eliminate, Friction, Role, RoleKind, Target};
 use super::place;
 use super::suggest::nearest;
 use super::translate::{Translator, bare};
 use crate::diagnostics::catalogue;
 
 /// Roles of the language.
-const SUPPORTED: [&str; 9] = [
+const SUPPORTED: [&str; 12] = [
     "point",
     "body",
     "kinetic",
@@ -24,10 +24,10 @@ const SUPPORTED: [&str; 9] = [
     "force",
     "holonomic",
     "nonholonomic",
+    "unilateral",
+    "friction",
+    "event",
 ];
-
-/// Roles that are refused until they are honoured.
-const PLANNED: [&str; 3] = ["friction", "unilateral", "event"];
 
 /// Arguments of roles that may stand without a value.
 const FLAGS: [&str; 2] = ["eliminate", "chetaev"];
@@ -63,16 +63,15 @@ fn name(attribute: &Attribute) -> Option<String> {
 }
 
 fn known(name: &str) -> bool {
-    SUPPORTED.contains(&name) || PLANNED.contains(&name)
+    SUPPORTED.contains(&name)
 }
 
 fn misspelt(name: &str) -> Option<&'static str> {
     if FOREIGN.contains(&name) {
         return None;
     }
-    nearest(&name.to_lowercase(), SUPPORTED.into_iter().chain(PLANNED)).or_else(|| {
-        SUPPORTED.into_iter().chain(PLANNED).find(|role| *role == name.to_lowercase() && *role != name)
-    })
+    nearest(&name.to_lowercase(), SUPPORTED)
+        .or_else(|| SUPPORTED.into_iter().find(|role| *role == name.to_lowercase() && *role != name))
 }
 
 /// Whether the arguments of an attribute contain the name of a role.
@@ -111,10 +110,6 @@ pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> Option<Ro
             }
             continue;
         }
-        if PLANNED.contains(&name.as_str()) {
-            translator.diagnostics.error(span, catalogue::planned_role(&name));
-            continue;
-        }
         if let Some((_, first)) = &role {
             translator.diagnostics.error(span, catalogue::two_roles(first, &name));
             continue;
@@ -138,6 +133,8 @@ fn kind(
         "force" => &["at", "on"],
         "holonomic" => &["eliminate"],
         "nonholonomic" => &["chetaev"],
+        "unilateral" => &["restitution"],
+        "friction" => &["coefficient", "static_coefficient", "limit", "static_limit", "normal"],
         _ => &[],
     };
     let given = arguments(name, attribute, accepted, translator)?;
@@ -175,6 +172,34 @@ fn kind(
             Some(RoleKind::Holonomic { eliminate: Some(Eliminate { coordinate, origin }) })
         }
         "nonholonomic" => Some(RoleKind::Nonholonomic { chetaev: find("chetaev").is_some() }),
+        "unilateral" => {
+            let restitution = take("restitution").map(|expr| translator.expression(expr));
+            Some(RoleKind::Unilateral { restitution })
+        }
+        "friction" => {
+            let (size, fixed) = match (find("limit"), find("normal")) {
+                (None, _) => ("coefficient", "static_coefficient"),
+                (Some(_), _) => ("limit", "static_limit"),
+            };
+            let allowed = |key: &str| key == size || key == fixed || (key == "normal" && size != "limit");
+            if let Some(other) = given.iter().find(|given| !allowed(&given.key.to_string())) {
+                translator.diagnostics.error(other.key.span(), catalogue::mixed_friction());
+                return None;
+            }
+            let kinetic = required(size, translator);
+            let fixed = take(fixed).map(|expr| translator.expression(expr));
+            let normal = match take("normal") {
+                Some(normal) => Some(target(normal, "normal", translator)?),
+                None if size == "limit" || kinetic.is_none() => None,
+                None => {
+                    let span = place::span(attribute.path());
+                    translator.diagnostics.error(span, catalogue::friction_without_normal());
+                    return None;
+                }
+            };
+            Some(RoleKind::Friction(Friction { kinetic: kinetic?, fixed, normal }))
+        }
+        "event" => Some(RoleKind::Event),
         _ => match (take("at"), take("on")) {
             (Some(_), Some(on)) => {
                 translator.diagnostics.error(place::expression(on), catalogue::force_at_and_on());

@@ -151,7 +151,13 @@ fn near_record(name: &str) -> Option<&'static str> {
 pub fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
     match (role, argument) {
         (RoleKind::Force(_), _) => None,
-        (RoleKind::Nonholonomic { .. }, Argument::Record(Record::Velocities)) => None,
+        (
+            RoleKind::Nonholonomic { .. } | RoleKind::Friction(_) | RoleKind::Event,
+            Argument::Record(Record::Velocities),
+        ) => None,
+        (RoleKind::Unilateral { .. }, Argument::Record(Record::Velocities)) => {
+            Some(catalogue::velocity_in_gap())
+        }
         (RoleKind::Holonomic { .. }, Argument::Record(Record::Velocities)) => {
             Some(catalogue::velocity_in_holonomic())
         }
@@ -170,7 +176,10 @@ pub fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
             | RoleKind::Point { .. }
             | RoleKind::Body { .. }
             | RoleKind::Holonomic { .. }
-            | RoleKind::Nonholonomic { .. },
+            | RoleKind::Nonholonomic { .. }
+            | RoleKind::Unilateral { .. }
+            | RoleKind::Friction(_)
+            | RoleKind::Event,
             Argument::Record(Record::Inputs),
         ) => Some(catalogue::input_outside_force()),
     }
@@ -188,6 +197,9 @@ pub fn returns(role: &RoleKind) -> &'static str {
         RoleKind::Holonomic { .. } | RoleKind::Nonholonomic { .. } => {
             "what is to stay zero, a scalar or an array of scalars"
         }
+        RoleKind::Unilateral { .. } => "a gap, a scalar or an array of scalars",
+        RoleKind::Friction(_) => "a slip velocity: a scalar, a `Vector2`, or an array of scalars",
+        RoleKind::Event => "a scalar whose zeros are the events",
     }
 }
 

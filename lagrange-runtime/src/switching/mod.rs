@@ -92,6 +92,12 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
 }
 
 impl<R: Real, const C: usize, const W: usize> Regime<R, C, W> {
+    /// One for a row that holds, else zero.
+    #[inline]
+    pub fn activity(&self, row: usize) -> R {
+        if self.active.get(row).copied().unwrap_or(false) { R::one() } else { R::zero() }
+    }
+
     /// All contacts open, nothing that sticks or slips; every switching function positive.
     pub fn open(rows: &[Row; C]) -> Self {
         Self {

@@ -79,18 +79,28 @@ pub(in crate::emit) fn methods(emission: &mut Emission<'_>) -> String {
     }
     text.push_str(&super::places::methods(emission, &balance, &parameter));
     text.push_str(&residuals(emission));
-    text.push_str(&method(
+    text.push_str(&consistent(emission));
+    text
+}
+
+/// The method that finds states on the constraints.
+pub(in crate::emit) fn consistent(emission: &Emission<'_>) -> String {
+    let held = emission.equations.conditions.count();
+    let (count, given) = (emission.count(), emission.model.inputs.len());
+    let (state, scalar) = (emission.state_type(), &emission.scalar);
+    method(
         "The nearest state on the constraints in the metric of the mass matrix: coordinates, then velocities.\n\n\
          # Errors\n\nConstraints that contradict each other, that have no gradient, or that Newton's method cannot satisfy \
          from here: the constraint, and how far off it is.",
-        &format!("consistent(&self, state: {state}) -> {}", result(&state)),
+        &format!(
+            "consistent(&self, state: {state}) -> ::core::result::Result<{state}, lagrange::MotionError<{scalar}>>"
+        ),
         &format!(
             "lagrange::reading::checked::<Self, {count}, {given}>(self, &state, &[{}; {given}])?;\n\
              lagrange::constraints::consistent::<Self, {count}, {given}, {held}>(self, state)",
             number::zero(&emission.item.scalar)
         ),
-    ));
-    text
+    )
 }
 
 /// Statements that bind `balance`, the accelerations and multipliers at `state`, or return an error.

@@ -14,7 +14,7 @@ mod record;
 mod surface;
 
 pub(crate) use methods::METHODS;
-pub(super) use methods::{balance_at, methods, of_balance};
+pub(super) use methods::{balance_at, consistent, methods, of_balance};
 pub(in crate::emit) use places::PREFIX;
 pub(crate) use places::is_generated as is_force_on_place;
 pub(super) use record::{Held, declared, held, record, record_ident};
@@ -41,20 +41,42 @@ pub(super) fn saddle_type(method: Saddle, scalar: &Scalar, count: usize, constra
     let name = match method {
         Saddle::Diagonal => "Diagonal",
         Saddle::Whole { .. } => "Saddle",
+        Saddle::Switched { .. } => "Switched",
     };
     format!("lagrange::saddle::{name}<{scalar}, {count}, {constraints}>")
 }
 
+/// The constructor of a factorisation.
+pub(super) fn constructor(method: Saddle) -> &'static str {
+    match method {
+        Saddle::Whole { definite: false } | Saddle::Switched { definite: false } => "factor_indefinite",
+        Saddle::Diagonal | Saddle::Whole { .. } | Saddle::Switched { .. } => "factor",
+    }
+}
+
+/// What a factorisation needs of rows that hold at times: their coupling, then whether they hold.
+pub(super) fn switches(conditions: &crate::mechanics::Conditions) -> Vec<crate::expr::NodeId> {
+    let switched = conditions.switched.iter();
+    switched.flat_map(|switched| switched.coupling.iter().flatten().chain(&switched.active)).copied().collect()
+}
+
+/// Statements that fill `coupling` and `active` from the values of [`switches`].
+pub(super) fn filled_switches(scalar: &Scalar, count: usize, held: usize, values: &[String]) -> String {
+    if values.is_empty() {
+        return String::new();
+    }
+    let (coupling, active) = values.split_at(count * held);
+    let coupling: Vec<Vec<String>> = coupling.chunks(count).map(<[String]>::to_vec).collect();
+    format!("{}let active = [{}];\n", rows(scalar, "coupling", count, &coupling), active.join(", "))
+}
+
 /// The expression that factors `mass` and `gradients`.
 pub(super) fn factored(method: Saddle, scalar: &Scalar, count: usize, constraints: usize) -> String {
-    let name = match method {
-        Saddle::Diagonal => "Diagonal",
-        Saddle::Whole { .. } => "Saddle",
+    let (name, arguments) = match method {
+        Saddle::Diagonal => ("Diagonal", "mass, &gradients"),
+        Saddle::Whole { .. } => ("Saddle", "&mass, &gradients"),
+        Saddle::Switched { .. } => ("Switched", "&mass, &gradients, &coupling, &active"),
     };
-    let constructor = match method {
-        Saddle::Diagonal | Saddle::Whole { definite: true } => "factor",
-        Saddle::Whole { definite: false } => "factor_indefinite",
-    };
-    let mass = if method == Saddle::Diagonal { "mass" } else { "&mass" };
-    format!("lagrange::saddle::{name}::<{scalar}, {count}, {constraints}>::{constructor}({mass}, &gradients)")
+    let constructor = constructor(method);
+    format!("lagrange::saddle::{name}::<{scalar}, {count}, {constraints}>::{constructor}({arguments})")
 }

@@ -28,7 +28,7 @@ pub(in crate::emit) fn held(constraints: &[Constraint]) -> Vec<Held> {
 
 /// The constraint functions as far as they are declared.
 pub(in crate::emit) fn declared(item: &Item) -> Vec<Held> {
-    let constraints = item.functions.iter().filter(|function| item.is_kept_constraint(function));
+    let constraints = item.functions.iter().filter(|function| item.has_multiplier(function));
     constraints.map(|function| (function.name.to_string(), item.components(function))).collect()
 }
 

@@ -1,6 +1,6 @@
 //! `System` of a constrained model, and the runtime's `Surface` and `Constrained`.
 
-use super::{factored, record_ident, rows, saddle_type};
+use super::{factored, filled_switches, record_ident, rows, saddle_type, switches};
 use crate::emit::block;
 use crate::emit::body::{self, Source};
 use crate::emit::names::Names;
@@ -19,7 +19,7 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let (count, given, held) =
         (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
-    let integrator = if emission.jets.is_some() { "Jets" } else { "Dop853" };
+    let integrator = emission.method();
     let place = format!("t: {scalar}, q: &{vector}, v: &{vector}");
     let surface = format!("lagrange::Surface<{count}, {given}, {held}>");
     let on = format!("<Self as {surface}>::balance_at(self, constants, t, q, v, u).accelerations");
@@ -39,10 +39,10 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
     };
     // A motion that is drawn to the constraints begins where it is.
     let begin = if emission.model.baumgarte.is_some() { "let start = &mut start.clone();\n" } else { "" };
-    let names = names(emission);
+    let names = names(emission.model);
     let coupled = if held > 1 { "const COUPLED: bool = true;\n" } else { "" };
     let system = format!(
-        "type Scalar = {scalar};\ntype Method = lagrange::{integrator};\ntype Constants = {constants_type};\n\
+        "type Scalar = {scalar};\ntype Method = {integrator};\ntype Constants = {constants_type};\n\
          {names}\
          const CONSTRAINED: bool = true;\n{coupled}\
          #[inline]\nfn constants(&self) -> Self::Constants {{\n{constants}\n}}\n\
@@ -108,6 +108,8 @@ fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, St
     let mut roots = mass.clone();
     roots.extend(equations.conditions.roots());
     roots.extend(&equations.force);
+    let extra = switches(&equations.conditions);
+    roots.extend(&extra);
     let roots = simplify(&mut emission.model.graph, &mut emission.model.hints, &roots);
     let (model, scalar) = (&*emission.model, &emission.scalar);
     let program = plan(&model.graph, &roots);
@@ -125,11 +127,12 @@ fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, St
     let mut outputs = written.outputs.into_iter();
     let mut take = |count: usize| outputs.by_ref().take(count).collect::<Vec<_>>();
     text.push_str(&mass_and_gradients(emission, method, take(mass.len()), take(count * held)));
-    let gamma = take(held);
+    let (gamma, forces) = (take(held), take(count));
+    text.push_str(&filled_switches(scalar, count, held, &take(extra.len())));
     text.push_str(&format!(
         "lagrange::Equations {{ saddle: {}, gradients, forces: [{}], gamma: [{}] }}",
         factored(method, scalar, count, held),
-        take(count).join(", "),
+        forces.join(", "),
         gamma.join(", ")
     ));
     let parameters = body::parameters(model, scalar, &fixed.reads);
@@ -142,7 +145,7 @@ fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, St
 fn masses(emission: &mut Emission<'_>, method: Saddle) -> Vec<NodeId> {
     let rows = &emission.equations.mass;
     match method {
-        Saddle::Whole { .. } => rows.iter().flatten().copied().collect(),
+        Saddle::Whole { .. } | Saddle::Switched { .. } => rows.iter().flatten().copied().collect(),
         Saddle::Diagonal => {
             let graph = &mut emission.model.graph;
             let one = graph.one();
@@ -161,7 +164,7 @@ fn mass_and_gradients(
     let (scalar, count) = (&emission.scalar, emission.count());
     let mass = match method {
         Saddle::Diagonal => format!("let mass = [{}];\n", mass.join(", ")),
-        Saddle::Whole { .. } => body::lower_triangle(scalar, count, &mass),
+        Saddle::Whole { .. } | Saddle::Switched { .. } => body::lower_triangle(scalar, count, &mass),
     };
     let gradients: Vec<Vec<String>> = gradients.chunks(count).map(<[String]>::to_vec).collect();
     mass + &rows(scalar, "gradients", count, &gradients)
@@ -191,11 +194,14 @@ fn saddle(emission: &mut Emission<'_>, method: Saddle) -> String {
     let mut roots = masses(emission, method);
     let split = roots.len();
     roots.extend(emission.equations.conditions.jacobian.iter().flatten());
+    roots.extend(switches(&emission.equations.conditions));
     let roots = simplify(&mut emission.model.graph, &mut emission.model.hints, &roots);
     let emission = &*emission;
     body::plain(emission.model, &emission.scalar, &roots, Source::Slices, |values| {
-        let (mass, gradients) = values.split_at(split);
-        let filled = mass_and_gradients(emission, method, mass.to_vec(), gradients.to_vec());
+        let (mass, rest) = values.split_at(split);
+        let (gradients, extra) = rest.split_at(count * held);
+        let filled = mass_and_gradients(emission, method, mass.to_vec(), gradients.to_vec())
+            + &filled_switches(&emission.scalar, count, held, extra);
         format!("{filled}({}, gradients)", factored(method, &emission.scalar, count, held))
     })
 }

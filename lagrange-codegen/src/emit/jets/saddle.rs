@@ -8,7 +8,7 @@ use super::order::Writer;
 use super::terms::{Operand, chain};
 use crate::emit::Emission;
 use crate::emit::names::Names;
-use crate::emit::{body, scalar};
+use crate::emit::{body, constraints, scalar};
 use crate::expr::NodeId;
 use crate::jets::Jets;
 use crate::model::Model;
@@ -22,6 +22,8 @@ pub(super) struct SaddlePoint {
     mass: Vec<NodeId>,
     /// A; rows are constraints.
     gradients: Vec<Vec<NodeId>>,
+    /// Of rows that hold at times.
+    switches: Vec<NodeId>,
 }
 
 /// Names of what solves in every order.
@@ -48,18 +50,19 @@ impl SaddlePoint {
         let graph = &mut emission.model.graph;
         let gradients = jets.gradients.clone();
         let mass = match method {
-            Saddle::Whole { .. } => equations.mass.iter().flatten().copied().collect(),
+            Saddle::Whole { .. } | Saddle::Switched { .. } => equations.mass.iter().flatten().copied().collect(),
             Saddle::Diagonal => {
                 let one = graph.one();
                 equations.mass.iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect()
             }
         };
-        SaddlePoint { method, mass, gradients }
+        let switches = constraints::switches(&equations.conditions);
+        SaddlePoint { method, mass, gradients, switches }
     }
 
     /// All entries, in a fixed order.
     pub fn nodes(&self) -> impl Iterator<Item = NodeId> + '_ {
-        self.mass.iter().chain(self.gradients.iter().flatten()).copied()
+        self.mass.iter().chain(self.gradients.iter().flatten()).chain(&self.switches).copied()
     }
 
     /// The statements that factor at the point of expansion.
@@ -74,19 +77,21 @@ impl SaddlePoint {
         let mass: Vec<String> = outputs.by_ref().take(self.mass.len()).collect();
         let gradients: Vec<Vec<String>> =
             self.gradients.iter().map(|row| outputs.by_ref().take(row.len()).collect()).collect();
-        let constraints = gradients.len();
+        let switches: Vec<String> = outputs.by_ref().take(self.switches.len()).collect();
+        let held = gradients.len();
         let factors = Self::FACTORS;
         // One row depends on no other.
         let noted = |independence: String| {
-            if constraints > 1 { format!("series.independence = {independence};\n") } else { String::new() }
+            if held > 1 { format!("series.independence = {independence};\n") } else { String::new() }
         };
-        if let Saddle::Whole { definite } = self.method {
+        if self.method != Saddle::Diagonal {
             let text = format!(
-                "{}let gradients = {};\nlet {factors} = lagrange::saddle::Saddle::<{scalar}, {count}, {constraints}>::{}(&mass, &gradients);\n\
+                "{}let gradients = {};\n{}let {factors} = {};\n\
                  if lagrange::constraints::is_singular(&{factors}) {{ return false; }}\n{}",
                 body::lower_triangle(scalar, count, &mass),
                 matrix(&gradients),
-                constructor(definite),
+                constraints::filled_switches(scalar, count, held, &switches),
+                constraints::factored(self.method, scalar, count, held),
                 noted(format!("lagrange::constraints::independence(&{factors})"))
             );
             return (text, SaddleStart::Whole);
@@ -135,9 +140,9 @@ impl SaddlePoint {
                 schur.push(if sum.is_empty() { zero.clone() } else { sum });
             }
         }
-        text.push_str(&body::lower_triangle(scalar, constraints, &schur));
+        text.push_str(&body::lower_triangle(scalar, held, &schur));
         text.push_str(&format!(
-            "let {factors} = lagrange::saddle::Schur::<{scalar}, {constraints}>::factor::<{count}>(mass, || ([{}], {}));\n\
+            "let {factors} = lagrange::saddle::Schur::<{scalar}, {held}>::factor::<{count}>(mass, || ([{}], {}));\n\
              if !{factors}.is_finite() || {factors}.vanishing().is_some() {{ return false; }}\n{}",
             inverses.join(", "),
             matrix(&gradients),
@@ -150,11 +155,6 @@ impl SaddlePoint {
 /// The text of one, beside that of zero.
 fn one(zero: &str) -> String {
     zero.replacen('0', "1", 1).replace("zero", "one")
-}
-
-/// The constructor of the factorisation of the whole.
-pub(in crate::emit) fn constructor(definite: bool) -> &'static str {
-    if definite { "factor" } else { "factor_indefinite" }
 }
 
 /// Rows as an array of arrays.
@@ -215,10 +215,12 @@ impl Writer<'_, '_> {
         let factors = SaddlePoint::FACTORS;
         match start {
             SaddleStart::Whole => {
+                let switched = self.emission.equations.conditions.switched.is_some();
+                let solve = if switched { "solve_motion" } else { "solve" };
                 let velocities: Vec<&str> =
                     velocities.iter().map(|(_, velocity)| velocity.as_str()).collect();
                 self.body.push_str(&format!(
-                    "let ([{}], [{}]) = lagrange::saddle::SaddlePoint::solve(&{factors}, &[{}], &[{}]);\n",
+                    "let ([{}], [{}]) = lagrange::saddle::SaddlePoint::{solve}(&{factors}, &[{}], &[{}]);\n",
                     velocities.join(", "),
                     impulses.join(", "),
                     momenta.join(", "),

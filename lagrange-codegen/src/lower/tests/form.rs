@@ -66,7 +66,17 @@ fn roles() {
     let energy = |role: TokenStream| quote!(#role fn energy(&self, q: &Coordinates) -> f64 { q.x });
     block(energy(quote!(#[potental])), "there is no role `potental`; did you mean `potential`?");
     block(energy(quote!(#[Potential])), "there is no role `Potential`; did you mean `potential`?");
-    block(energy(quote!(#[event])), "the role `event` is not supported yet; ");
+    block(energy(quote!(#[unilateral(restitutoin = 0.5)])), "`unilateral` has no argument `restitutoin`; did");
+    block(energy(quote!(#[friction])), "`#[friction]` needs `coefficient`; ");
+    block(energy(quote!(#[friction(coefficient = 0.5)])), "a coefficient of friction needs the constraint");
+    block(
+        energy(quote!(#[friction(limit = 0.5, coefficient = 0.5)])),
+        "a friction is limited by a reaction or by a given force; ",
+    );
+    block(
+        energy(quote!(#[friction(coefficient = 0.5, normal = floor)])),
+        "`floor` is no constraint with a reaction",
+    );
     block(energy(quote!(#[potential] #[kinetic])), "this function has the role `potential` already; ");
     block(energy(quote!(#[potential(mass = 1.0)])), "`potential` takes no arguments; ");
     block(energy(quote!(#[potential = 1.0])), "`potential` takes no value; ");

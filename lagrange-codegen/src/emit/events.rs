@@ -1,0 +1,100 @@
+//! Functions whose zeros are events, by name.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::Emission;
+use super::body::{self, Source};
+use crate::syntax::Item;
+use crate::syntax::item::{Function, RoleKind};
+
+/// What is emitted.
+pub(super) struct Items {
+    /// Hidden methods of the system, as text.
+    pub methods: String,
+    /// The enum of all events.
+    pub named: Option<TokenStream>,
+    /// What makes it a guard.
+    pub guards: Option<TokenStream>,
+}
+
+/// All items; nothing of a system without events.
+pub(super) fn events(emission: &Emission<'_>) -> Items {
+    let events = &emission.model.events;
+    if events.is_empty() {
+        return Items { methods: String::new(), named: None, guards: None };
+    }
+    let (item, state) = (emission.item, emission.state_type());
+    let mut methods = String::new();
+    let mut arms = Vec::new();
+    for event in events {
+        let method = format_ident!("__event_{}", event.name);
+        let body = body::plain(emission.model, &emission.scalar, &[event.value], Source::State, |values| {
+            values.join(", ")
+        });
+        methods.push_str(&format!(
+            "#[doc(hidden)]\n#[inline]\n#[allow(unused_variables)]\npub fn {method}(&self, state: &{state}) -> {} {{\n{body}\n}}\n",
+            emission.scalar
+        ));
+        let variant = format_ident!("{}", camel(&event.name));
+        arms.push(quote!(Self::#variant => system.#method(state)));
+    }
+    let names: Vec<&str> = events.iter().map(|event| event.name.as_str()).collect();
+    let guards = guard(item, emission.count(), &quote!(match self { #(#arms),* }));
+    Items { methods, named: Some(named(item, &names)), guards: Some(guards) }
+}
+
+/// The same after a mistake.
+pub(super) fn stubs(item: &Item, count: usize) -> (Option<TokenStream>, Option<TokenStream>) {
+    let is_event = |function: &&Function| {
+        matches!(function.role.as_ref().map(|role| &role.kind), Some(RoleKind::Event))
+    };
+    let names: Vec<&str> = item.functions.iter().filter(is_event).map(|function| &*function.name).collect();
+    let any = !names.is_empty();
+    (any.then(|| named(item, &names)), any.then(|| guard(item, count, &quote!(loop {}))))
+}
+
+/// What makes the enum a guard.
+fn guard(item: &Item, count: usize, body: &TokenStream) -> TokenStream {
+    let Item { self_ty, generics, .. } = item;
+    let scalar: TokenStream = item.scalar.to_string().parse().unwrap_or_default();
+    let (impl_generics, _, where_clause) = generics.split_for_impl();
+    let ident = format_ident!("{}Event", item.name);
+    quote! {
+        #[automatically_derived]
+        impl #impl_generics lagrange::Guard<#self_ty, #scalar, #count> for #ident #where_clause {
+            #[inline]
+            #[allow(unused_variables)]
+            fn value(&self, system: &#self_ty, state: &lagrange::State<#scalar, #count>) -> #scalar {
+                #body
+            }
+        }
+    }
+}
+
+/// The enum of the events of these names.
+fn named(item: &Item, names: &[&str]) -> TokenStream {
+    let ident = format_ident!("{}Event", item.name);
+    let doc = format!("The events of [`{}`]: guards for `advance_to_event` and `events`.", item.name);
+    let variants = names.iter().map(|name| {
+        let (variant, doc) = (format_ident!("{}", camel(name)), format!("A zero of `{name}`."));
+        quote!(#[doc = #doc] #variant)
+    });
+    quote! {
+        #[doc = #doc]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq, ::core::cmp::Eq)]
+        pub enum #ident { #(#variants),* }
+    }
+}
+
+/// `lower_apex` as `LowerApex`.
+fn camel(name: &str) -> String {
+    let words = name.split('_').filter(|word| !word.is_empty());
+    words
+        .map(|word| {
+            let mut letters = word.chars();
+            let first = letters.next().map_or_else(String::new, |letter| letter.to_uppercase().to_string());
+            first + letters.as_str()
+        })
+        .collect()
+}

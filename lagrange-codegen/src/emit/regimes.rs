@@ -1,0 +1,222 @@
+//! What a system whose equations switch has beyond others: the runtime's `Switching`, and the system of one
+//! regime as a struct of numbers.
+
+use proc_macro2::TokenStream;
+
+use super::body::{self, Source};
+use super::constraints::record_ident;
+use super::tokens::placeholder;
+use super::{Emission, names, names_of_parts, over};
+use crate::calculus::sizes;
+use crate::expr::NodeId;
+use crate::model::Law;
+use crate::regimes::Regimes;
+use crate::syntax::Scalar;
+
+/// The struct of one regime, which no one names.
+const NAME: &str = "__InRegime";
+
+/// What is emitted.
+pub(super) struct Items {
+    /// The system of one regime.
+    pub companion: TokenStream,
+    /// The items of `Switching`, as text.
+    pub switching: String,
+    /// The items of `Constrained` of a system with contacts, as text.
+    pub constrained: Option<String>,
+    /// The number of rows.
+    pub rows: usize,
+    /// The number of kinks.
+    pub kinks: usize,
+}
+
+/// The integrator of a system whose equations switch.
+pub(super) fn method(switching: &Regimes) -> String {
+    let inner = if switching.jets.is_some() { "Jets" } else { "Dop853" };
+    format!("lagrange::Hybrid<lagrange::{inner}, {}, {}>", switching.laws_of.len(), switching.kinks.len())
+}
+
+/// Lines of the report.
+pub(super) fn facts(switching: &Regimes) -> Vec<String> {
+    let mut facts = Vec::new();
+    let contacts = switching.rows.constraints.iter().zip(&switching.laws_of);
+    let named = |wanted: fn(&Law) -> bool| -> Vec<String> {
+        let own = contacts.clone().filter(|(_, law)| law.as_ref().is_some_and(wanted));
+        own.map(|(row, _)| format!("`{}`", row.written())).collect()
+    };
+    let gaps = named(|law| matches!(law, Law::Unilateral { .. }));
+    if !gaps.is_empty() {
+        facts.push(format!("unilateral contacts: {}", gaps.join(", ")));
+    }
+    let frictions = named(|law| matches!(law, Law::Friction { .. }));
+    if !frictions.is_empty() {
+        facts.push(format!("dry friction: {}", frictions.join(", ")));
+    }
+    if !switching.kinks.is_empty() {
+        facts.push(format!("functions with a kink or a jump, switched at its zeros: {}", switching.kinks.len()));
+    }
+    match &switching.jets {
+        Some(jets) => facts.push(format!("between switches {}", jets.describe())),
+        None => facts.push("not smooth between switches, so there is no Taylor series".to_owned()),
+    }
+    facts
+}
+
+/// All items; `emission` is that of the system itself.
+pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items {
+    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let items = format!("{}{}{}", regime(emission, switching), laws(emission, switching), equations(emission, rows));
+    let constrained = switching.has_contacts().then(|| constrained(emission, rows, kinks));
+    switching.model.locals = names::locals(&switching.model);
+    let mut companion = Emission {
+        item: emission.item,
+        scalar: emission.scalar.clone(),
+        model: &mut switching.model,
+        equations: &switching.equations,
+        facts: &switching.facts,
+        solution: &switching.solution,
+        jets: switching.jets.as_ref(),
+        method: None,
+    };
+    let companion = over::numbers(&mut companion, NAME, |_| String::new());
+    Items { companion, switching: items, constrained, rows, kinks }
+}
+
+/// The items of `System` of a system with contacts, whose accelerations are those of its regime.
+pub(super) fn system(emission: &Emission<'_>, switching: &Regimes) -> String {
+    let scalar = &emission.scalar;
+    let (vector, inputs) = (emission.vector_type(), emission.input_type());
+    let (count, given) = (emission.count(), emission.model.inputs.len());
+    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let place = format!("t: {scalar}, q: &{vector}, v: &{vector}");
+    format!(
+        "type Scalar = {scalar};\ntype Method = {};\ntype Constants = ();\n{}\
+         const SWITCHED: bool = true;\n\
+         fn constants(&self) {{}}\n\
+         fn accelerations_at(&self, _constants: &(), {place}, u: &{inputs}) -> {vector} {{\n\
+         lagrange::switching::accelerations::<Self, {count}, {given}, {rows}, {kinks}>(self, t, q, v, u)\n}}\n\
+         fn energy_at(&self, _constants: &(), {place}) -> {scalar} \
+         {{\nself.energy(&lagrange::State {{ t, q: *q, v: *v }})\n}}\n",
+        emission.method(),
+        names_of_parts(&switching.rows),
+    )
+}
+
+/// `InRegime`, `ROWS` and `in_regime`.
+fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
+    let scalar = &emission.scalar;
+    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let row = |law: &Option<Law>| match law {
+        None => "lagrange::Row::Bilateral".to_owned(),
+        Some(Law::Unilateral { .. }) => "lagrange::Row::Unilateral".to_owned(),
+        Some(Law::Friction { normal, pair, .. }) => {
+            let option = |index: &Option<usize>| match index {
+                Some(index) => format!("::core::option::Option::Some({index})"),
+                None => "::core::option::Option::None".to_owned(),
+            };
+            format!("lagrange::Row::Friction {{ normal: {}, pair: {} }}", option(normal), option(pair))
+        }
+    };
+    let kinds: Vec<String> = switching.laws_of.iter().map(row).collect();
+    let mut values = String::new();
+    let mut numbers = Vec::new();
+    for (index, name) in (0_u32..).zip(&emission.model.locals.parameters) {
+        values.push_str(&format!("let {name}: {scalar} = {};\n", placeholder(index)));
+        numbers.push(name.clone());
+    }
+    numbers.extend((0..rows).map(|row| format!("__regime.activity({row})")));
+    for list in ["slip", "side"] {
+        numbers.extend((0..rows).map(|row| format!("__regime.{list}[{row}]")));
+    }
+    numbers.extend((0..kinks).map(|kink| format!("__regime.kinks[{kink}]")));
+    let generic = if let Scalar::Generic(ident) = scalar { format!("<{ident}>") } else { String::new() };
+    format!(
+        "type InRegime = {NAME}{generic};\n\
+         const ROWS: [lagrange::Row; {rows}] = [{}];\n\
+         fn in_regime(&self, __regime: &lagrange::Regime<{scalar}, {rows}, {kinks}>) -> {NAME}{generic} {{\n\
+         {values}{NAME} {{ parameters: [{}] }}\n}}\n",
+        kinds.join(", "),
+        numbers.join(", ")
+    )
+}
+
+/// `laws_at`.
+fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
+    let (scalar, vector) = (&emission.scalar, emission.vector_type());
+    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let conditions = &switching.laws.conditions;
+    let zero = switching.rows.graph.zero();
+    let of = |number: fn(&Law) -> Option<NodeId>| -> Vec<NodeId> {
+        switching.laws_of.iter().map(|law| law.as_ref().and_then(number).unwrap_or(zero)).collect()
+    };
+    let restitution = of(|law| match law {
+        Law::Unilateral { restitution } => Some(*restitution),
+        Law::Friction { .. } => None,
+    });
+    let friction: [fn(&Law) -> Option<NodeId>; 2] = [
+        |law| if let Law::Friction { kinetic, .. } = law { Some(*kinetic) } else { None },
+        |law| if let Law::Friction { fixed, .. } = law { Some(*fixed) } else { None },
+    ];
+    let lists = [
+        ("positions", conditions.positions.clone()),
+        ("position_sizes", conditions.position_sizes.clone()),
+        ("rates", conditions.rates.clone()),
+        ("rate_sizes", conditions.rate_sizes.clone()),
+        ("restitution", restitution),
+        ("kinetic", of(friction[0])),
+        ("fixed", of(friction[1])),
+        ("kinks", switching.kinks.clone()),
+        ("kink_sizes", sizes(&mut switching.rows.graph, &switching.kinks)),
+    ];
+    let roots: Vec<NodeId> = lists.iter().flat_map(|(_, nodes)| nodes.iter().copied()).collect();
+    switching.rows.locals = names::locals(&switching.rows);
+    let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
+        let mut values = values.iter().cloned();
+        let fields: Vec<String> = lists
+            .iter()
+            .map(|(name, nodes)| {
+                let values: Vec<String> = values.by_ref().take(nodes.len()).collect();
+                format!("{name}: [{}]", values.join(", "))
+            })
+            .collect();
+        let (residuals, laws) = fields.split_at(4);
+        format!(
+            "lagrange::Laws {{ rows: lagrange::Residuals {{ {} }}, {} }}",
+            residuals.join(", "),
+            laws.join(", ")
+        )
+    });
+    format!(
+        "fn laws_at(&self, t: {scalar}, q: &{vector}, v: &{vector}) -> lagrange::Laws<{scalar}, {rows}, {kinks}> {{\n{body}\n}}\n"
+    )
+}
+
+/// `equations_in` of a system with rows.
+fn equations(emission: &Emission<'_>, rows: usize) -> String {
+    if rows == 0 {
+        return String::new();
+    }
+    let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
+    let (count, given) = (emission.count(), emission.model.inputs.len());
+    format!(
+        "fn equations_in(__in_regime: &Self::InRegime, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) \
+         -> ::core::option::Option<lagrange::Equations<lagrange::saddle::Switched<{scalar}, {count}, {rows}>, {scalar}, {count}, {rows}>> {{\n\
+         let constants = lagrange::System::<{count}, {given}>::constants(__in_regime);\n\
+         ::core::option::Option::Some(lagrange::Surface::<{count}, {given}, {rows}>::equations_at(__in_regime, &constants, t, q, v, u))\n}}\n"
+    )
+}
+
+/// The items of `Constrained`: the reactions of the regime.
+fn constrained(emission: &Emission<'_>, rows: usize, kinks: usize) -> String {
+    let scalar = &emission.scalar;
+    let (vector, inputs) = (emission.vector_type(), emission.input_type());
+    let (count, given) = (emission.count(), emission.model.inputs.len());
+    let record = record_ident(emission.item);
+    format!(
+        "type Reactions = {record}<{scalar}>;\n\
+         fn reactions_at(&self, _constants: &(), t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) \
+         -> lagrange::Reactions<{record}<{scalar}>> {{\n\
+         let (multipliers, unique) = lagrange::switching::multipliers::<Self, {count}, {given}, {rows}, {kinks}>(self, t, q, v, u);\n\
+         lagrange::Reactions::new(multipliers.into(), unique)\n}}\n"
+    )
+}

@@ -1,0 +1,206 @@
+//! Systems whose equations switch: kinks, contacts, friction.
+//!
+//! All regimes of a system are one system whose parameters are more: for each row that is a constraint at
+//! times whether it is one now, for each friction the sign of its slip, for each kink its side. With these
+//! held the equations are smooth, so everything that a smooth constrained system has serves them: series,
+//! retraction, checks. The runtime's `Switching` says what a regime is.
+
+mod kinks;
+
+use crate::diagnostics::Diagnostics;
+use crate::expr::{Exponent, Graph, NodeId, Variable};
+use crate::jets::{self, Jets};
+use crate::mechanics::{self, Equations};
+use crate::model::{Contact, Law, Model, Parameter};
+use crate::number::Number;
+use crate::structure::{Facts, Solution};
+
+/// A system whose equations switch.
+#[derive(Debug)]
+pub struct Regimes {
+    /// The system with all rows as constraints that always hold, as the laws see them.
+    pub rows: Model,
+    /// Its equations: gaps, their rates and slip velocities.
+    pub laws: Equations,
+    /// Switching functions, in the graph of `rows`.
+    pub kinks: Vec<NodeId>,
+    /// The system of one regime, with its switches as its last parameters.
+    pub model: Model,
+    /// Its equations.
+    pub equations: Equations,
+    /// Facts about them.
+    pub facts: Facts,
+    /// How they are solved.
+    pub solution: Solution,
+    /// The recurrences of its series; `None` where it is not smooth even so.
+    pub jets: Option<Jets>,
+    /// What each row stands for.
+    pub laws_of: Vec<Option<Law>>,
+    /// Where the switches begin among the parameters.
+    pub first: usize,
+}
+
+impl Regimes {
+    /// Whether there are rows that hold at times.
+    pub fn has_contacts(&self) -> bool {
+        self.laws_of.iter().any(Option::is_some)
+    }
+}
+
+/// The regimes of a system; `None` of one that has a single one. `is_smooth` says whether the system has a
+/// series as it is.
+pub fn derive(
+    model: &Model,
+    is_smooth: bool,
+    diagnostics: &mut Diagnostics,
+) -> Option<Regimes> {
+    if model.contacts.is_empty() && is_smooth {
+        return None;
+    }
+    let mut rows = model.clone();
+    let held = rows.constraints.len();
+    let contacts = std::mem::take(&mut rows.contacts);
+    rows.constraints.extend(contacts.iter().map(|contact| contact.constraint.clone()));
+    // Rows hold at times: there may be more of them than coordinates, and a slip may be the rate of a function.
+    // Of all else the system by itself was asked.
+    let permits = |_: &str| true;
+    let laws = mechanics::derive(&mut rows, &permits, diagnostics)?;
+    let kinks = kinks::of(&rows, &laws);
+    if contacts.is_empty() && kinks.is_empty() {
+        return None;
+    }
+    let count = held + contacts.len();
+    let mut regime = rows.clone();
+    let first = regime.parameters.len();
+    let switches = Switches::new(&mut regime, count, kinks.len());
+    kinks::replace(&mut regime, &kinks, &switches.kinks);
+    let mut equations = mechanics::derive(&mut regime, &permits, diagnostics)?;
+    if !contacts.is_empty() {
+        hold(&mut regime.graph, &mut equations, &switches, held, &contacts);
+    }
+    let equations = equations.simplified(&mut regime);
+    let facts = Facts::of(&regime, &equations);
+    let solution = Solution::plan(&mut regime, &equations, &facts, diagnostics);
+    let jets = jets::derive(&mut regime, &equations);
+    if contacts.is_empty() && jets.is_none() {
+        return None;
+    }
+    let laws_of = (0..held).map(|_| None).chain(contacts.into_iter().map(|contact| Some(contact.law))).collect();
+    Some(Regimes { rows, laws, kinks, model: regime, equations, facts, solution, jets, laws_of, first })
+}
+
+/// The switches as variables of the graph, in the order in which they are parameters.
+struct Switches {
+    active: Vec<NodeId>,
+    slip: Vec<NodeId>,
+    side: Vec<NodeId>,
+    kinks: Vec<NodeId>,
+}
+
+impl Switches {
+    fn new(model: &mut Model, rows: usize, kinks: usize) -> Switches {
+        let labels: Vec<(String, _)> =
+            model.constraints.iter().map(|row| (row.label(), row.origin)).collect();
+        let mut each = |what: &str| -> Vec<NodeId> {
+            let labels = labels.iter().map(|(label, origin)| (format!("{label}_{what}"), *origin));
+            labels.map(|(label, origin)| parameter(model, label, origin)).collect()
+        };
+        let (active, slip, side) = (each("active"), each("slip"), each("side"));
+        debug_assert_eq!(active.len(), rows);
+        let origin = model.coordinates[0].origin;
+        let kinks = (0..kinks).map(|kink| parameter(model, format!("side_{kink}"), origin)).collect();
+        Switches { active, slip, side, kinks }
+    }
+}
+
+fn parameter(model: &mut Model, label: String, origin: crate::diagnostics::Origin) -> NodeId {
+    let index = model.parameters.len() as u32;
+    model.parameters.push(Parameter { path: String::new(), label, origin });
+    model.graph.variable(Variable::Parameter(index))
+}
+
+/// Makes the rows of contacts hold where they are active, and adds the friction of those that slip.
+fn hold(
+    graph: &mut Graph,
+    equations: &mut Equations,
+    switches: &Switches,
+    held: usize,
+    contacts: &[Contact],
+) {
+    let count = equations.mass.len();
+    let slopes = equations.conditions.jacobian.clone();
+    let speeds = equations.conditions.rates.clone();
+    let zero = graph.zero();
+    let mut coupling = vec![vec![zero; count]; held + contacts.len()];
+    let mut given = vec![zero; count];
+    for (row, contact) in (held..).zip(contacts) {
+        let Law::Friction { kinetic, normal, pair, .. } = contact.law else { continue };
+        // −μ times the direction of the slip, which the first of two components carries for both.
+        let direction = match pair {
+            None => switches.slip[row],
+            Some(other) => {
+                let carrier = switches.slip[row.min(other)];
+                let squares = [row, other].map(|row| graph.powi(speeds[row], 2));
+                // Where nothing slips the direction has any finite value.
+                let apart = graph.sum(
+                    Number::ONE,
+                    &[(squares[0], Number::ONE), (squares[1], Number::ONE), (carrier, Number::MINUS_ONE)],
+                );
+                graph.product(&[
+                    (carrier, Exponent(2)),
+                    (speeds[row], Exponent(2)),
+                    (apart, Exponent(-1)),
+                ])
+            }
+        };
+        let mut share = graph.mul(kinetic, direction);
+        if let Some(normal) = normal {
+            share = graph.mul(share, switches.side[normal]);
+        }
+        for (i, &slope) in slopes[row].iter().enumerate() {
+            let force = graph.mul(share, slope);
+            let target = match normal {
+                Some(normal) => &mut coupling[normal][i],
+                None => &mut given[i],
+            };
+            *target = graph.sub(*target, force);
+        }
+    }
+    for (i, &force) in given.iter().enumerate() {
+        for sum in [&mut equations.force, &mut equations.applied, &mut equations.momentum_rates] {
+            sum[i] = graph.add(sum[i], force);
+        }
+    }
+    let one = graph.one();
+    let conditions = &mut equations.conditions;
+    let active: Vec<NodeId> =
+        (0..held + contacts.len()).map(|row| if row < held { one } else { switches.active[row] }).collect();
+    for (row, &active) in active.iter().enumerate() {
+        let lists = [
+            &mut conditions.positions,
+            &mut conditions.position_sizes,
+            &mut conditions.rates,
+            &mut conditions.rate_sizes,
+            &mut conditions.gamma,
+        ];
+        for list in lists {
+            list[row] = graph.mul(active, list[row]);
+        }
+        for entry in &mut conditions.jacobian[row] {
+            *entry = graph.mul(active, *entry);
+        }
+    }
+    conditions.reactions = (0..count)
+        .map(|i| {
+            let terms: Vec<(NodeId, Number)> = (0..held + contacts.len())
+                .map(|row| {
+                    let multiplier = graph.variable(Variable::Multiplier(row as u32));
+                    let force = graph.add(conditions.jacobian[row][i], coupling[row][i]);
+                    (graph.mul(force, multiplier), Number::ONE)
+                })
+                .collect();
+            graph.sum(Number::ZERO, &terms)
+        })
+        .collect();
+    conditions.switched = Some(mechanics::Switched { coupling, active });
+}
