@@ -7,6 +7,7 @@
 //! | [`system`] | the trait that generated code implements |
 //! | [`smooth`] | the same for Taylor coefficients of the motion |
 //! | [`simulation`] | a motion under error control: advance, sample, steer |
+//! | [`events`] | zeros of functions along a motion |
 //! | [`batch`] | several motions at once, in the lanes of a SIMD vector |
 //! | [`stepper`] | a motion in fixed steps, for control loops |
 //! | [`integrator`] | the methods: Taylor series, Dormand–Prince 8(5,3), RK4, symplectic splittings, Gauss collocation |
@@ -50,6 +51,7 @@ pub mod batch;
 mod columns;
 pub mod constraints;
 pub mod error;
+pub mod events;
 pub mod integrator;
 pub mod linear;
 pub mod linearized;
@@ -77,6 +79,7 @@ pub use analysis::InertiaForces;
 pub use batch::Batch;
 pub use constraints::{Constrained, Footing, Reactions};
 pub use error::{Cause, Function, Magnitude, MotionError};
+pub use events::{Crossing, Event, Events, Guard};
 pub use integrator::{
     Adaptive, BlanesMoan, BlanesMoan4, BlanesMoan6, Dop853, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Jet,
     Jets, Leapfrog, Rk4, Yoshida, Yoshida4, Yoshida6, Yoshida8,
@@ -116,6 +119,7 @@ pub mod __private {
     pub use crate::algebra::{self, PrincipalMoments};
     pub use crate::analysis::{self, InertiaForces};
     pub use crate::error::{Cause, Function, MotionError};
+    pub use crate::events::Guard;
     pub use crate::linear::{Independence, Ldlt, Lu};
     pub use crate::linearized::{Linearization, Linearized};
     pub use crate::name::Names;

@@ -136,7 +136,7 @@ impl<R: Ordered> Zero<R> {
                 return bracket::solve(|theta| self.side.towards(guard(theta)), near, far);
             }
             near = far;
-            step = step * R::from_f64(8.0);
+            step *= R::from_f64(8.0);
         }
         if near.1 == R::zero() { near.0 } else { self.theta }
     }

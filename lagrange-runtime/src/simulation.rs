@@ -52,13 +52,15 @@ where
     S: System<N, K>,
     M: Adaptive<S, C, N, K>,
 {
-    system: &'a S,
-    constants: S::Constants,
-    control: C,
-    limits: Limits<S::Scalar>,
-    memory: M::Memory,
+    pub(crate) system: &'a S,
+    pub(crate) constants: S::Constants,
+    pub(crate) control: C,
+    pub(crate) limits: Limits<S::Scalar>,
+    pub(crate) memory: M::Memory,
     /// What the caller sees: the end of the step, or a sample inside it.
-    state: State<S::Scalar, N>,
+    pub(crate) state: State<S::Scalar, N>,
+    /// Whether the state that the motion started from has been found to be one.
+    begun: bool,
 }
 
 impl<'a, S, M, const N: usize, const K: usize> Simulation<'a, S, Held<S::Scalar, K>, M, N, K>
@@ -72,7 +74,8 @@ where
     pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
         let control = Held([num_traits::Zero::zero(); K]);
         let memory = M::begin(system, start);
-        Self { system, constants: system.constants(), control, limits: Limits::new(), memory, state: start }
+        let (constants, limits) = (system.constants(), Limits::new());
+        Self { system, constants, control, limits, memory, state: start, begun: false }
     }
 
     /// Holds these inputs.
@@ -102,7 +105,7 @@ where
     {
         let Self { system, constants, limits, state, .. } = self;
         let memory = <Dop853 as Adaptive<S, Feedback<F>, N, K>>::begin(system, state);
-        Simulation { system, constants, control: Feedback(control), limits, memory, state }
+        Simulation { system, constants, control: Feedback(control), limits, memory, state, begun: false }
     }
 }
 
@@ -159,6 +162,15 @@ where
     #[inline]
     pub fn state(&self) -> &State<S::Scalar, N> {
         &self.state
+    }
+
+    /// Goes on from another state: a thrust, a reset, a bounce. It is checked as the start of a motion is, when
+    /// the motion goes on. The inputs and the length of the steps stay what they are.
+    #[inline]
+    pub fn set_state(&mut self, state: State<S::Scalar, N>) {
+        self.state = state;
+        self.begun = false;
+        M::restart(&mut self.memory, state);
     }
 
     /// Time of the state \[s].
@@ -246,14 +258,21 @@ where
         Ok(self.state)
     }
 
+    /// The state at a time within the last step, without moving there.
+    #[inline]
+    pub(crate) fn peek(&mut self, t: S::Scalar) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
+        let Self { system, constants, control, limits, memory, .. } = self;
+        M::sample(memory, *system, constants, control, limits, t, &mut limits.attempts.clone())
+    }
+
     /// Refuses a start that is no state, masses that are not positive there, and a start that violates
     /// constraints, and takes the roundings from one that does not.
     #[inline]
-    fn begin(&mut self) -> Result<(), MotionError<S::Scalar>> {
-        if self.steps().evaluations > 0 {
+    pub(crate) fn begin(&mut self) -> Result<(), MotionError<S::Scalar>> {
+        if self.begun {
             return Ok(());
         }
-        if S::READ {
+        if S::READ && self.steps().evaluations == 0 {
             crate::reading::checked(self.system, &self.state, &self.control.inputs(&self.state))?;
         }
         let State { t, q, v } = self.state;
@@ -264,16 +283,18 @@ where
         if !S::CONSTRAINED {
             // Accelerations of a negative mass are finite.
             let found = self.system.check_at(&self.constants, t, &q, &v);
-            return found.map_err(|cause| failed(cause.named(&S::NAMES)));
+            found.map_err(|cause| failed(cause.named(&S::NAMES)))?;
+        } else {
+            self.system.begin_at(&self.constants, &mut self.state).map_err(failed)?;
+            M::restart(&mut self.memory, self.state);
         }
-        self.system.begin_at(&self.constants, &mut self.state).map_err(failed)?;
-        M::restart(&mut self.memory, self.state);
+        self.begun = true;
         Ok(())
     }
 
     /// Refuses a bad target or bad limits.
     #[inline]
-    fn check(&self, t: S::Scalar) -> Result<(), MotionError<S::Scalar>> {
+    pub(crate) fn check(&self, t: S::Scalar) -> Result<(), MotionError<S::Scalar>> {
         use crate::real::Real;
         let verdict = if t.is_finite() { self.limits.check() } else { Err(Cause::InvalidTime) };
         verdict.map_err(|cause| MotionError { cause, t: self.state.t })

@@ -30,6 +30,12 @@ where
     /// A motion from `start`.
     #[inline]
     pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
+        const {
+            assert!(
+                !S::SWITCHED,
+                "this system has contacts or dry friction, which fixed steps do not see: use `simulate(…)`"
+            );
+        }
         let constants = system.constants();
         // The start of a constrained motion is checked by the first step; there is no room to remember that
         // in the stepper of a system without constraints. Where masses are not positive no step has a

@@ -59,6 +59,7 @@ impl<'a> Interpreter<'a> {
             }
             Value::Unit
             | Value::Boolean(_)
+            | Value::Choice(_)
             | Value::Integer(..)
             | Value::Scalar(..)
             | Value::Rotation(_)

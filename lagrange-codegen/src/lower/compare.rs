@@ -29,8 +29,13 @@ impl Interpreter<'_> {
                         return self.refuse(origin, catalogue::rounding_decides());
                     }
                     None => {
-                        let on = dependence_words(dependence);
-                        return self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()));
+                        return match self.choice(operator, a, b) {
+                            Some(weight) => Value::Choice(weight),
+                            None => {
+                                let on = dependence_words(dependence);
+                                self.refuse(origin, catalogue::branch_on_variable(on, self.smooth_thing()))
+                            }
+                        };
                     }
                 }
             }

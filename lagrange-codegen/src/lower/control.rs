@@ -11,8 +11,18 @@ use crate::syntax::integers::Integers;
 impl<'a> Interpreter<'a> {
     /// The truth of a condition; `None` if it is not known, which is reported.
     pub fn condition(&mut self, expr: &'a Expr) -> Option<bool> {
-        match self.expression(expr) {
+        let value = self.expression(expr);
+        self.truth(value, expr)
+    }
+
+    fn truth(&mut self, value: Value, expr: &'a Expr) -> Option<bool> {
+        match value {
             Value::Boolean(value) => Some(value),
+            Value::Choice(weight) => {
+                let on = super::advice::dependence_words(self.model.graph.dependence(weight));
+                self.report(expr.origin, catalogue::branch_on_variable(on, self.smooth_thing()));
+                None
+            }
             Value::Unknown => None,
             Value::Parameter(id) => {
                 let text = format!("the parameter `{}`", self.parameters.text(id));
@@ -28,7 +38,11 @@ impl<'a> Interpreter<'a> {
 
     /// `if … else …`.
     pub fn branch(&mut self, branch: &'a If) -> Value {
-        match self.condition(&branch.condition) {
+        let condition = self.expression(&branch.condition);
+        if let Value::Choice(weight) = condition {
+            return self.chosen(branch, weight);
+        }
+        match self.truth(condition, &branch.condition) {
             Some(true) => self.block(&branch.then),
             Some(false) => match &branch.otherwise {
                 Some(otherwise) => self.expression(otherwise),
@@ -44,6 +58,10 @@ impl<'a> Interpreter<'a> {
         let value = self.expression(value);
         match &value {
             Value::Unknown => return Value::Unknown,
+            Value::Choice(weight) => {
+                let on = super::advice::dependence_words(self.model.graph.dependence(*weight));
+                return self.refuse(place, catalogue::branch_on_variable(on, self.smooth_thing()));
+            }
             Value::Scalar(node, ..) if self.model.graph.as_constant(*node).is_none() => {
                 let on = super::advice::dependence_words(self.model.graph.dependence(*node));
                 return self.refuse(place, catalogue::branch_on_variable(on, self.smooth_thing()));

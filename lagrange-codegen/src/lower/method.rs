@@ -89,7 +89,7 @@ impl<'a> Interpreter<'a> {
                 self.iterator_method(receiver, word, arguments, origin)
             }
             Value::Record(record) => self.record_method(record, word, arguments),
-            Value::Unit | Value::Boolean(_) | Value::Tuple(_) => self.unknown_method(&receiver, word),
+            Value::Unit | Value::Boolean(_) | Value::Choice(_) | Value::Tuple(_) => self.unknown_method(&receiver, word),
         }
     }
 
@@ -103,6 +103,7 @@ impl<'a> Interpreter<'a> {
             Value::Unknown
             | Value::Unit
             | Value::Boolean(_)
+            | Value::Choice(_)
             | Value::Integer(..)
             | Value::Tuple(_)
             | Value::Record(_) => &["to_array", "as_vector"],

@@ -8,6 +8,7 @@
 mod access;
 mod advice;
 mod call;
+mod choice;
 mod compare;
 mod constraint;
 mod construct;

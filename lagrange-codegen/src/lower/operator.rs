@@ -18,6 +18,7 @@ impl<'a> Interpreter<'a> {
         match (operator, operand) {
             (_, Value::Unknown) => Value::Unknown,
             (UnaryOperator::Not, Value::Boolean(value)) => Value::Boolean(!value),
+            (UnaryOperator::Not, Value::Choice(weight)) => Value::Choice(self.opposite(weight)),
             (UnaryOperator::Negate, Value::Integer(value, types)) => match value.checked_neg() {
                 Some(value) => self.integer(value, types, origin),
                 None => self.refuse(origin, catalogue::integer_overflow()),
@@ -122,7 +123,7 @@ impl<'a> Interpreter<'a> {
                 (Value::Boolean(a), Value::Boolean(b)) => {
                     Value::Boolean(if operator == BinaryOperator::And { a && b } else { a || b })
                 }
-                (left, right) => self.mismatch(operator, &left, &right, origin),
+                (left, right) => self.both(operator, left, right, origin),
             },
             BinaryOperator::Equal
             | BinaryOperator::NotEqual

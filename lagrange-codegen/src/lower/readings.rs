@@ -69,6 +69,7 @@ impl Interpreter<'_> {
             Value::Unknown
             | Value::Unit
             | Value::Boolean(_)
+            | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
             | Value::Iterator(_)

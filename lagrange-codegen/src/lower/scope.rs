@@ -116,6 +116,18 @@ impl Scope {
         &mut self.variables[slot].value
     }
 
+    /// The values of all variables.
+    pub fn values(&self) -> Vec<Value> {
+        self.variables.iter().map(|entry| entry.value.clone()).collect()
+    }
+
+    /// Gives all variables other values.
+    pub fn restore(&mut self, values: Vec<Value>) {
+        for (entry, value) in self.variables.iter_mut().zip(values) {
+            entry.value = value;
+        }
+    }
+
     /// The names in sight.
     pub fn names(&self) -> Vec<Name> {
         self.variables[self.base..].iter().map(|entry| entry.name.clone()).collect()

@@ -129,7 +129,7 @@ impl<'a> Interpreter<'a> {
         match (value, shape) {
             (value @ Value::Unknown, _) | (value, Shape::Any) => value,
             (value @ Value::Unit, Shape::Unit) => value,
-            (value @ Value::Boolean(_), Shape::Boolean) => value,
+            (value @ (Value::Boolean(_) | Value::Choice(_)), Shape::Boolean) => value,
             (Value::Integer(value, types), Shape::Integer(expected)) => {
                 self.integer(value, types & *expected, origin)
             }

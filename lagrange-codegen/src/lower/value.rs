@@ -20,6 +20,8 @@ pub enum Value {
     Unit,
     /// A constant truth value.
     Boolean(bool),
+    /// A truth value that depends on the state: one where it holds, else zero.
+    Choice(NodeId),
     /// A constant integer, and the types that it may have.
     Integer(i128, Integers),
     /// A number of the scalar type, and what Rust computes for it where it is a constant.
@@ -137,7 +139,7 @@ impl Value {
         match self {
             Value::Unknown => "an unknown value".into(),
             Value::Unit => "`()`".into(),
-            Value::Boolean(_) => "a `bool`".into(),
+            Value::Boolean(_) | Value::Choice(_) => "a `bool`".into(),
             Value::Integer(..) => "an integer".into(),
             Value::Scalar(..) => "a scalar".into(),
             Value::Parameter(_) => "a parameter".into(),
@@ -183,6 +185,7 @@ impl Value {
             Value::Unknown
             | Value::Unit
             | Value::Boolean(_)
+            | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
             | Value::Tuple(_)
@@ -212,6 +215,7 @@ impl Value {
             Value::Unknown => words.push(0),
             Value::Unit => words.push(1),
             Value::Boolean(value) => words.extend([2, u64::from(*value)]),
+            Value::Choice(node) => words.extend([30, node.index() as u64]),
             Value::Integer(value, types) => {
                 words.extend([3, *value as u64, (*value >> 64) as u64, u64::from(types.bits())]);
             }

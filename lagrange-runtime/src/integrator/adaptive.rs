@@ -112,6 +112,12 @@ where
     where
         S::Scalar: Ordered,
     {
+        const {
+            assert!(
+                !S::SWITCHED,
+                "this system has contacts or dry friction, which `Dop853` alone does not see: use `simulate(…)`"
+            );
+        }
         Dop853Memory::new(start)
     }
 

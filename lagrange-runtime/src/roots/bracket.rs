@@ -26,7 +26,7 @@ pub(super) fn solve<R: Ordered>(mut f: impl FnMut(R) -> R, low: (R, R), high: (R
         if step > 0 {
             part = interpolated(a, b, c).unwrap_or(half);
         }
-        if !(part > least) {
+        if part < least {
             part = least;
         }
         if part > one - least {

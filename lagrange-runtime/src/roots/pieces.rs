@@ -19,7 +19,10 @@ pub(super) struct Piece<R> {
 /// The pieces of [0, `until`] from left to right.
 #[derive(Clone, Debug)]
 pub(super) struct Pieces<R> {
+    /// With value zero at θ = 0 where that has been counted.
     pub(super) polynomial: Polynomial<R>,
+    /// The noise before that.
+    pub(super) noise: R,
     pub(super) until: R,
     /// How often the step has been halved for the next piece to try, and which of the parts it is; `None` at
     /// the end.
@@ -32,9 +35,10 @@ impl<R: Ordered> Pieces<R> {
     pub(super) fn new(polynomial: &Polynomial<R>, start: Memory, until: R) -> Self {
         // What has been counted at θ = 0 is zero there without rounding.
         let counted = matches!(start, Memory::Zero(_));
+        let noise = polynomial.noise();
         let polynomial = if counted { polynomial.deflated() } else { *polynomial };
         let place = (until > R::zero()).then_some((0, 0));
-        Self { polynomial, until, place, degrees: [DEGREE as u8; LEVELS + 1] }
+        Self { polynomial, noise, until, place, degrees: [DEGREE as u8; LEVELS + 1] }
     }
 
     /// The side of a point, if it is certain.

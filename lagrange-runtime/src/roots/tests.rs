@@ -47,8 +47,8 @@ impl Product {
         self.scale * real * pairs
     }
 
-    /// The absolute derivative at a root.
-    fn slope_at(&self, root: f64) -> f64 {
+    /// The function divided by the distance from a root to the power of its order, there, without sign.
+    fn leading_at(&self, root: f64) -> f64 {
         let others = self.roots.iter().filter(|other| **other != root).map(|other| root - other);
         let pairs = self.pairs.iter().map(|(a, b)| (root - a) * (root - a) + b * b);
         (self.scale * others.product::<f64>() * pairs.product::<f64>()).abs()
@@ -164,8 +164,11 @@ fn check(product: &Product) -> bool {
         let inside: Vec<_> = product.roots.iter().filter(|root| (low..=high).contains(*root)).collect();
         if let [root] = inside[..] {
             let error = (zero.theta - root).abs();
-            let bound = 1.01 * noise / product.slope_at(*root) + f64::EPSILON;
-            assert!(error <= bound || product.slope_at(*root) * (high - low) < 9.0 * noise, "{error} {bound}");
+            let bound = 1.01 * noise / product.leading_at(*root) + f64::EPSILON;
+            assert!(
+                error <= bound || product.leading_at(*root) * (high - low) < 9.0 * noise,
+                "{error} {bound}"
+            );
             let polished = zero.polish(|theta| product.value(theta));
             assert!((polished - root).abs() <= f64::EPSILON * root, "{polished} is not {root}: {product:?}");
         }

@@ -152,7 +152,7 @@ impl<R: Ordered> Zeros<R> {
             if side.is_some() {
                 return side;
             }
-            distance = distance * two;
+            distance *= two;
         }
         None
     }
@@ -165,11 +165,15 @@ impl<R: Ordered> Zeros<R> {
             (None, None) => (Memory::Unknown, None),
             (None, Some(side)) => (Memory::Side(side), None),
             (Some(Entry::Inside), Some(before)) => match self.beyond(until, R::one()) {
-                Some(side) => {
+                // A crossing a little behind the end is found more exactly by the next step.
+                Some(side)
+                    if side == before
+                        || before.towards(self.value(until)) <= self.pieces.noise * R::from_f64(0.5) =>
+                {
                     let zero = self.zero([self.certain, until], before, side, false);
                     (zero.memory(), Some(zero))
                 }
-                None => (Memory::Touching(before), None),
+                _ => (Memory::Touching(before), None),
             },
             (Some(Entry::Inside), None) => (Memory::Unknown, None),
             (Some(Entry::Start(Memory::Side(side))), _) if self.approaches(side) => {
@@ -193,7 +197,8 @@ impl<R: Ordered> Iterator for Zeros<R> {
             if self.queued.is_some() {
                 return self.queued.take();
             }
-            let Some(Piece { ends: [low, high], sides: [at_low, at_high], certain }) = self.pieces.next() else {
+            let Some(Piece { ends: [low, high], sides: [at_low, at_high], certain }) = self.pieces.next()
+            else {
                 return self.finish();
             };
             let first = self.meet(low, at_low);

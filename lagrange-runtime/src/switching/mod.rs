@@ -8,10 +8,13 @@
 //! Brogliato, *Nonsmooth Mechanics*, 3rd ed.; Glocker, *Set-Valued Force Laws*; Acary and Brogliato,
 //! *Numerical Methods for Nonsmooth Dynamical Systems*.
 
+mod hybrid;
+
 use crate::constraints::{Equations, Residuals};
 use crate::linear::Switched;
 use crate::real::Real;
 use crate::system::System;
+pub use hybrid::Hybrid;
 
 /// What a row of the constraint matrix stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

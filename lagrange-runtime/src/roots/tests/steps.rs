@@ -80,7 +80,7 @@ fn check_walks(count: usize, noise: f64) {
         };
         let largest = (0..=100).map(|i| product.value(f64::from(i) / 100.0).abs()).fold(0.0, f64::max);
         let g = |theta: f64| product.value(theta) / largest;
-        let slope = |root: f64| product.slope_at(root) / largest;
+        let slope = |root: f64| product.leading_at(root) / largest;
         let cuts = cuts(&mut random, &places);
         let mut roundings = Random(random.bits() | 1);
         let found = walk(40.0, &cuts, |theta| g(theta) + noise * (roundings.unit() - 0.5));
@@ -96,7 +96,7 @@ fn check_walks(count: usize, noise: f64) {
         let kinds: Vec<_> = found.iter().map(|zero| zero.1).collect();
         assert_eq!(kinds, expected.collect::<Vec<_>>(), "{roots:?}\n{cuts:?}\n{found:?}");
         for ((time, _), (root, order)) in found.iter().zip(&roots) {
-            let bound = if *order == 1 { 1.5e-13 / slope(*root) } else { 2e-4 };
+            let bound = (1.5e-13 / slope(*root)).powf(1.0 / *order as f64);
             assert!((time - root).abs() < bound, "{roots:?}\n{cuts:?}\n{found:?}");
         }
     }
@@ -127,7 +127,9 @@ fn what_no_single_polynomial_resolves_is_halved() {
         let half = 0.5 * (((1.0 / height) - 1.0) / 25.0).sqrt();
         let cuts = cuts(&mut random, &[0.5 - half, 0.5 + half, 0.5]);
         let found = walk(2.0, &cuts, g);
-        let [(first, Kind::Rising), (second, Kind::Falling)] = found[..] else { panic!("{height} {found:?}") };
+        let [(first, Kind::Rising), (second, Kind::Falling)] = found[..] else {
+            panic!("{height} {found:?}")
+        };
         assert!((first - (0.5 - half)).abs() < 1e-14 && (second - (0.5 + half)).abs() < 1e-14);
     }
     let top = |height: f64| {

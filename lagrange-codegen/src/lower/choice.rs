@@ -1,0 +1,132 @@
+//! Branches on the state: both sides are values, and a switch between them is a kink or a jump.
+//!
+//! A condition becomes a number, one where it holds and zero where it does not, made of signs of
+//! differences. `if a > b { x } else { y }` is then w x + (1 − w) y, which the code of one regime knows as x
+//! or as y. At equality it is what Rust says it is.
+
+use std::rc::Rc;
+
+use super::interpreter::{Flow, Interpreter};
+use super::value::{Matrix, Value};
+use crate::diagnostics::{Origin, catalogue};
+use crate::expr::{NodeId, Unary};
+use crate::number::Number;
+use crate::syntax::body::{BinaryOperator, If};
+
+impl<'a> Interpreter<'a> {
+    /// Whether a comparison of two numbers holds, as a number; `None` of a comparison for equality.
+    pub fn choice(&mut self, operator: BinaryOperator, left: NodeId, right: NodeId) -> Option<NodeId> {
+        // The sign of zero is positive.
+        let (more, less, strict) = match operator {
+            BinaryOperator::GreaterEqual => (left, right, false),
+            BinaryOperator::LessEqual => (right, left, false),
+            BinaryOperator::Less => (left, right, true),
+            BinaryOperator::Greater => (right, left, true),
+            _ => return None,
+        };
+        let graph = self.graph();
+        let difference = graph.sub(more, less);
+        let sign = graph.unary(Unary::Signum, difference);
+        let half = if strict { -Number::HALF } else { Number::HALF };
+        Some(graph.sum(Number::HALF, &[(sign, half)]))
+    }
+
+    /// Two conditions joined.
+    pub fn both(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
+        match (operator, left, right) {
+            (_, Value::Choice(a), Value::Choice(b)) => {
+                let graph = self.graph();
+                let both = graph.mul(a, b);
+                if operator == BinaryOperator::And {
+                    return Value::Choice(both);
+                }
+                let terms = [(a, Number::ONE), (b, Number::ONE), (both, Number::MINUS_ONE)];
+                Value::Choice(graph.sum(Number::ZERO, &terms))
+            }
+            // A constant that decides has been taken before.
+            (_, Value::Choice(weight), Value::Boolean(known)) | (_, Value::Boolean(known), Value::Choice(weight)) => {
+                match (operator, known) {
+                    (BinaryOperator::And, true) | (BinaryOperator::Or, false) => Value::Choice(weight),
+                    (_, known) => Value::Boolean(known),
+                }
+            }
+            (_, left, right) => self.mismatch(operator, &left, &right, origin),
+        }
+    }
+
+    /// The opposite of a condition.
+    pub fn opposite(&mut self, weight: NodeId) -> NodeId {
+        self.graph().sum(Number::ONE, &[(weight, Number::MINUS_ONE)])
+    }
+
+    /// `if … else …` on the state.
+    pub fn chosen(&mut self, branch: &'a If, weight: NodeId) -> Value {
+        let origin = branch.condition.origin;
+        let before = self.scope.values();
+        let then = self.block(&branch.then);
+        let is_through = matches!(self.flow, Flow::Next);
+        let after_then = self.scope.values();
+        self.scope.restore(before);
+        let otherwise = match &branch.otherwise {
+            Some(otherwise) if is_through => self.expression(otherwise),
+            _ => Value::Unit,
+        };
+        if !matches!(self.flow, Flow::Next) {
+            self.flow = Flow::Next;
+            return self.refuse(origin, catalogue::leaving_choice());
+        }
+        let after_otherwise = self.scope.values();
+        let mut merged = Vec::with_capacity(after_then.len());
+        for (then, otherwise) in after_then.iter().zip(&after_otherwise) {
+            merged.push(self.mixed(weight, then, otherwise, origin));
+        }
+        self.scope.restore(merged);
+        self.mixed(weight, &then, &otherwise, origin)
+    }
+
+    /// w · `then` + (1 − w) · `otherwise`.
+    fn mixed(&mut self, weight: NodeId, then: &Value, otherwise: &Value, origin: Origin) -> Value {
+        let words = |value: &Value| {
+            let mut words = Vec::new();
+            value.fingerprint(&mut words);
+            words
+        };
+        if words(then) == words(otherwise) {
+            return then.clone();
+        }
+        let mix = |this: &mut Self, a: &[NodeId], b: &[NodeId]| -> Rc<[NodeId]> {
+            let rest = this.opposite(weight);
+            let graph = this.graph();
+            a.iter()
+                .zip(b)
+                .map(|(&a, &b)| {
+                    let (a, b) = (graph.mul(weight, a), graph.mul(rest, b));
+                    graph.add(a, b)
+                })
+                .collect()
+        };
+        match (then, otherwise) {
+            (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
+            (Value::Scalar(..) | Value::Parameter(_), Value::Scalar(..) | Value::Parameter(_)) => {
+                let (a, b) = (self.scalar(then.clone(), origin), self.scalar(otherwise.clone(), origin));
+                match (a, b) {
+                    (Some(a), Some(b)) => Value::scalar(mix(self, &[a], &[b])[0]),
+                    _ => Value::Unknown,
+                }
+            }
+            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => Value::Vector(mix(self, a, b)),
+            (Value::Point(a), Value::Point(b)) if a.len() == b.len() => Value::Point(mix(self, a, b)),
+            (Value::Matrix(a), Value::Matrix(b)) if (a.rows, a.columns) == (b.rows, b.columns) => {
+                let entries = mix(self, &a.entries, &b.entries).to_vec();
+                Value::Matrix(Rc::new(Matrix { rows: a.rows, columns: a.columns, entries }))
+            }
+            (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+                Value::array(a.iter().zip(b.iter()).map(|(a, b)| self.mixed(weight, a, b, origin)).collect())
+            }
+            (Value::Tuple(a), Value::Tuple(b)) if a.len() == b.len() => {
+                Value::tuple(a.iter().zip(b.iter()).map(|(a, b)| self.mixed(weight, a, b, origin)).collect())
+            }
+            (a, b) => self.refuse(origin, catalogue::unmixed_choice(a.describe(), b.describe())),
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! N01, N05, N07, N09: impacts, several at once, infinitely many of them, rest.
+
+use lagrangian::prelude::*;
+
+use super::TIGHT;
+use crate::support::close::{all_close, close, close_on};
+
+/// N01: a ball above a floor.
+struct Ball {
+    mass: f64,
+    gravity: f64,
+    restitution: f64,
+}
+
+#[lagrangian(coordinates = [y])]
+impl Ball {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.y * v.y
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        self.mass * self.gravity * q.y
+    }
+
+    #[unilateral(restitution = self.restitution)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+}
+
+const BALL: Ball = Ball { mass: 2.0, gravity: 9.81, restitution: 0.8 };
+
+const IMPACTS: [f64; 8] = [
+    0.4515236409857309044508111,
+    1.173961466562900351572109,
+    1.751911727024635909269147,
+    2.214271935394024355426778,
+    2.584160102089535112352882,
+    2.880070635445943717893766,
+    3.116799062131070602326473,
+    3.306181803479172109872638,
+];
+
+#[test]
+fn a_ball_bounces_at_the_right_times() {
+    let mut motion = BALL.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
+    for expected in IMPACTS {
+        let impact = motion.advance_to_event(|state: &State<f64, 1>| state.q[0], 10.0).unwrap().unwrap();
+        close_on(1.0, impact.state.t, expected, 1e-12);
+    }
+}
+
+#[test]
+fn between_impacts_a_ball_is_where_it_should_be() {
+    let mut motion = BALL.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
+    let state = motion.advance_to(3.0).unwrap();
+    close(state.q[0], 0.06870746096576572204080913, 1e-11);
+    close(state.v[0], -0.01535413338474475931973029, 1e-11);
+}
+
+#[test]
+fn infinitely_many_impacts_end_in_rest() {
+    let mut motion = BALL.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
+    let state = *motion.advance_to(4.0637127687715781400573 + 1e-9).unwrap();
+    assert_eq!(state.v[0], 0.0);
+    close_on(1.0, state.q[0], 0.0, 1e-15);
+    close(motion.reactions().floor, 2.0 * 9.81, 1e-14);
+    let before = motion.steps().accepted;
+    let state = *motion.advance_to(1e6).unwrap();
+    assert_eq!(state, state.at_time(1e6));
+    close_on(1.0, state.q[0], 0.0, 1e-15);
+    assert!(motion.steps().accepted <= before + 2, "rest costs {} steps", motion.steps().accepted - before);
+}
+
+#[test]
+fn just_before_the_last_impact_a_ball_still_moves() {
+    let mut motion = BALL.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
+    let state = motion.advance_to(4.0637127687715781400573 - 1e-5).unwrap();
+    assert!(state.v[0] != 0.0 && state.q[0] >= 0.0, "{state:?}");
+}
+
+#[test]
+fn a_plastic_impact_is_rest_at_once() {
+    let ball = Ball { restitution: 0.0, ..BALL };
+    let mut motion = ball.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
+    let state = motion.advance_to(0.5).unwrap();
+    assert_eq!(state.v[0], 0.0);
+    close_on(1.0, state.q[0], 0.0, 1e-15);
+}
+
+#[test]
+fn an_elastic_ball_keeps_its_energy() {
+    let ball = Ball { restitution: 1.0, ..BALL };
+    let mut motion = ball.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
+    let energy = motion.energy();
+    let period = 2.0 * IMPACTS[0];
+    let state = *motion.advance_to(100.0 * period).unwrap();
+    close(state.q[0], 1.0, 1e-11);
+    close(motion.energy(), energy, 1e-13);
+}
+
+/// N07: a pendulum that hits a wall at the bottom.
+struct Pendulum {
+    length: f64,
+    restitution: f64,
+}
+
+#[lagrangian(coordinates = [phi])]
+impl Pendulum {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        self.length * Vector2::new(q.phi.sin(), -q.phi.cos())
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * self.bob(q).y
+    }
+
+    #[unilateral(restitution = self.restitution)]
+    fn wall(&self, q: &Coordinates) -> f64 {
+        q.phi
+    }
+}
+
+#[test]
+fn a_pendulum_hits_a_wall() {
+    let pendulum = Pendulum { length: 0.8, restitution: 0.9 };
+    let mut motion = pendulum.simulate(State::at_rest([1.3])).with_tolerance(TIGHT);
+    let impacts = [
+        (0.5011194142935444236579389, 3.814619102173297591941758),
+        (1.478873774153718910399404, 3.433157191955967832747582),
+        (2.438687857417003638847485, 3.089841472760371049472824),
+        (3.385023185767569956676857, 2.780857325484333944525542),
+        (4.321050771690149982547903, 2.502771592935900550072988),
+    ];
+    for (time, after) in impacts {
+        let impact = motion.advance_to_event(|state: &State<f64, 1>| state.q[0], 10.0).unwrap().unwrap();
+        close_on(1.0, impact.state.t, time, 1e-12);
+        close(motion.state().v[0], after, 1e-11);
+    }
+}
+
+/// N09: three balls in a row, each with the next a contact.
+struct Row {
+    restitution: f64,
+}
+
+#[lagrangian(coordinates = [x: [3]])]
+impl Row {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        v.x.iter().map(|v| 0.5 * v * v).sum()
+    }
+
+    #[unilateral(restitution = self.restitution)]
+    fn gap(&self, q: &Coordinates) -> [f64; 2] {
+        [q.x[1] - q.x[0] - 1.0, q.x[2] - q.x[1] - 1.0]
+    }
+}
+
+fn row(restitution: f64, places: [f64; 3]) -> [f64; 3] {
+    let row = Row { restitution };
+    let mut motion = row.simulate(State::new(places, [1.0, 0.0, 0.0])).with_tolerance(TIGHT);
+    motion.advance_to(3.0).unwrap().v
+}
+
+#[test]
+fn several_balls_hit_each_other_at_once() {
+    all_close(row(1.0, [-1.0, 1.0, 2.0]), [-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0], 1e-13);
+    all_close(row(0.5, [-1.0, 1.0, 2.0]), [0.0, 0.5, 0.5], 1e-13);
+    all_close(row(1.0, [-1.0, 1.0, 2.25]), [0.0, 0.0, 1.0], 1e-13);
+}
+
+/// N05: a disc that hits a rough floor.
+struct Disc {
+    friction: f64,
+    restitution: f64,
+}
+
+#[lagrangian(coordinates = [x, y, phi])]
+impl Disc {
+    #[kinetic]
+    fn motion(&self, v: &Velocities) -> f64 {
+        0.2 * (v.x * v.x + v.y * v.y) + 0.5 * 0.5 * 0.4 * 0.1 * 0.1 * v.phi * v.phi
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        0.4 * 9.81 * q.y
+    }
+
+    #[unilateral(restitution = self.restitution)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y - 0.1
+    }
+
+    #[friction(coefficient = self.friction, normal = floor)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x + 0.1 * v.phi
+    }
+}
+
+#[test]
+fn a_disc_bounces_off_a_rough_floor() {
+    for (friction, expected) in [
+        (0.1, [2.246994023928096570647382, 3.10061284264901412086372, -20.06011952143806858705235]),
+        (0.6, [2.166666666666666666666667, 3.10061284264901412086372, -21.66666666666666666666667]),
+    ] {
+        let disc = Disc { friction, restitution: 0.7 };
+        let start = State::new([0.0, 1.1, 0.0], [3.0, 0.0, -5.0]);
+        let mut motion = disc.simulate(start).with_tolerance(TIGHT);
+        let time = 0.4515236409857309044508111;
+        let state = motion.advance_to(time + 1e-3).unwrap();
+        let [x, y, phi] = state.v;
+        all_close([x, y + 9.81 * (state.t - time), phi], expected, 1e-11);
+    }
+}
+
+#[test]
+fn two_kinds_of_steps_agree() {
+    let other: Vec<f64> = (0..2)
+        .map(|kind| {
+            let disc = Disc { friction: 0.3, restitution: 0.6 };
+            let start = State::new([0.0, 1.1, 0.0], [3.0, 0.0, -25.0]);
+            let mut motion = disc.simulate(start).with_tolerance(if kind == 0 { 1e-13 } else { 1e-9 });
+            motion.advance_to(4.0).unwrap().q[0]
+        })
+        .collect();
+    close(other[0], other[1], 1e-7);
+}

@@ -1,0 +1,11 @@
+//! Contacts, dry friction and kinks: published cases (N01 to N14) and what their laws imply.
+
+mod balls;
+mod friction;
+mod kinks;
+mod reactions;
+mod refused;
+mod rocking;
+
+/// Tolerance of the motions.
+const TIGHT: f64 = 1e-13;
