@@ -11,14 +11,14 @@
 //! * [`Zeros`] walks over a step from left to right and keeps the last certain side. What it knows at the
 //!   end, a [`Memory`], is where the next step starts from. So crossings alternate over all steps, however
 //!   a motion is cut into steps, and a zero at the seam of two steps counts once.
-//! * A guard that stays within the noise has no zeros; its zero is counted when it is known on both sides, or
-//!   at the end of a step in which it was entered.
+//! * A guard that stays within the noise has no zeros. A zero at the end of a step counts there if the
+//!   polynomial, extended a little, tells where it leads; else the next step counts it where it starts.
 //!
 //! [`Zero::polish`] then takes the guard itself to find the crossing to the last bit.
 //!
 //! Chebyshev instead of Bernstein: the change of basis costs a factor 2ⁿ in accuracy, and on parts of a step
 //! the polynomial of degree 64 is one of low degree anyway. The tests on the coefficients of a part, and the
-//! bisection, are those of J. P. Boyd, "Solving Transcendental Equations" (2014), chapters 2 and 3.
+//! bisection, follow J. P. Boyd, "Solving Transcendental Equations" (SIAM 2014), on Chebyshev proxies.
 
 mod bracket;
 mod pieces;

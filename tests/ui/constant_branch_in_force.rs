@@ -21,7 +21,7 @@ impl Block {
 
     #[force]
     fn friction(&self, v: &Velocities) -> f64 {
-        if v.x > 0.0 { -self.mass } else { self.mass }
+        if v.x == 0.0 { -self.mass } else { self.mass }
     }
 }
 

@@ -16,7 +16,7 @@ impl Block {
 
     #[potential]
     fn spring(&self, q: &Coordinates) -> f64 {
-        if q.x > 0.0 { 0.5 * self.stiffness * q.x.powi(2) } else { 0.0 }
+        if q.x != 0.0 { 0.5 * self.stiffness * q.x.powi(2) } else { 0.0 }
     }
 }
 

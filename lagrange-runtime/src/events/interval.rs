@@ -61,11 +61,7 @@ where
 
     /// The guard at a time in the last step; no number where the state there is not known, for which the reason
     /// is left in `error`.
-    pub fn at_time(
-        &mut self,
-        t: S::Scalar,
-        error: &mut Option<MotionError<S::Scalar>>,
-    ) -> S::Scalar {
+    pub fn at_time(&mut self, t: S::Scalar, error: &mut Option<MotionError<S::Scalar>>) -> S::Scalar {
         match self.motion.peek(t) {
             Ok(state) => self.at(&state),
             Err(reason) => {
@@ -92,10 +88,8 @@ where
         let by_time = if by_time.is_finite() { by_time } else { S::Scalar::zero() };
         let factor = S::Scalar::from_f64(if S::CONSTRAINED { PROJECTED } else { 1.0 });
         let at_start = factor * self.sensitivity(from, first, &near);
-        let whole = larger(
-            factor * self.sensitivity(from, first, &far),
-            factor * self.sensitivity(to, last, &far),
-        );
+        let whole =
+            larger(factor * self.sensitivity(from, first, &far), factor * self.sensitivity(to, last, &far));
         [larger(at_start, first.abs()) + by_time, whole + by_time]
     }
 

@@ -148,8 +148,8 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         let Some(end) = self.reach(motion, attempts)? else { return Ok(()) };
         let step = (end - from).abs();
         let ahead = if end < from { -R::one() } else { R::one() };
-        let resolution = R::from_f64(16.0) * R::epsilon() * larger(from.abs(), end.abs())
-            + step_size::smallest();
+        let resolution =
+            R::from_f64(16.0) * R::epsilon() * larger(from.abs(), end.abs()) + step_size::smallest();
         let mut length = self.length.map_or(step, |length| smaller(length, step));
         loop {
             let to = if length < step { from + ahead * length } else { end };
@@ -200,9 +200,8 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         let (from, until) = (self.front.t, self.until);
         let is_ahead = |t: R| if until < from { t < from } else { t > from };
         let inside = |[a, b]: [R; 2]| (a <= from && from <= b) || (b <= from && from <= a);
-        let ends = |motion: &Simulation<'_, S, C, M, N, K>| {
-            [M::start(&motion.memory).t, M::end(&motion.memory).t]
-        };
+        let ends =
+            |motion: &Simulation<'_, S, C, M, N, K>| [M::start(&motion.memory).t, M::end(&motion.memory).t];
         let mut step = ends(motion);
         if !(inside(step) && step.into_iter().any(is_ahead)) {
             let Simulation { system, constants, control, limits, memory, .. } = motion;
@@ -257,9 +256,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         G: Guard<S, R, N>,
     {
         let mut tracks = self.tracks.iter_mut().zip(guards);
-        tracks.all(|(track, guard)| {
-            track.compare(&Watched { motion: &mut *motion, guard }, interval, states)
-        })
+        tracks.all(|(track, guard)| track.compare(&Watched { motion: &mut *motion, guard }, interval, states))
     }
 }
 

@@ -3,8 +3,6 @@
 use super::*;
 
 /// The zeros in [0, 1] of `g`, in steps that end at `cuts` and at each zero.
-///
-/// `g` gets the time and a number of its own, to have roundings of its own in each evaluation.
 fn walk(size: f64, cuts: &[f64], mut g: impl FnMut(f64) -> f64) -> Vec<(f64, Kind)> {
     let (mut now, mut memory, mut found) = (0.0, Memory::Unknown, Vec::new());
     let mut ends = cuts.to_vec();
@@ -140,6 +138,27 @@ fn what_no_single_polynomial_resolves_is_halved() {
         let two = walk(2.0, cuts, top(1.0 - 1e-13));
         assert_eq!(two.iter().map(|zero| zero.1).collect::<Vec<_>>(), [Kind::Rising, Kind::Falling]);
         assert!(walk(2.0, cuts, top(1.0 + 1e-13)).is_empty());
+    }
+}
+
+#[test]
+fn a_step_that_ends_before_its_polynomial() {
+    let mut random = Random(17);
+    let pi = core::f64::consts::PI;
+    for _ in 0..2000 {
+        let phase = 0.1 + 0.8 * random.unit();
+        let beside = 10_f64.powf(-2.0 - 14.0 * random.unit());
+        let nearest = (f64::from(1 + random.below(9) as u32) * pi - phase) / 30.0;
+        let cut = nearest + [0.0, beside, -beside][random.below(3)];
+        let g = |time: f64| (30.0 * time + phase).sin();
+        let whole = Polynomial::interpolate(30.0, g).expect("smooth");
+        let mut first = whole.zeros(Memory::Unknown, cut);
+        let before = kinds(first.by_ref());
+        let rest = Polynomial::interpolate(30.0, |theta| g(cut + (1.0 - cut) * theta)).expect("smooth");
+        let after = kinds(rest.zeros(first.memory(), 1.0));
+        let all = kinds(whole.zeros(Memory::Unknown, 1.0));
+        assert_eq!([before[0] + after[0], before[1] + after[1], before[2] + after[2]], all, "{phase} {cut}");
+        assert_eq!(all[2], 0);
     }
 }
 

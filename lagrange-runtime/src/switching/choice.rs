@@ -1,0 +1,400 @@
+//! The regime that goes on from a state: complementarity on the level of accelerations.
+//!
+//! Of the rows that are at their limit each does one of two or three things, and what it does has to agree with
+//! the accelerations and reactions that follow: a closed contact pushes, an open one opens, what sticks stays
+//! within its limit, what begins to slip slips against its friction. Combinations are tried, those first that
+//! change least. With friction that reactions drive there may be none, or several (Painlevé's paradox).
+//!
+//! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
+
+use super::scene::{Known, Scales, Scene, Status, above, extent, most, product, rounding};
+use super::trials::{Options, Part, combine, regime};
+use super::{Regime, Row, Switching};
+use crate::constraints::Balance;
+use crate::error::Cause;
+use crate::linear::SaddlePoint;
+use crate::real::Real;
+use crate::state::State;
+
+/// Searches for the direction in which a slip in two directions begins.
+const TURNS: usize = 60;
+
+/// A regime, and what follows from it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Choice<R, const N: usize, const C: usize, const W: usize> {
+    pub(super) regime: Regime<R, C, W>,
+    /// Velocities: those of the state, but for a slip in two directions that begins.
+    pub(super) velocities: [R; N],
+    pub(super) accelerations: [R; N],
+    pub(super) multipliers: [R; C],
+    /// Whether the motion determines each multiplier.
+    pub(super) is_unique: bool,
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that again
+    /// only if nothing else is possible.
+    pub(super) fn choose(
+        &self,
+        present: &Regime<S::Scalar, C, W>,
+        avoid: Option<usize>,
+    ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
+        let options = self.options(present, avoid);
+        let is_coupled = S::ROWS.iter().zip(&self.status).any(|(row, &status)| {
+            matches!(row, Row::Friction { normal: Some(_), .. }) && status != Status::Apart
+        });
+        let fine: S::Scalar = rounding();
+        let mut cause = Cause::NotFinite;
+        // Ties are decided by more than roundings only where roundings have left nothing.
+        for part in [fine, fine * fine.sqrt().sqrt().recip(), fine.sqrt() * S::Scalar::from_f64(0.1)] {
+            let mut chosen: Option<Choice<S::Scalar, N, C, W>> = None;
+            let mut other = None;
+            combine(&options, |parts| {
+                let Some(trial) = regime(&S::ROWS, parts, &options, self.kinks) else { return false };
+                let Some(trial) = self.trial(trial) else { return false };
+                match self.judge(parts, &trial, part) {
+                    Ok(()) => match &chosen {
+                        None => chosen = Some(trial),
+                        Some(chosen) => other = other.or_else(|| self.differs(chosen, &trial)),
+                    },
+                    Err(constraint) => {
+                        if cause == Cause::NotFinite {
+                            cause = Cause::NoReaction { constraint, name: S::NAMES.constraint(constraint) };
+                        }
+                    }
+                }
+                chosen.is_some() && !is_coupled
+            });
+            if let Some(constraint) = other {
+                return Err(Cause::SeveralReactions { constraint, name: S::NAMES.constraint(constraint) });
+            }
+            if let Some(chosen) = chosen {
+                return Ok(chosen);
+            }
+        }
+        Err(cause)
+    }
+
+    fn options(&self, present: &Regime<S::Scalar, C, W>, avoid: Option<usize>) -> [Options; C] {
+        core::array::from_fn(|row| {
+            let kind = S::ROWS[row];
+            let options = match (kind, self.status[row]) {
+                (Row::Bilateral, _) if is_limit(&S::ROWS, row) => Options::new(&[Part::On, Part::Against]),
+                (Row::Bilateral, _) => Options::new(&[Part::On]),
+                (Row::Unilateral, Status::Touches | Status::Meets) => Options::new(&[Part::On, Part::Off]),
+                (Row::Friction { pair: Some(other), .. }, _) if other < row => Options::new(&[Part::Off]),
+                (Row::Friction { pair: Some(_), .. }, Status::Rests) => {
+                    Options::new(&[Part::On, Part::Forward])
+                }
+                (Row::Friction { .. }, Status::Rests) => {
+                    Options::new(&[Part::On, Part::Forward, Part::Backward])
+                }
+                (Row::Friction { pair, .. }, Status::Slips) => {
+                    let forward = pair.is_some() || self.laws.rows.rates[row].is_positive();
+                    Options::new(&[if forward { Part::Forward } else { Part::Backward }])
+                }
+                _ => Options::new(&[Part::Off]),
+            };
+            options.with(Part::of(row, kind, present), avoid != Some(row))
+        })
+    }
+
+    /// What follows from a regime; `None` where it has no accelerations.
+    fn trial(&self, regime: Regime<S::Scalar, C, W>) -> Option<Choice<S::Scalar, N, C, W>> {
+        let begins = |row: usize| {
+            matches!(S::ROWS[row], Row::Friction { pair: Some(_), .. })
+                && self.status[row] == Status::Rests
+                && regime.slip[row] != num_traits::Zero::zero()
+        };
+        let velocities =
+            if (0..C).any(begins) { self.begun(&regime, begins)? } else { self.state.v };
+        let balance = self.balance(&regime, &velocities)?;
+        Some(Choice {
+            regime,
+            velocities,
+            accelerations: balance.accelerations,
+            multipliers: balance.multipliers,
+            is_unique: balance.independence.rank == balance.independence.rows,
+        })
+    }
+
+    /// The accelerations and multipliers of a regime.
+    fn balance(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        v: &[S::Scalar; N],
+    ) -> Option<Balance<S::Scalar, N, C>> {
+        let State { t, q, .. } = &self.state;
+        let in_regime = self.system.in_regime(regime);
+        let balance = S::equations_in(&in_regime, *t, q, v, self.inputs)?.balance();
+        let mut numbers = balance.accelerations.iter().chain(&balance.multipliers);
+        numbers.all(|x| x.is_finite()).then_some(balance)
+    }
+
+    /// Velocities with a slip so small that it counts as none, in the directions in which slips begin: that of
+    /// their accelerations, which friction against these directions leaves.
+    #[cold]
+    fn begun(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        begins: impl Fn(usize) -> bool,
+    ) -> Option<[S::Scalar; N]> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let State { t, q, v } = &self.state;
+        let mut stuck = *regime;
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            if let (true, Row::Friction { pair: Some(other), .. }) = (begins(row), kind) {
+                stuck.slip[row] = zero;
+                (stuck.active[row], stuck.active[*other]) = (true, true);
+            }
+        }
+        let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
+        let mut slips = held.balance().multipliers.map(|force| -force);
+        let mut velocities = *v;
+        for _ in 0..TURNS {
+            let mut wanted = [zero; C];
+            let mut turned = zero;
+            for (row, kind) in S::ROWS.iter().enumerate() {
+                if let (true, Row::Friction { pair: Some(other), .. }) = (begins(row), kind) {
+                    let length = slips[row].hypot(slips[*other]);
+                    if !length.is_positive() {
+                        return None;
+                    }
+                    let size = most(self.speeds[row], self.speeds[*other]);
+                    let size = if size.is_positive() { size } else { S::Scalar::epsilon() };
+                    let size = size * S::Scalar::epsilon() * S::Scalar::from_f64(16.0);
+                    for row in [row, *other] {
+                        wanted[row] = size * slips[row] / length;
+                        let now = self.laws.rows.rates[row] + self.change(row, &velocities);
+                        turned = most(turned, (wanted[row] - now).abs() / size);
+                    }
+                }
+            }
+            if !above(turned, S::Scalar::from_f64(4.0) * S::Scalar::epsilon()) {
+                break;
+            }
+            let lack = core::array::from_fn(|row| {
+                if wanted[row] == zero { zero } else { wanted[row] - self.laws.rows.rates[row] }
+            });
+            let (change, _) = held.saddle.solve(&[zero; N], &lack);
+            velocities = core::array::from_fn(|i| v[i] + change[i]);
+            let balance = self.balance(regime, &velocities)?;
+            let sizes = self.sizes(regime, &balance.accelerations, &balance.multipliers);
+            for (row, kind) in S::ROWS.iter().enumerate() {
+                if let (true, Row::Friction { pair: Some(other), .. }) = (begins(row), kind) {
+                    let rates = [row, *other].map(|row| self.rate(row, &balance.accelerations));
+                    let size = extent(&self.gradients[row], &sizes.accelerations);
+                    // Where nothing accelerates the slip, it goes where the force drives it.
+                    if above(rates[0].hypot(rates[1]), rounding::<S::Scalar>() * size) {
+                        (slips[row], slips[*other]) = (rates[0], rates[1]);
+                    }
+                }
+            }
+        }
+        Some(velocities)
+    }
+
+    /// What velocities change at a row.
+    fn change(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
+        let change = core::array::from_fn(|i| velocities[i] - self.state.v[i]);
+        product(&self.gradients[row], &change)
+    }
+
+    /// The rate of the rate of a row.
+    pub(super) fn rate(&self, row: usize, accelerations: &[S::Scalar; N]) -> S::Scalar {
+        product(&self.gradients[row], accelerations) - self.gamma[row]
+    }
+
+    /// What forces and accelerations are made of.
+    fn sizes(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        accelerations: &[S::Scalar; N],
+        multipliers: &[S::Scalar; C],
+    ) -> Sizes<S::Scalar, N> {
+        let State { t, q, v } = &self.state;
+        let mut forces = [num_traits::Zero::zero(); N];
+        let mut sizes = accelerations.map(|a: S::Scalar| a.abs());
+        let in_regime = self.system.in_regime(regime);
+        if let Some(equations) = S::equations_in(&in_regime, *t, q, v, self.inputs) {
+            let units = equations.saddle.units();
+            for (i, force) in forces.iter_mut().enumerate() {
+                *force = equations.forces[i].abs();
+                for (row, &multiplier) in self.gradients.iter().zip(multipliers) {
+                    *force += (row[i] * multiplier).abs();
+                }
+                sizes[i] += *force * units[i] * units[i];
+            }
+        }
+        Sizes { forces, accelerations: sizes }
+    }
+
+    /// Whether what a combination demands agrees with what follows from it; if not, the row where it does not.
+    fn judge(
+        &self,
+        parts: &[Part; C],
+        trial: &Choice<S::Scalar, N, C, W>,
+        part: S::Scalar,
+    ) -> Result<(), usize> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let sizes = self.sizes(&trial.regime, &trial.accelerations, &trial.multipliers);
+        let scale = |row: usize| {
+            let gradient = &self.gradients[row];
+            let squares = product(gradient, gradient);
+            if squares.is_positive() { extent(gradient, &sizes.forces) / squares } else { zero }
+        };
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let reaction = trial.multipliers[row];
+            let slack = part * scale(row);
+            let rate = self.rate(row, &trial.accelerations);
+            let play = part
+                * (extent(&self.gradients[row], &sizes.accelerations) + self.gamma[row].abs());
+            let holds = match (kind, parts[row]) {
+                (Row::Bilateral, part) if is_limit(&S::ROWS, row) => {
+                    let side = if part == Part::Against { -reaction } else { reaction };
+                    !above(-slack, side)
+                }
+                (Row::Unilateral, Part::On) => !above(-slack, reaction),
+                (Row::Unilateral, _) if self.status[row] != Status::Apart => !above(-play, rate),
+                (Row::Friction { normal, pair }, _) if trial.regime.active[row] => {
+                    let limit = self.limit(row, *normal, &trial.multipliers, &self.laws.fixed);
+                    let other = pair.map_or(zero, |other| trial.multipliers[other]);
+                    !above(reaction.hypot(other), limit * (S::Scalar::from_f64(1.0) + part) + slack)
+                }
+                (Row::Friction { pair, .. }, _) => {
+                    let slip = trial.regime.slip[row];
+                    match pair {
+                        _ if slip == zero || self.status[row] != Status::Rests => true,
+                        None => !above(-play, slip * rate),
+                        Some(other) => {
+                            let along = |row| {
+                                let rates = &self.laws.rows.rates;
+                                rates[row] + self.change(row, &trial.velocities)
+                            };
+                            let (x, y) = (along(row), along(*other));
+                            let turn = self.rate(*other, &trial.accelerations);
+                            !above(-play * x.hypot(y), x * rate + y * turn)
+                        }
+                    }
+                }
+                _ => true,
+            };
+            if !holds {
+                return Err(row);
+            }
+        }
+        Ok(())
+    }
+
+    /// What a friction can do at most.
+    pub(super) fn limit(
+        &self,
+        row: usize,
+        normal: Option<usize>,
+        multipliers: &[S::Scalar; C],
+        coefficients: &[S::Scalar; C],
+    ) -> S::Scalar {
+        normal.map_or(coefficients[row], |normal| coefficients[row] * multipliers[normal].abs())
+    }
+
+    /// The contact at which two regimes have other reactions, if the motion differs.
+    fn differs(
+        &self,
+        a: &Choice<S::Scalar, N, C, W>,
+        b: &Choice<S::Scalar, N, C, W>,
+    ) -> Option<usize> {
+        let reacts = |regime: &Regime<S::Scalar, C, W>, row: usize| (regime.active[row], regime.side[row]);
+        let row = S::ROWS.iter().enumerate().position(|(row, kind)| {
+            !matches!(kind, Row::Friction { .. }) && reacts(&a.regime, row) != reacts(&b.regime, row)
+        })?;
+        let sizes = [a, b].map(|x| self.sizes(&x.regime, &x.accelerations, &x.multipliers).accelerations);
+        let part = S::Scalar::epsilon().sqrt();
+        let apart = (0..N).any(|i| {
+            let difference = (a.accelerations[i] - b.accelerations[i]).abs();
+            above(difference, part * (sizes[0][i] + sizes[1][i]))
+        });
+        apart.then_some(row)
+    }
+}
+
+/// The magnitudes of what forces and accelerations are made of.
+struct Sizes<R, const N: usize> {
+    forces: [R; N],
+    accelerations: [R; N],
+}
+
+/// Whether the reaction of a row limits a friction.
+pub(super) fn is_limit<const C: usize>(rows: &[Row; C], row: usize) -> bool {
+    rows.iter().any(|kind| matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row))
+}
+
+/// The sides of kinks at a state: that of a switching function that is zero is not known, and taken as above.
+pub(super) fn sides<R: Real, const W: usize>(kinks: &[R; W], present: &[R; W], sizes: &[R; W]) -> [R; W] {
+    core::array::from_fn(|kink| {
+        if !above(kinks[kink].abs(), rounding::<R>() * sizes[kink]) {
+            present[kink]
+        } else if kinks[kink].is_positive() {
+            R::one()
+        } else {
+            -R::one()
+        }
+    })
+}
+
+/// The regime that goes on from a state alone, without a motion that leads there.
+fn at_state<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &S,
+    t: S::Scalar,
+    q: &[S::Scalar; N],
+    v: &[S::Scalar; N],
+    u: &[S::Scalar; K],
+) -> Option<Choice<S::Scalar, N, C, W>>
+where
+    S: Switching<N, K, C, W>,
+{
+    let laws = system.laws_at(t, q, v);
+    let open = Regime::<S::Scalar, C, W>::open(&S::ROWS);
+    let kinks = sides(&laws.kinks, &open.kinks, &laws.kink_sizes);
+    let state = State { t, q: *q, v: *v };
+    let known = Known { closed: [false; C], fired: None, settled: true };
+    let scene = Scene::new(system, &state, u, kinks, &Scales::new(), &known);
+    scene.choose(&open, None).ok()
+}
+
+/// Accelerations at a state; not finite where there are none.
+#[doc(hidden)]
+#[must_use]
+pub fn accelerations<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &S,
+    t: S::Scalar,
+    q: &[S::Scalar; N],
+    v: &[S::Scalar; N],
+    u: &[S::Scalar; K],
+) -> [S::Scalar; N]
+where
+    S: Switching<N, K, C, W>,
+{
+    let none = || [S::Scalar::from_f64(f64::NAN); N];
+    at_state(system, t, q, v, u).map_or_else(none, |choice| choice.accelerations)
+}
+
+/// The multipliers of all rows at a state, and whether the motion determines each; not finite where there are
+/// none.
+#[doc(hidden)]
+#[must_use]
+pub fn multipliers<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &S,
+    t: S::Scalar,
+    q: &[S::Scalar; N],
+    v: &[S::Scalar; N],
+    u: &[S::Scalar; K],
+) -> ([S::Scalar; C], bool)
+where
+    S: Switching<N, K, C, W>,
+{
+    let none = || ([S::Scalar::from_f64(f64::NAN); C], false);
+    at_state(system, t, q, v, u).map_or_else(none, |choice| (choice.multipliers, choice.is_unique))
+}

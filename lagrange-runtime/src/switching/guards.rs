@@ -1,0 +1,265 @@
+//! Guards: what ends a regime where it falls through zero.
+
+use super::scene::{most, rounding};
+use super::{Regime, Row, Switching};
+use crate::constraints::Balance;
+use crate::error::Cause;
+use crate::real::{Ordered, Real};
+use crate::roots::{Direction, Memory, Polynomial, Side, Unresolved};
+use crate::state::State;
+
+/// Evaluations of all guards that are kept: those of a polynomial of degree 16, and what tests it.
+const KEPT: usize = 24;
+
+/// A step is halved so often before its guards are given up.
+const HALVINGS: i32 = 24;
+
+/// Which guard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Guard {
+    Row(usize),
+    Kink(usize),
+}
+
+/// What each guard is, in a regime.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Watch<R, const C: usize> {
+    /// Rows that have a guard.
+    rows: [bool; C],
+    /// Whether reactions are among them.
+    reactions: bool,
+    /// Slip velocities in two directions where the step starts: while the slip has a part in the same direction
+    /// it has not turned back.
+    directions: [R; C],
+}
+
+/// Values of all guards and their sizes.
+#[derive(Clone, Copy, Debug)]
+struct Values<R, const C: usize, const W: usize> {
+    rows: [R; C],
+    row_sizes: [R; C],
+    kinks: [R; W],
+    kink_sizes: [R; W],
+}
+
+impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
+    const fn of(zero: R) -> Self {
+        Self { rows: [zero; C], row_sizes: [zero; C], kinks: [zero; W], kink_sizes: [zero; W] }
+    }
+
+    fn get(&self, guard: Guard) -> (R, R) {
+        let (value, size) = match guard {
+            Guard::Row(row) => (self.rows.get(row), self.row_sizes.get(row)),
+            Guard::Kink(kink) => (self.kinks.get(kink), self.kink_sizes.get(kink)),
+        };
+        (value.copied().unwrap_or(R::one()), size.copied().unwrap_or(R::zero()))
+    }
+}
+
+/// The guards of a regime.
+pub(super) struct Guards<'a, S, const N: usize, const K: usize, const C: usize, const W: usize>
+where
+    S: Switching<N, K, C, W>,
+{
+    pub(super) system: &'a S,
+    pub(super) in_regime: &'a S::InRegime,
+    pub(super) regime: &'a Regime<S::Scalar, C, W>,
+    pub(super) inputs: &'a [S::Scalar; K],
+    watch: Watch<S::Scalar, C>,
+}
+
+impl<'a, S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'a, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    /// The guards of a step that starts at a state.
+    pub(super) fn new(
+        system: &'a S,
+        in_regime: &'a S::InRegime,
+        regime: &'a Regime<S::Scalar, C, W>,
+        inputs: &'a [S::Scalar; K],
+        start: &State<S::Scalar, N>,
+    ) -> Self {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let slips = |row: usize| regime.slip[row] != zero;
+        let mut watch = Watch { rows: [false; C], reactions: false, directions: [zero; C] };
+        let mut turns = false;
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            (watch.rows[row], watch.reactions) = match kind {
+                Row::Bilateral => {
+                    let drives = S::ROWS.iter().enumerate().any(|(other, kind)| {
+                        matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row)
+                            && slips(other)
+                    });
+                    (drives, watch.reactions || drives)
+                }
+                Row::Unilateral => (true, watch.reactions || regime.active[row]),
+                Row::Friction { pair, .. } => {
+                    let is_first = pair.is_none_or(|other| row < other);
+                    turns = turns || pair.is_some() && slips(row);
+                    let is_active = regime.active[row] && is_first;
+                    (is_active || slips(row), watch.reactions || is_active)
+                }
+            };
+        }
+        if turns {
+            watch.directions = system.laws_at(start.t, &start.q, &start.v).rows.rates;
+        }
+        Self { system, in_regime, regime, inputs, watch }
+    }
+
+    /// Whether there is nothing to look at.
+    pub(super) fn is_empty(&self) -> bool {
+        W == 0 && !self.watch.rows.contains(&true)
+    }
+
+    /// The multipliers at a state.
+    fn multipliers(&self, state: &State<S::Scalar, N>) -> [S::Scalar; C] {
+        let State { t, q, v } = state;
+        let none = [S::Scalar::from_f64(f64::NAN); C];
+        if !self.watch.reactions {
+            return none;
+        }
+        let equations = S::equations_in(self.in_regime, *t, q, v, self.inputs);
+        equations.map_or(none, |equations| {
+            let Balance { multipliers, .. } = equations.balance();
+            multipliers
+        })
+    }
+
+    /// All guards at a state.
+    fn values(&self, state: &State<S::Scalar, N>) -> Values<S::Scalar, C, W> {
+        let laws = self.system.laws_at(state.t, &state.q, &state.v);
+        let multipliers = self.multipliers(state);
+        let mut values = Values::of(num_traits::Zero::zero());
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            if !self.watch.rows[row] {
+                continue;
+            }
+            let reaction = multipliers[row];
+            (values.rows[row], values.row_sizes[row]) = match kind {
+                Row::Bilateral => (self.regime.side[row] * reaction, reaction.abs()),
+                Row::Unilateral if self.regime.active[row] => (reaction, reaction.abs()),
+                Row::Unilateral => (laws.rows.positions[row], laws.rows.position_sizes[row]),
+                Row::Friction { normal, pair } if self.regime.active[row] => {
+                    let limit = laws.fixed[row] * normal.map_or(num_traits::One::one(), |row| multipliers[row]);
+                    let other = pair.map_or(num_traits::Zero::zero(), |row| multipliers[row]);
+                    let force = reaction * reaction + other * other;
+                    (limit * limit - force, limit * limit + force)
+                }
+                Row::Friction { pair, .. } => {
+                    let rate = |row: usize| (laws.rows.rates[row], laws.rows.rate_sizes[row]);
+                    match pair {
+                        None => (self.regime.slip[row] * rate(row).0, rate(row).1),
+                        Some(other) => {
+                            let along = |row: usize| {
+                                let direction = self.watch.directions[row];
+                                (direction * rate(row).0, direction.abs() * rate(row).1)
+                            };
+                            let (a, b) = (along(row), along(*other));
+                            (a.0 + b.0, a.1 + b.1)
+                        }
+                    }
+                }
+            };
+        }
+        for (kink, &side) in self.regime.kinks.iter().enumerate() {
+            values.kinks[kink] = side * laws.kinks[kink];
+            values.kink_sizes[kink] = laws.kink_sizes[kink];
+        }
+        values
+    }
+
+    /// The first guard that falls through zero on a step, and the part of the step that has passed then. `at` gives
+    /// the state after a part of it.
+    pub(super) fn first(
+        &self,
+        scales: &[S::Scalar; C],
+        mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
+    ) -> Result<Option<(S::Scalar, Guard)>, Cause> {
+        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
+        let half = S::Scalar::from_f64(0.5);
+        let shortest = half.powi(HALVINGS);
+        let (mut from, mut to) = (zero, one);
+        let nan = Values::of(S::Scalar::from_f64(f64::NAN));
+        loop {
+            let width = to - from;
+            let mut kept = [(-one, Values::of(zero)); KEPT];
+            let mut count = 0;
+            let mut values = |place: S::Scalar| {
+                if let Some((_, values)) = kept.iter().take(count).find(|(at, _)| *at == place) {
+                    return *values;
+                }
+                let part = if place == one { to } else { from + place * width };
+                let values = at(part).map_or(nan, |state| self.values(&state));
+                if let Some(free) = kept.get_mut(count) {
+                    *free = (place, values);
+                    count += 1;
+                }
+                values
+            };
+            let guards = (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row).chain((0..W).map(Guard::Kink));
+            let mut earliest: Option<(S::Scalar, Guard)> = None;
+            let mut unresolved = None;
+            for guard in guards {
+                match self.falls(guard, scales, &mut |place| values(place).get(guard)) {
+                    Ok(Some(place)) if earliest.is_none_or(|(other, _)| place < other) => {
+                        earliest = Some((place, guard));
+                    }
+                    Ok(_) => {}
+                    Err(why) => unresolved = Some(why),
+                }
+            }
+            match (unresolved, earliest) {
+                // What lies before all that is not resolved is known; the rest of the step does not matter.
+                (Some(why), _) if width <= shortest => {
+                    return match why {
+                        Unresolved::NotFinite => Err(Cause::NotFinite),
+                        Unresolved::Degree => Err(Cause::StepTooSmall),
+                    };
+                }
+                (Some(_), _) => to = from + half * width,
+                (None, Some((place, guard))) => {
+                    let part = if place == one { to } else { from + place * width };
+                    return Ok(Some((part, guard)));
+                }
+                (None, None) if to >= one => return Ok(None),
+                (None, None) => {
+                    let next = to + width + width;
+                    (from, to) = (to, if next < one { next } else { one });
+                }
+            }
+        }
+    }
+
+    /// Where a guard falls through zero on a part of the step.
+    fn falls(
+        &self,
+        guard: Guard,
+        scales: &[S::Scalar; C],
+        value: &mut impl FnMut(S::Scalar) -> (S::Scalar, S::Scalar),
+    ) -> Result<Option<S::Scalar>, Unresolved> {
+        let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
+        let (start, end) = (value(zero), value(one));
+        let scale = match guard {
+            Guard::Row(row) => scales.get(row).copied().unwrap_or(zero),
+            Guard::Kink(_) => zero,
+        };
+        let size = most(start.1, end.1);
+        let polynomial = Polynomial::interpolate(size, |place| value(place).0)?;
+        let noise = most(polynomial.noise(), rounding::<S::Scalar>() * most(start.1, scale));
+        let is_gap = matches!(guard, Guard::Row(row)
+            if S::ROWS[row] == Row::Unilateral && !self.regime.active[row]);
+        let memory = if start.0 > noise {
+            Memory::Side(Side::Above)
+        } else if start.0 >= -noise || is_gap {
+            // What has just begun begins at zero.
+            Memory::Zero(Some(Side::Above))
+        } else {
+            return Ok(Some(zero));
+        };
+        let zero = polynomial.first(Direction::Falling, memory);
+        Ok(zero.map(|zero| zero.polish(|place| value(place).0)))
+    }
+}

@@ -1,0 +1,194 @@
+//! What stands still and what moves at the rows of a system, at one state.
+
+use super::{Laws, Regime, Row, Switching};
+use crate::real::Real;
+use crate::state::State;
+
+/// What is below so many roundings of its size counts as zero: gaps where contacts touch, slip velocities that
+/// rest, reactions and accelerations where one regime ends and another begins.
+const ROUNDINGS: f64 = 256.0;
+
+/// The part of a size that counts as zero.
+pub(super) fn rounding<R: Real>() -> R {
+    R::from_f64(ROUNDINGS) * R::epsilon()
+}
+
+/// Whether a > b.
+pub(super) fn above<R: Real>(a: R, b: R) -> bool {
+    (a - b).is_positive()
+}
+
+/// The larger of two.
+pub(super) fn most<R: Real>(a: R, b: R) -> R {
+    if above(a, b) { a } else { b }
+}
+
+/// Σ aᵢ xᵢ.
+pub(super) fn product<R: Real, const N: usize>(a: &[R; N], x: &[R; N]) -> R {
+    a.iter().zip(x).fold(R::zero(), |sum, (&a, &x)| a.mul_add(x, sum))
+}
+
+/// Σ |aᵢ xᵢ|.
+pub(super) fn extent<R: Real, const N: usize>(a: &[R; N], x: &[R; N]) -> R {
+    a.iter().zip(x).fold(R::zero(), |sum, (&a, &x)| sum + (a * x).abs())
+}
+
+/// Sizes that a motion has shown so far, since a number that is zero has none of its own.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scales<R, const C: usize> {
+    /// The largest summands of gaps.
+    pub(super) gaps: [R; C],
+    /// The largest summands of rates and slip velocities.
+    pub(super) speeds: [R; C],
+    /// The largest speeds of impacts.
+    pub(super) impacts: [R; C],
+}
+
+impl<R: Real, const C: usize> Scales<R, C> {
+    pub(super) fn new() -> Self {
+        let none = [R::zero(); C];
+        Self { gaps: none, speeds: none, impacts: none }
+    }
+
+    /// Takes in another state.
+    pub(super) fn see<const W: usize>(&mut self, laws: &Laws<R, C, W>) {
+        let sizes = [(&mut self.gaps, &laws.rows.position_sizes), (&mut self.speeds, &laws.rows.rate_sizes)];
+        for (seen, now) in sizes {
+            for (seen, &now) in seen.iter_mut().zip(now) {
+                *seen = most(*seen, now);
+            }
+        }
+    }
+}
+
+/// What a row does at a state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Status {
+    /// A constraint that always holds.
+    Holds,
+    /// A gap that is open or opens; friction of a contact that is open.
+    Apart,
+    /// A gap that is zero and closes: an impact.
+    Meets,
+    /// A gap that is zero and stays so for the moment.
+    Touches,
+    /// A slip velocity that is zero.
+    Rests,
+    /// A slip velocity that is not.
+    Slips,
+}
+
+/// What is known of a state beside its numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known<const C: usize> {
+    /// Gaps that are zero whatever rounding says.
+    pub(super) closed: [bool; C],
+    /// The row whose guard has led here: its gap or its slip velocity is zero.
+    pub(super) fired: Option<usize>,
+    /// Whether impacts are over: what is left of closing velocities is rounding.
+    pub(super) settled: bool,
+}
+
+/// A state, and all that decides about its regime.
+pub(super) struct Scene<'a, S, const N: usize, const K: usize, const C: usize, const W: usize>
+where
+    S: Switching<N, K, C, W>,
+{
+    pub(super) system: &'a S,
+    pub(super) state: State<S::Scalar, N>,
+    pub(super) inputs: &'a [S::Scalar; K],
+    pub(super) kinks: [S::Scalar; W],
+    pub(super) laws: Laws<S::Scalar, C, W>,
+    pub(super) status: [Status; C],
+    /// Sizes of rates and slip velocities.
+    pub(super) speeds: [S::Scalar; C],
+    /// The gradients of all rows, active or not.
+    pub(super) gradients: [[S::Scalar; N]; C],
+    /// γ of all rows.
+    pub(super) gamma: [S::Scalar; C],
+}
+
+impl<'a, S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'a, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    pub(super) fn new(
+        system: &'a S,
+        state: &State<S::Scalar, N>,
+        inputs: &'a [S::Scalar; K],
+        kinks: [S::Scalar; W],
+        scales: &Scales<S::Scalar, C>,
+        known: &Known<C>,
+    ) -> Self {
+        let State { t, q, v } = *state;
+        let laws = system.laws_at(t, &q, &v);
+        let (mut gradients, mut gamma) = ([[num_traits::Zero::zero(); N]; C], [num_traits::Zero::zero(); C]);
+        let all = Regime { active: [true; C], kinks, ..Regime::open(&S::ROWS) };
+        if let Some(equations) = S::equations_in(&system.in_regime(&all), t, &q, &v, inputs) {
+            (gradients, gamma) = (equations.gradients, equations.gamma);
+        }
+        let speeds = core::array::from_fn(|row| most(scales.speeds[row], laws.rows.rate_sizes[row]));
+        let mut scene = Self {
+            system,
+            state: *state,
+            inputs,
+            kinks,
+            laws,
+            status: [Status::Apart; C],
+            speeds,
+            gradients,
+            gamma,
+        };
+        for row in 0..C {
+            scene.status[row] = scene.status_of(row, scales, known);
+        }
+        // A friction is that of a contact that touches.
+        let contacts = scene.status;
+        for (status, row) in scene.status.iter_mut().zip(S::ROWS) {
+            if let Row::Friction { normal: Some(normal), .. } = row
+                && contacts.get(normal) == Some(&Status::Apart)
+            {
+                *status = Status::Apart;
+            }
+        }
+        scene
+    }
+
+    fn status_of(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>) -> Status {
+        let part: S::Scalar = rounding();
+        let rows = &self.laws.rows;
+        let fired = known.fired == Some(row);
+        match S::ROWS[row] {
+            Row::Bilateral => Status::Holds,
+            Row::Unilateral => {
+                let rate = rows.rates[row];
+                let gap = most(scales.gaps[row], rows.position_sizes[row]);
+                let time = S::Scalar::from_f64(8.0) * S::Scalar::epsilon() * self.state.t.abs() * rate.abs();
+                if !(fired || known.closed[row] || !above(rows.positions[row], part * gap + time)) {
+                    Status::Apart
+                } else if !above(rate.abs(), part * self.speeds[row]) || known.settled && !rate.is_positive() {
+                    Status::Touches
+                } else if rate.is_positive() {
+                    Status::Apart
+                } else {
+                    Status::Meets
+                }
+            }
+            Row::Friction { pair, .. } => {
+                let other = pair.map_or(num_traits::Zero::zero(), |other| rows.rates[other]);
+                let size = pair.map_or(self.speeds[row], |other| most(self.speeds[row], self.speeds[other]));
+                let is_other = pair.is_some_and(|other| known.fired == Some(other));
+                if fired || is_other || !above(rows.rates[row].hypot(other), part * size) {
+                    Status::Rests
+                } else {
+                    Status::Slips
+                }
+            }
+        }
+    }
+
+    /// Whether any contact closes.
+    pub(super) fn has_impact(&self) -> bool {
+        self.status.contains(&Status::Meets)
+    }
+}

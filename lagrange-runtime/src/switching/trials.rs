@@ -1,0 +1,168 @@
+//! The combinations of what rows may do.
+
+use super::{Regime, Row};
+use crate::real::Real;
+
+/// The most combinations that are tried: twelve contacts that are open or closed.
+const COMBINATIONS: usize = 4096;
+
+/// What a row does in a regime.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// Nothing.
+    Off,
+    /// It is a constraint.
+    On,
+    /// It is one, and its reaction is negative.
+    Against,
+    /// It slips in its positive direction, or in two directions.
+    Forward,
+    /// It slips in its negative direction.
+    Backward,
+}
+
+impl Part {
+    /// What a row does in a regime.
+    pub(super) fn of<R: Real, const C: usize, const W: usize>(
+        row: usize,
+        kind: Row,
+        regime: &Regime<R, C, W>,
+    ) -> Self {
+        let (slip, side) = (regime.slip[row], regime.side[row]);
+        match kind {
+            Row::Bilateral if (-side).is_positive() => Self::Against,
+            Row::Bilateral => Self::On,
+            _ if regime.active[row] => Self::On,
+            _ if slip.is_positive() => Self::Forward,
+            _ if (-slip).is_positive() => Self::Backward,
+            _ => Self::Off,
+        }
+    }
+}
+
+/// What a row may do, what is to be tried first at the beginning.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Options {
+    parts: [Part; 3],
+    count: usize,
+}
+
+impl Options {
+    /// These, of which there are at most three.
+    pub(super) fn new(parts: &[Part]) -> Self {
+        let mut options = Self { parts: [Part::Off; 3], count: 0 };
+        for (to, &part) in options.parts.iter_mut().zip(parts) {
+            *to = part;
+            options.count += 1;
+        }
+        options
+    }
+
+    /// The same, this one first or last.
+    pub(super) fn with(mut self, part: Part, first: bool) -> Self {
+        let own = self.parts.split_at_mut(self.count.min(3)).0;
+        if let Some(at) = own.iter().position(|&own| own == part) {
+            if first {
+                own.split_at_mut(at + 1).0.rotate_right(1);
+            } else {
+                own.split_at_mut(at).1.rotate_left(1);
+            }
+        }
+        self
+    }
+}
+
+/// All combinations, those with the fewest changes first, until `visit` returns true.
+pub(super) fn combine<const C: usize>(options: &[Options; C], mut visit: impl FnMut(&[Part; C]) -> bool) {
+    let mut total: usize = 1;
+    for options in options {
+        total = total.saturating_mul(options.count.max(1)).min(COMBINATIONS);
+    }
+    let mut visited = 0;
+    for changes in 0..=C {
+        for number in 0..total {
+            let (mut rest, mut changed) = (number, 0);
+            let parts = core::array::from_fn(|row| {
+                let count = options[row].count.max(1);
+                let digit = rest % count;
+                rest /= count;
+                changed += usize::from(digit > 0);
+                options[row].parts.get(digit).copied().unwrap_or(Part::Off)
+            });
+            if changed == changes {
+                visited += 1;
+                if visit(&parts) {
+                    return;
+                }
+            }
+        }
+        if visited == total {
+            return;
+        }
+    }
+}
+
+/// The regime of a combination; `None` where it differs from another one in nothing but what a friction does
+/// whose contact is open.
+pub(super) fn regime<R: Real, const C: usize, const W: usize>(
+    rows: &[Row; C],
+    parts: &[Part; C],
+    options: &[Options; C],
+    kinks: [R; W],
+) -> Option<Regime<R, C, W>> {
+    let mut regime = Regime { kinks, ..Regime::open(rows) };
+    for (row, &kind) in rows.iter().enumerate() {
+        match (kind, parts[row]) {
+            (Row::Bilateral, Part::Against) => regime.side[row] = -R::one(),
+            (Row::Unilateral, part) => regime.active[row] = part == Part::On,
+            (Row::Friction { normal, pair }, part) => {
+                if pair.is_some_and(|other| other < row) {
+                    continue;
+                }
+                if normal.is_some_and(|normal| parts[normal] == Part::Off) {
+                    if options[row].parts[0] != part {
+                        return None;
+                    }
+                    continue;
+                }
+                match part {
+                    Part::On | Part::Against => {
+                        regime.active[row] = true;
+                        if let Some(active) = pair.and_then(|other| regime.active.get_mut(other)) {
+                            *active = true;
+                        }
+                    }
+                    Part::Forward => regime.slip[row] = R::one(),
+                    Part::Backward => regime.slip[row] = -R::one(),
+                    Part::Off => {}
+                }
+            }
+            (Row::Bilateral, _) => {}
+        }
+    }
+    Some(regime)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn combinations_come_by_the_number_of_changes_and_each_once() {
+        let options = [
+            Options::new(&[Part::On, Part::Off]),
+            Options::new(&[Part::On, Part::Forward, Part::Backward]).with(Part::On, false),
+        ];
+        let mut seen = [[Part::Against; 2]; 6];
+        let mut count = 0;
+        combine(&options, |parts| {
+            seen[count] = *parts;
+            count += 1;
+            false
+        });
+        assert_eq!(count, 6);
+        assert_eq!(seen[0], [Part::On, Part::Forward]);
+        assert_eq!(seen[1], [Part::Off, Part::Forward]);
+        assert_eq!(seen[5], [Part::Off, Part::On]);
+    }
+}

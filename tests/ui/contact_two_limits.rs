@@ -1,0 +1,28 @@
+//! A friction with a limit and a coefficient.
+
+use lagrangian::prelude::*;
+
+pub struct Puck {
+    pub mass: f64,
+    pub mu: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Puck {
+    #[point(mass = self.mass)]
+    fn puck(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[unilateral]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    #[friction(limit = 2.0, coefficient = self.mu)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+fn main() {}

@@ -1,0 +1,23 @@
+//! A gap that depends on velocities.
+
+use lagrangian::prelude::*;
+
+pub struct Puck {
+    pub mass: f64,
+    pub mu: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Puck {
+    #[point(mass = self.mass)]
+    fn puck(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[unilateral]
+    fn floor(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        q.y + v.y
+    }
+}
+
+fn main() {}
