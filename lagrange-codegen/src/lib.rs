@@ -32,7 +32,7 @@ pub mod mechanics;
 pub mod model;
 pub mod number;
 pub mod regimes;
-mod schedule;
+pub mod schedule;
 pub mod simplify;
 pub mod structure;
 pub mod syntax;

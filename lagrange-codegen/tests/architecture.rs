@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Lower layers first; a module may name only modules of its own and lower layers.
-const LAYERS: [(&str, u32); 15] = [
+const LAYERS: [(&str, u32); 16] = [
     ("collections", 0),
     ("number", 0),
     ("diagnostics", 0),
@@ -19,11 +19,12 @@ const LAYERS: [(&str, u32); 15] = [
     ("structure", 5),
     ("schedule", 5),
     ("jets", 6),
-    ("emit", 7),
+    ("regimes", 7),
+    ("emit", 8),
 ];
 
 /// Modules that know no tokens.
-const TOKEN_FREE: [&str; 11] = [
+const TOKEN_FREE: [&str; 12] = [
     "collections",
     "number",
     "expr",
@@ -35,6 +36,7 @@ const TOKEN_FREE: [&str; 11] = [
     "structure",
     "schedule",
     "jets",
+    "regimes",
 ];
 
 /// The Rust files in a folder and those below it, what was built left out.

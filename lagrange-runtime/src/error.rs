@@ -76,6 +76,52 @@ pub enum Cause {
         /// Its name.
         name: Name,
     },
+    /// A contact is penetrated where a motion begins.
+    Penetrates {
+        /// Index of the contact, as in `CONSTRAINTS` of the system.
+        constraint: usize,
+        /// Its name.
+        name: Name,
+        /// How far, in the unit of its gap.
+        by: Magnitude,
+    },
+    /// A coefficient of restitution is not between zero and one, or one of friction is negative, no number, or
+    /// smaller while sticking than while slipping.
+    InvalidContact {
+        /// Index of the contact or friction.
+        constraint: usize,
+        /// Its name.
+        name: Name,
+    },
+    /// No reactions keep the bodies apart under the laws of contact and friction: Painlevé's paradox.
+    NoReaction {
+        /// Index of a contact or friction whose law would be violated.
+        constraint: usize,
+        /// Its name.
+        name: Name,
+    },
+    /// The laws of contact and friction allow several motions: Painlevé's paradox.
+    SeveralReactions {
+        /// Index of a contact that may push or open.
+        constraint: usize,
+        /// Its name.
+        name: Name,
+    },
+    /// Contacts and frictions switch on and off without any progress.
+    EndlessSwitching {
+        /// Index of one of them.
+        constraint: usize,
+        /// Its name.
+        name: Name,
+    },
+    /// The motion is pushed back to a kink or jump of the description from both sides, as by `signum` of a
+    /// velocity at rest.
+    HeldAtKink {
+        /// Index of the kink, in the order of the description.
+        kink: usize,
+    },
+    /// Impacts and friction cannot be followed backward in time.
+    Irreversible,
     /// A step in fixed steps is too long for its constraints: bringing its end back onto them would change
     /// the state by more than the step itself did.
     StepTooLong,
@@ -196,6 +242,43 @@ impl fmt::Display for Cause {
                  say how the motion goes on: start beside it, or with a velocity along one of the motions that meet there",
                 constraint = Part(*constraint, *name)
             ),
+            Self::Penetrates { constraint, name, by } => write!(
+                out,
+                "contact {constraint} is penetrated by {by} at the start: begin with a gap of zero or more",
+                constraint = Part(*constraint, *name)
+            ),
+            Self::InvalidContact { constraint, name } => write!(
+                out,
+                "a coefficient of contact {constraint} is invalid: restitution lies between 0 and 1, friction is not negative, \
+                 and sticking takes no less than slipping",
+                constraint = Part(*constraint, *name)
+            ),
+            Self::NoReaction { constraint, name } => write!(
+                out,
+                "no reactions satisfy the laws of contact and friction at {constraint} together with the others (Painlevé's \
+                 paradox): rigid bodies jam here; lower the friction, or give the contact some compliance",
+                constraint = Part(*constraint, *name)
+            ),
+            Self::SeveralReactions { constraint, name } => write!(
+                out,
+                "the laws of contact and friction allow several motions, with and without a reaction at {constraint} (Painlevé's \
+                 paradox): lower the friction, or give the contact some compliance",
+                constraint = Part(*constraint, *name)
+            ),
+            Self::EndlessSwitching { constraint, name } => write!(
+                out,
+                "{constraint} and others switch on and off without progress: the tolerance may be too tight for this scalar, or \
+                 the contacts contradict each other",
+                constraint = Part(*constraint, *name)
+            ),
+            Self::HeldAtKink { kink } => write!(
+                out,
+                "the motion is pushed back from both sides to the zero of switching function {kink} (`abs`, `signum`, `max`, … of \
+                 the description, in its order): dry friction is declared by `#[friction]`, which can stick"
+            ),
+            Self::Irreversible => out.write_str(
+                "impacts and dry friction cannot be followed backward in time: choose a time after the present one",
+            ),
             Self::StepTooLong => out.write_str(
                 "the step is too long for the constraints: bringing its end back onto them would change more than the step \
                  did; take shorter steps",
@@ -247,8 +330,15 @@ impl Cause {
             | Self::NoConsistentState { constraint, name, .. }
             | Self::Contradictory { constraint, name }
             | Self::VanishingGradient { constraint, name }
+            | Self::Penetrates { constraint, name, .. }
+            | Self::InvalidContact { constraint, name }
+            | Self::NoReaction { constraint, name }
+            | Self::SeveralReactions { constraint, name }
+            | Self::EndlessSwitching { constraint, name }
             | Self::Undetermined { constraint, name } => *name = names.constraint(*constraint),
             Self::Misread { .. }
+            | Self::HeldAtKink { .. }
+            | Self::Irreversible
             | Self::StepTooLong
             | Self::NotFinite
             | Self::NotConverged

@@ -6,8 +6,8 @@ mod body;
 mod constraints;
 mod docs;
 mod eliminated;
-mod events;
 mod equations;
+mod events;
 mod gather;
 mod jets;
 mod linearization;
@@ -169,7 +169,8 @@ pub(crate) fn emit(
             #constrained
         }
     });
-    let rows = switching.as_ref().map_or(&emission.model.constraints, |switching| &switching.rows.constraints);
+    let rows =
+        switching.as_ref().map_or(&emission.model.constraints, |switching| &switching.rows.constraints);
     let reactions = (!rows.is_empty()).then(|| constraints::record(emission.item, &constraints::held(rows)));
     let regimes = regimes.map(|regimes::Items { companion, switching, constrained, rows, kinks }| {
         let switching = parameters.parse(&switching);
@@ -314,10 +315,12 @@ fn report(
         None => emission.solution.describe(emission.facts),
     };
     let has_contacts = switching.is_some_and(Regimes::has_contacts);
-    let (mut facts, mut skipped) = (emission.facts.found(emission.model), emission.facts.skipped(emission.model));
+    let (mut facts, mut skipped) =
+        (emission.facts.found(emission.model), emission.facts.skipped(emission.model));
     if has_contacts {
         // Contacts take energy and momenta, and their reactions depend on everything.
-        let held = Facts { separable: false, conservative: false, cyclic: Vec::new(), ..emission.facts.clone() };
+        let held =
+            Facts { separable: false, conservative: false, cyclic: Vec::new(), ..emission.facts.clone() };
         (facts, skipped) = (held.found(emission.model), held.skipped(emission.model));
         let needed = ["constraints", "dissipation", "the solution of a linear system"];
         skipped.retain(|line| !needed.iter().any(|start| line.starts_with(start)));

@@ -53,7 +53,10 @@ pub(super) fn facts(switching: &Regimes) -> Vec<String> {
         facts.push(format!("dry friction: {}", frictions.join(", ")));
     }
     if !switching.kinks.is_empty() {
-        facts.push(format!("functions with a kink or a jump, switched at its zeros: {}", switching.kinks.len()));
+        facts.push(format!(
+            "functions with a kink or a jump, switched at its zeros: {}",
+            switching.kinks.len()
+        ));
     }
     match &switching.jets {
         Some(jets) => facts.push(format!("between switches {}", jets.describe())),
@@ -65,7 +68,8 @@ pub(super) fn facts(switching: &Regimes) -> Vec<String> {
 /// All items; `emission` is that of the system itself.
 pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items {
     let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
-    let items = format!("{}{}{}", regime(emission, switching), laws(emission, switching), equations(emission, rows));
+    let items =
+        format!("{}{}{}", regime(emission, switching), laws(emission, switching), equations(emission, rows));
     let constrained = switching.has_contacts().then(|| constrained(emission, rows, kinks));
     switching.model.locals = names::locals(&switching.model);
     let mut companion = Emission {

@@ -44,12 +44,11 @@ impl<'a> Interpreter<'a> {
                 Value::Choice(graph.sum(Number::ZERO, &terms))
             }
             // A constant that decides has been taken before.
-            (_, Value::Choice(weight), Value::Boolean(known)) | (_, Value::Boolean(known), Value::Choice(weight)) => {
-                match (operator, known) {
-                    (BinaryOperator::And, true) | (BinaryOperator::Or, false) => Value::Choice(weight),
-                    (_, known) => Value::Boolean(known),
-                }
-            }
+            (_, Value::Choice(weight), Value::Boolean(known))
+            | (_, Value::Boolean(known), Value::Choice(weight)) => match (operator, known) {
+                (BinaryOperator::And, true) | (BinaryOperator::Or, false) => Value::Choice(weight),
+                (_, known) => Value::Boolean(known),
+            },
             (_, left, right) => self.mismatch(operator, &left, &right, origin),
         }
     }

@@ -5,8 +5,8 @@ use super::interpreter::Interpreter;
 use super::places::nodes;
 use super::shape::Shape;
 use super::value::Value;
-use crate::diagnostics::catalogue;
 use crate::calculus::{pullback, substitute};
+use crate::diagnostics::catalogue;
 use crate::expr::{Exponent, NodeId};
 use crate::model::{Constraint, ConstraintKind, Contact, Law};
 use crate::number::Number;
@@ -162,7 +162,8 @@ impl<'a> Interpreter<'a> {
             return normal.map(|normal| vec![normal; count.unwrap_or(1)]);
         }
         let named = |constraint: &Constraint| *constraint.name == *word.name;
-        let contacts = self.model.contacts.iter().filter(|contact| matches!(contact.law, Law::Unilateral { .. }));
+        let contacts =
+            self.model.contacts.iter().filter(|contact| matches!(contact.law, Law::Unilateral { .. }));
         let held = self.model.constraints.len();
         let rows: Vec<(usize, Option<usize>)> = (self.model.constraints.iter().enumerate())
             .filter(|(_, constraint)| constraint.kind == ConstraintKind::Holonomic)
@@ -171,8 +172,13 @@ impl<'a> Interpreter<'a> {
             .map(|(row, constraint)| (row, constraint.index))
             .collect();
         if rows.is_empty() {
-            let names: Vec<Name> =
-                self.item.functions.iter().filter(|other| self.has_reaction(other)).map(|f| f.name.clone()).collect();
+            let names: Vec<Name> = self
+                .item
+                .functions
+                .iter()
+                .filter(|other| self.has_reaction(other))
+                .map(|f| f.name.clone())
+                .collect();
             let near = self.near(&word.name, &names);
             self.report(word.origin, catalogue::friction_on_unknown(&word.name, near));
             return None;

@@ -89,7 +89,9 @@ impl<'a> Interpreter<'a> {
                 self.iterator_method(receiver, word, arguments, origin)
             }
             Value::Record(record) => self.record_method(record, word, arguments),
-            Value::Unit | Value::Boolean(_) | Value::Choice(_) | Value::Tuple(_) => self.unknown_method(&receiver, word),
+            Value::Unit | Value::Boolean(_) | Value::Choice(_) | Value::Tuple(_) => {
+                self.unknown_method(&receiver, word)
+            }
         }
     }
 

@@ -7,8 +7,10 @@ use crate::model::Model;
 use crate::number::Number;
 
 /// What changes in the course of a step.
-const MOVING: Dependence =
-    Dependence::COORDINATES.union(Dependence::VELOCITIES).union(Dependence::TIME).union(Dependence::MULTIPLIERS);
+const MOVING: Dependence = Dependence::COORDINATES
+    .union(Dependence::VELOCITIES)
+    .union(Dependence::TIME)
+    .union(Dependence::MULTIPLIERS);
 
 /// The arguments of all functions with a kink or a jump in some equations, inner ones first.
 pub(super) fn of(model: &Model, equations: &Equations) -> Vec<NodeId> {

@@ -49,11 +49,7 @@ impl Regimes {
 
 /// The regimes of a system; `None` of one that has a single one. `is_smooth` says whether the system has a
 /// series as it is.
-pub fn derive(
-    model: &Model,
-    is_smooth: bool,
-    diagnostics: &mut Diagnostics,
-) -> Option<Regimes> {
+pub fn derive(model: &Model, is_smooth: bool, diagnostics: &mut Diagnostics) -> Option<Regimes> {
     if model.contacts.is_empty() && is_smooth {
         return None;
     }
@@ -85,7 +81,8 @@ pub fn derive(
     if contacts.is_empty() && jets.is_none() {
         return None;
     }
-    let laws_of = (0..held).map(|_| None).chain(contacts.into_iter().map(|contact| Some(contact.law))).collect();
+    let laws_of =
+        (0..held).map(|_| None).chain(contacts.into_iter().map(|contact| Some(contact.law))).collect();
     Some(Regimes { rows, laws, kinks, model: regime, equations, facts, solution, jets, laws_of, first })
 }
 
@@ -146,11 +143,7 @@ fn hold(
                     Number::ONE,
                     &[(squares[0], Number::ONE), (squares[1], Number::ONE), (carrier, Number::MINUS_ONE)],
                 );
-                graph.product(&[
-                    (carrier, Exponent(2)),
-                    (speeds[row], Exponent(2)),
-                    (apart, Exponent(-1)),
-                ])
+                graph.product(&[(carrier, Exponent(2)), (speeds[row], Exponent(2)), (apart, Exponent(-1))])
             }
         };
         let mut share = graph.mul(kinetic, direction);

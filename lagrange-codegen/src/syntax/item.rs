@@ -266,7 +266,7 @@ pub enum RoleKind {
         restitution: Option<Expr>,
     },
     /// `#[friction(coefficient = …, normal = …)]` or `#[friction(limit = …)]`.
-    Friction(Friction),
+    Friction(Box<Friction>),
     /// `#[event]`.
     Event,
 }

@@ -197,7 +197,7 @@ fn kind(
                     return None;
                 }
             };
-            Some(RoleKind::Friction(Friction { kinetic: kinetic?, fixed, normal }))
+            Some(RoleKind::Friction(Box::new(Friction { kinetic: kinetic?, fixed, normal })))
         }
         "event" => Some(RoleKind::Event),
         _ => match (take("at"), take("on")) {

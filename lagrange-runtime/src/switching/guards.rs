@@ -1,6 +1,6 @@
 //! Guards: what ends a regime where it falls through zero.
 
-use super::scene::{most, rounding};
+use super::scene::{Scales, most, rounding};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::error::Cause;
@@ -175,7 +175,7 @@ where
     /// the state after a part of it.
     pub(super) fn first(
         &self,
-        scales: &[S::Scalar; C],
+        scales: &Scales<S::Scalar, C>,
         mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
     ) -> Result<Option<(S::Scalar, Guard)>, Cause> {
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
@@ -233,17 +233,32 @@ where
         }
     }
 
+    /// The size of the guard of a row in the course of the motion.
+    fn scale(&self, row: usize, scales: &Scales<S::Scalar, C>) -> S::Scalar {
+        let is_active = self.regime.active[row];
+        match S::ROWS[row] {
+            Row::Unilateral if !is_active => scales.gaps[row],
+            Row::Bilateral | Row::Unilateral => scales.reactions[row],
+            Row::Friction { .. } if is_active => scales.reactions[row] * scales.reactions[row],
+            Row::Friction { pair: None, .. } => scales.speeds[row],
+            Row::Friction { pair: Some(other), .. } => {
+                let direction = self.watch.directions[row].hypot(self.watch.directions[other]);
+                direction * most(scales.speeds[row], scales.speeds[other])
+            }
+        }
+    }
+
     /// Where a guard falls through zero on a part of the step.
     fn falls(
         &self,
         guard: Guard,
-        scales: &[S::Scalar; C],
+        scales: &Scales<S::Scalar, C>,
         value: &mut impl FnMut(S::Scalar) -> (S::Scalar, S::Scalar),
     ) -> Result<Option<S::Scalar>, Unresolved> {
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let (start, end) = (value(zero), value(one));
         let scale = match guard {
-            Guard::Row(row) => scales.get(row).copied().unwrap_or(zero),
+            Guard::Row(row) => self.scale(row, scales),
             Guard::Kink(_) => zero,
         };
         let size = most(start.1, end.1);

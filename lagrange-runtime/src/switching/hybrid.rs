@@ -1,7 +1,557 @@
 //! [`Hybrid`]: motions whose equations switch, by a method for smooth ones.
+//!
+//! The method `M` runs in one regime. Over each step that it makes all guards of the regime are looked at, which
+//! takes samples of the step and no steps of their own. The step is cut at the first zero, and the regime that
+//! goes on from there is chosen. What is left of a step behind the cut is never seen.
+//!
+//! A motion in one regime is a *piece*. Its start and end are limits from inside: at the end of a piece an impact
+//! has not happened yet. [`Adaptive::sample`] and [`Adaptive::advance`] give the state after it.
 
 use core::marker::PhantomData;
+
+use super::choice::sides;
+use super::guards::{Guard, Guards};
+use super::memory::HybridMemory;
+use super::scene::{Known, Scene, Status, above, most};
+use super::{Regime, Row, Switching};
+use crate::error::{Cause, MotionError};
+use crate::integrator::step_size::Limits;
+use crate::integrator::{Adaptive, adaptive::Steps};
+use crate::real::{Ordered, Real};
+use crate::simulation::Held;
+use crate::state::State;
+use crate::system::System;
+
+/// Changes of regimes without any time between them, for each row and kink, until they count as endless.
+const CHANGES: usize = 4;
 
 /// A motion whose equations switch: between switches by the method `M`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Hybrid<M, const C: usize, const W: usize>(PhantomData<M>);
+
+/// The memory of a motion of `S` by `M`.
+type Memory<S, M, const N: usize, const K: usize, const C: usize, const W: usize> = HybridMemory<
+    <S as Switching<N, K, C, W>>::InRegime,
+    <<S as Switching<N, K, C, W>>::InRegime as System<N, K>>::Constants,
+    <M as Adaptive<
+        <S as Switching<N, K, C, W>>::InRegime,
+        Held<<S as System<N, K>>::Scalar, K>,
+        N,
+        K,
+    >>::Memory,
+    <S as System<N, K>>::Scalar,
+    N,
+    C,
+    W,
+>;
+
+/// A motion on its way.
+struct Run<'a, S, M, const N: usize, const K: usize, const C: usize, const W: usize>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    system: &'a S,
+    memory: &'a mut Memory<S, M, N, K, C, W>,
+    control: &'a Held<S::Scalar, K>,
+    limits: &'a Limits<S::Scalar>,
+}
+
+impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    /// Begins a regime at a state.
+    fn enter(&mut self, regime: Regime<S::Scalar, C, W>, state: State<S::Scalar, N>) {
+        let memory = &mut *self.memory;
+        add(&mut memory.counts, M::counts(&memory.inner));
+        memory.regime = regime;
+        memory.in_regime = self.system.in_regime(&regime);
+        memory.constants = memory.in_regime.constants();
+        memory.inner = M::begin(&memory.in_regime, state);
+        (memory.start, memory.end, memory.next) = (state, state, None);
+    }
+
+    /// Finds the regime where the motion begins, or goes on from a state that is not its own.
+    fn open(&mut self) -> Result<(), Cause> {
+        let mut state = self.memory.end;
+        if !state.is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        let laws = self.system.laws_at(state.t, &state.q, &state.v);
+        self.check(&laws)?;
+        let mut present = self.memory.regime;
+        present.kinks = sides(&laws.kinks, &present.kinks, &laws.kink_sizes);
+        // What always holds has to hold at the start as well.
+        let alone = Regime { kinks: present.kinks, ..Regime::open(&S::ROWS) };
+        let in_regime = self.system.in_regime(&alone);
+        if S::InRegime::CONSTRAINED && S::ROWS.contains(&Row::Bilateral) {
+            in_regime.begin_at(&in_regime.constants(), &mut state)?;
+        } else {
+            let State { t, q, v } = &state;
+            in_regime.check_at(&in_regime.constants(), *t, q, v).map_err(|cause| cause.named(&S::NAMES))?;
+        }
+        let closed = self.penetrating(&state, &laws)?;
+        let known = Known { closed, fired: None, settled: false };
+        let regime = self.settle(&mut state, &present, known, false)?;
+        self.enter(regime, state);
+        let counts = &mut self.memory.counts;
+        counts.evaluations += 1;
+        self.memory.is_fresh = false;
+        Ok(())
+    }
+
+    /// Refuses coefficients that are none.
+    fn check(&self, laws: &super::Laws<S::Scalar, C, W>) -> Result<(), Cause> {
+        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let (e, kinetic, fixed) = (laws.restitution[row], laws.kinetic[row], laws.fixed[row]);
+            let is_good = match kind {
+                Row::Bilateral => true,
+                Row::Unilateral => e >= zero && e <= one,
+                Row::Friction { .. } => {
+                    kinetic >= zero && fixed >= kinetic && kinetic.is_finite() && fixed.is_finite()
+                }
+            };
+            if !is_good {
+                return Err(Cause::InvalidContact { constraint: row, name: S::NAMES.constraint(row) });
+            }
+        }
+        let rows = laws.rows.positions.iter().chain(&laws.rows.rates).chain(&laws.kinks);
+        if rows.copied().all(Real::is_finite) { Ok(()) } else { Err(Cause::NotFinite) }
+    }
+
+    /// Refuses a start that penetrates by more than the last digits of nine-digit numbers; gaps within that are
+    /// closed.
+    fn penetrating(
+        &self,
+        state: &State<S::Scalar, N>,
+        laws: &super::Laws<S::Scalar, C, W>,
+    ) -> Result<[bool; C], Cause> {
+        let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
+        let known = Known { closed: [false; C], fired: None, settled: true };
+        let scene = Scene::new(
+            self.system,
+            state,
+            &self.control.0,
+            self.memory.regime.kinks,
+            &self.memory.scales,
+            &known,
+        );
+        let mut closed = [false; C];
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let gap = laws.rows.positions[row];
+            if *kind != Row::Unilateral || !above(num_traits::Zero::zero(), gap) {
+                continue;
+            }
+            let by_state = super::scene::extent(&scene.gradients[row], &state.q);
+            let size = most(most(laws.rows.position_sizes[row], self.memory.scales.gaps[row]), by_state);
+            // A gap of one coordinate is as large as its own size: then the others tell what is small.
+            let most_of = state.q.iter().fold(num_traits::Zero::zero(), |size, &q| most(size, q.abs()));
+            let own = laws.rows.position_sizes[row] == -gap;
+            let size = if own { most(self.memory.scales.gaps[row], most_of + gap) } else { size };
+            if above(-gap, share * size) {
+                return Err(Cause::Penetrates {
+                    constraint: row,
+                    name: S::NAMES.constraint(row),
+                    by: crate::constraints::magnitude(-gap),
+                });
+            }
+            closed[row] = true;
+        }
+        Ok(closed)
+    }
+
+    /// What follows a state: its impact, the regime that goes on, and the state projected onto that.
+    fn settle(
+        &mut self,
+        state: &mut State<S::Scalar, N>,
+        present: &Regime<S::Scalar, C, W>,
+        mut known: Known<C>,
+        avoid: bool,
+    ) -> Result<Regime<S::Scalar, C, W>, Cause> {
+        let in_regime = if C == 0 {
+            self.system.in_regime(present)
+        } else {
+            let inputs = &self.control.0;
+            let scales = &mut self.memory.scales;
+            scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
+            let mut scene = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
+            if scene.has_impact() {
+                let restitution = restitution(&scene, present, scales, self.limits);
+                state.v = scene.impact(&restitution)?;
+                for (closed, &status) in known.closed.iter_mut().zip(&scene.status) {
+                    *closed = *closed || matches!(status, Status::Meets | Status::Touches);
+                }
+                (known.fired, known.settled) = (None, true);
+                scene = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
+            }
+            let choice = scene.choose(present, known.fired.filter(|_| avoid))?;
+            for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
+                *seen = most(*seen, now.abs());
+            }
+            state.v = choice.velocities;
+            let in_regime = self.system.in_regime(&choice.regime);
+            in_regime.project_at(&in_regime.constants(), state, None)?;
+            return Ok(choice.regime);
+        };
+        in_regime.project_at(&in_regime.constants(), state, None)?;
+        Ok(*present)
+    }
+
+    /// One piece, towards time `t`.
+    fn step(&mut self, t: S::Scalar, attempts: &mut u64) -> Result<(), MotionError<S::Scalar>> {
+        let at = |state: &State<S::Scalar, N>, cause| MotionError { cause, t: state.t };
+        if let Some(cause) = self.memory.stuck {
+            return Err(at(&self.memory.end, cause));
+        }
+        loop {
+            if self.memory.is_fresh {
+                let opened = self.open();
+                opened.map_err(|cause| at(&self.memory.end, cause))?;
+            }
+            if let Some((regime, state)) = self.memory.next {
+                self.enter(regime, state);
+            }
+            let here = self.memory.end;
+            if here.t == t {
+                return Ok(());
+            }
+            if t < here.t && S::ROWS.iter().any(|row| *row != Row::Bilateral) {
+                return Err(at(&here, Cause::Irreversible));
+            }
+            let memory = &mut *self.memory;
+            let (in_regime, constants) = (&memory.in_regime, &memory.constants);
+            M::step(&mut memory.inner, in_regime, constants, self.control, self.limits, t, attempts)?;
+            let (start, end) = (*M::start(&memory.inner), *M::end(&memory.inner));
+            (memory.start, memory.end) = (start, end);
+            let found = self.event();
+            let found = found.map_err(|cause| {
+                self.memory.end = start;
+                at(&start, cause)
+            })?;
+            let Some((state, guard)) = found else {
+                let laws = self.system.laws_at(end.t, &end.q, &end.v);
+                self.memory.scales.see(&laws);
+                self.passed(start.t, end.t);
+                self.come_to_rest().map_err(|cause| at(&end, cause))?;
+                return Ok(());
+            };
+            self.memory.end = state;
+            let has_passed = self.passed(start.t, state.t);
+            if let Err(cause) = self.switch(guard) {
+                self.memory.stuck = Some(cause);
+                return Err(at(&state, cause));
+            }
+            if has_passed {
+                return Ok(());
+            }
+            if *attempts == 0 {
+                return Err(at(&state, Cause::TooManySteps));
+            }
+            *attempts -= 1;
+        }
+    }
+
+    /// Whether time has passed that is more than rounding; forgets the changes before it if so.
+    fn passed(&mut self, from: S::Scalar, to: S::Scalar) -> bool {
+        let resolution = S::Scalar::from_f64(16.0) * S::Scalar::epsilon() * from.abs();
+        let has_passed = (to - from).abs() > resolution;
+        if has_passed {
+            (self.memory.flips, self.memory.changes) = ([0; W], 0);
+        }
+        has_passed
+    }
+
+    /// The first event of the piece: the state there, and its guard.
+    fn event(&mut self) -> Result<Option<(State<S::Scalar, N>, Guard)>, Cause> {
+        let memory = &mut *self.memory;
+        let (start, end) = (memory.start, memory.end);
+        let (in_regime, constants) = (&memory.in_regime, &memory.constants);
+        let guards = Guards::new(self.system, in_regime, &memory.regime, &self.control.0, &start);
+        if guards.is_empty() {
+            return Ok(None);
+        }
+        let inner = &mut memory.inner;
+        let (control, limits) = (self.control, self.limits);
+        let mut at = |part: S::Scalar| {
+            if part == num_traits::Zero::zero() {
+                return Some(start);
+            }
+            let t = if part == num_traits::One::one() { end.t } else { start.t + part * (end.t - start.t) };
+            M::sample(inner, in_regime, constants, control, limits, t, &mut 0).ok()
+        };
+        let Some((part, guard)) = guards.first(&memory.scales, &mut at)? else { return Ok(None) };
+        Ok(Some((at(part).ok_or(Cause::NotFinite)?, guard)))
+    }
+
+    /// Changes the regime where a guard has fired.
+    fn switch(&mut self, guard: Guard) -> Result<(), Cause> {
+        let memory = &mut *self.memory;
+        let (mut state, mut present) = (memory.end, memory.regime);
+        memory.changes += 1;
+        let (mut fired, mut avoid) = (None, false);
+        match guard {
+            Guard::Kink(kink) => {
+                present.kinks[kink] = -present.kinks[kink];
+                memory.flips[kink] += 1;
+                if memory.flips[kink] > CHANGES {
+                    return Err(Cause::HeldAtKink { kink });
+                }
+            }
+            Guard::Row(row) => {
+                if memory.changes > CHANGES * (C + W) {
+                    return Err(Cause::EndlessSwitching { constraint: row, name: S::NAMES.constraint(row) });
+                }
+                fired = Some(row);
+                avoid = S::ROWS[row] != Row::Unilateral || present.active[row];
+            }
+        }
+        // A slip in two directions has turned by a right angle: the step goes on from there.
+        if let Some(row) = fired
+            && let Row::Friction { pair: Some(other), .. } = S::ROWS[row]
+            && !present.active[row]
+            && !self.rests(row, other, &state)
+        {
+            (fired, avoid) = (None, false);
+        }
+        let known = Known { closed: present.active, fired, settled: false };
+        let regime = self.settle(&mut state, &present, known, avoid)?;
+        self.memory.next = Some((regime, state));
+        Ok(())
+    }
+
+    /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
+    fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
+        let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
+        let least = S::Scalar::from_f64(256.0) * S::Scalar::epsilon();
+        let scales = &self.memory.scales;
+        let size = most(scales.speeds[row], scales.speeds[other]);
+        let slip = rows.rates[row].hypot(rows.rates[other]);
+        !above(slip, most(self.limits.relative, least) * size)
+    }
+
+    /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there, and
+    /// steps, which end before, become shorter and shorter. From within the tolerance the rest is a straight line.
+    fn come_to_rest(&mut self) -> Result<(), Cause> {
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let Row::Friction { pair: Some(other), .. } = *kind else { continue };
+            let slips = self.memory.regime.slip[row] != num_traits::Zero::zero();
+            if !slips || other < row || !self.rests(row, other, &self.memory.end) {
+                continue;
+            }
+            let (memory, inputs) = (&*self.memory, &self.control.0);
+            let State { t, q, v } = memory.end;
+            let known = Known { closed: memory.regime.active, fired: None, settled: true };
+            let scene =
+                Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
+            let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
+            let a = equations.balance().accelerations;
+            let (x, y) = (scene.laws.rows.rates[row], scene.laws.rows.rates[other]);
+            let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
+            if !falls.is_positive() {
+                continue;
+            }
+            let left = (x * x + y * y) / falls;
+            let half = S::Scalar::from_f64(0.5);
+            let mut state = State {
+                t: t + left,
+                q: core::array::from_fn(|i| q[i] + left * (v[i] + half * left * a[i])),
+                v: core::array::from_fn(|i| v[i] + left * a[i]),
+            };
+            let present = memory.regime;
+            let known = Known { closed: present.active, fired: Some(row), settled: false };
+            let regime = self.settle(&mut state, &present, known, true)?;
+            self.memory.next = Some((regime, state));
+            return Ok(());
+        }
+        Ok(())
+    }
+
+    /// The state at time `t`.
+    fn state_at(
+        &mut self,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
+        loop {
+            if !self.memory.is_fresh {
+                let after = self.memory.after();
+                if t == after.t {
+                    return Ok(after);
+                }
+                if self.memory.covers(t) {
+                    let memory = &mut *self.memory;
+                    let (in_regime, constants) = (&memory.in_regime, &memory.constants);
+                    let inner = &mut memory.inner;
+                    return M::sample(inner, in_regime, constants, self.control, self.limits, t, &mut 0);
+                }
+                self.turn(t);
+            }
+            self.step(t, attempts)?;
+        }
+    }
+
+    /// Goes back to the start of the piece where `t` lies before it.
+    fn turn(&mut self, t: S::Scalar) {
+        let memory = &mut *self.memory;
+        let (start, end) = (memory.start, memory.end);
+        let is_behind = if start.t <= end.t { t < start.t } else { t > start.t };
+        if is_behind && start.t != end.t {
+            M::restart(&mut memory.inner, start);
+            (memory.end, memory.next) = (start, None);
+        }
+    }
+}
+
+/// The coefficients of an impact. The impacts of a contact that bounces on are geometric; where the next flight
+/// would be lower than the tolerance and forces hold it down, all that follow are one with this.
+fn restitution<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    scene: &Scene<'_, S, N, K, C, W>,
+    present: &Regime<S::Scalar, C, W>,
+    scales: &mut super::scene::Scales<S::Scalar, C>,
+    limits: &Limits<S::Scalar>,
+) -> [S::Scalar; C]
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    let zero: S::Scalar = num_traits::Zero::zero();
+    let ulp = S::Scalar::epsilon();
+    let State { t, q, v } = &scene.state;
+    let in_regime = scene.system.in_regime(present);
+    let equations = S::equations_in(&in_regime, *t, q, v, scene.inputs);
+    let accelerations = equations.map(|equations| equations.balance().accelerations);
+    core::array::from_fn(|row| {
+        let e = scene.laws.restitution[row];
+        if scene.status[row] != Status::Meets {
+            return e;
+        }
+        let speed = scene.laws.rows.rates[row].abs();
+        scales.impacts[row] = most(scales.impacts[row], speed);
+        let pull = accelerations.as_ref().map_or(zero, |a| -scene.rate(row, a));
+        if !pull.is_positive() {
+            return e;
+        }
+        let rebound = e * speed;
+        let tolerance = most(limits.relative, S::Scalar::from_f64(16.0) * ulp);
+        let height = rebound * rebound / (pull + pull);
+        let is_low = !above(height, S::Scalar::from_f64(64.0) * ulp * scene.laws.rows.position_sizes[row]);
+        let is_short = !above(rebound / pull, S::Scalar::from_f64(64.0) * ulp * t.abs());
+        let is_slow = !above(rebound, tolerance * scales.impacts[row]);
+        if is_slow || is_low || is_short { zero } else { e }
+    })
+}
+
+fn add(sum: &mut Steps, more: Steps) {
+    sum.accepted += more.accepted;
+    sum.rejected += more.rejected;
+    sum.evaluations += more.evaluations;
+}
+
+impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize>
+    Adaptive<S, Held<S::Scalar, K>, N, K> for Hybrid<M, C, W>
+where
+    S: Switching<N, K, C, W>,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    type Memory = Memory<S, M, N, K, C, W>;
+
+    fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
+    where
+        S::Scalar: Ordered,
+    {
+        let regime = Regime::open(&S::ROWS);
+        let in_regime = system.in_regime(&regime);
+        HybridMemory {
+            regime,
+            in_regime,
+            constants: in_regime.constants(),
+            inner: M::begin(&in_regime, start),
+            start,
+            end: start,
+            next: None,
+            is_fresh: true,
+            stuck: None,
+            scales: super::scene::Scales::new(),
+            flips: [0; W],
+            changes: 0,
+            counts: Steps::default(),
+        }
+    }
+
+    fn restart(memory: &mut Self::Memory, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered,
+    {
+        if let Some((regime, _)) = memory.next.take() {
+            memory.regime = regime;
+        }
+        (memory.start, memory.end) = (state, state);
+        (memory.is_fresh, memory.stuck) = (true, None);
+    }
+
+    fn start(memory: &Self::Memory) -> &State<S::Scalar, N> {
+        &memory.start
+    }
+
+    fn end(memory: &Self::Memory) -> &State<S::Scalar, N> {
+        &memory.end
+    }
+
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        _constants: &S::Constants,
+        control: &Held<S::Scalar, K>,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        let mut run = Run::<S, M, N, K, C, W> { system, memory, control, limits };
+        run.turn(t);
+        run.step(t, attempts)
+    }
+
+    fn counts(memory: &Self::Memory) -> Steps {
+        let mut counts = memory.counts;
+        add(&mut counts, M::counts(&memory.inner));
+        counts
+    }
+
+    fn advance(
+        memory: &mut Self::Memory,
+        system: &S,
+        _constants: &S::Constants,
+        control: &Held<S::Scalar, K>,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        Run::<S, M, N, K, C, W> { system, memory, control, limits }.state_at(t, attempts)
+    }
+
+    fn sample(
+        memory: &mut Self::Memory,
+        system: &S,
+        _constants: &S::Constants,
+        control: &Held<S::Scalar, K>,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        Run::<S, M, N, K, C, W> { system, memory, control, limits }.state_at(t, attempts)
+    }
+}

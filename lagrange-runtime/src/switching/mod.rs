@@ -8,13 +8,22 @@
 //! Brogliato, *Nonsmooth Mechanics*, 3rd ed.; Glocker, *Set-Valued Force Laws*; Acary and Brogliato,
 //! *Numerical Methods for Nonsmooth Dynamical Systems*.
 
+mod choice;
+mod guards;
 mod hybrid;
+mod impact;
+mod memory;
+mod scene;
+mod trials;
 
 use crate::constraints::{Equations, Residuals};
 use crate::linear::Switched;
 use crate::real::Real;
 use crate::system::System;
+#[doc(hidden)]
+pub use choice::{accelerations, multipliers};
 pub use hybrid::Hybrid;
+pub use memory::HybridMemory;
 
 /// What a row of the constraint matrix stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,3 +120,6 @@ impl<R: Real, const C: usize, const W: usize> Regime<R, C, W> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

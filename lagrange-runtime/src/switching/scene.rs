@@ -42,12 +42,14 @@ pub(super) struct Scales<R, const C: usize> {
     pub(super) speeds: [R; C],
     /// The largest speeds of impacts.
     pub(super) impacts: [R; C],
+    /// The largest reactions where regimes began.
+    pub(super) reactions: [R; C],
 }
 
 impl<R: Real, const C: usize> Scales<R, C> {
     pub(super) fn new() -> Self {
         let none = [R::zero(); C];
-        Self { gaps: none, speeds: none, impacts: none }
+        Self { gaps: none, speeds: none, impacts: none, reactions: none }
     }
 
     /// Takes in another state.

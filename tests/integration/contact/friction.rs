@@ -150,7 +150,15 @@ fn a_sphere_slips_then_rolls() {
     let time = 0.2100219178950918475677426;
     let state = *motion.advance_to(time + 0.01).unwrap();
     let rolling = [1.657142857142857142857143, -0.4857142857142857142857143];
-    all_close(state.v, [rolling[0], rolling[1], 6.071428571428571428571429, 20.71428571428571428571429], 1e-11);
-    all_close(motion.advance_to(1.0).unwrap().q[..2].to_vec(), [1.693146614496301459583042, -0.5397199217444521893745624], 1e-11);
+    all_close(
+        state.v,
+        [rolling[0], rolling[1], 6.071428571428571428571429, 20.71428571428571428571429],
+        1e-11,
+    );
+    all_close(
+        motion.advance_to(1.0).unwrap().q[..2].to_vec(),
+        [1.693146614496301459583042, -0.5397199217444521893745624],
+        1e-11,
+    );
     close(energy - motion.energy(), 1.002857142857142857142857, 1e-11);
 }

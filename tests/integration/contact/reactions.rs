@@ -237,7 +237,9 @@ fn painleves_rod_has_no_motion_beyond_a_friction() {
     }
     let beyond = [-1.0, 1.0].map(|speed| Rod { friction: 1.5 }.simulate(rod(speed)).advance_to(0.01).err());
     let named = |error: &Option<MotionError<f64>>| match error.as_ref().map(|error| error.cause) {
-        Some(Cause::NoReaction { name, .. } | Cause::SeveralReactions { name, .. }) => name.to_string() == "tip",
+        Some(Cause::NoReaction { name, .. } | Cause::SeveralReactions { name, .. }) => {
+            name.to_string() == "tip"
+        }
         _ => false,
     };
     assert!(beyond.iter().filter(|error| named(error)).count() == 1, "{beyond:?}");

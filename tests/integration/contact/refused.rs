@@ -47,7 +47,9 @@ fn a_start_that_penetrates_is_refused() {
 fn coefficients_out_of_range_are_refused() {
     let start = State::at_rest([0.0, 1.0]);
     for restitution in [-0.1, 1.1, f64::NAN] {
-        let Cause::InvalidContact { name, .. } = cause(&Puck { restitution, ..PUCK }, start) else { panic!() };
+        let Cause::InvalidContact { name, .. } = cause(&Puck { restitution, ..PUCK }, start) else {
+            panic!()
+        };
         assert_eq!(name.to_string(), "floor");
     }
     for friction in [-0.1, f64::NAN] {

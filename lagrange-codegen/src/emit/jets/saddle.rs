@@ -50,7 +50,9 @@ impl SaddlePoint {
         let graph = &mut emission.model.graph;
         let gradients = jets.gradients.clone();
         let mass = match method {
-            Saddle::Whole { .. } | Saddle::Switched { .. } => equations.mass.iter().flatten().copied().collect(),
+            Saddle::Whole { .. } | Saddle::Switched { .. } => {
+                equations.mass.iter().flatten().copied().collect()
+            }
             Saddle::Diagonal => {
                 let one = graph.one();
                 equations.mass.iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect()

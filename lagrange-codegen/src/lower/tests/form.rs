@@ -66,7 +66,10 @@ fn roles() {
     let energy = |role: TokenStream| quote!(#role fn energy(&self, q: &Coordinates) -> f64 { q.x });
     block(energy(quote!(#[potental])), "there is no role `potental`; did you mean `potential`?");
     block(energy(quote!(#[Potential])), "there is no role `Potential`; did you mean `potential`?");
-    block(energy(quote!(#[unilateral(restitutoin = 0.5)])), "`unilateral` has no argument `restitutoin`; did");
+    block(
+        energy(quote!(#[unilateral(restitutoin = 0.5)])),
+        "`unilateral` has no argument `restitutoin`; did",
+    );
     block(energy(quote!(#[friction])), "`#[friction]` needs `coefficient`; ");
     block(energy(quote!(#[friction(coefficient = 0.5)])), "a coefficient of friction needs the constraint");
     block(

@@ -153,9 +153,18 @@ fn constants_and_branches() {
     body(quote!(q.x.round()), "`round` has no derivative everywhere; use the unrounded value");
     body(quote!(q.x.powi(self.n)), "`powi` needs a constant integer between ");
     body(quote!(if q.x == 0.0 { q.x } else { 0.0 }), "the branch depends on `q`: a Lagrangian is one ");
-    body(quote!(match v.x * t > 0.0 { true => q.x, false => 0.0 }), "the branch depends on `v` and `t`: ");
+    body(
+        quote!(match v.x * t > 0.0 {
+            true => q.x,
+            false => 0.0,
+        }),
+        "the branch depends on `v` and `t`: ",
+    );
     body(quote!(if q.x > 0.0 { return q.x } else { 0.0 }), "a branch on the state must not leave the ");
-    body(quote!(if q.x > 0.0 { q.x } else { q.theta }), "the sides of this branch on the state are a scalar and ");
+    body(
+        quote!(if q.x > 0.0 { q.x } else { q.theta }),
+        "the sides of this branch on the state are a scalar and ",
+    );
     body(quote!(if self.flag { q.x } else { 0.0 }), "the branch depends on the parameter `self.flag`: ");
     body(
         quote!(match self.kind {

@@ -1,0 +1,115 @@
+//! What restricts a motion: constraints, contacts, and coordinates that constraints give.
+
+use super::{Quantity, label, written};
+use crate::diagnostics::Origin;
+use crate::expr::NodeId;
+
+/// A constraint given by one user function.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// The user's function.
+    pub name: String,
+    /// The index within an array.
+    pub index: Option<usize>,
+    /// f(q, t) or g(q, v, t), which is to stay zero.
+    pub value: NodeId,
+    /// f of a holonomic constraint as a function of the places that it is written through.
+    pub through: Option<NodeId>,
+    /// What it is a function of.
+    pub kind: ConstraintKind,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// What a constraint is a function of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConstraintKind {
+    /// f(q, t) = 0.
+    Holonomic,
+    /// g(q, v, t) = 0.
+    Nonholonomic {
+        /// Not necessarily affine in v: Chetaev's rule.
+        chetaev: bool,
+    },
+}
+
+impl Constraint {
+    /// As the user writes it: `rolling` or `rolling[0]`.
+    pub fn written(&self) -> String {
+        written(&self.name, self.index)
+    }
+
+    /// A name for a local variable: `rolling` or `rolling_0`.
+    pub fn label(&self) -> String {
+        label(&self.name, self.index)
+    }
+}
+
+/// A row that is a constraint at times.
+#[derive(Clone, Debug)]
+pub struct Contact {
+    /// The gap as a holonomic constraint, or the slip velocity as a nonholonomic one.
+    pub constraint: Constraint,
+    /// When it holds, and what it exerts when it does not.
+    pub law: Law,
+}
+
+/// The law of a row that is a constraint at times.
+#[derive(Clone, Debug)]
+pub enum Law {
+    /// The reaction only pushes.
+    Unilateral {
+        /// Newton's coefficient of restitution.
+        restitution: NodeId,
+    },
+    /// Dry friction.
+    Friction {
+        /// Coefficient while slipping, or the force itself.
+        kinetic: NodeId,
+        /// The same while sticking.
+        fixed: NodeId,
+        /// The row whose reaction limits it, among all constraints and then all contacts.
+        normal: Option<usize>,
+        /// The other component of a slip in two directions, likewise.
+        pair: Option<usize>,
+    },
+}
+
+/// A particle or a body as a place where forces act.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// The user's function.
+    pub name: String,
+    /// The index within an array.
+    pub index: Option<usize>,
+    /// Its position, or that of its centre of mass.
+    pub position: Vec<NodeId>,
+    /// The variables that stand for the components of the position in [`Constraint::through`].
+    pub variables: Vec<NodeId>,
+    /// The function's name in the source.
+    pub origin: Origin,
+}
+
+/// A holonomic constraint that gives a coordinate as a function of time.
+#[derive(Clone, Debug)]
+pub struct Elimination {
+    /// The constraint.
+    pub constraint: Constraint,
+    /// The coordinate, where the user names it.
+    pub coordinate: Option<usize>,
+    /// Where it is asked for.
+    pub origin: Origin,
+}
+
+/// A coordinate that a constraint has eliminated.
+#[derive(Clone, Debug)]
+pub struct Eliminated {
+    /// As it was declared.
+    pub quantity: Quantity,
+    /// Its place among all declared coordinates.
+    pub declared_index: usize,
+    /// Its value, a function of the coordinates that are left and of time.
+    pub position: NodeId,
+    /// Its total time derivative.
+    pub velocity: NodeId,
+}

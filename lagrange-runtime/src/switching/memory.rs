@@ -1,0 +1,75 @@
+//! What a motion remembers whose equations switch.
+
+use core::fmt;
+
+use super::Regime;
+use super::scene::Scales;
+use crate::error::Cause;
+use crate::integrator::adaptive::Steps;
+use crate::real::Real;
+use crate::state::State;
+
+/// What [`Hybrid`](super::Hybrid) remembers between steps: `I` the system of a regime with constants `X`, `J` the
+/// memory of the method that runs in it.
+#[derive(Clone, Copy)]
+pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usize> {
+    /// The regime of the last piece and of what `inner` knows.
+    pub(super) regime: Regime<R, C, W>,
+    pub(super) in_regime: I,
+    pub(super) constants: X,
+    pub(super) inner: J,
+    /// The last piece.
+    pub(super) start: State<R, N>,
+    pub(super) end: State<R, N>,
+    /// The regime and the state that follow the piece; `None` where it ended without an event.
+    pub(super) next: Option<(Regime<R, C, W>, State<R, N>)>,
+    /// Whether the motion has to find its regime first.
+    pub(super) is_fresh: bool,
+    /// Why it cannot go on.
+    pub(super) stuck: Option<Cause>,
+    pub(super) scales: Scales<R, C>,
+    /// Changes of each kink since time has passed.
+    pub(super) flips: [usize; W],
+    /// Changes of the regime since then.
+    pub(super) changes: usize,
+    /// What the regimes before have cost.
+    pub(super) counts: Steps,
+}
+
+impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMemory<I, X, J, R, N, C, W> {
+    /// Whether `t` lies in the piece, ends included.
+    pub(super) fn covers(&self, t: R) -> bool {
+        let (back, ahead) = (t - self.start.t, self.end.t - t);
+        let is_ahead = |x: R| x.is_positive() || x == R::zero();
+        is_ahead(back) && is_ahead(ahead) || is_ahead(-back) && is_ahead(-ahead)
+    }
+
+    /// The state after the piece.
+    pub(super) fn after(&self) -> State<R, N> {
+        self.next.map_or(self.end, |(_, state)| state)
+    }
+
+    /// Which contacts are closed and which frictions stick or slip, at [`HybridMemory::after`].
+    pub fn regime(&self) -> &Regime<R, C, W> {
+        self.next.as_ref().map_or(&self.regime, |(regime, _)| regime)
+    }
+}
+
+impl<I, X, J, R, const N: usize, const C: usize, const W: usize> fmt::Debug
+    for HybridMemory<I, X, J, R, N, C, W>
+where
+    I: fmt::Debug,
+    J: fmt::Debug,
+    R: fmt::Debug,
+{
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("HybridMemory")
+            .field("regime", &self.regime)
+            .field("in_regime", &self.in_regime)
+            .field("inner", &self.inner)
+            .field("start", &self.start)
+            .field("end", &self.end)
+            .field("next", &self.next)
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,175 @@
+//! Contacts and impacts.
+
+use super::*;
+
+const G: f64 = 9.81;
+
+#[derive(Clone, Copy, Debug)]
+struct Ball {
+    e: f64,
+}
+
+impl Toy<1, 1, 0> for Ball {
+    const ROWS: [Row; 1] = [Row::Unilateral];
+
+    fn mass(&self) -> [f64; 1] {
+        [2.0]
+    }
+
+    fn forces(&self, _: f64, _: &[f64; 1], _: &[f64; 1], _: &[f64; 0]) -> [f64; 1] {
+        [-2.0 * G]
+    }
+
+    fn gradients(&self) -> [[f64; 1]; 1] {
+        [[1.0]]
+    }
+
+    fn restitution(&self) -> [f64; 1] {
+        [self.e]
+    }
+}
+
+#[test]
+fn a_ball_bounces_until_it_rests() {
+    let ball = Model(Ball { e: 0.8 });
+    let mut motion = ball.start([1.0], [0.0]);
+    let state = *motion.advance_to(3.0).unwrap();
+    assert!((state.q[0] - 0.06870746096576572204080913).abs() < 1e-12, "{state:?}");
+    assert!((state.v[0] + 0.01535413338474475931973029).abs() < 1e-11, "{state:?}");
+    // It bounces until 4.0637127687715781.
+    let state = *motion.advance_to(4.063712768771).unwrap();
+    assert!(state.v[0] != 0.0, "{state:?}");
+    let state = *motion.advance_to(4.063712768773).unwrap();
+    assert_eq!((state.q[0], state.v[0]), (0.0, 0.0));
+    let steps = motion.steps().accepted;
+    let state = *motion.advance_to(10.0).unwrap();
+    assert_eq!((state.q[0], state.v[0]), (0.0, 0.0));
+    std::println!("{:?} {steps}", motion.steps());
+    assert!(motion.steps().accepted < steps + 30);
+}
+
+#[test]
+fn impact_times_are_exact() {
+    let ball = Model(Ball { e: 0.8 });
+    for (time, sign) in [
+        0.4515236409857309, 1.1739614665629004, 1.751911727024636, 2.214271935394024, 2.584160102089535,
+        2.880070635445944, 3.1167990620311026, 3.3061818034791721,
+    ]
+    .into_iter()
+    .zip(1..)
+    {
+        let mut motion = ball.start([1.0], [0.0]);
+        let before = motion.advance_to(time - 1e-12).unwrap().v[0];
+        let after = motion.advance_to(time + 1e-12).unwrap().v[0];
+        assert!(before < 0.0 && after > 0.0 && (after + 0.8 * before).abs() < 1e-9, "{sign}: {before} {after}");
+    }
+}
+
+#[test]
+fn bad_starts_are_refused() {
+    let ball = Model(Ball { e: 0.8 });
+    let error = ball.start([-1e-3], [0.0]).advance_to(1.0).unwrap_err();
+    assert!(matches!(error.cause, Cause::Penetrates { constraint: 0, .. }), "{error:?}");
+    for e in [-0.1, 1.1, f64::NAN] {
+        let error = *Model(Ball { e }).start([1.0], [0.0]).advance_to(1.0).as_ref().unwrap_err();
+        assert!(matches!(error.cause, Cause::InvalidContact { constraint: 0, .. }), "{error:?}");
+    }
+    let error = ball.start([1.0], [0.0]).advance_to(-1.0).unwrap_err();
+    assert!(matches!(error.cause, Cause::Irreversible), "{error:?}");
+    // On the floor and downward: an impact at once.
+    let mut motion = ball.start([0.0], [-1.0]);
+    assert!((motion.advance_to(0.01).unwrap().v[0] - (0.8 - 0.01 * G)).abs() < 1e-14);
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Row3 {
+    e: f64,
+}
+
+impl Toy<3, 2, 0> for Row3 {
+    const ROWS: [Row; 2] = [Row::Unilateral; 2];
+
+    fn mass(&self) -> [f64; 3] {
+        [1.0; 3]
+    }
+
+    fn forces(&self, _: f64, _: &[f64; 3], _: &[f64; 3], _: &[f64; 0]) -> [f64; 3] {
+        [0.0; 3]
+    }
+
+    fn gradients(&self) -> [[f64; 3]; 2] {
+        [[-1.0, 1.0, 0.0], [0.0, -1.0, 1.0]]
+    }
+
+    fn offsets(&self) -> [f64; 2] {
+        [-1.0; 2]
+    }
+
+    fn restitution(&self) -> [f64; 2] {
+        [self.e; 2]
+    }
+}
+
+#[test]
+fn three_balls_obey_newtons_law() {
+    for (e, gap, want) in [
+        (1.0, 0.0, [-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]),
+        (0.5, 0.0, [0.0, 0.5, 0.5]),
+        (1.0, 0.01, [0.0, 0.0, 1.0]),
+    ] {
+        let balls = Model(Row3 { e });
+        let mut motion = balls.start([0.0, 1.5, 2.5 + gap], [1.0, 0.0, 0.0]);
+        let v = motion.advance_to(2.0).unwrap().v;
+        assert!(v.iter().zip(want).all(|(v, want)| (v - want).abs() < 1e-13), "{v:?} {want:?}");
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Disc {
+    mu: f64,
+}
+
+impl Toy<3, 2, 0> for Disc {
+    const ROWS: [Row; 2] = [Row::Unilateral, Row::Friction { normal: Some(0), pair: None }];
+
+    fn mass(&self) -> [f64; 3] {
+        [0.4, 0.4, 0.5 * 0.4 * 0.01]
+    }
+
+    fn forces(&self, _: f64, _: &[f64; 3], _: &[f64; 3], _: &[f64; 0]) -> [f64; 3] {
+        [0.0, -0.4 * G, 0.0]
+    }
+
+    fn gradients(&self) -> [[f64; 3]; 2] {
+        [[0.0, 1.0, 0.0], [1.0, 0.0, 0.1]]
+    }
+
+    fn offsets(&self) -> [f64; 2] {
+        [-0.1, 0.0]
+    }
+
+    fn restitution(&self) -> [f64; 2] {
+        [0.7, 0.0]
+    }
+
+    fn kinetic(&self) -> [f64; 2] {
+        [0.0, self.mu]
+    }
+}
+
+#[test]
+fn a_disc_bounces_obliquely() {
+    for (mu, [x, y, spin]) in [
+        (0.1, [2.246994023928096570647382, 3.10061284264901412086372, -20.06011952143806858705235]),
+        (0.6, [2.166666666666666666666667, 3.10061284264901412086372, -21.66666666666666666666667]),
+    ] {
+        let disc = Model(Disc { mu });
+        let mut motion = disc.start([0.0, 1.1, 0.0], [3.0, 0.0, -5.0]);
+        let state = *motion.advance_to(0.4515236409857309044508111 + 1e-3).unwrap();
+        let v = [state.v[0], state.v[1] + 1e-3 * G, state.v[2]];
+        assert!([x, y, spin].iter().zip(v).all(|(want, v)| (v - want).abs() < 1e-11), "{v:?}");
+        // It comes to roll, and rolls on.
+        let state = *motion.advance_to(20.0).unwrap();
+        assert!((state.v[0] + 0.1 * state.v[2]).abs() < 1e-13 && state.q[1] == 0.1, "{state:?}");
+    }
+}
