@@ -93,9 +93,8 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     println!("time [s]   rate after the impact [rad/s]   ratio to the one before");
     let mut before: Option<f64> = None;
     for _ in 0..5 {
-        let upright = |state: &State<f64, 3>| state.q[2];
-        let Some(impact) = motion.advance_to_event(upright, 10.0)? else { break };
-        let rate = motion.state().v[2].abs();
+        let Some(impact) = motion.advance_to_switch(10.0)? else { break };
+        let rate = impact.state.v[2].abs();
         let ratio = before.map(|before| rate / before);
         println!(
             "{:8.5} {rate:31.9} {:>25}",

@@ -476,17 +476,17 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
         type Scalar = f64;
         type Method = lagrange::Jets;
         type Constants = [f64; 2];
-        const NAMES: lagrange::Names = lagrange::Names {
-            coordinates: &["x", "y"],
-            constraints: &["rod"],
-        };
-        const CONSTRAINED: bool = true;
         #[inline]
         fn constants(&self) -> Self::Constants {
             let mass_2: f64 = self.mass;
             let g: f64 = self.g;
             [1.0 / mass_2, -(mass_2 * g)]
         }
+        const NAMES: lagrange::Names = lagrange::Names {
+            coordinates: &["x", "y"],
+            constraints: &["rod"],
+        };
+        const CONSTRAINED: bool = true;
         #[inline]
         fn accelerations_at(
             &self,

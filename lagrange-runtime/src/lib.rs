@@ -100,7 +100,7 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use stored::Stored;
 pub use structure::{Cost, Costs, Structure};
-pub use switching::{Laws, Regime, Row, Switching};
+pub use switching::{Contact, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
 pub use system::System;
 pub use tangent::{
     Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel,
@@ -155,7 +155,7 @@ pub mod __private {
         };
     }
     pub use crate::structure::{Cost, Costs, Structure};
-    pub use crate::switching::{self, Hybrid, Laws, Regime, Row, Switching};
+    pub use crate::switching::{self, Hybrid, Laws, NamedRows, Regime, Row, Switching};
     pub use crate::system::System;
     pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;

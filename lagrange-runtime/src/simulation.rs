@@ -61,6 +61,8 @@ where
     pub(crate) state: State<S::Scalar, N>,
     /// Whether the state that the motion started from has been found to be one.
     begun: bool,
+    /// The time of the last event, and how well it is known \[s].
+    pub(crate) event: Option<[S::Scalar; 2]>,
 }
 
 impl<'a, S, M, const N: usize, const K: usize> Simulation<'a, S, Held<S::Scalar, K>, M, N, K>
@@ -75,7 +77,7 @@ where
         let control = Held([num_traits::Zero::zero(); K]);
         let memory = M::begin(system, start);
         let (constants, limits) = (system.constants(), Limits::new());
-        Self { system, constants, control, limits, memory, state: start, begun: false }
+        Self { system, constants, control, limits, memory, state: start, begun: false, event: None }
     }
 
     /// Holds these inputs.
@@ -105,7 +107,8 @@ where
     {
         let Self { system, constants, limits, state, .. } = self;
         let memory = <Dop853 as Adaptive<S, Feedback<F>, N, K>>::begin(system, state);
-        Simulation { system, constants, control: Feedback(control), limits, memory, state, begun: false }
+        let control = Feedback(control);
+        Simulation { system, constants, control, limits, memory, state, begun: false, event: None }
     }
 }
 

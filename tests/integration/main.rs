@@ -7,6 +7,7 @@ mod analysis;
 mod cases;
 mod conservation;
 mod constraints;
+mod contact;
 mod derivation;
 mod failure;
 mod hygiene;

@@ -92,18 +92,19 @@ pub(crate) fn emit(
     emission.model.locals = names::locals(emission.model);
     emission.method = switching.as_ref().map(regimes::method);
     let has_contacts = switching.as_ref().is_some_and(Regimes::has_contacts);
-    let (system, surface, after) = match emission.solution.saddle {
+    let none = "type Constants = ();\nfn constants(&self) {}\n".to_owned();
+    let (system, constants, surface, after) = match emission.solution.saddle {
         Some(method) => {
-            let (system, surface, after) = constraints::system(&mut emission, method);
-            (system, Some(surface), after)
+            let all = constraints::system(&mut emission, method);
+            (all.system, all.constants, Some(all.surface), all.operations)
         }
         None => {
             let (system, after) = system::system(&mut emission);
-            (system, None, after)
+            (system, none, None, after)
         }
     };
     let system = match &switching {
-        Some(switching) if has_contacts => regimes::system(&emission, switching),
+        Some(switching) if has_contacts => regimes::system(&emission, switching, &constants),
         _ => system,
     };
     let system = system + &readings::implementation(&mut emission);
@@ -173,6 +174,14 @@ pub(crate) fn emit(
         switching.as_ref().map_or(&emission.model.constraints, |switching| &switching.rows.constraints);
     let reactions = (!rows.is_empty()).then(|| constraints::record(emission.item, &constraints::held(rows)));
     let regimes = regimes.map(|regimes::Items { companion, switching, constrained, rows, kinks }| {
+        let named = constrained.is_some().then(|| {
+            let record = constraints::record_ident(emission.item);
+            quote! {
+                impl #impl_generics lagrange::NamedRows<#rows> for #self_ty #where_clause {
+                    type Rows<T> = #record<T>;
+                }
+            }
+        });
         let switching = parameters.parse(&switching);
         let constrained = constrained.map(|items| {
             let items = parameters.parse(&items);
@@ -194,6 +203,7 @@ pub(crate) fn emit(
             }
 
             #constrained
+            #named
         }
     });
     let linearization = linearization.map(|[linearized, tangent, sensitive]| {

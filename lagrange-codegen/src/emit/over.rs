@@ -51,7 +51,7 @@ pub(super) fn numbers(
 ) -> TokenStream {
     let (system, surface) = match emission.solution.saddle {
         Some(method) => {
-            let (system, surface, _) = constraints::system(emission, method);
+            let constraints::Implementations { system, surface, .. } = constraints::system(emission, method);
             (system, Some((surface, constrained(emission))))
         }
         None => (system::system(emission).0, None),

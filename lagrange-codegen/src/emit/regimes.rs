@@ -87,19 +87,18 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
 }
 
 /// The items of `System` of a system with contacts, whose accelerations are those of its regime.
-pub(super) fn system(emission: &Emission<'_>, switching: &Regimes) -> String {
+pub(super) fn system(emission: &Emission<'_>, switching: &Regimes, constants: &str) -> String {
     let scalar = &emission.scalar;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let (count, given) = (emission.count(), emission.model.inputs.len());
     let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
     let place = format!("t: {scalar}, q: &{vector}, v: &{vector}");
     format!(
-        "type Scalar = {scalar};\ntype Method = {};\ntype Constants = ();\n{}\
+        "type Scalar = {scalar};\ntype Method = {};\n{constants}{}\
          const SWITCHED: bool = true;\n\
-         fn constants(&self) {{}}\n\
-         fn accelerations_at(&self, _constants: &(), {place}, u: &{inputs}) -> {vector} {{\n\
+         fn accelerations_at(&self, _constants: &Self::Constants, {place}, u: &{inputs}) -> {vector} {{\n\
          lagrange::switching::accelerations::<Self, {count}, {given}, {rows}, {kinks}>(self, t, q, v, u)\n}}\n\
-         fn energy_at(&self, _constants: &(), {place}) -> {scalar} \
+         fn energy_at(&self, _constants: &Self::Constants, {place}) -> {scalar} \
          {{\nself.energy(&lagrange::State {{ t, q: *q, v: *v }})\n}}\n",
         emission.method(),
         names_of_parts(&switching.rows),
@@ -218,7 +217,7 @@ fn constrained(emission: &Emission<'_>, rows: usize, kinks: usize) -> String {
     let record = record_ident(emission.item);
     format!(
         "type Reactions = {record}<{scalar}>;\n\
-         fn reactions_at(&self, _constants: &(), t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) \
+         fn reactions_at(&self, _constants: &Self::Constants, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) \
          -> lagrange::Reactions<{record}<{scalar}>> {{\n\
          let (multipliers, unique) = lagrange::switching::multipliers::<Self, {count}, {given}, {rows}, {kinks}>(self, t, q, v, u);\n\
          lagrange::Reactions::new(multipliers.into(), unique)\n}}\n"

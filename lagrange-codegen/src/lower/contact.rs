@@ -7,8 +7,8 @@ use super::shape::Shape;
 use super::value::Value;
 use crate::calculus::{pullback, substitute};
 use crate::diagnostics::catalogue;
-use crate::expr::{Exponent, NodeId};
-use crate::model::{Constraint, ConstraintKind, Contact, Law};
+use crate::expr::{Exponent, NodeId, Variable};
+use crate::model::{Constraint, ConstraintKind, Contact, Law, component_of_one};
 use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Name, Owner, Word};
 use crate::syntax::item::{Friction, Function, RoleKind};
@@ -228,9 +228,15 @@ impl<'a> Interpreter<'a> {
         let mut found = Vec::new();
         if let Some(place) = place {
             let constraints: Vec<_> = self.model.constraints.iter().map(through).collect();
+            // A coordinate that is a component of one position counts as that component.
+            let coordinates = (0..self.model.coordinates.len() as u32)
+                .map(|i| self.model.graph.variable(Variable::Coordinate(i)))
+                .filter_map(|q| component_of_one(&places, q).map(|variable| (q, variable)))
+                .collect::<Vec<_>>();
             for (row, through) in constraints.into_iter().enumerate() {
                 let Some(through) = through else { continue };
                 let graph = &mut self.model.graph;
+                let through = substitute(graph, &[through], &coordinates)[0];
                 let one = graph.one();
                 let gradient = pullback(graph, &[(through, one)], &place.variables);
                 if gradient.iter().any(|&entry| !graph.is_zero(entry)) {

@@ -6,7 +6,7 @@
 use super::motion::Motion;
 use crate::calculus::{pullback, substitute};
 use crate::expr::{Graph, NodeId};
-use crate::model::{Constraint, Place};
+use crate::model::{Constraint, Place, component_of_one};
 
 /// The force of a unit multiplier by constraint, place and component.
 pub(super) fn forces(
@@ -51,18 +51,4 @@ pub(super) fn forces(
         forces.push(split);
     }
     forces
-}
-
-/// The variable of the component that a coordinate is, if it is one of exactly one position.
-fn component_of_one(places: &[Place], q: NodeId) -> Option<NodeId> {
-    let mut found = places.iter().flat_map(|place| {
-        place
-            .position
-            .iter()
-            .zip(&place.variables)
-            .filter(move |&(&x, _)| x == q)
-            .map(|(_, &variable)| variable)
-    });
-    let first = found.next();
-    first.filter(|_| found.next().is_none())
 }

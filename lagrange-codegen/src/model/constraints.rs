@@ -113,3 +113,17 @@ pub struct Eliminated {
     /// Its total time derivative.
     pub velocity: NodeId,
 }
+
+/// The variable of the component that a coordinate is, if it is one of exactly one position.
+pub fn component_of_one(places: &[Place], q: NodeId) -> Option<NodeId> {
+    let mut found = places.iter().flat_map(|place| {
+        place
+            .position
+            .iter()
+            .zip(&place.variables)
+            .filter(move |&(&x, _)| x == q)
+            .map(|(_, &variable)| variable)
+    });
+    let first = found.next();
+    first.filter(|_| found.next().is_none())
+}

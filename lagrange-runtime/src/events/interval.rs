@@ -5,7 +5,7 @@ use num_traits::Zero;
 use super::Guard;
 use crate::error::MotionError;
 use crate::integrator::Adaptive;
-use crate::real::{Ordered, Real, larger};
+use crate::real::{Ordered, Real, larger, smaller};
 use crate::simulation::{Control, Simulation};
 use crate::state::State;
 use crate::system::System;
@@ -34,6 +34,19 @@ impl<R: Ordered> Interval<R> {
     pub fn is_backward(&self) -> bool {
         self.to < self.from
     }
+}
+
+/// States at which an interval is looked at first: its ends and between them.
+pub(super) const POINTS: usize = 5;
+
+/// What the roundings of a guard on an interval are relative to.
+pub(super) struct Sizes<R> {
+    /// At the state where it starts, as a state by itself.
+    pub start: R,
+    /// At the same, as a result of the step so far.
+    pub near: R,
+    /// Anywhere on it.
+    pub far: R,
 }
 
 /// A motion with one of its guards.
@@ -71,50 +84,72 @@ where
         }
     }
 
-    /// What the roundings of the guard are relative to: at the start of an interval alone, and on all of it.
+    /// What the roundings of the guard are relative to.
     ///
     /// A state is known up to roundings of its components. What they do to the guard is measured, since a
-    /// function that is given as such does not tell. A time is a rounded number as well.
-    pub fn sizes(&self, states: &[State<S::Scalar, N>; 3]) -> [S::Scalar; 2] {
-        let [from, middle, to] = states;
-        let step = M::start(&self.motion.memory);
-        let near = magnitudes(step, from);
+    /// function that is given as such does not tell. A time is a rounded number as well. A jump counts for
+    /// nothing in either.
+    pub fn sizes(&self, states: &[State<S::Scalar, N>; POINTS]) -> Sizes<S::Scalar> {
+        let (zero, factor) =
+            (S::Scalar::zero(), S::Scalar::from_f64(if S::CONSTRAINED { PROJECTED } else { 1.0 }));
+        let [from, .., to] = states;
+        let near = magnitudes(M::start(&self.motion.memory), from);
         let far = magnitudes(&near, to);
-        let [first, half, last] = [from, middle, to].map(|state| self.at(state));
-        let change = larger((half - first).abs(), (last - half).abs());
-        let two = S::Scalar::from_f64(2.0);
-        let rate = two * change / (to.t - from.t).abs();
-        let by_time = rate * larger(from.t.abs(), to.t.abs());
-        let by_time = if by_time.is_finite() { by_time } else { S::Scalar::zero() };
-        let factor = S::Scalar::from_f64(if S::CONSTRAINED { PROJECTED } else { 1.0 });
-        let at_start = factor * self.sensitivity(from, first, &near);
-        let whole =
-            larger(factor * self.sensitivity(from, first, &far), factor * self.sensitivity(to, last, &far));
-        [larger(at_start, first.abs()) + by_time, whole + by_time]
+        let at_from = self.sensitivity(from, &far, [&magnitudes(from, from), &near, &far]);
+        let [at_to] = self.sensitivity(to, &far, [&far]);
+        let [start, near, far] = at_from.map(|size| factor * size);
+
+        let (mut largest, mut change) = (zero, zero);
+        let mut last = self.at(from);
+        for state in states.iter().skip(1) {
+            let value = self.at(state);
+            let next = (value - last).abs();
+            change = larger(change, smaller(largest, next));
+            largest = larger(largest, next);
+            last = value;
+        }
+        let part = (to.t - from.t).abs() * S::Scalar::from_f64(1.0 / (POINTS - 1) as f64);
+        let by_time = change * larger(from.t.abs(), to.t.abs()) / part;
+        let by_time = if by_time.is_finite() { by_time } else { zero };
+        Sizes {
+            start,
+            near: larger(near, self.at(from).abs()) + by_time,
+            far: larger(far, factor * at_to) + by_time,
+        }
     }
 
-    /// Σ |∂g/∂x| · (magnitude of x) over all coordinates and velocities, by differences.
-    fn sensitivity(
+    /// Σ |∂g/∂x| · (magnitude of x) over all coordinates and velocities, for several sets of magnitudes, by
+    /// differences over a small part of the first ones.
+    fn sensitivity<const W: usize>(
         &self,
         state: &State<S::Scalar, N>,
-        value: S::Scalar,
-        magnitudes: &State<S::Scalar, N>,
-    ) -> S::Scalar {
+        scale: &State<S::Scalar, N>,
+        magnitudes: [&State<S::Scalar, N>; W],
+    ) -> [S::Scalar; W] {
+        let zero = S::Scalar::zero();
         let part = S::Scalar::epsilon().sqrt();
-        let change = |moved: State<S::Scalar, N>| {
-            let change = (self.at(&moved) - value).abs() / part;
-            if change.is_finite() { change } else { S::Scalar::zero() }
-        };
-        let mut sum = S::Scalar::zero();
-        for (i, (&q, &v)) in magnitudes.q.iter().zip(&magnitudes.v).enumerate() {
-            let mut moved = *state;
-            moved.q[i] += part * q;
-            sum += change(moved);
-            let mut moved = *state;
-            moved.v[i] += part * v;
-            sum += change(moved);
+        let here = self.at(state);
+        let mut sums = [zero; W];
+        for i in 0..2 * N {
+            let of = |state: &State<S::Scalar, N>| if i < N { state.q[i] } else { state.v[i - N] };
+            let step = part * of(scale);
+            if step == zero {
+                continue;
+            }
+            let [up, down] = [step, -step].map(|step| {
+                let mut moved = *state;
+                let x = if i < N { &mut moved.q[i] } else { &mut moved.v[i - N] };
+                *x += step;
+                (self.at(&moved) - here).abs() / step
+            });
+            let slope = smaller(up, down);
+            if slope.is_finite() {
+                for (sum, magnitudes) in sums.iter_mut().zip(magnitudes) {
+                    *sum += slope * of(magnitudes);
+                }
+            }
         }
-        sum
+        sums
     }
 }
 

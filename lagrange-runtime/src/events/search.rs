@@ -1,7 +1,7 @@
 //! The walk along a motion, interval by interval.
 
-use super::interval::{Interval, Watched};
-use super::track::{Refused, Track};
+use super::interval::{Interval, POINTS, Watched};
+use super::track::{Pending, Refused, Track};
 use super::{Crossing, Event, Guard};
 use crate::error::{Cause, MotionError};
 use crate::integrator::Adaptive;
@@ -76,11 +76,14 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
                 found => found,
             };
             match found {
-                Some((index, theta, crossing)) if only.is_none_or(|only| only == crossing) => {
+                Some((index, Pending { theta, crossing, blur }))
+                    if only.is_none_or(|only| only == crossing) =>
+                {
                     let t = self.interval.time(theta);
                     let state = if t == self.front.t { Ok(self.front) } else { motion.peek(t) };
                     self.ended = state.is_err();
                     motion.state = state?;
+                    motion.event = Some([t, blur]);
                     return Ok(Some(Event { state: motion.state, crossing, index }));
                 }
                 Some(_) => {}
@@ -106,7 +109,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         &mut self,
         motion: &mut Simulation<'_, S, C, M, N, K>,
         guards: &[G; E],
-    ) -> Option<(usize, R, Crossing)>
+    ) -> Option<(usize, Pending<R>)>
     where
         S: System<N, K, Scalar = R>,
         C: Control<R, N, K>,
@@ -122,13 +125,14 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
             track.pending = None;
             track.refill(&mut Watched { motion, guard }, self.interval, pending.theta);
         }
-        Some((index, pending.theta, pending.crossing))
+        Some((index, pending))
     }
 
     /// A guard that has reached zero just where the search ends.
-    fn last(&mut self) -> Option<(usize, R, Crossing)> {
-        let index = self.tracks.iter_mut().position(Track::take_touching)?;
-        Some((index, R::one(), Crossing::Touching))
+    fn last(&mut self) -> Option<(usize, Pending<R>)> {
+        let interval = self.interval;
+        let mut all = self.tracks.iter_mut().enumerate();
+        all.find_map(|(index, track)| Some((index, track.take_last(interval)?)))
     }
 
     /// Looks at the next interval.
@@ -154,8 +158,10 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         loop {
             let to = if length < step { from + ahead * length } else { end };
             let interval = Interval { from, to };
-            let middle = motion.peek(interval.time(R::from_f64(0.5)))?;
-            let states = [self.front, middle, motion.peek(to)?];
+            let mut states = [self.front; POINTS];
+            for (i, state) in states.iter_mut().enumerate().skip(1) {
+                *state = motion.peek(interval.time(R::from_f64(i as f64 / (POINTS - 1) as f64)))?;
+            }
             let strict = length > R::from_f64(SHORTEST) * step && length > resolution;
             match self.look(motion, guards, interval, &states, strict) {
                 Ok(()) => self.blind = 0,
@@ -176,7 +182,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
                 }
             }
             self.length = (length < step).then_some(length * R::from_f64(GROWTH));
-            [_, _, self.front] = states;
+            [.., self.front] = states;
             self.interval = interval;
             for (track, guard) in self.tracks.iter_mut().zip(guards) {
                 track.refill(&mut Watched { motion: &mut *motion, guard }, interval, R::zero());
@@ -226,7 +232,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         motion: &mut Simulation<'_, S, C, M, N, K>,
         guards: &[G; E],
         interval: Interval<R>,
-        states: &[State<R, N>; 3],
+        states: &[State<R, N>; POINTS],
         strict: bool,
     ) -> Result<(), Refused<R>>
     where
@@ -235,8 +241,9 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         M: Adaptive<S, C, N, K>,
         G: Guard<S, R, N>,
     {
+        let blur = motion.event.filter(|[t, _]| *t == interval.from).map_or(R::zero(), |[_, blur]| blur);
         for (track, guard) in self.tracks.iter_mut().zip(guards) {
-            track.look(&mut Watched { motion: &mut *motion, guard }, interval, states, strict)?;
+            track.look(&mut Watched { motion: &mut *motion, guard }, interval, states, (blur, strict))?;
         }
         Ok(())
     }
@@ -247,7 +254,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         motion: &mut Simulation<'_, S, C, M, N, K>,
         guards: &[G; E],
         interval: Interval<R>,
-        states: &[State<R, N>; 3],
+        states: &[State<R, N>; POINTS],
     ) -> bool
     where
         S: System<N, K, Scalar = R>,

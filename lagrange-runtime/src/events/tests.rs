@@ -163,8 +163,9 @@ fn backward_the_same_events_come_in_reverse() {
 #[test]
 fn what_grazes_is_one_event_and_what_misses_none() {
     for (offset, kinds) in [(0.0, &[Touching][..]), (1e-9, &[]), (-1e-9, &[Rising, Falling])] {
-        let guard = |state: &State<f64, 1>| state.q[0] - (1.0 + offset);
-        let mut motion = Oscillator.simulate(State::new([0.0], [1.0])).with_tolerance(1e-15);
+        // The motion is q = t without error.
+        let guard = |state: &State<f64, 1>| state.q[0].sin() - (1.0 + offset);
+        let mut motion = FREE.simulate(State::new([0.0], [1.0]));
         let found = all(motion.events(guard, 60.0));
         assert_eq!(found.len(), 10 * kinds.len(), "{offset:e}: {found:?}");
         for (k, turn) in found.chunks(kinds.len().max(1)).enumerate() {
@@ -176,7 +177,7 @@ fn what_grazes_is_one_event_and_what_misses_none() {
                 assert!((event.0 - t).abs() < bound, "{offset:e}: {}", event.0 - t);
             }
         }
-        let mut motion = Oscillator.simulate(State::new([0.0], [1.0])).with_tolerance(1e-15);
+        let mut motion = FREE.simulate(State::new([0.0], [1.0]));
         let mut again = 0;
         while motion.advance_to_event(guard, 60.0).unwrap().is_some() {
             again += 1;
@@ -217,7 +218,7 @@ fn several_guards_in_the_order_of_time() {
     assert_eq!(twice.collect::<Vec<_>>(), [0, 1]);
     let mut motion = Oscillator.simulate(State::at_rest([1.0]));
     let first = motion.advance_to_event_of(guards, 4.0).unwrap().unwrap();
-    assert_eq!((first.index - 1) * (first.index - 2), 0);
+    assert!(first.index == 1 || first.index == 2);
 }
 
 #[test]
@@ -229,7 +230,7 @@ fn a_ball_that_bounces_by_hand() {
     for bounce in 0..30 {
         let event = motion.advance_to_event(position, 1e6).unwrap().unwrap();
         assert_eq!(event.crossing, Falling);
-        assert!((event.state.t - t).abs() < 4e-15 * t, "{bounce}: {:e}", event.state.t - t);
+        assert!((event.state.t - t).abs() < 1e-13 * t, "{bounce}: {:e}", event.state.t - t);
         assert!((event.state.v[0] + speed).abs() < 1e-6 * speed, "{bounce}: {:?}", event.state);
         motion.set_state(State { v: [-restitution * event.state.v[0]], ..event.state });
         speed *= restitution;
@@ -336,7 +337,7 @@ fn single_precision() {
     let mut motion = ball.simulate(State::at_rest([1.0_f32]));
     let fall = |state: &State<f32, 1>| state.q[0];
     let event = motion.advance_to_event(fall, 10.0).unwrap().unwrap();
-    assert!((event.state.t - (2.0 / 9.81_f32).sqrt()).abs() < 2e-7);
+    assert!((event.state.t - (2.0 / 9.81_f32).sqrt()).abs() < 2e-6);
     for _ in 0..6 {
         motion.set_state(State { v: [-0.5 * motion.state().v[0]], ..*motion.state() });
         assert_eq!(motion.advance_to_event(fall, 10.0).unwrap().unwrap().crossing, Falling);

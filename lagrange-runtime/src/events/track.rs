@@ -1,10 +1,10 @@
 //! What is known of one guard, and its zeros on the present interval.
 
-use super::interval::{Interval, Watched};
+use super::interval::{Interval, POINTS, Watched};
 use super::{Crossing, Guard};
 use crate::error::MotionError;
 use crate::integrator::Adaptive;
-use crate::real::Ordered;
+use crate::real::{Ordered, larger, smaller};
 use crate::roots::{Kind, Memory, Polynomial, Side, Unresolved, Zeros};
 use crate::simulation::Control;
 use crate::state::State;
@@ -14,8 +14,12 @@ use crate::system::System;
 /// what is far away, as the end of a long free fall, must not hide what is near.
 const DROWNED: f64 = 256.0;
 
-/// A guard that is so many times its noise away from zero is not zero where a search begins.
-const AWAY: f64 = 2.0;
+/// A guard below so many roundings is zero where a search begins. Fewer than those in the noise of an interval, so
+/// that what has not been zero at the end of a search is not zero at the start of the next.
+const AT_START: f64 = 4.0;
+
+/// A part of an interval to take the slope over. Polynomials of degree 64 grow little beyond their interval by it.
+const PART: f64 = 1.0 / 4096.0;
 
 /// A guard that was zero and is so many times its noise away from it has jumped.
 const JUMPED: f64 = 16.0;
@@ -26,6 +30,8 @@ pub(super) struct Pending<R> {
     /// Where in the interval.
     pub theta: R,
     pub crossing: Crossing,
+    /// How well the time is known \[s].
+    pub blur: R,
 }
 
 /// Why a guard tells nothing on an interval.
@@ -41,6 +47,10 @@ pub(super) enum Refused<R> {
 pub(super) struct Track<R> {
     /// What is known where the interval starts.
     memory: Memory,
+    /// Where the interval ends: the side that the guard goes on to, and how well a zero there is known.
+    beyond: (Option<Side>, R),
+    /// The noise of the guard on the interval.
+    noise: R,
     /// Its zeros on the interval that are yet to come.
     zeros: Option<Zeros<R>>,
     /// The next of them.
@@ -49,27 +59,29 @@ pub(super) struct Track<R> {
 
 impl<R: Ordered> Track<R> {
     pub fn new() -> Self {
-        Self { memory: Memory::Unknown, zeros: None, pending: None }
+        let (zero, unknown) = (R::zero(), Memory::Unknown);
+        Self { memory: unknown, beyond: (None, zero), noise: zero, zeros: None, pending: None }
     }
 
-    /// Whether the guard has reached zero, which has not been reported since it has not left it. From then on it
-    /// counts as reported.
-    pub fn take_touching(&mut self) -> bool {
-        let touches = matches!(self.memory, Memory::Touching(_));
-        if touches {
-            self.memory = Memory::Zero(None);
-        }
-        touches
+    /// A zero at the end of the interval that has not been counted since the guard has not left it. From then on
+    /// it counts.
+    pub fn take_last(&mut self, interval: Interval<R>) -> Option<Pending<R>> {
+        let Memory::Touching(before) = self.memory else { return None };
+        self.memory = Memory::Zero(None);
+        let (beyond, blur) = self.beyond;
+        let kind = beyond.filter(|&side| side != before).map_or(Kind::Grazing, leading_to);
+        Some(Pending { theta: R::one(), crossing: crossing(kind, interval), blur })
     }
 
-    /// Interpolates the guard on an interval; `states` are those at its ends and between. If `strict`, an
-    /// interval on which the start drowns in the roundings of the end is too long.
+    /// Interpolates the guard on an interval; `blur` is how well the time of its start is known,
+    /// where an event led there. If `strict`, an interval on which the start drowns in the roundings of the end
+    /// is too long.
     pub fn look<S, C, M, G, const N: usize, const K: usize>(
         &mut self,
         watched: &mut Watched<'_, '_, S, C, M, G, N, K>,
         interval: Interval<R>,
-        states: &[State<R, N>; 3],
-        strict: bool,
+        states: &[State<R, N>; POINTS],
+        (blur, strict): (R, bool),
     ) -> Result<(), Refused<R>>
     where
         S: System<N, K, Scalar = R>,
@@ -77,28 +89,39 @@ impl<R: Ordered> Track<R> {
         M: Adaptive<S, C, N, K>,
         G: Guard<S, R, N>,
     {
-        let [near, far] = watched.sizes(states);
+        let sizes = watched.sizes(states);
         let mut error = None;
         let polynomial =
-            Polynomial::interpolate(far, |theta| watched.at_time(interval.time(theta), &mut error));
+            Polynomial::interpolate(sizes.far, |theta| watched.at_time(interval.time(theta), &mut error));
         if let Some(error) = error {
             return Err(Refused::Failed(error));
         }
         let polynomial = polynomial.map_err(Refused::TooLong)?;
-        let noise = polynomial.noise();
-        let eight = R::from_f64(8.0);
-        if strict && noise > R::from_f64(DROWNED) * eight * R::epsilon() * near {
+        let (noise, one) = (polynomial.noise(), R::one());
+        let roundings = |count| R::from_f64(count) * R::epsilon();
+        if strict && noise > roundings(8.0 * DROWNED) * sizes.near {
             return Err(Refused::TooLong(Unresolved::Degree));
         }
-        let start = polynomial.value(R::zero());
+        let (start, part) = (polynomial.value(R::zero()), R::from_f64(PART));
+        let second = part * (interval.to - interval.from).abs();
         let memory = match self.memory {
-            Memory::Unknown => begin(start, R::from_f64(AWAY) * noise),
+            Memory::Unknown => {
+                let rate = (polynomial.value(part) - start).abs() / second;
+                begin(start, roundings(AT_START) * sizes.start + R::from_f64(4.0) * rate * blur)
+            }
             Memory::Zero(side) if start.abs() > R::from_f64(JUMPED) * noise => {
                 side.map_or_else(|| begin(start, noise), Memory::Side)
             }
             memory => memory,
         };
-        self.zeros = Some(polynomial.zeros(memory, R::one()));
+        let rate = (polynomial.value(one) - polynomial.value(one - part)).abs() / second;
+        let side = match begin(polynomial.value(one + part), R::from_f64(4.0) * noise) {
+            Memory::Side(side) => Some(side),
+            _ => None,
+        };
+        self.beyond = (side, blurred(noise, rate, interval));
+        self.noise = noise;
+        self.zeros = Some(polynomial.zeros(memory, one));
         Ok(())
     }
 
@@ -108,7 +131,7 @@ impl<R: Ordered> Track<R> {
         &mut self,
         watched: &Watched<'_, '_, S, C, M, G, N, K>,
         interval: Interval<R>,
-        states: &[State<R, N>; 3],
+        states: &[State<R, N>; POINTS],
     ) -> bool
     where
         S: System<N, K, Scalar = R>,
@@ -116,19 +139,18 @@ impl<R: Ordered> Track<R> {
         M: Adaptive<S, C, N, K>,
         G: Guard<S, R, N>,
     {
-        let [from, _, to] = states;
-        let [from, to] = [from, to].map(|state| watched.at(state));
+        let [first, .., last] = states;
+        let [from, to] = [first, last].map(|state| watched.at(state));
         if !(from.is_finite() && to.is_finite()) {
             return false;
         }
-        // The change across a jump says nothing of roundings.
-        let [near, _] = watched.sizes(&[states[0]; 3]);
-        let noise = R::from_f64(16.0) * R::epsilon() * near;
+        let noise = R::from_f64(16.0) * R::epsilon() * watched.sizes(states).near;
         let before = match self.memory {
             Memory::Unknown => begin(from, noise),
             memory => memory,
         };
-        self.zeros = None;
+        (self.zeros, self.beyond) = (None, (None, (interval.to - interval.from).abs()));
+        let blur = self.beyond.1;
         let (came_from, counted) = match before {
             Memory::Side(side) | Memory::Touching(side) => (Some(side), false),
             Memory::Zero(side) => (side, true),
@@ -138,9 +160,9 @@ impl<R: Ordered> Track<R> {
             (Memory::Side(side), Some(before)) => {
                 let returns = matches!(self.memory, Memory::Touching(_)) && side == before;
                 if side != before {
-                    self.set(R::one(), side_crossing(side), interval);
+                    self.set(R::one(), leading_to(side), interval, blur);
                 } else if returns {
-                    self.set(R::one(), Kind::Grazing, interval);
+                    self.set(R::one(), Kind::Grazing, interval, blur);
                 }
                 Memory::Side(side)
             }
@@ -151,13 +173,8 @@ impl<R: Ordered> Track<R> {
         true
     }
 
-    fn set(&mut self, theta: R, kind: Kind, interval: Interval<R>) {
-        let crossing = match (kind, interval.is_backward()) {
-            (Kind::Grazing, _) => Crossing::Touching,
-            (Kind::Rising, false) | (Kind::Falling, true) => Crossing::Rising,
-            (Kind::Falling, false) | (Kind::Rising, true) => Crossing::Falling,
-        };
-        self.pending = Some(Pending { theta, crossing });
+    fn set(&mut self, theta: R, kind: Kind, interval: Interval<R>, blur: R) {
+        self.pending = Some(Pending { theta, crossing: crossing(kind, interval), blur });
     }
 
     /// Finds the next zero on the interval, behind those before `after`, to the last bit. At the end of them the
@@ -180,7 +197,18 @@ impl<R: Ordered> Track<R> {
                 let mut error = None;
                 let theta = zero.polish(|theta| watched.at_time(interval.time(theta), &mut error));
                 let theta = if theta > after { theta } else { after };
-                self.set(theta, zero.kind, interval);
+                let part = R::from_f64(PART);
+                let [low, high] =
+                    [larger(theta - part, R::zero()), smaller(theta + part, R::one())].map(|theta| {
+                        let t = interval.time(theta);
+                        (t, watched.at_time(t, &mut error))
+                    });
+                let rate = ((high.1 - low.1) / (high.0 - low.0)).abs();
+                let blur = match zero.kind {
+                    Kind::Grazing => R::zero(),
+                    _ => blurred(self.noise, rate, interval),
+                };
+                self.set(theta, zero.kind, interval, blur);
             }
             None => {
                 self.memory = zeros.memory();
@@ -202,9 +230,27 @@ fn begin<R: Ordered>(value: R, noise: R) -> Memory {
 }
 
 /// The crossing that leads to a side.
-fn side_crossing(side: Side) -> Kind {
+fn leading_to(side: Side) -> Kind {
     match side {
         Side::Above => Kind::Rising,
         Side::Below => Kind::Falling,
     }
+}
+
+/// What a zero that was met on the way is as time grows.
+fn crossing<R: Ordered>(kind: Kind, interval: Interval<R>) -> Crossing {
+    match (kind, interval.is_backward()) {
+        (Kind::Grazing, _) => Crossing::Touching,
+        (Kind::Rising, false) | (Kind::Falling, true) => Crossing::Rising,
+        (Kind::Falling, false) | (Kind::Rising, true) => Crossing::Falling,
+    }
+}
+
+/// How well the time of a zero is known that the guard crosses at this rate.
+fn blurred<R: Ordered>(noise: R, rate: R, interval: Interval<R>) -> R {
+    let resolution = R::epsilon() * larger(interval.from.abs(), interval.to.abs());
+    let by_noise = noise / rate;
+    // What is less than a part of the interval is the blur of a crossing.
+    let longest = R::from_f64(PART) * (interval.to - interval.from).abs();
+    resolution + if by_noise < longest { by_noise } else { R::zero() }
 }

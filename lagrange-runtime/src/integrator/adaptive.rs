@@ -63,6 +63,21 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// What the motion has cost.
     fn counts(memory: &Self::Memory) -> Steps;
 
+    /// The state at a part of the last step, from 0 to 1, which a time of finite resolution cannot tell as well.
+    ///
+    /// # Errors
+    /// As [`Adaptive::advance`].
+    fn within(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        part: S::Scalar,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered;
+
     /// The state at exactly time `t` \[s], as accurate as the ends of steps are.
     ///
     /// # Errors
@@ -153,6 +168,21 @@ where
         S::Scalar: Ordered,
     {
         Driven { system, constants, control }.step(memory, limits, t, false, attempts)
+    }
+
+    #[inline]
+    fn within(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        _limits: &Limits<S::Scalar>,
+        part: S::Scalar,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        Driven { system, constants, control }.at_part(memory, part)
     }
 
     #[inline]
@@ -297,9 +327,22 @@ where
         memory: &mut Dop853Memory<S::Scalar, N>,
         t: S::Scalar,
     ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
+        let (start, end) = (memory.start.state.t, memory.end.state.t);
+        let zero = num_traits::Zero::zero();
+        let part = if start == end { zero } else { (t - start) / (end - start) };
+        let state = self.at_part(memory, if t == end { num_traits::One::one() } else { part })?;
+        Ok(state.at_time(t))
+    }
+
+    /// The state at a part of the step.
+    fn at_part(
+        &self,
+        memory: &mut Dop853Memory<S::Scalar, N>,
+        part: S::Scalar,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
         let end = memory.end.state.t;
         let failed = |cause| MotionError { cause, t: end };
-        let mut state = memory.sample(self, t).map_err(failed)?;
+        let mut state = memory.sample(self, part).map_err(failed)?;
         self.system.project_at(self.constants, &mut state, None).map_err(failed)?;
         Ok(state)
     }

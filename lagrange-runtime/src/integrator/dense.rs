@@ -20,22 +20,22 @@ pub(crate) struct Dense<R, const N: usize> {
 }
 
 impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
-    /// The state at a time inside the step.
+    /// The state at a part of the step, from 0 to 1.
     #[inline]
-    pub(crate) fn sample<F>(&mut self, f: &F, t: R) -> Result<State<R, N>, Cause>
+    pub(crate) fn sample<F>(&mut self, f: &F, part: R) -> Result<State<R, N>, Cause>
     where
         F: Field<R, N>,
     {
         let (start, end) = (&self.start.state, &self.end.state);
-        if t == end.t {
+        if part == R::one() {
             return Ok(*end);
         }
-        if t == start.t {
+        if part == R::zero() {
             return Ok(*start);
         }
         let h = end.t - start.t;
-        let (from_start, from_end) = ((t - start.t) / h, (end.t - t) / h);
-        let mut state = start.at_time(t);
+        let (from_start, from_end) = (part, R::one() - part);
+        let mut state = start.at_time(start.t + part * h);
         let dense = match self.dense {
             Some(dense) => dense,
             None => self.interpolate(f)?,

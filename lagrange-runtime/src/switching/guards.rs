@@ -171,11 +171,12 @@ where
         values
     }
 
-    /// The first guard that falls through zero on a step, and the part of the step that has passed then. `at` gives
-    /// the state after a part of it.
+    /// The first guard that falls through zero on a step between two times, and the part of the step that has passed
+    /// then. `at` gives the state after a part of it.
     pub(super) fn first(
         &self,
         scales: &Scales<S::Scalar, C>,
+        [start, end]: [S::Scalar; 2],
         mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
     ) -> Result<Option<(S::Scalar, Guard)>, Cause> {
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
@@ -183,6 +184,8 @@ where
         let shortest = half.powi(HALVINGS);
         let (mut from, mut to) = (zero, one);
         let nan = Values::of(S::Scalar::from_f64(f64::NAN));
+        // Time is rounded, so that a guard is known no better than it changes meanwhile.
+        let late = most(start.abs(), end.abs()) / (end - start).abs();
         loop {
             let width = to - from;
             let mut kept = [(-one, Values::of(zero)); KEPT];
@@ -203,7 +206,8 @@ where
             let mut earliest: Option<(S::Scalar, Guard)> = None;
             let mut unresolved = None;
             for guard in guards {
-                match self.falls(guard, scales, &mut |place| values(place).get(guard)) {
+                let late = late / (S::Scalar::from_f64(4.0) * width);
+                match self.falls(guard, scales, late, &mut |place| values(place).get(guard)) {
                     Ok(Some(place)) if earliest.is_none_or(|(other, _)| place < other) => {
                         earliest = Some((place, guard));
                     }
@@ -233,6 +237,19 @@ where
         }
     }
 
+    /// How long after the zero of a guard a time is that rounding has made of it, from its values there and a little
+    /// earlier.
+    pub(super) fn late(
+        &self,
+        guard: Guard,
+        [earlier, there]: [&State<S::Scalar, N>; 2],
+    ) -> S::Scalar {
+        let [before, value] = [earlier, there].map(|state| self.values(state).get(guard).0);
+        let late = value / (value - before) * (there.t - earlier.t);
+        let ulps = S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * there.t.abs();
+        if late.abs() <= ulps { late } else { num_traits::Zero::zero() }
+    }
+
     /// The size of the guard of a row in the course of the motion.
     fn scale(&self, row: usize, scales: &Scales<S::Scalar, C>) -> S::Scalar {
         let is_active = self.regime.active[row];
@@ -253,6 +270,7 @@ where
         &self,
         guard: Guard,
         scales: &Scales<S::Scalar, C>,
+        late: S::Scalar,
         value: &mut impl FnMut(S::Scalar) -> (S::Scalar, S::Scalar),
     ) -> Result<Option<S::Scalar>, Unresolved> {
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
@@ -261,7 +279,10 @@ where
             Guard::Row(row) => self.scale(row, scales),
             Guard::Kink(_) => zero,
         };
-        let size = most(start.1, end.1);
+        let spread = [0.25, 0.5, 0.75].iter().fold((end.0 - start.0).abs(), |spread, &place| {
+            most(spread, (value(S::Scalar::from_f64(place)).0 - start.0).abs())
+        });
+        let size = most(start.1, end.1) + late * spread;
         let polynomial = Polynomial::interpolate(size, |place| value(place).0)?;
         let noise = most(polynomial.noise(), rounding::<S::Scalar>() * most(start.1, scale));
         let is_gap = matches!(guard, Guard::Row(row)

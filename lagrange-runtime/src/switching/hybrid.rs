@@ -25,6 +25,9 @@ use crate::system::System;
 /// Changes of regimes without any time between them, for each row and kink, until they count as endless.
 const CHANGES: usize = 4;
 
+/// The part of a piece at which its guard is compared with the end, for its slope.
+const EARLIER: f64 = 1.0 - 1e-3;
+
 /// A motion whose equations switch: between switches by the method `M`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Hybrid<M, const C: usize, const W: usize>(PhantomData<M>);
@@ -44,6 +47,14 @@ type Memory<S, M, const N: usize, const K: usize, const C: usize, const W: usize
     C,
     W,
 >;
+
+/// Where a guard has fired.
+struct Event<R, const N: usize> {
+    state: State<R, N>,
+    guard: Guard,
+    /// How long after the zero of the guard the time of the state is, which is rounded.
+    late: R,
+}
 
 /// A motion on its way.
 struct Run<'a, S, M, const N: usize, const K: usize, const C: usize, const W: usize>
@@ -96,7 +107,7 @@ where
         }
         let closed = self.penetrating(&state, &laws)?;
         let known = Known { closed, fired: None, settled: false };
-        let regime = self.settle(&mut state, &present, known, false)?;
+        let regime = self.settle(&mut state, &present, known, false, num_traits::Zero::zero())?;
         self.enter(regime, state);
         let counts = &mut self.memory.counts;
         counts.evaluations += 1;
@@ -165,40 +176,48 @@ where
         Ok(closed)
     }
 
-    /// What follows a state: its impact, the regime that goes on, and the state projected onto that.
+    /// What follows a state: its impact, the regime that goes on, and the state projected onto that, so much later
+    /// as the time of the state is rounded.
     fn settle(
         &mut self,
         state: &mut State<S::Scalar, N>,
         present: &Regime<S::Scalar, C, W>,
         mut known: Known<C>,
         avoid: bool,
+        late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
-        let in_regime = if C == 0 {
-            self.system.in_regime(present)
-        } else {
+        if C > 0 {
             let inputs = &self.control.0;
             let scales = &mut self.memory.scales;
             scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
             let mut scene = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
             if scene.has_impact() {
-                let restitution = restitution(&scene, present, scales, self.limits);
-                state.v = scene.impact(&restitution)?;
+                scales.strike(&scene.status, &scene.laws);
+                state.v = scene.impact()?;
                 for (closed, &status) in known.closed.iter_mut().zip(&scene.status) {
                     *closed = *closed || matches!(status, Status::Meets | Status::Touches);
                 }
                 (known.fired, known.settled) = (None, true);
                 scene = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
+                if let Some(v) = scene.gathered(present, scales, &known, self.limits.relative)? {
+                    state.v = v;
+                    scene = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
+                }
             }
             let choice = scene.choose(present, known.fired.filter(|_| avoid))?;
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
             state.v = choice.velocities;
+            shift(state, &choice.accelerations, late);
             let in_regime = self.system.in_regime(&choice.regime);
             in_regime.project_at(&in_regime.constants(), state, None)?;
             return Ok(choice.regime);
-        };
-        in_regime.project_at(&in_regime.constants(), state, None)?;
+        }
+        let in_regime = self.system.in_regime(present);
+        let State { t, q, v } = *state;
+        let a = in_regime.accelerations_at(&in_regime.constants(), t, &q, &v, &self.control.0);
+        shift(state, &a, late);
         Ok(*present)
     }
 
@@ -217,6 +236,10 @@ where
                 self.enter(regime, state);
             }
             let here = self.memory.end;
+            if S::InRegime::CONSTRAINED && is_at_rest(&self.memory.start, &here) {
+                // Nothing bounds the length of a step by that of one before it.
+                M::restart(&mut self.memory.inner, here);
+            }
             if here.t == t {
                 return Ok(());
             }
@@ -233,7 +256,7 @@ where
                 self.memory.end = start;
                 at(&start, cause)
             })?;
-            let Some((state, guard)) = found else {
+            let Some(Event { state, guard, late }) = found else {
                 let laws = self.system.laws_at(end.t, &end.q, &end.v);
                 self.memory.scales.see(&laws);
                 self.passed(start.t, end.t);
@@ -242,7 +265,7 @@ where
             };
             self.memory.end = state;
             let has_passed = self.passed(start.t, state.t);
-            if let Err(cause) = self.switch(guard) {
+            if let Err(cause) = self.switch(guard, late) {
                 self.memory.stuck = Some(cause);
                 return Err(at(&state, cause));
             }
@@ -266,8 +289,8 @@ where
         has_passed
     }
 
-    /// The first event of the piece: the state there, and its guard.
-    fn event(&mut self) -> Result<Option<(State<S::Scalar, N>, Guard)>, Cause> {
+    /// The first event of the piece.
+    fn event(&mut self) -> Result<Option<Event<S::Scalar, N>>, Cause> {
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
         let (in_regime, constants) = (&memory.in_regime, &memory.constants);
@@ -281,15 +304,19 @@ where
             if part == num_traits::Zero::zero() {
                 return Some(start);
             }
-            let t = if part == num_traits::One::one() { end.t } else { start.t + part * (end.t - start.t) };
-            M::sample(inner, in_regime, constants, control, limits, t, &mut 0).ok()
+            M::within(inner, in_regime, constants, control, limits, part).ok()
         };
-        let Some((part, guard)) = guards.first(&memory.scales, &mut at)? else { return Ok(None) };
-        Ok(Some((at(part).ok_or(Cause::NotFinite)?, guard)))
+        let Some((part, guard)) = guards.first(&memory.scales, [start.t, end.t], &mut at)? else {
+            return Ok(None);
+        };
+        let state = at(part).ok_or(Cause::NotFinite)?;
+        let earlier = at(part * S::Scalar::from_f64(EARLIER)).ok_or(Cause::NotFinite)?;
+        let late = guards.late(guard, [&earlier, &state]);
+        Ok(Some(Event { state, guard, late }))
     }
 
     /// Changes the regime where a guard has fired.
-    fn switch(&mut self, guard: Guard) -> Result<(), Cause> {
+    fn switch(&mut self, guard: Guard, late: S::Scalar) -> Result<(), Cause> {
         let memory = &mut *self.memory;
         let (mut state, mut present) = (memory.end, memory.regime);
         memory.changes += 1;
@@ -318,8 +345,12 @@ where
         {
             (fired, avoid) = (None, false);
         }
+        // Back to the event itself.
+        let State { t, q, v } = state;
+        let a = self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
+        shift(&mut state, &a, -late);
         let known = Known { closed: present.active, fired, settled: false };
-        let regime = self.settle(&mut state, &present, known, avoid)?;
+        let regime = self.settle(&mut state, &present, known, avoid, late)?;
         self.memory.next = Some((regime, state));
         Ok(())
     }
@@ -364,7 +395,7 @@ where
             };
             let present = memory.regime;
             let known = Known { closed: present.active, fired: Some(row), settled: false };
-            let regime = self.settle(&mut state, &present, known, true)?;
+            let regime = self.settle(&mut state, &present, known, true, num_traits::Zero::zero())?;
             self.memory.next = Some((regime, state));
             return Ok(());
         }
@@ -407,43 +438,17 @@ where
     }
 }
 
-/// The coefficients of an impact. The impacts of a contact that bounces on are geometric; where the next flight
-/// would be lower than the tolerance and forces hold it down, all that follow are one with this.
-fn restitution<S, const N: usize, const K: usize, const C: usize, const W: usize>(
-    scene: &Scene<'_, S, N, K, C, W>,
-    present: &Regime<S::Scalar, C, W>,
-    scales: &mut super::scene::Scales<S::Scalar, C>,
-    limits: &Limits<S::Scalar>,
-) -> [S::Scalar; C]
-where
-    S: Switching<N, K, C, W>,
-    S::Scalar: Ordered,
-{
-    let zero: S::Scalar = num_traits::Zero::zero();
-    let ulp = S::Scalar::epsilon();
-    let State { t, q, v } = &scene.state;
-    let in_regime = scene.system.in_regime(present);
-    let equations = S::equations_in(&in_regime, *t, q, v, scene.inputs);
-    let accelerations = equations.map(|equations| equations.balance().accelerations);
-    core::array::from_fn(|row| {
-        let e = scene.laws.restitution[row];
-        if scene.status[row] != Status::Meets {
-            return e;
-        }
-        let speed = scene.laws.rows.rates[row].abs();
-        scales.impacts[row] = most(scales.impacts[row], speed);
-        let pull = accelerations.as_ref().map_or(zero, |a| -scene.rate(row, a));
-        if !pull.is_positive() {
-            return e;
-        }
-        let rebound = e * speed;
-        let tolerance = most(limits.relative, S::Scalar::from_f64(16.0) * ulp);
-        let height = rebound * rebound / (pull + pull);
-        let is_low = !above(height, S::Scalar::from_f64(64.0) * ulp * scene.laws.rows.position_sizes[row]);
-        let is_short = !above(rebound / pull, S::Scalar::from_f64(64.0) * ulp * t.abs());
-        let is_slow = !above(rebound, tolerance * scales.impacts[row]);
-        if is_slow || is_low || is_short { zero } else { e }
-    })
+/// Whether nothing moves.
+fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
+    start.t != end.t && end.v.iter().all(|&v| v == R::zero()) && start.q == end.q
+}
+
+/// Moves a state by a time that is shorter than the resolution of its own.
+fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
+    for ((q, v), &a) in state.q.iter_mut().zip(&mut state.v).zip(accelerations) {
+        *q += dt * *v;
+        *v += dt * a;
+    }
 }
 
 fn add(sum: &mut Steps, more: Steps) {
@@ -517,6 +522,29 @@ where
         let mut run = Run::<S, M, N, K, C, W> { system, memory, control, limits };
         run.turn(t);
         run.step(t, attempts)
+    }
+
+    fn within(
+        memory: &mut Self::Memory,
+        _system: &S,
+        _constants: &S::Constants,
+        control: &Held<S::Scalar, K>,
+        limits: &Limits<S::Scalar>,
+        part: S::Scalar,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        if part == num_traits::Zero::zero() || memory.start.t == memory.end.t {
+            return Ok(memory.start);
+        }
+        if part == num_traits::One::one() {
+            return Ok(memory.end);
+        }
+        // The piece may be the beginning of a step that was cut.
+        let whole = M::end(&memory.inner).t - memory.start.t;
+        let part = part * ((memory.end.t - memory.start.t) / whole);
+        M::within(&mut memory.inner, &memory.in_regime, &memory.constants, control, limits, part)
     }
 
     fn counts(memory: &Self::Memory) -> Steps {

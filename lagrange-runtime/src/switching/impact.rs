@@ -35,7 +35,8 @@ where
     S: Switching<N, K, C, W>,
 {
     /// The velocities after the impact.
-    pub(super) fn impact(&self, restitution: &[S::Scalar; C]) -> Result<[S::Scalar; N], Cause> {
+    pub(super) fn impact(&self) -> Result<[S::Scalar; N], Cause> {
+        let restitution = &self.laws.restitution;
         let zero: S::Scalar = num_traits::Zero::zero();
         let by_newton = self.strike(restitution)?;
         let mut changes = by_newton.changes;

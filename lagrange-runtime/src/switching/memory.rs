@@ -49,6 +49,11 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         self.next.map_or(self.end, |(_, state)| state)
     }
 
+    /// The states before and after the change of regime that ends the piece.
+    pub(super) fn switch(&self) -> Option<(State<R, N>, State<R, N>)> {
+        self.next.map(|(_, state)| (self.end, state))
+    }
+
     /// Which contacts are closed and which frictions stick or slip, at [`HybridMemory::after`].
     pub fn regime(&self) -> &Regime<R, C, W> {
         self.next.as_ref().map_or(&self.regime, |(regime, _)| regime)

@@ -9,10 +9,12 @@
 //! *Numerical Methods for Nonsmooth Dynamical Systems*.
 
 mod choice;
+mod contacts;
 mod guards;
 mod hybrid;
 mod impact;
 mod memory;
+mod rest;
 mod scene;
 mod trials;
 
@@ -22,6 +24,7 @@ use crate::real::Real;
 use crate::system::System;
 #[doc(hidden)]
 pub use choice::{accelerations, multipliers};
+pub use contacts::{Contact, NamedRows, Switch};
 pub use hybrid::Hybrid;
 pub use memory::HybridMemory;
 

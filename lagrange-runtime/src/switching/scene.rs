@@ -52,6 +52,14 @@ impl<R: Real, const C: usize> Scales<R, C> {
         Self { gaps: none, speeds: none, impacts: none, reactions: none }
     }
 
+    /// Takes in an impact.
+    pub(super) fn strike<const W: usize>(&mut self, status: &[Status; C], laws: &Laws<R, C, W>) {
+        let rows = self.impacts.iter_mut().zip(status).zip(&laws.rows.rates);
+        for ((seen, _), &rate) in rows.filter(|((_, status), _)| **status == Status::Meets) {
+            *seen = most(*seen, rate.abs());
+        }
+    }
+
     /// Takes in another state.
     pub(super) fn see<const W: usize>(&mut self, laws: &Laws<R, C, W>) {
         let sizes = [(&mut self.gaps, &laws.rows.position_sizes), (&mut self.speeds, &laws.rows.rate_sizes)];

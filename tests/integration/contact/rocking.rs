@@ -1,5 +1,6 @@
 //! N06: Housner's rocking block, which switches from corner to corner.
 
+use lagrangian::Contact;
 use lagrangian::prelude::*;
 
 use super::TIGHT;
@@ -33,8 +34,7 @@ impl Block {
 
     #[friction(coefficient = 10.0, normal = corners)]
     fn slips(&self, q: &Coordinates, v: &Velocities) -> [f64; 2] {
-        let arm = |side: f64| -(q.theta.sin() * side * 0.2 - q.theta.cos() * 0.5);
-        [v.x + arm(-1.0) * v.theta, v.x + arm(1.0) * v.theta]
+        [-1.0, 1.0].map(|side| v.x - (q.theta.sin() * side * 0.2 - q.theta.cos() * 0.5) * v.theta)
     }
 }
 
@@ -55,12 +55,14 @@ fn a_block_rocks_from_corner_to_corner_and_stands() {
         (1.289259590867407105928759, 0.6385740398645654841533684),
     ];
     for (time, rate) in impacts {
-        let impact = motion.advance_to_event(|state: &State<f64, 3>| state.q[2], 10.0).unwrap().unwrap();
+        let impact = motion.advance_to_switch(10.0).unwrap().unwrap();
         close_on(1.0, impact.state.t, time, 1e-12);
-        close_on(1.0, motion.state().v[2].abs(), rate, 1e-10);
+        close_on(1.0, impact.state.v[2].abs(), rate, 1e-10);
+        assert_eq!(motion.contacts().corners.map(|corner| corner == Contact::Closed).iter().filter(|x| **x).count(), 1);
     }
     let state = *motion.advance_to(20.0).unwrap();
     assert_eq!(state.v, [0.0; 3]);
+    assert_eq!(motion.contacts().corners, [Contact::Closed; 2]);
     close_on(1.0, state.q[2], 0.0, 1e-12);
     close_on(1.0, state.q[1], 0.5, 1e-12);
 }

@@ -10,9 +10,24 @@ use crate::schedule::{Operations, plan};
 use crate::simplify::simplify;
 use crate::structure::Saddle;
 
-/// The items of `System` and of `Surface` as text, and the operations of one evaluation of the accelerations.
-pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (String, String, Operations) {
+/// A system with constraints as text.
+pub(in crate::emit) struct Implementations {
+    /// The items of `System`.
+    pub system: String,
+    /// Those of it that say what is computed once per run.
+    pub constants: String,
+    /// The items of `Surface`.
+    pub surface: String,
+    /// The operations of one evaluation of the accelerations.
+    pub operations: Operations,
+}
+
+/// All of it.
+pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Implementations {
     let (equations, constants_type, constants, operations) = equations(emission, method);
+    let constants = format!(
+        "type Constants = {constants_type};\n#[inline]\nfn constants(&self) -> Self::Constants {{\n{constants}\n}}\n"
+    );
     let residuals = residuals(emission);
     let saddle = saddle(emission, method);
     let scalar = emission.scalar.to_string();
@@ -42,10 +57,9 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
     let names = names(emission.model);
     let coupled = if held > 1 { "const COUPLED: bool = true;\n" } else { "" };
     let system = format!(
-        "type Scalar = {scalar};\ntype Method = {integrator};\ntype Constants = {constants_type};\n\
+        "type Scalar = {scalar};\ntype Method = {integrator};\n{constants}\
          {names}\
          const CONSTRAINED: bool = true;\n{coupled}\
-         #[inline]\nfn constants(&self) -> Self::Constants {{\n{constants}\n}}\n\
          {accelerations}\
          fn check_at(&self, _constants: &Self::Constants, {place}) -> ::core::result::Result<(), lagrange::Cause> \
          {{\nlagrange::constraints::check::<Self, {count}, {given}, {held}>(self, t, q, v)\n}}\n\
@@ -81,7 +95,7 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> (S
          #[inline]\nfn saddle_at(&self, {place}) -> (Self::Saddle, [[{scalar}; {count}]; {held}]) {{\n{saddle}\n}}\n",
         saddle_type(method, &emission.scalar, count, held)
     );
-    (system + &project + &energy, surface, operations)
+    Implementations { system: system + &project + &energy, constants, surface, operations }
 }
 
 /// The implementation of `Constrained` as text.

@@ -91,8 +91,22 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         if t == self.end.t {
             return self.end;
         }
-        let theta = ((t - self.start.t) - self.residue.t) / self.unit;
-        let mut state = self.start.at_time(t);
+        self.at_theta(((t - self.start.t) - self.residue.t) / self.unit).at_time(t)
+    }
+
+    /// The state at a part of the step, from 0 to 1.
+    pub(super) fn at_part(&self, part: R) -> State<R, N> {
+        if part == R::one() {
+            return self.end;
+        }
+        let length = (self.end.t - self.start.t) + (self.end_residue.t - self.residue.t);
+        self.at_theta(part * length / self.unit).at_time(self.start.t + part * length)
+    }
+
+    /// The state at `theta` units of the scaled time, with what rounding took from the start.
+    #[inline]
+    fn at_theta(&self, theta: R) -> State<R, N> {
+        let mut state = self.start;
         let (gain_q, gain_v) = self.series.gain(theta, self.orders);
         for i in 0..N {
             state.q[i] += gain_q[i] + self.residue.q[i];

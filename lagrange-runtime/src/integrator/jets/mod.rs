@@ -169,6 +169,26 @@ where
     }
 
     #[inline]
+    fn within(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        _control: &Held<S::Scalar, K>,
+        _limits: &Limits<S::Scalar>,
+        part: S::Scalar,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        let mut state = memory.at_part(part);
+        if S::CONSTRAINED && part != num_traits::One::one() {
+            let failed = |cause| MotionError { cause, t: memory.end.t };
+            system.project_at(constants, &mut state, None).map_err(failed)?;
+        }
+        Ok(state)
+    }
+
+    #[inline]
     fn advance(
         memory: &mut Self::Memory,
         system: &S,

@@ -36,10 +36,10 @@ fn a_ball_bounces_until_it_rests() {
     let state = *motion.advance_to(3.0).unwrap();
     assert!((state.q[0] - 0.06870746096576572204080913).abs() < 1e-12, "{state:?}");
     assert!((state.v[0] + 0.01535413338474475931973029).abs() < 1e-11, "{state:?}");
-    // It bounces until 4.0637127687715781.
-    let state = *motion.advance_to(4.063712768771).unwrap();
+    // It bounces until 4.0637127688715781.
+    let state = *motion.advance_to(4.063712768870).unwrap();
     assert!(state.v[0] != 0.0, "{state:?}");
-    let state = *motion.advance_to(4.063712768773).unwrap();
+    let state = *motion.advance_to(4.063712768873).unwrap();
     assert_eq!((state.q[0], state.v[0]), (0.0, 0.0));
     let steps = motion.steps().accepted;
     let state = *motion.advance_to(10.0).unwrap();
@@ -53,7 +53,7 @@ fn impact_times_are_exact() {
     let ball = Model(Ball { e: 0.8 });
     for (time, sign) in [
         0.4515236409857309, 1.1739614665629004, 1.751911727024636, 2.214271935394024, 2.584160102089535,
-        2.880070635445944, 3.1167990620311026, 3.3061818034791721,
+        2.880070635445944, 3.1167990621310706, 3.3061818034791721,
     ]
     .into_iter()
     .zip(1..)
@@ -171,5 +171,25 @@ fn a_disc_bounces_obliquely() {
         // It comes to roll, and rolls on.
         let state = *motion.advance_to(20.0).unwrap();
         assert!((state.v[0] + 0.1 * state.v[2]).abs() < 1e-13 && state.q[1] == 0.1, "{state:?}");
+    }
+}
+
+#[test]
+fn dbg_times() {
+    let ball = Model(Ball { e: 0.8 });
+    let mut memory = <Hybrid<Dop853, 1, 0> as crate::Adaptive<Model<Ball, 1, 1, 0>, Held<f64, 0>, 1, 0>>::begin(&ball, State::new([1.0], [0.0]));
+    let mut limits = crate::integrator::Limits::new();
+    limits.relative = 1e-13;
+    type H = Hybrid<Dop853, 1, 0>;
+    let mut n = 0;
+    let t0 = (2.0 / G).sqrt();
+    loop {
+        let r = <H as crate::Adaptive<Model<Ball, 1, 1, 0>, Held<f64, 0>, 1, 0>>::step(&mut memory, &ball, &(), &Held([]), &limits, 10.0, &mut 1000);
+        let end = *<H as crate::Adaptive<Model<Ball, 1, 1, 0>, Held<f64, 0>, 1, 0>>::end(&memory);
+        let start = *<H as crate::Adaptive<Model<Ball, 1, 1, 0>, Held<f64, 0>, 1, 0>>::start(&memory);
+        if memory.next.is_some() { n += 1;
+        let want = t0 + 2.0 * t0 * (0.8 - 0.8f64.powi(n)) / 0.2;
+        std::println!("{n} {r:?} start {} {:e} {:e} end {} {:e} {:e} want {want} diff {:e}", start.t, start.q[0], start.v[0], end.t, end.q[0], end.v[0], end.t - want); }
+        if end.t >= 10.0 || r.is_err() { break; }
     }
 }

@@ -1,0 +1,103 @@
+//! What a motion tells of its contacts, and its changes of regime one by one.
+
+use super::{Hybrid, Row, Switching};
+use crate::error::MotionError;
+use crate::integrator::Adaptive;
+use crate::real::Ordered;
+use crate::simulation::{Held, Simulation};
+use crate::state::State;
+
+/// What a row does at present.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contact {
+    /// A constraint that always holds.
+    Holds,
+    /// A contact with a gap, or one about to lift off.
+    Open,
+    /// A contact that is closed.
+    Closed,
+    /// Friction that holds.
+    Sticks,
+    /// Friction that slips.
+    Slips,
+    /// Friction of a contact that is open.
+    Idle,
+}
+
+/// Names of the rows of a system, one value each.
+pub trait NamedRows<const C: usize> {
+    /// A struct with a field for each constraint, contact and friction.
+    type Rows<T>: From<[T; C]>;
+}
+
+/// A change of the regime: an impact, a contact that closes or opens, friction that sticks or slips, a kink.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Switch<R, const N: usize> {
+    /// The state before it: in an impact, that with the velocities at which bodies meet.
+    pub before: State<R, N>,
+    /// The state after it, at the same time.
+    pub state: State<R, N>,
+}
+
+impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize>
+    Simulation<'_, S, Held<S::Scalar, K>, Hybrid<M, C, W>, N, K>
+where
+    S: Switching<N, K, C, W> + NamedRows<C>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    /// What each contact, friction and constraint does, by name: `motion.contacts().floor`. Known from the first
+    /// step on, and at the end of what the integrator has done, which may be ahead of [`Simulation::state`]
+    /// where that is a sample.
+    pub fn contacts(&self) -> S::Rows<Contact> {
+        let regime = self.memory.regime();
+        let is_active = |row: usize| regime.active.get(row).copied().unwrap_or(false);
+        let zero = num_traits::Zero::zero();
+        let slips = |row: usize| regime.slip.get(row).is_some_and(|&slip| slip != zero);
+        core::array::from_fn(|row| match S::ROWS[row] {
+            Row::Bilateral => Contact::Holds,
+            Row::Unilateral if is_active(row) => Contact::Closed,
+            Row::Unilateral => Contact::Open,
+            Row::Friction { .. } if is_active(row) => Contact::Sticks,
+            Row::Friction { pair, .. } if slips(row) || pair.is_some_and(slips) => Contact::Slips,
+            Row::Friction { .. } => Contact::Idle,
+        })
+        .into()
+    }
+
+    /// Moves to the next change of the regime, or to `until` if there is none before; `None` then.
+    ///
+    /// # Errors
+    /// As [`Simulation::advance_to`].
+    pub fn advance_to_switch(
+        &mut self,
+        until: S::Scalar,
+    ) -> Result<Option<Switch<S::Scalar, N>>, MotionError<S::Scalar>> {
+        self.check(until)?;
+        self.begin()?;
+        let mut attempts = self.limits.attempts;
+        loop {
+            if let Some((before, state)) = self.memory.switch()
+                && state.t > self.t()
+                && state.t <= until
+            {
+                self.advance_to(state.t)?;
+                return Ok(Some(Switch { before, state }));
+            }
+            if self.memory.after().t >= until || self.t() >= until {
+                self.advance_to(until)?;
+                return Ok(None);
+            }
+            let Self { system, constants, control, limits, memory, .. } = self;
+            <Hybrid<M, C, W> as Adaptive<S, Held<S::Scalar, K>, N, K>>::step(
+                memory,
+                *system,
+                constants,
+                control,
+                limits,
+                until,
+                &mut attempts,
+            )?;
+        }
+    }
+}

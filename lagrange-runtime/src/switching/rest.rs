@@ -1,0 +1,71 @@
+//! Infinitely many impacts in finite time.
+//!
+//! The impacts of a ball that bounces come ever faster, and so do those of a block that rocks from corner to
+//! corner. Their times are geometric, so that what is left of the motion after an impact is about as short as it
+//! is low. Where a contact opens more slowly than the tolerance allows to tell, although forces close it again,
+//! all impacts that would follow are taken together with this one and it stays closed. Rest is rest then.
+
+use super::scene::{Known, Scales, Scene, Status, above, most};
+use super::{Regime, Row, Switching};
+use crate::error::Cause;
+use crate::linear::SaddlePoint;
+use crate::real::Real;
+use crate::state::State;
+
+/// Of so many roundings of gaps and times a flight has to consist.
+const RESOLVED: f64 = 64.0;
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// The velocities with all contacts closed that open after an impact for no time that counts; `None` where
+    /// there are none. The scene is that after the impact.
+    pub(super) fn gathered(
+        &self,
+        present: &Regime<S::Scalar, C, W>,
+        scales: &Scales<S::Scalar, C>,
+        known: &Known<C>,
+        tolerance: S::Scalar,
+    ) -> Result<Option<[S::Scalar; N]>, Cause> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let ulp = S::Scalar::epsilon();
+        let resolved = S::Scalar::from_f64(RESOLVED) * ulp;
+        let tolerance = most(tolerance, S::Scalar::from_f64(16.0) * ulp);
+        let rates = &self.laws.rows.rates;
+        let opens: [bool; C] = core::array::from_fn(|row| {
+            S::ROWS[row] == Row::Unilateral && known.closed[row] && self.status[row] == Status::Apart
+        });
+        if !opens.contains(&true) {
+            return Ok(None);
+        }
+        let accelerations = self.choose(present, None)?.accelerations;
+        let slow: [bool; C] = core::array::from_fn(|row| {
+            let (rate, pull) = (rates[row], -self.rate(row, &accelerations));
+            let struck = scales.impacts[row];
+            let speed = if struck.is_positive() { struck } else { scales.speeds[row] };
+            let size = self.laws.rows.position_sizes[row];
+            opens[row]
+                && pull.is_positive()
+                && (!above(rate, tolerance * speed)
+                    || !above(rate * rate, (pull + pull) * resolved * size)
+                    || !above(rate, pull * resolved * self.state.t.abs()))
+        });
+        if !slow.contains(&true) {
+            return Ok(None);
+        }
+        let mut closed = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
+        let mut wanted = [zero; C];
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            if slow[row] || *kind == Row::Unilateral && self.status[row] == Status::Touches {
+                closed.active[row] = true;
+                wanted[row] = -rates[row];
+            }
+        }
+        let State { t, q, v } = &self.state;
+        let in_regime = self.system.in_regime(&closed);
+        let Some(equations) = S::equations_in(&in_regime, *t, q, v, self.inputs) else { return Ok(None) };
+        let (change, _) = equations.saddle.solve(&[zero; N], &wanted);
+        Ok(Some(core::array::from_fn(|i| v[i] + change[i])))
+    }
+}
