@@ -146,6 +146,16 @@ where
         Self { state: *state, saddle, residuals, gradients, metric, slopes, is_fresh: true }
     }
 
+    /// With factors that have been made for another state, on the constraints.
+    pub(super) fn from_elsewhere(
+        system: &S,
+        state: &State<S::Scalar, N>,
+        factors: (S::Saddle, [[S::Scalar; N]; C]),
+    ) -> Self {
+        let residuals = system.residuals_at(state.t, &state.q, &state.v);
+        Self { is_fresh: false, ..Self::with(state, residuals, factors) }
+    }
+
     /// Takes other factors, which are those of the state itself or not.
     fn take(&mut self, (saddle, gradients): (S::Saddle, [[S::Scalar; N]; C]), is_fresh: bool) {
         (self.saddle, self.gradients, self.is_fresh) = (saddle, gradients, is_fresh);
@@ -210,11 +220,14 @@ where
     }
 
     /// Takes factors that belong to the constraints, where rows depend on each other on them but not beside
-    /// them: what such rows demand together beside them is no motion.
+    /// them: what such rows demand together beside them is no motion. Those of elsewhere do.
     #[cold]
     fn settle(&mut self, system: &S, level: Level) {
         if level == Level::Velocities {
             return self.refresh(system);
+        }
+        if !self.is_fresh {
+            return;
         }
         let none = [num_traits::Zero::zero(); N];
         let (change, _) = self.saddle.solve(&none, &self.residuals.positions.map(|value| -value));
