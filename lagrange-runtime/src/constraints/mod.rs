@@ -32,7 +32,7 @@ pub use residuals::Residuals;
 pub use retraction::project;
 pub use solution::{check, finite, forces, independence, is_singular, matrix, regular};
 pub use stages::accelerations;
-pub use start::{begin, consistent};
+pub use start::{begin, consistent, sound};
 pub use tangential::tangential;
 
 /// A system with constraints.

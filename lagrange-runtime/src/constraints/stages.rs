@@ -3,8 +3,11 @@
 
 use super::residuals::Level;
 use super::retraction::{From, Retraction};
+use super::start::contradiction;
 use super::{Balance, Equations, Metric, Surface, moved, project};
+use crate::error::Cause;
 use crate::linear::{Independence, SaddlePoint, determined};
+use crate::name::Name;
 use crate::real::Real;
 use crate::state::State;
 
@@ -50,13 +53,14 @@ where
 {
     let (near, equations) = nearest(system, constants, state, u)?;
     let Balance { accelerations, independence: here, .. } = equations.balance();
+    let factors = (equations.saddle, equations.gradients);
     if here.is_determined() {
         return Some(accelerations);
     }
     // Independent rows that determine the accelerations neither here nor beside here give none.
     let own = if here.rank < here.rows { accelerations } else { [S::Scalar::from_f64(f64::NAN); N] };
-    let Some(time) = travel_time(&near, &Metric::of(&equations.saddle)) else { return Some(own) };
-    if here.rank < here.rows && are_redundant(system, &near, equations, time) {
+    let Some(time) = travel_time(&near, &factors.0) else { return Some(own) };
+    if here.rank < here.rows && are_redundant(system, &near, factors, time) {
         return Some(own);
     }
     Some(between(system, constants, &near, &here, time, u).unwrap_or(own))
@@ -104,15 +108,14 @@ fn apart<R: Real>(time: R, widenings: i32) -> R {
 fn are_redundant<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
-    equations: Equations<S::Saddle, S::Scalar, N, C>,
+    factors: (S::Saddle, [[S::Scalar; N]; C]),
     time: S::Scalar,
 ) -> bool
 where
     S: Surface<N, K, C>,
 {
-    let here = equations.saddle.independence();
+    let here = factors.0.independence();
     let none = [num_traits::Zero::zero(); N];
-    let factors = (equations.saddle, equations.gradients);
     // Where coordinates are large beside the system, the furthest neighbours have no place in it.
     (0..WIDENINGS).rev().step_by(STRIDE).find_map(|widenings| {
         let there = moved(state, &state.v, &none, apart(time, widenings));
@@ -122,6 +125,36 @@ where
         let there = retraction.saddle.independence();
         retraction.saddle.defect().is_none().then(|| !there.improves(&here, determined()))
     }) == Some(true)
+}
+
+/// Whether constraints keep a state from having accelerations.
+///
+/// # Errors
+/// [`Cause::Contradictory`], or [`Cause::Undetermined`] where rows lose their independence at this state.
+#[cold]
+pub(super) fn check<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    factors: (S::Saddle, [[S::Scalar; N]; C]),
+) -> Result<(), Cause>
+where
+    S: Surface<N, K, C>,
+{
+    let here = factors.0.independence();
+    if here.is_determined() {
+        return Ok(());
+    }
+    contradiction(system, state)?;
+    let time = travel_time(state, &factors.0);
+    let passes =
+        here.rank == here.rows || time.is_some_and(|time| !are_redundant(system, state, factors, time));
+    let none = [num_traits::Zero::zero(); K];
+    let own = || system.balance_at(&system.constants(), state.t, &state.q, &state.v, &none).accelerations;
+    // What is no number without constraints is not their fault.
+    if passes && own().iter().all(|a| a.is_finite()) {
+        return Err(Cause::Undetermined { constraint: here.weakest, name: Name::NONE });
+    }
+    Ok(())
 }
 
 /// Accelerations by interpolation between six neighbours, three on each side along the velocity. The rows
@@ -157,7 +190,11 @@ where
 }
 
 /// The time \[s] in which the coordinates change by their size, in the kinetic metric; `None` at rest.
-fn travel_time<R: Real, const N: usize>(state: &State<R, N>, metric: &Metric<R, N>) -> Option<R> {
+fn travel_time<R: Real, const N: usize, const C: usize>(
+    state: &State<R, N>,
+    saddle: &impl SaddlePoint<R, N, C>,
+) -> Option<R> {
+    let metric = Metric::of(saddle);
     let time = metric.extent(&state.q) / metric.extent(&state.v);
     (time.is_finite() && time.is_positive()).then_some(time)
 }
