@@ -182,8 +182,8 @@ where
     /// Newton's corrections of one level.
     ///
     /// # Errors
-    /// The constraint that stays violated or contradicts others, and what is wrong with the factors of a rough
-    /// start.
+    /// The constraint that stays violated or contradicts others, and what is wrong with the factors of a
+    /// rough start.
     pub(crate) fn level(&mut self, system: &S, level: Level, from: From) -> Result<(), Cause> {
         let begun = self.extent(level);
         self.is_stuck = false;

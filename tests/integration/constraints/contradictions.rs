@@ -1,5 +1,5 @@
-//! Constraints that no state satisfies together, from the start or from some time on, and what else keeps a motion
-//! from going on, by its right name.
+//! Constraints that no state satisfies together, from the start or from some time on, and what else keeps a
+//! motion from going on, by its right name.
 
 use std::f64::consts::PI;
 
