@@ -103,8 +103,16 @@ fn accelerations(emission: &Emission<'_>) -> String {
         emission.vector_type(),
         emission.scalar,
     );
+    let held = emission.equations.conditions.count();
+    let (count, given) = (emission.count(), emission.model.inputs.len());
+    let sound = if held > 0 {
+        format!("lagrange::constraints::sound::<Self, {count}, {given}, {held}>(self, state)?;\n")
+    } else {
+        String::new()
+    };
     let body = format!(
         "lagrange::reading::checked(self, state, {argument})?;\n\
+         {sound}\
          let constants = lagrange::System::constants(self);\n\
          let accelerations = lagrange::System::accelerations_at(\
              self, &constants, state.t, &state.q, &state.v, {argument});\n\

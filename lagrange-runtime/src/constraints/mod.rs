@@ -11,6 +11,8 @@ mod footing;
 mod metric;
 mod residuals;
 mod retraction;
+#[cfg(test)]
+mod samples;
 mod solution;
 mod stages;
 mod start;
@@ -30,7 +32,7 @@ pub use residuals::Residuals;
 pub use retraction::project;
 pub use solution::{check, finite, forces, independence, is_singular, matrix, regular};
 pub use stages::accelerations;
-pub use start::{begin, consistent};
+pub use start::{begin, consistent, sound};
 pub use tangential::tangential;
 
 /// A system with constraints.
@@ -125,7 +127,7 @@ impl<P: SaddlePoint<R, N, C>, R: Real, const N: usize, const C: usize> Equations
 /// What generated code implements for `C` scalar constraints.
 pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> {
     /// The factors of M and A.
-    type Saddle: SaddlePoint<Self::Scalar, N, C>;
+    type Saddle: SaddlePoint<Self::Scalar, N, C> + Copy;
 
     /// The equations at a state, factored.
     fn equations_at(

@@ -18,12 +18,17 @@
 //!
 //! Everything else is an error. By the second rule the condition of the constraints is in the bound: where
 //! singular values of the scaled gradients are σ, an ulp of f is a correction of ε/σ, and so much is left.
+//!
+//! Corrections meet as many rows as are independent. What dependent rows demand beside that shows in no
+//! correction, so where there are such rows a state is held against what a start may violate as well: more
+//! than that is a contradiction.
 
 use super::metric::Metric;
 use super::residuals::Level;
+use super::start::SHARE;
 use super::{Residuals, Surface, moved};
 use crate::error::Cause;
-use crate::linear::SaddlePoint;
+use crate::linear::{SaddlePoint, determined};
 use crate::real::Real;
 use crate::state::{State, difference};
 
@@ -77,8 +82,17 @@ where
         return Ok(());
     }
     let mut retraction = Retraction::new(system, state, residuals);
-    retraction.level(system, Level::Positions, From::Near)?;
-    retraction.level(system, Level::Velocities, From::Near)?;
+    for level in [Level::Positions, Level::Velocities] {
+        retraction.level(system, level, From::Near).map_err(|cause| match cause {
+            // As many corrections as serve any state near the constraints were too few.
+            Cause::PositionViolated { .. } | Cause::VelocityViolated { .. }
+                if from.is_some() && !retraction.is_stuck =>
+            {
+                Cause::StepTooLong
+            }
+            cause => cause,
+        })?;
+    }
     if from.is_some_and(|from| retraction.outweighs(state, from)) {
         return Err(Cause::StepTooLong);
     }
@@ -125,6 +139,8 @@ pub(crate) struct Retraction<S: Surface<N, K, C>, const N: usize, const K: usize
     pub(super) slopes: [S::Scalar; C],
     /// Whether the factors are those of the state itself.
     is_fresh: bool,
+    /// Whether corrections make nothing better any more.
+    is_stuck: bool,
 }
 
 impl<S, const N: usize, const K: usize, const C: usize> Retraction<S, N, K, C>
@@ -143,7 +159,17 @@ where
     ) -> Self {
         let metric = Metric::of(&saddle);
         let slopes = metric.slopes(&gradients);
-        Self { state: *state, saddle, residuals, gradients, metric, slopes, is_fresh: true }
+        Self { state: *state, saddle, residuals, gradients, metric, slopes, is_fresh: true, is_stuck: false }
+    }
+
+    /// With factors that have been made for another state, on the constraints.
+    pub(super) fn from_elsewhere(
+        system: &S,
+        state: &State<S::Scalar, N>,
+        factors: (S::Saddle, [[S::Scalar; N]; C]),
+    ) -> Self {
+        let residuals = system.residuals_at(state.t, &state.q, &state.v);
+        Self { is_fresh: false, ..Self::with(state, residuals, factors) }
     }
 
     /// Takes other factors, which are those of the state itself or not.
@@ -156,9 +182,11 @@ where
     /// Newton's corrections of one level.
     ///
     /// # Errors
-    /// The constraint that stays violated, and what is wrong with the factors of a rough start.
+    /// The constraint that stays violated or contradicts others, and what is wrong with the factors of a
+    /// rough start.
     pub(crate) fn level(&mut self, system: &S, level: Level, from: From) -> Result<(), Cause> {
         let begun = self.extent(level);
+        self.is_stuck = false;
         if from == From::Near && !self.saddle.independence().is_clear() {
             self.settle(system, level);
         }
@@ -184,6 +212,7 @@ where
                 num_traits::One::one()
             };
             let Some((next, there, share)) = self.corrected(system, level, from, &change, share) else {
+                self.is_stuck = true;
                 break;
             };
             let after = there.distance(level, &slopes);
@@ -192,29 +221,91 @@ where
             if helped {
                 (self.state, self.residuals, self.is_fresh) = (next, there, false);
                 let ulp = S::Scalar::epsilon().largest() * self.extent(level).max(begun).largest();
-                if step * (after / before) <= ulp {
+                if step * (after / before) <= ulp && self.agrees(level, begun) {
                     return Ok(());
                 }
             }
             if after > <S::Scalar as Real>::Lane::from_f64(CONTRACTION) * before {
                 if !helped && self.is_fresh {
+                    self.is_stuck = true;
                     break;
                 }
                 self.refresh(system);
             }
         }
-        if self.is_rounding(level, begun) {
+        if self.is_rounding(level, begun) && self.agrees(level, begun) {
             return Ok(());
         }
-        Err(self.residuals.cause(level, &self.slopes).named(&S::NAMES))
+        Err(self.failure(system, level).named(&S::NAMES))
+    }
+
+    /// Why constraints stay violated. Where rows that depend on each other leave what no correction makes
+    /// better, they contradict each other if they depend on each other beside that state as well; if not, the
+    /// configuration is singular.
+    #[cold]
+    fn failure(&mut self, system: &S, level: Level) -> Cause {
+        self.refresh(system);
+        let violated = self.residuals.cause(level, &self.slopes);
+        let (Cause::PositionViolated { constraint, name, .. }
+        | Cause::VelocityViolated { constraint, name, .. }) = violated
+        else {
+            return violated;
+        };
+        if self.saddle.rank() == C || self.corrects(level) {
+            return violated;
+        }
+        let depend_beside = [false, true].into_iter().all(|alternate| {
+            let State { t, q, v } = self.beside(alternate);
+            system.saddle_at(t, &q, &v).0.rank() < C
+        });
+        if depend_beside {
+            Cause::Contradictory { constraint, name }
+        } else {
+            Cause::Undetermined { constraint: self.saddle.independence().weakest, name }
+        }
+    }
+
+    /// Whether the next correction would leave less, as far as the gradients tell.
+    fn corrects(&self, level: Level) -> bool {
+        let lack = self.residuals.values(level).map(|value| -value);
+        let (change, _) = self.saddle.solve(&[num_traits::Zero::zero(); N], &lack);
+        let mut rest = self.residuals;
+        let left = match level {
+            Level::Positions => &mut rest.positions,
+            Level::Velocities => &mut rest.rates,
+        };
+        for (left, row) in left.iter_mut().zip(&self.gradients) {
+            *left = row.iter().zip(&change).fold(*left, |sum, (&a, &x)| S::Scalar::mul_add(a, x, sum));
+        }
+        let enough = <S::Scalar as Real>::Lane::from_f64(1.0 - CONTRACTION);
+        rest.distance(level, &self.slopes) <= enough * self.residuals.distance(level, &self.slopes)
+    }
+
+    /// A state of which each coordinate has been moved by ∜ε of the largest.
+    fn beside(&self, alternate: bool) -> State<S::Scalar, N> {
+        let change = self.metric.ulps(self.extent(Level::Positions) * determined() / S::Scalar::epsilon());
+        let mut beside = self.state;
+        for (i, (number, change)) in beside.q.iter_mut().zip(change).enumerate() {
+            *number += if alternate && i % 2 == 1 { -change } else { change };
+        }
+        beside
+    }
+
+    /// Whether dependent rows leave no more than a start may violate.
+    fn agrees(&self, level: Level, begun: S::Scalar) -> bool {
+        let part = S::Scalar::from_f64(SHARE) * S::Scalar::epsilon().sqrt();
+        self.saddle.rank() == C || self.is_within(level, begun, part)
     }
 
     /// Takes factors that belong to the constraints, where rows depend on each other on them but not beside
-    /// them: what such rows demand together beside them is no motion.
+    /// them: what such rows demand together beside them is no motion. Those of elsewhere do.
     #[cold]
     fn settle(&mut self, system: &S, level: Level) {
         if level == Level::Velocities {
             return self.refresh(system);
+        }
+        if !self.is_fresh {
+            return;
         }
         let none = [num_traits::Zero::zero(); N];
         let (change, _) = self.saddle.solve(&none, &self.residuals.positions.map(|value| -value));
@@ -262,9 +353,14 @@ where
 
     /// Whether what is left are roundings of inner operations, or of the state.
     fn is_rounding(&self, level: Level, begun: S::Scalar) -> bool {
+        self.is_within(level, begun, S::Scalar::epsilon().sqrt())
+    }
+
+    /// Whether what is left is below a part of the summands and of the state.
+    fn is_within(&self, level: Level, begun: S::Scalar, part: S::Scalar) -> bool {
         let size = begun.max(self.extent(level));
         let by_state = self.slopes.map(|slope| slope * size);
-        self.residuals.is_within(level, S::Scalar::epsilon().sqrt(), &by_state)
+        self.residuals.is_within(level, part, &by_state)
     }
 
     /// Whether the way from the `end` of a step to here is longer than the step from `from` to its end, in

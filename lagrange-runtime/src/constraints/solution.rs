@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::{Balance, Surface};
+use super::{Balance, Surface, sound, stages};
 use crate::error::{Cause, MotionError};
 use crate::integrator::diagnose;
 use crate::linear::{Defect, Independence, SaddlePoint};
@@ -45,7 +45,7 @@ pub fn regular<R: Real, const N: usize, const C: usize>(
 /// Whether the equations have a solution at a state.
 ///
 /// # Errors
-/// As [`regular`].
+/// As [`regular`]; [`Cause::Contradictory`] and [`Cause::Undetermined`] of several constraints.
 #[cold]
 pub fn check<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
@@ -56,10 +56,16 @@ pub fn check<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    regular(&system.saddle_at(t, q, v).0).map_err(|cause| cause.named(&S::NAMES))
+    let factors = system.saddle_at(t, q, v);
+    let found = match regular(&factors.0) {
+        // One row depends on no other.
+        Ok(()) if C > 1 => stages::check(system, &State { t, q: *q, v: *v }, factors),
+        found => found,
+    };
+    found.map_err(|cause| cause.named(&S::NAMES))
 }
 
-/// Whether accelerations and multipliers are finite.
+/// Whether accelerations and multipliers are finite, and the constraints as well.
 ///
 /// # Errors
 /// What is wrong at the state.
@@ -73,7 +79,7 @@ where
     S: Surface<N, K, C>,
 {
     if balance.accelerations.iter().chain(&balance.multipliers).all(|x| x.is_finite()) {
-        return Ok(());
+        return sound(system, state);
     }
     let cause = diagnose(system, &system.constants(), state.t, &state.q, &state.v);
     Err(MotionError { cause, t: state.t })

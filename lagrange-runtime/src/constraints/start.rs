@@ -1,7 +1,7 @@
 //! Where a motion may begin, and the nearest such state.
 
 use super::residuals::{Level, ULPS};
-use super::retraction::{From, Retraction, slopes};
+use super::retraction::{From, Retraction, project, slopes};
 use super::solution::regular;
 use super::{Residuals, Surface};
 use crate::error::{Cause, MotionError};
@@ -11,7 +11,7 @@ use crate::state::State;
 
 /// A start is good where what it violates is below this share of √ε of its numbers: as good as numbers
 /// written with nine digits, or with five in single precision.
-const SHARE: f64 = 1.0 / 16.0;
+pub(super) const SHARE: f64 = 1.0 / 16.0;
 
 /// Begins a motion at a state: refuses one that violates constraints, and takes the roundings from one that
 /// does not.
@@ -41,7 +41,9 @@ where
     let levels = [Level::Positions, Level::Velocities];
     for level in levels {
         if !residuals.is_within(level, ulps, last_digits.sizes(level)) {
-            check(&retraction, &residuals, level)?;
+            // Where no state satisfies all constraints, another start does not help.
+            check(&retraction, &residuals, level)
+                .map_err(|cause| contradiction(system, start).err().unwrap_or(cause))?;
         }
     }
     for (i, level) in levels.into_iter().enumerate() {
@@ -54,6 +56,52 @@ where
     *start = retraction.state;
     slopes(system, start);
     Ok(())
+}
+
+/// Whether there is a state on the constraints near another one, as far as their dependence goes.
+///
+/// # Errors
+/// [`Cause::Contradictory`].
+#[cold]
+pub(super) fn contradiction<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+) -> Result<(), Cause>
+where
+    S: Surface<N, K, C>,
+{
+    // One row contradicts no other.
+    if C == 1 {
+        return Ok(());
+    }
+    match project(system, &mut state.clone(), None) {
+        Err(cause @ Cause::Contradictory { .. }) => Err(cause),
+        _ => Ok(()),
+    }
+}
+
+/// Whether all constraints are numbers at a state, and do not contradict each other there.
+///
+/// # Errors
+/// [`Cause::NotFinite`], [`Cause::Contradictory`].
+#[inline]
+pub fn sound<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+) -> Result<(), MotionError<S::Scalar>>
+where
+    S: Surface<N, K, C>,
+{
+    let residuals = system.residuals_at(state.t, &state.q, &state.v);
+    let part = S::Scalar::from_f64(SHARE) * S::Scalar::epsilon().sqrt();
+    let none = [num_traits::Zero::zero(); C];
+    if [Level::Positions, Level::Velocities].into_iter().all(|level| residuals.is_within(level, part, &none))
+    {
+        return Ok(());
+    }
+    let all = residuals.positions.iter().chain(&residuals.rates).all(|x| x.is_finite());
+    let found = if all || !state.is_finite() { contradiction(system, state) } else { Err(Cause::NotFinite) };
+    found.map_err(|cause| MotionError { cause, t: state.t })
 }
 
 /// Whether a state is as near the constraints as a start has to be.
@@ -150,6 +198,7 @@ where
                 {
                     Cause::Contradictory { constraint, name }
                 }
+                Cause::Undetermined { constraint, name } => Cause::Contradictory { constraint, name },
                 Cause::PositionViolated { constraint, name, by }
                 | Cause::VelocityViolated { constraint, name, by } => {
                     Cause::NoConsistentState { constraint, name, by }

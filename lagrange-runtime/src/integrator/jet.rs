@@ -8,7 +8,7 @@
 //! coefficients, added to the state with compensation.
 
 use super::dop853::add;
-use super::{FixedStep, stages};
+use super::{FixedStep, diagnose, stages};
 use crate::error::Cause;
 use crate::real::Real;
 use crate::smooth::{Series, Smooth};
@@ -119,8 +119,12 @@ fn in_parts<S: System<N, K>, const N: usize, const K: usize, const ORDER: usize>
     let part = h / S::Scalar::from_f64(parts as f64);
     let mut state = *from;
     for _ in 0..parts {
-        state = stages::step(system, constants, &state, part, u);
-        system.project_at(constants, &mut state, None)?;
+        let mut next = stages::step(system, constants, &state, part, u);
+        if !next.is_finite() {
+            return Err(diagnose(system, constants, state.t, &state.q, &state.v));
+        }
+        system.project_at(constants, &mut next, None)?;
+        state = next;
     }
     Ok(state.at_time(from.t + h))
 }

@@ -54,8 +54,9 @@ pub(crate) struct Lengths<R> {
     tolerance: R,
     /// The longest step whose error is measured.
     measured: R,
-    /// The longest step that error control allows, where a limit makes it shorter than that.
-    natural: R,
+    /// The longest step that error control allows, where a limit makes it shorter than that; `None` once it
+    /// has been tried.
+    natural: Option<R>,
     /// What [`PARTS`] are parts of.
     base: R,
     /// How many of them have been tried.
@@ -77,7 +78,16 @@ impl<R: Ordered> Lengths<R> {
         tolerance: R,
         [measured, natural, base]: [R; 3],
     ) -> Self {
-        Self { determined, begun: here.least, tolerance, measured, natural, base, tried: 0, best: None }
+        Self {
+            determined,
+            begun: here.least,
+            tolerance,
+            measured,
+            natural: Some(natural),
+            base,
+            tried: 0,
+            best: None,
+        }
     }
 
     /// Whether constraints are so independent at an end that it is good enough.
@@ -157,10 +167,13 @@ impl<R: Ordered> Lengths<R> {
         if let Some((length, _)) = self.best {
             return Next::Take(length);
         }
-        // A limit of the step must not keep it where it cannot end.
-        if self.base < self.natural {
-            (self.base, self.tried) = (self.natural, 0);
-            return Next::Try(self.base);
+        // A limit of the step must not keep it where it cannot end. Once: a length that was shortened because
+        // it was wrong is below that as well.
+        if let Some(natural) = self.natural.take()
+            && self.base < natural
+        {
+            (self.base, self.tried) = (natural, 0);
+            return Next::Try(natural);
         }
         Next::GiveUp
     }
@@ -235,5 +248,23 @@ mod tests {
             length = next;
         }
         assert_eq!(lengths.next(length, Outcome::Right(here(1e-6)), || false), Next::Try(1.0));
+    }
+
+    #[test]
+    fn lengths_come_to_an_end_whatever_comes_of_them() {
+        // Long steps are wrong, and short ones end where nothing is determined.
+        for wrong in [0.06, 0.2, 0.6, 2.0] {
+            let mut lengths = lengths(1.0, [0.1, 1.0, 0.1]);
+            let (mut length, mut tried) = (0.1, 0);
+            loop {
+                let outcome = if length > wrong { Outcome::Wrong } else { Outcome::Right(here(1e-6)) };
+                match lengths.next(length, outcome, || false) {
+                    Next::Try(next) => length = next,
+                    end => break assert_eq!(end, Next::GiveUp),
+                }
+                tried += 1;
+                assert!(tried < 100, "{wrong}");
+            }
+        }
     }
 }

@@ -12,6 +12,7 @@
 //! | [`far`] | small differences of large coordinates |
 //! | [`linkages`] | four-bar linkages, flat configurations |
 //! | [`inputs`] | inputs, feedback, dissipation, constraints that move |
+//! | [`contradictions`] | constraints that no state satisfies together, and other ends of motions by their names |
 //! | [`baumgarte`] | stabilisation instead of projection |
 //! | [`formulations`] | Lagrangians as a whole, Chetaev's rule |
 //! | [`scalars`], [`units`] | single precision; units of mass, length and time |
@@ -19,6 +20,7 @@
 mod baumgarte;
 mod beside;
 mod cases;
+mod contradictions;
 mod drift;
 mod far;
 mod formulations;

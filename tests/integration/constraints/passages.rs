@@ -203,3 +203,55 @@ fn an_upright_start_is_on_no_branch_in_particular() {
     let end = *system.simulate(start).advance_to(1.0).expect("a motion");
     close_on(10.0, system.energy(&end), system.energy(&start), 1e-9);
 }
+
+/// A four-bar with a base of 2, cranks of 1 and a coupler of 2, crossed, by the places of its two joints.
+struct Crossed;
+
+#[lagrangian(coordinates = [first: [2], second: [2]])]
+impl Crossed {
+    #[point(mass = 1.0)]
+    fn first(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.first[0], q.first[1])
+    }
+
+    #[point(mass = 0.6)]
+    fn second(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.second[0], q.second[1])
+    }
+
+    #[holonomic]
+    fn rods(&self, q: &Coordinates) -> [f64; 3] {
+        let (first, second) = (self.first(q), self.second(q));
+        let ground = Vector2::new(2.0, 0.0);
+        [
+            first.norm_squared() - 1.0,
+            (second - ground).norm_squared() - 1.0,
+            (second - first).norm_squared() - 4.0,
+        ]
+    }
+}
+
+#[test]
+fn at_the_finest_tolerance_a_passage_ends_soon() {
+    let (theta, system) = (0.7_f64, Crossed);
+    let psi = -2.0 * (3.0 * (theta / 2.0).tan()).atan();
+    let ratio = -3.0 * ((psi / 2.0).cos() / (theta / 2.0).cos()).powi(2);
+    let ((a, b), (c, d)) = (theta.sin_cos(), psi.sin_cos());
+    let mut passed = 0;
+    for k in 0..40 {
+        let w = 1.0 + 0.0314159 * f64::from(k);
+        let v = [w * a, -w * b, w * ratio * c, -w * ratio * d];
+        let start = system.consistent(State::new([b, a, 2.0 + d, c], v)).expect("a start");
+        let mut motion = system.simulate_with::<Dop853>(start).with_tolerance(1e-13).with_max_steps(1000);
+        match motion.advance_to(1.5 / w) {
+            Ok(end) => {
+                close_on(1.0, system.energy(end), system.energy(&start), 1e-10);
+                passed += 1;
+            }
+            Err(error) => {
+                assert!(matches!(error.cause, Cause::Undetermined { .. } | Cause::StepTooSmall), "{error}")
+            }
+        }
+    }
+    assert!(passed > 20, "{passed}");
+}

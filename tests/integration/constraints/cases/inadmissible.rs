@@ -170,9 +170,9 @@ fn a_line_given_twice_holds_like_one() {
 #[test]
 fn a_contradiction_is_reported() {
     let parallel = Parallel { offset: 1.0 };
-    let violated = |cause: &Cause| matches!(cause, Cause::PositionViolated { by, .. } if by.0 > 0.4);
-    refused(&parallel, start(), violated);
-    refused(&parallel, State::at_rest([1.5, 0.5]), violated);
+    let contradictory = |cause: &Cause| matches!(cause, Cause::Contradictory { constraint: 0 | 1, .. });
+    refused(&parallel, start(), contradictory);
+    refused(&parallel, State::at_rest([1.5, 0.5]), contradictory);
     for place in [[1.0, 0.5], [1.5, 0.5], [0.0, 0.0], [-7.0, 3.0]] {
         let error = parallel.consistent(State::at_rest(place)).unwrap_err();
         assert!(matches!(error.cause, Cause::Contradictory { .. }), "{error:?}");

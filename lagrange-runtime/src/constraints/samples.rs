@@ -1,0 +1,72 @@
+//! A constrained system by hand, which counts what it is asked for.
+
+use core::cell::Cell;
+
+use super::{Equations, Residuals, Surface};
+use crate::integrator::Dop853;
+use crate::linear::Saddle;
+use crate::system::System;
+
+/// A pendulum of length 1 whose rod is asked for twice: by its length and by the square of it.
+pub(crate) struct Twofold {
+    /// How often M and A were factored.
+    pub(crate) factored: Cell<usize>,
+}
+
+impl System<2> for Twofold {
+    type Scalar = f64;
+    type Method = Dop853;
+    type Constants = ();
+
+    const CONSTRAINED: bool = true;
+    const COUPLED: bool = true;
+
+    fn constants(&self) {}
+
+    fn accelerations_at(&self, (): &(), t: f64, q: &[f64; 2], v: &[f64; 2], u: &[f64; 0]) -> [f64; 2] {
+        super::accelerations(self, &(), t, q, v, u)
+    }
+
+    fn energy_at(&self, (): &(), _: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
+        0.5 * (v[0] * v[0] + v[1] * v[1]) + 9.81 * q[1]
+    }
+}
+
+impl Surface<2, 0, 2> for Twofold {
+    type Saddle = Saddle<f64, 2, 2>;
+
+    fn equations_at(
+        &self,
+        (): &(),
+        t: f64,
+        q: &[f64; 2],
+        v: &[f64; 2],
+        _: &[f64; 0],
+    ) -> Equations<Self::Saddle, f64, 2, 2> {
+        let (saddle, gradients) = self.saddle_at(t, q, v);
+        let speed = v[0] * v[0] + v[1] * v[1];
+        let length = q[0].hypot(q[1]);
+        let rate = (q[0] * v[0] + q[1] * v[1]) / length;
+        let gamma = [(rate * rate - speed) / length, -2.0 * speed];
+        Equations { saddle, gradients, forces: [0.0, -9.81], gamma }
+    }
+
+    fn residuals_at(&self, _: f64, q: &[f64; 2], v: &[f64; 2]) -> Residuals<f64, 2> {
+        let length = q[0].hypot(q[1]);
+        let rate = q[0] * v[0] + q[1] * v[1];
+        let size = (q[0] * v[0]).abs() + (q[1] * v[1]).abs();
+        Residuals {
+            positions: [length - 1.0, length * length - 1.0],
+            position_sizes: [length + 1.0, length * length + 1.0],
+            rates: [rate / length, 2.0 * rate],
+            rate_sizes: [size / length, 2.0 * size],
+        }
+    }
+
+    fn saddle_at(&self, _: f64, q: &[f64; 2], _: &[f64; 2]) -> (Self::Saddle, [[f64; 2]; 2]) {
+        self.factored.set(self.factored.get() + 1);
+        let length = q[0].hypot(q[1]);
+        let gradients = [q.map(|x| x / length), q.map(|x| 2.0 * x)];
+        (Saddle::factor(&[[1.0, 0.0], [0.0, 1.0]], &gradients), gradients)
+    }
+}
