@@ -1,5 +1,5 @@
-//! A block on a belt, held by a spring: it sticks, slips and sticks again, and from everywhere the motion runs
-//! into the same cycle.
+//! A block on a belt, held by a spring: it sticks, slips and sticks again. Every motion that once sticks runs into
+//! the same cycle; a small one about the middle goes on by itself.
 
 use std::error::Error;
 
@@ -65,7 +65,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let mut phases = plot::Chart::new("A block on a belt: phase portrait", "place [m]", "velocity [m/s]");
     let mut places = plot::Chart::new("Sticking and slipping", "time [s]", "place [m]");
     for (label, start) in [
-        ("at rest", State::at_rest([0.28])),
+        ("about the middle", State::at_rest([0.28])),
         ("pulled far", State::at_rest([-0.2])),
         ("sticking", State::new([0.0], [belt.speed])),
     ] {

@@ -121,8 +121,9 @@ pub mod prelude {
         UnitQuaternion, Vector1, Vector2, Vector3,
     };
     pub use lagrange_runtime::{
-        BlanesMoan4, BlanesMoan6, Cause, Dop853, Gauss4, Gauss6, Gauss8, Jet, Jets, Leapfrog, Linearized,
-        MotionError, Ordered, Real, Rk4, Sensitive, State, System, Tangent, Yoshida4, Yoshida6, Yoshida8,
+        BlanesMoan4, BlanesMoan6, Cause, Crossing, Dop853, Event, Gauss4, Gauss6, Gauss8, Guard, Jet, Jets,
+        Leapfrog, Linearized, MotionError, Ordered, Real, Rk4, Sensitive, State, System, Tangent, Yoshida4,
+        Yoshida6, Yoshida8,
     };
 }
 

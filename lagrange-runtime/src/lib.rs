@@ -100,7 +100,7 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use stored::Stored;
 pub use structure::{Cost, Costs, Structure};
-pub use switching::{Contact, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
+pub use switching::{Contact, Hybrid, Laws, NamedRows, Reach, Regime, Row, Switch, Switching};
 pub use system::System;
 pub use tangent::{
     Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel,
@@ -131,7 +131,7 @@ pub mod __private {
     pub mod solve {
         //! Solving for the accelerations.
         pub use crate::solve::{
-            check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric,
+            check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric, unbounded,
         };
     }
     pub use crate::columns::Columns;
@@ -155,7 +155,7 @@ pub mod __private {
         };
     }
     pub use crate::structure::{Cost, Costs, Structure};
-    pub use crate::switching::{self, Hybrid, Laws, NamedRows, Regime, Row, Switching};
+    pub use crate::switching::{self, Hybrid, Laws, NamedRows, Reach, Regime, Row, Switching};
     pub use crate::system::System;
     pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;

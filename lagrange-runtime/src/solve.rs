@@ -160,6 +160,12 @@ pub fn check_block<F: Factor<R, B>, R: Real, const N: usize, const B: usize>(
     F::factor(lower).map(|_| ()).map_err(cause)
 }
 
+/// What no bound is known of.
+#[must_use]
+pub fn unbounded<R: Real>() -> R {
+    R::from_f64(f64::INFINITY)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -9,6 +9,7 @@ mod conservation;
 mod constraints;
 mod contact;
 mod derivation;
+mod events;
 mod failure;
 mod hygiene;
 mod integrators;

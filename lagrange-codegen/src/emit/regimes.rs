@@ -7,8 +7,8 @@ use super::body::{self, Source};
 use super::constraints::record_ident;
 use super::tokens::placeholder;
 use super::{Emission, names, names_of_parts, over};
-use crate::calculus::sizes;
-use crate::expr::NodeId;
+use crate::calculus::{pullback, sizes};
+use crate::expr::{Graph, NodeId, Unary, Variable};
 use crate::model::Law;
 use crate::regimes::Regimes;
 use crate::syntax::Scalar;
@@ -68,8 +68,14 @@ pub(super) fn facts(switching: &Regimes) -> Vec<String> {
 /// All items; `emission` is that of the system itself.
 pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items {
     let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
-    let items =
-        format!("{}{}{}", regime(emission, switching), laws(emission, switching), equations(emission, rows));
+    let items = [
+        regime(emission, switching),
+        laws(emission, switching),
+        jumps(emission, switching),
+        reach(emission, switching),
+        equations(emission, rows),
+    ];
+    let items = items.concat();
     let constrained = switching.has_contacts().then(|| constrained(emission, rows, kinks));
     switching.model.locals = names::locals(&switching.model);
     let mut companion = Emission {
@@ -191,6 +197,82 @@ fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     });
     format!(
         "fn laws_at(&self, t: {scalar}, q: &{vector}, v: &{vector}) -> lagrange::Laws<{scalar}, {rows}, {kinks}> {{\n{body}\n}}\n"
+    )
+}
+
+/// `jumps_at`, where a kink stands in the energy.
+fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {
+    let graph = &mut switching.rows.graph;
+    if switching.jumps.iter().all(|&jump| graph.is_zero(jump)) {
+        return String::new();
+    }
+    let size = sizes(graph, &[switching.laws.energy])[0];
+    let mut roots = switching.jumps.clone();
+    roots.extend(vec![size; switching.jumps.len()]);
+    let (scalar, vector, kinks) = (&emission.scalar, emission.vector_type(), switching.kinks.len());
+    let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
+        let (jumps, sizes) = values.split_at(kinks);
+        format!("[[{}], [{}]]", jumps.join(", "), sizes.join(", "))
+    });
+    format!(
+        "fn jumps_at(&self, t: {scalar}, q: &{vector}, v: &{vector}) -> [[{scalar}; {kinks}]; 2] {{\n{body}\n}}\n"
+    )
+}
+
+/// `reach_at`: of functions with fixed slopes the sum of these times the spreads; nothing is known of others.
+fn reach(emission: &Emission<'_>, switching: &mut Regimes) -> String {
+    let conditions = &switching.laws.conditions;
+    let lists = [("positions", &conditions.positions), ("rates", &conditions.rates), ("kinks", &switching.kinks)];
+    let (count, scalar) = (emission.count(), emission.scalar.clone());
+    let graph = &mut switching.rows.graph;
+    let variables: Vec<NodeId> = (0..count as u32)
+        .map(Variable::Coordinate)
+        .chain((0..count as u32).map(Variable::Velocity))
+        .chain([Variable::Time])
+        .map(|variable| graph.variable(variable))
+        .collect();
+    let one = graph.one();
+    let slopes: Vec<Vec<Vec<NodeId>>> = lists
+        .iter()
+        .map(|(_, nodes)| nodes.iter().map(|&node| pullback(graph, &[(node, one)], &variables)).collect())
+        .collect();
+    let is_known = |graph: &Graph, slopes: &[NodeId]| slopes.iter().all(|&slope| graph.dependence(slope).is_fixed());
+    let mut roots = Vec::new();
+    for slopes in slopes.iter().flatten() {
+        if is_known(graph, slopes) {
+            let moving: Vec<NodeId> = slopes.iter().copied().filter(|&slope| !graph.is_zero(slope)).collect();
+            roots.extend(moving.into_iter().map(|slope| graph.unary(Unary::Abs, slope)));
+        }
+    }
+    let model = &switching.rows;
+    let place = |i: usize| match i {
+        i if i < count => format!("q[{i}]"),
+        i if i < 2 * count => format!("v[{}]", i - count),
+        _ => "t".to_owned(),
+    };
+    let body = body::plain(model, &scalar, &roots, Source::Slices, |values| {
+        let mut values = values.iter();
+        let unknown = "lagrange::solve::unbounded()".to_owned();
+        let mut fields = Vec::new();
+        for ((name, _), slopes) in lists.iter().zip(&slopes) {
+            let entries = slopes.iter().map(|slopes| {
+                if !is_known(&model.graph, slopes) {
+                    return unknown.clone();
+                }
+                let moving = (0..slopes.len()).filter(|&i| !model.graph.is_zero(slopes[i]));
+                let terms: Vec<String> = moving
+                    .filter_map(|i| Some(format!("({}) * {}", values.next()?, place(i))))
+                    .collect();
+                if terms.is_empty() { super::scalar::zero(&scalar) } else { terms.join(" + ") }
+            });
+            fields.push(format!("{name}: [{}]", entries.collect::<Vec<_>>().join(", ")));
+        }
+        format!("lagrange::Reach {{ {} }}", fields.join(", "))
+    });
+    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let vector = emission.vector_type();
+    format!(
+        "fn reach_at(&self, t: {scalar}, q: &{vector}, v: &{vector}) -> lagrange::Reach<{scalar}, {rows}, {kinks}> {{\n{body}\n}}\n"
     )
 }
 

@@ -1,5 +1,6 @@
 //! Kinks and jumps: functions that are smooth on either side of a zero of their argument.
 
+use crate::calculus::substitute;
 use crate::eliminate::quantities::rewrite;
 use crate::expr::{Dependence, Graph, Node, NodeId, Unary};
 use crate::mechanics::Equations;
@@ -38,6 +39,27 @@ fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
         }
         _ => None,
     }
+}
+
+/// What the energy gains where the argument of each kink passes zero upwards: nothing, unless a function of the
+/// energy jumps.
+pub(super) fn jumps(model: &mut Model, equations: &Equations, kinks: &[NodeId]) -> Vec<NodeId> {
+    let graph = &mut model.graph;
+    let (one, zero) = (graph.one(), graph.zero());
+    let mut jumps = Vec::with_capacity(kinks.len());
+    for &argument in kinks {
+        let minus = graph.neg(argument);
+        let minus_one = graph.neg(one);
+        let functions = [Unary::Abs, Unary::Signum, Unary::PositivePart];
+        let nodes = functions.map(|function| graph.unary(function, argument));
+        let mut on = |images: [NodeId; 3]| {
+            let replacements: Vec<(NodeId, NodeId)> = nodes.into_iter().zip(images).collect();
+            substitute(graph, &[equations.energy], &replacements)[0]
+        };
+        let (above, below) = (on([argument, one, argument]), on([minus, minus_one, zero]));
+        jumps.push(graph.sub(above, below));
+    }
+    jumps
 }
 
 /// Replaces these functions by what they are on the side that each switch names.

@@ -24,6 +24,8 @@ pub struct Regimes {
     pub laws: Equations,
     /// Switching functions, in the graph of `rows`.
     pub kinks: Vec<NodeId>,
+    /// What the energy gains where each passes zero, likewise.
+    pub jumps: Vec<NodeId>,
     /// The system of one regime, with its switches as its last parameters.
     pub model: Model,
     /// Its equations.
@@ -65,6 +67,7 @@ pub fn derive(model: &Model, is_smooth: bool, diagnostics: &mut Diagnostics) -> 
     if contacts.is_empty() && kinks.is_empty() {
         return None;
     }
+    let jumps = kinks::jumps(&mut rows, &laws, &kinks);
     let count = held + contacts.len();
     let mut regime = rows.clone();
     let first = regime.parameters.len();
@@ -83,7 +86,7 @@ pub fn derive(model: &Model, is_smooth: bool, diagnostics: &mut Diagnostics) -> 
     }
     let laws_of =
         (0..held).map(|_| None).chain(contacts.into_iter().map(|contact| Some(contact.law))).collect();
-    Some(Regimes { rows, laws, kinks, model: regime, equations, facts, solution, jets, laws_of, first })
+    Some(Regimes { rows, laws, kinks, jumps, model: regime, equations, facts, solution, jets, laws_of, first })
 }
 
 /// The switches as variables of the graph, in the order in which they are parameters.

@@ -36,6 +36,9 @@ impl<R: Ordered> Interval<R> {
     }
 }
 
+/// A part of a coordinate over which a guard shows what it is made of.
+const WIDE: f64 = 1.0 / 16.0;
+
 /// States at which an interval is looked at first: its ends and between them.
 pub(super) const POINTS: usize = 5;
 
@@ -45,8 +48,10 @@ pub(super) struct Sizes<R> {
     pub start: R,
     /// At the same, as a result of the step so far.
     pub near: R,
-    /// Anywhere on it.
+    /// Anywhere on it, times included.
     pub far: R,
+    /// The part of it that times have.
+    pub by_time: R,
 }
 
 /// A motion with one of its guards.
@@ -93,8 +98,8 @@ where
         let (zero, factor) =
             (S::Scalar::zero(), S::Scalar::from_f64(if S::CONSTRAINED { PROJECTED } else { 1.0 }));
         let [from, .., to] = states;
-        let near = magnitudes(M::start(&self.motion.memory), from);
-        let far = magnitudes(&near, to);
+        let near = self.rounded(from);
+        let far = magnitudes(&near, &self.rounded(to));
         let at_from = self.sensitivity(from, &far, [&magnitudes(from, from), &near, &far]);
         let [at_to] = self.sensitivity(to, &far, [&far]);
         let [start, near, far] = at_from.map(|size| factor * size);
@@ -113,13 +118,26 @@ where
         let by_time = if by_time.is_finite() { by_time } else { zero };
         Sizes {
             start,
-            near: larger(near, self.at(from).abs()) + by_time,
+            near: larger(near, self.at(from).abs()),
             far: larger(far, factor * at_to) + by_time,
+            by_time,
         }
     }
 
+    /// What a state in the step is the sum of.
+    fn rounded(&self, state: &State<S::Scalar, N>) -> State<S::Scalar, N> {
+        let (start, end) = (M::start(&self.motion.memory), M::end(&self.motion.memory));
+        let part = ((state.t - start.t) / (end.t - start.t)).abs();
+        let part = if part.is_finite() { part } else { S::Scalar::zero() };
+        let of = |start: &[S::Scalar; N], end: &[S::Scalar; N]| {
+            core::array::from_fn(|i| larger(start[i].abs(), ((end[i] - start[i]) * part).abs()))
+        };
+        let sum = State { t: state.t, q: of(&start.q, &end.q), v: of(&start.v, &end.v) };
+        magnitudes(&sum, state)
+    }
+
     /// Σ |∂g/∂x| · (magnitude of x) over all coordinates and velocities, for several sets of magnitudes, by
-    /// differences over a small part of the first ones.
+    /// differences over parts of `scale`.
     fn sensitivity<const W: usize>(
         &self,
         state: &State<S::Scalar, N>,
@@ -127,26 +145,28 @@ where
         magnitudes: [&State<S::Scalar, N>; W],
     ) -> [S::Scalar; W] {
         let zero = S::Scalar::zero();
-        let part = S::Scalar::epsilon().sqrt();
+        let (part, wide) = (S::Scalar::epsilon().sqrt(), S::Scalar::from_f64(WIDE));
         let here = self.at(state);
         let mut sums = [zero; W];
         for i in 0..2 * N {
             let of = |state: &State<S::Scalar, N>| if i < N { state.q[i] } else { state.v[i - N] };
-            let step = part * of(scale);
-            if step == zero {
+            if of(scale) == zero {
                 continue;
             }
-            let [up, down] = [step, -step].map(|step| {
-                let mut moved = *state;
-                let x = if i < N { &mut moved.q[i] } else { &mut moved.v[i - N] };
-                *x += step;
-                (self.at(&moved) - here).abs() / step
-            });
-            let slope = smaller(up, down);
-            if slope.is_finite() {
-                for (sum, magnitudes) in sums.iter_mut().zip(magnitudes) {
-                    *sum += slope * of(magnitudes);
-                }
+            let along = |step: S::Scalar| {
+                let [up, down] = [step, -step].map(|step| {
+                    let mut moved = *state;
+                    let x = if i < N { &mut moved.q[i] } else { &mut moved.v[i - N] };
+                    *x += step;
+                    ((self.at(&moved) - here) / step).abs()
+                });
+                let slope = smaller(up, down);
+                if slope.is_finite() { slope } else { zero }
+            };
+            // What a guard is made of shows beside its extrema.
+            let slope = larger(along(part * of(scale)), along(wide * of(scale)));
+            for (sum, magnitudes) in sums.iter_mut().zip(magnitudes) {
+                *sum += slope * of(magnitudes);
             }
         }
         sums

@@ -241,7 +241,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         M: Adaptive<S, C, N, K>,
         G: Guard<S, R, N>,
     {
-        let blur = motion.event.filter(|[t, _]| *t == interval.from).map_or(R::zero(), |[_, blur]| blur);
+        let blur = motion.event.filter(|[t, _]| *t == interval.from).map(|[_, blur]| blur);
         for (track, guard) in self.tracks.iter_mut().zip(guards) {
             track.look(&mut Watched { motion: &mut *motion, guard }, interval, states, (blur, strict))?;
         }

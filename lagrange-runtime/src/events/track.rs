@@ -81,7 +81,7 @@ impl<R: Ordered> Track<R> {
         watched: &mut Watched<'_, '_, S, C, M, G, N, K>,
         interval: Interval<R>,
         states: &[State<R, N>; POINTS],
-        (blur, strict): (R, bool),
+        (blur, strict): (Option<R>, bool),
     ) -> Result<(), Refused<R>>
     where
         S: System<N, K, Scalar = R>,
@@ -99,15 +99,18 @@ impl<R: Ordered> Track<R> {
         let polynomial = polynomial.map_err(Refused::TooLong)?;
         let (noise, one) = (polynomial.noise(), R::one());
         let roundings = |count| R::from_f64(count) * R::epsilon();
-        if strict && noise > roundings(8.0 * DROWNED) * sizes.near {
-            return Err(Refused::TooLong(Unresolved::Degree));
-        }
         let (start, part) = (polynomial.value(R::zero()), R::from_f64(PART));
         let second = part * (interval.to - interval.from).abs();
+        let [first, ..] = states;
+        let rate = (polynomial.value(part) - start).abs() / second;
+        if strict && noise > roundings(8.0 * DROWNED) * (sizes.near + rate * interval.from.abs()) {
+            return Err(Refused::TooLong(Unresolved::Degree));
+        }
         let memory = match self.memory {
             Memory::Unknown => {
-                let rate = (polynomial.value(part) - start).abs() / second;
-                begin(start, roundings(AT_START) * sizes.start + R::from_f64(4.0) * rate * blur)
+                let known =
+                    blur.map_or(R::zero(), |blur| R::from_f64(4.0) * rate * blur + R::from_f64(2.0) * noise);
+                begin(watched.at(first), roundings(AT_START) * sizes.start + known)
             }
             Memory::Zero(side) if start.abs() > R::from_f64(JUMPED) * noise => {
                 side.map_or_else(|| begin(start, noise), Memory::Side)
@@ -144,7 +147,8 @@ impl<R: Ordered> Track<R> {
         if !(from.is_finite() && to.is_finite()) {
             return false;
         }
-        let noise = R::from_f64(16.0) * R::epsilon() * watched.sizes(states).near;
+        let sizes = watched.sizes(states);
+        let noise = R::from_f64(16.0) * R::epsilon() * (sizes.near + sizes.by_time);
         let before = match self.memory {
             Memory::Unknown => begin(from, noise),
             memory => memory,

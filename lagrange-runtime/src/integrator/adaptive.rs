@@ -63,6 +63,15 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// What the motion has cost.
     fn counts(memory: &Self::Memory) -> Steps;
 
+    /// How far coordinates and velocities can be from those at the start of the last step in the course of it;
+    /// `None` where that is not known.
+    fn spread(_memory: &Self::Memory) -> Option<[[S::Scalar; N]; 2]>
+    where
+        S::Scalar: Ordered,
+    {
+        None
+    }
+
     /// The state at a part of the last step, from 0 to 1, which a time of finite resolution cannot tell as well.
     ///
     /// # Errors

@@ -101,12 +101,19 @@ fn through<R: Real>(samples: &[R; DEGREE + 1], n: usize) -> [R; DEGREE + 1] {
     let stride = DEGREE / n;
     let half = R::from_f64(0.5);
     let scale = R::from_f64(2.0 / n as f64);
+    // All cosines that there are, once: cos(jπ/n) for j below 2n.
+    let mut cosines = [R::zero(); 2 * DEGREE];
+    for (j, entry) in cosines.iter_mut().enumerate().take(2 * n) {
+        *entry = cosine(j * stride);
+    }
     let mut coefficients = [R::zero(); DEGREE + 1];
     for (k, coefficient) in coefficients.iter_mut().enumerate().take(n + 1) {
         let mut sum = R::zero();
+        let mut turn = 0;
         for (j, &sample) in samples.iter().enumerate().step_by(stride) {
             let sample = if j == 0 || j == DEGREE { sample * half } else { sample };
-            sum = sample.mul_add(cosine(j * k), sum);
+            sum = sample.mul_add(cosines.get(turn).copied().unwrap_or(half), sum);
+            turn = (turn + k) % (2 * n);
         }
         let sum = if k == 0 || k == n { sum * half } else { sum };
         // θ grows from node to node, so x = 2θ − 1 is minus the cosine.

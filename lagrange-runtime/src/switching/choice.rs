@@ -7,17 +7,15 @@
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
-use super::scene::{Known, Scales, Scene, Status, above, extent, most, product, rounding};
+use super::scene::{Scene, Status, above, extent, most, product, rounding};
 use super::trials::{Options, Part, combine, regime};
+use super::turning::{TURNS, Turning, pairs};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::error::Cause;
 use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
-
-/// Searches for the direction in which a slip in two directions begins.
-const TURNS: usize = 60;
 
 /// A regime, and what follows from it.
 #[derive(Clone, Copy, Debug)]
@@ -109,8 +107,7 @@ where
                 && self.status[row] == Status::Rests
                 && regime.slip[row] != num_traits::Zero::zero()
         };
-        let velocities =
-            if (0..C).any(begins) { self.begun(&regime, begins)? } else { self.state.v };
+        let velocities = if (0..C).any(begins) { self.begun(&regime, begins)? } else { self.state.v };
         let balance = self.balance(&regime, &velocities)?;
         Some(Choice {
             regime,
@@ -145,54 +142,53 @@ where
         let zero: S::Scalar = num_traits::Zero::zero();
         let State { t, q, v } = &self.state;
         let mut stuck = *regime;
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            if let (true, Row::Friction { pair: Some(other), .. }) = (begins(row), kind) {
-                stuck.slip[row] = zero;
-                (stuck.active[row], stuck.active[*other]) = (true, true);
-            }
+        for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
+            stuck.slip[row] = zero;
+            (stuck.active[row], stuck.active[other]) = (true, true);
         }
         let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
         let mut slips = held.balance().multipliers.map(|force| -force);
+        let (mut turning, mut is_scaled) = (Turning::new(), false);
         let mut velocities = *v;
         for _ in 0..TURNS {
-            let mut wanted = [zero; C];
-            let mut turned = zero;
-            for (row, kind) in S::ROWS.iter().enumerate() {
-                if let (true, Row::Friction { pair: Some(other), .. }) = (begins(row), kind) {
-                    let length = slips[row].hypot(slips[*other]);
-                    if !length.is_positive() {
-                        return None;
-                    }
-                    let size = most(self.speeds[row], self.speeds[*other]);
-                    let size = if size.is_positive() { size } else { S::Scalar::epsilon() };
-                    let size = size * S::Scalar::epsilon() * S::Scalar::from_f64(16.0);
-                    for row in [row, *other] {
-                        wanted[row] = size * slips[row] / length;
-                        let now = self.laws.rows.rates[row] + self.change(row, &velocities);
-                        turned = most(turned, (wanted[row] - now).abs() / size);
-                    }
+            let mut lack = [zero; C];
+            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
+                let length = slips[row].hypot(slips[other]);
+                if !length.is_positive() {
+                    return None;
+                }
+                let size = most(self.speeds[row], self.speeds[other]);
+                let size = if size.is_positive() { size } else { S::Scalar::epsilon() };
+                let size = size * S::Scalar::epsilon() * S::Scalar::from_f64(16.0);
+                for row in [row, other] {
+                    lack[row] = size * slips[row] / length - self.laws.rows.rates[row];
                 }
             }
-            if !above(turned, S::Scalar::from_f64(4.0) * S::Scalar::epsilon()) {
-                break;
-            }
-            let lack = core::array::from_fn(|row| {
-                if wanted[row] == zero { zero } else { wanted[row] - self.laws.rows.rates[row] }
-            });
             let (change, _) = held.saddle.solve(&[zero; N], &lack);
             velocities = core::array::from_fn(|i| v[i] + change[i]);
             let balance = self.balance(regime, &velocities)?;
             let sizes = self.sizes(regime, &balance.accelerations, &balance.multipliers);
-            for (row, kind) in S::ROWS.iter().enumerate() {
-                if let (true, Row::Friction { pair: Some(other), .. }) = (begins(row), kind) {
-                    let rates = [row, *other].map(|row| self.rate(row, &balance.accelerations));
-                    let size = extent(&self.gradients[row], &sizes.accelerations);
-                    // Where nothing accelerates the slip, it goes where the force drives it.
-                    if above(rates[0].hypot(rates[1]), rounding::<S::Scalar>() * size) {
-                        (slips[row], slips[*other]) = (rates[0], rates[1]);
-                    }
+            let (mut lacks, mut is_done) = ([zero; C], true);
+            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
+                let rates = [row, other].map(|row| self.rate(row, &balance.accelerations));
+                let speed = rates[0].hypot(rates[1]);
+                let noise = rounding::<S::Scalar>() * extent(&self.gradients[row], &sizes.accelerations);
+                // Where nothing accelerates the slip, it goes where the force drives it.
+                if !above(speed, noise) {
+                    continue;
                 }
+                if !is_scaled {
+                    let share = speed / slips[row].hypot(slips[other]);
+                    (slips[row], slips[other]) = (share * slips[row], share * slips[other]);
+                }
+                (lacks[row], lacks[other]) = (rates[0] - slips[row], rates[1] - slips[other]);
+                is_done = is_done && !above(lacks[row].hypot(lacks[other]), noise);
             }
+            if is_done {
+                break;
+            }
+            is_scaled = true;
+            slips = turning.next(&slips, &lacks);
         }
         Some(velocities)
     }
@@ -250,8 +246,12 @@ where
             let reaction = trial.multipliers[row];
             let slack = part * scale(row);
             let rate = self.rate(row, &trial.accelerations);
-            let play = part
-                * (extent(&self.gradients[row], &sizes.accelerations) + self.gamma[row].abs());
+            let play = part * (extent(&self.gradients[row], &sizes.accelerations) + self.gamma[row].abs());
+            // Rows that depend on each other may ask for what contradicts.
+            let inexact = most(part, S::Scalar::epsilon().sqrt()) / part * play;
+            if trial.regime.active[row] && *kind != Row::Bilateral && above(rate.abs(), inexact) {
+                return Err(row);
+            }
             let holds = match (kind, parts[row]) {
                 (Row::Bilateral, part) if is_limit(&S::ROWS, row) => {
                     let side = if part == Part::Against { -reaction } else { reaction };
@@ -301,11 +301,7 @@ where
     }
 
     /// The contact at which two regimes have other reactions, if the motion differs.
-    fn differs(
-        &self,
-        a: &Choice<S::Scalar, N, C, W>,
-        b: &Choice<S::Scalar, N, C, W>,
-    ) -> Option<usize> {
+    fn differs(&self, a: &Choice<S::Scalar, N, C, W>, b: &Choice<S::Scalar, N, C, W>) -> Option<usize> {
         let reacts = |regime: &Regime<S::Scalar, C, W>, row: usize| (regime.active[row], regime.side[row]);
         let row = S::ROWS.iter().enumerate().position(|(row, kind)| {
             !matches!(kind, Row::Friction { .. }) && reacts(&a.regime, row) != reacts(&b.regime, row)
@@ -342,59 +338,4 @@ pub(super) fn sides<R: Real, const W: usize>(kinks: &[R; W], present: &[R; W], s
             -R::one()
         }
     })
-}
-
-/// The regime that goes on from a state alone, without a motion that leads there.
-fn at_state<S, const N: usize, const K: usize, const C: usize, const W: usize>(
-    system: &S,
-    t: S::Scalar,
-    q: &[S::Scalar; N],
-    v: &[S::Scalar; N],
-    u: &[S::Scalar; K],
-) -> Option<Choice<S::Scalar, N, C, W>>
-where
-    S: Switching<N, K, C, W>,
-{
-    let laws = system.laws_at(t, q, v);
-    let open = Regime::<S::Scalar, C, W>::open(&S::ROWS);
-    let kinks = sides(&laws.kinks, &open.kinks, &laws.kink_sizes);
-    let state = State { t, q: *q, v: *v };
-    let known = Known { closed: [false; C], fired: None, settled: true };
-    let scene = Scene::new(system, &state, u, kinks, &Scales::new(), &known);
-    scene.choose(&open, None).ok()
-}
-
-/// Accelerations at a state; not finite where there are none.
-#[doc(hidden)]
-#[must_use]
-pub fn accelerations<S, const N: usize, const K: usize, const C: usize, const W: usize>(
-    system: &S,
-    t: S::Scalar,
-    q: &[S::Scalar; N],
-    v: &[S::Scalar; N],
-    u: &[S::Scalar; K],
-) -> [S::Scalar; N]
-where
-    S: Switching<N, K, C, W>,
-{
-    let none = || [S::Scalar::from_f64(f64::NAN); N];
-    at_state(system, t, q, v, u).map_or_else(none, |choice| choice.accelerations)
-}
-
-/// The multipliers of all rows at a state, and whether the motion determines each; not finite where there are
-/// none.
-#[doc(hidden)]
-#[must_use]
-pub fn multipliers<S, const N: usize, const K: usize, const C: usize, const W: usize>(
-    system: &S,
-    t: S::Scalar,
-    q: &[S::Scalar; N],
-    v: &[S::Scalar; N],
-    u: &[S::Scalar; K],
-) -> ([S::Scalar; C], bool)
-where
-    S: Switching<N, K, C, W>,
-{
-    let none = || ([S::Scalar::from_f64(f64::NAN); C], false);
-    at_state(system, t, q, v, u).map_or_else(none, |choice| (choice.multipliers, choice.is_unique))
 }

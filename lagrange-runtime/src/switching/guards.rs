@@ -143,7 +143,8 @@ where
                 Row::Unilateral if self.regime.active[row] => (reaction, reaction.abs()),
                 Row::Unilateral => (laws.rows.positions[row], laws.rows.position_sizes[row]),
                 Row::Friction { normal, pair } if self.regime.active[row] => {
-                    let limit = laws.fixed[row] * normal.map_or(num_traits::One::one(), |row| multipliers[row]);
+                    let limit =
+                        laws.fixed[row] * normal.map_or(num_traits::One::one(), |row| multipliers[row]);
                     let other = pair.map_or(num_traits::Zero::zero(), |row| multipliers[row]);
                     let force = reaction * reaction + other * other;
                     (limit * limit - force, limit * limit + force)
@@ -202,7 +203,8 @@ where
                 }
                 values
             };
-            let guards = (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row).chain((0..W).map(Guard::Kink));
+            let guards =
+                (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row).chain((0..W).map(Guard::Kink));
             let mut earliest: Option<(S::Scalar, Guard)> = None;
             let mut unresolved = None;
             for guard in guards {
@@ -239,11 +241,7 @@ where
 
     /// How long after the zero of a guard a time is that rounding has made of it, from its values there and a little
     /// earlier.
-    pub(super) fn late(
-        &self,
-        guard: Guard,
-        [earlier, there]: [&State<S::Scalar, N>; 2],
-    ) -> S::Scalar {
+    pub(super) fn late(&self, guard: Guard, [earlier, there]: [&State<S::Scalar, N>; 2]) -> S::Scalar {
         let [before, value] = [earlier, there].map(|state| self.values(state).get(guard).0);
         let late = value / (value - before) * (there.t - earlier.t);
         let ulps = S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * there.t.abs();

@@ -9,31 +9,24 @@
 
 use core::marker::PhantomData;
 
-use super::choice::sides;
-use super::guards::{Guard, Guards};
 use super::memory::HybridMemory;
-use super::scene::{Known, Scene, Status, above, most};
-use super::{Regime, Row, Switching};
-use crate::error::{Cause, MotionError};
+use super::run::Run;
+use super::scene::Scales;
+use super::{Regime, Switching};
+use crate::error::MotionError;
 use crate::integrator::step_size::Limits;
 use crate::integrator::{Adaptive, adaptive::Steps};
-use crate::real::{Ordered, Real};
+use crate::real::Ordered;
 use crate::simulation::Held;
 use crate::state::State;
 use crate::system::System;
-
-/// Changes of regimes without any time between them, for each row and kink, until they count as endless.
-const CHANGES: usize = 4;
-
-/// The part of a piece at which its guard is compared with the end, for its slope.
-const EARLIER: f64 = 1.0 - 1e-3;
 
 /// A motion whose equations switch: between switches by the method `M`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Hybrid<M, const C: usize, const W: usize>(PhantomData<M>);
 
 /// The memory of a motion of `S` by `M`.
-type Memory<S, M, const N: usize, const K: usize, const C: usize, const W: usize> = HybridMemory<
+pub(super) type Memory<S, M, const N: usize, const K: usize, const C: usize, const W: usize> = HybridMemory<
     <S as Switching<N, K, C, W>>::InRegime,
     <<S as Switching<N, K, C, W>>::InRegime as System<N, K>>::Constants,
     <M as Adaptive<
@@ -47,415 +40,6 @@ type Memory<S, M, const N: usize, const K: usize, const C: usize, const W: usize
     C,
     W,
 >;
-
-/// Where a guard has fired.
-struct Event<R, const N: usize> {
-    state: State<R, N>,
-    guard: Guard,
-    /// How long after the zero of the guard the time of the state is, which is rounded.
-    late: R,
-}
-
-/// A motion on its way.
-struct Run<'a, S, M, const N: usize, const K: usize, const C: usize, const W: usize>
-where
-    S: Switching<N, K, C, W>,
-    S::Scalar: Ordered,
-    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
-{
-    system: &'a S,
-    memory: &'a mut Memory<S, M, N, K, C, W>,
-    control: &'a Held<S::Scalar, K>,
-    limits: &'a Limits<S::Scalar>,
-}
-
-impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
-where
-    S: Switching<N, K, C, W>,
-    S::Scalar: Ordered,
-    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
-{
-    /// Begins a regime at a state.
-    fn enter(&mut self, regime: Regime<S::Scalar, C, W>, state: State<S::Scalar, N>) {
-        let memory = &mut *self.memory;
-        add(&mut memory.counts, M::counts(&memory.inner));
-        memory.regime = regime;
-        memory.in_regime = self.system.in_regime(&regime);
-        memory.constants = memory.in_regime.constants();
-        memory.inner = M::begin(&memory.in_regime, state);
-        (memory.start, memory.end, memory.next) = (state, state, None);
-    }
-
-    /// Finds the regime where the motion begins, or goes on from a state that is not its own.
-    fn open(&mut self) -> Result<(), Cause> {
-        let mut state = self.memory.end;
-        if !state.is_finite() {
-            return Err(Cause::NotFinite);
-        }
-        let laws = self.system.laws_at(state.t, &state.q, &state.v);
-        self.check(&laws)?;
-        let mut present = self.memory.regime;
-        present.kinks = sides(&laws.kinks, &present.kinks, &laws.kink_sizes);
-        // What always holds has to hold at the start as well.
-        let alone = Regime { kinks: present.kinks, ..Regime::open(&S::ROWS) };
-        let in_regime = self.system.in_regime(&alone);
-        if S::InRegime::CONSTRAINED && S::ROWS.contains(&Row::Bilateral) {
-            in_regime.begin_at(&in_regime.constants(), &mut state)?;
-        } else {
-            let State { t, q, v } = &state;
-            in_regime.check_at(&in_regime.constants(), *t, q, v).map_err(|cause| cause.named(&S::NAMES))?;
-        }
-        let closed = self.penetrating(&state, &laws)?;
-        let known = Known { closed, fired: None, settled: false };
-        let regime = self.settle(&mut state, &present, known, false, num_traits::Zero::zero())?;
-        self.enter(regime, state);
-        let counts = &mut self.memory.counts;
-        counts.evaluations += 1;
-        self.memory.is_fresh = false;
-        Ok(())
-    }
-
-    /// Refuses coefficients that are none.
-    fn check(&self, laws: &super::Laws<S::Scalar, C, W>) -> Result<(), Cause> {
-        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            let (e, kinetic, fixed) = (laws.restitution[row], laws.kinetic[row], laws.fixed[row]);
-            let is_good = match kind {
-                Row::Bilateral => true,
-                Row::Unilateral => e >= zero && e <= one,
-                Row::Friction { .. } => {
-                    kinetic >= zero && fixed >= kinetic && kinetic.is_finite() && fixed.is_finite()
-                }
-            };
-            if !is_good {
-                return Err(Cause::InvalidContact { constraint: row, name: S::NAMES.constraint(row) });
-            }
-        }
-        let rows = laws.rows.positions.iter().chain(&laws.rows.rates).chain(&laws.kinks);
-        if rows.copied().all(Real::is_finite) { Ok(()) } else { Err(Cause::NotFinite) }
-    }
-
-    /// Refuses a start that penetrates by more than the last digits of nine-digit numbers; gaps within that are
-    /// closed.
-    fn penetrating(
-        &self,
-        state: &State<S::Scalar, N>,
-        laws: &super::Laws<S::Scalar, C, W>,
-    ) -> Result<[bool; C], Cause> {
-        let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
-        let known = Known { closed: [false; C], fired: None, settled: true };
-        let scene = Scene::new(
-            self.system,
-            state,
-            &self.control.0,
-            self.memory.regime.kinks,
-            &self.memory.scales,
-            &known,
-        );
-        let mut closed = [false; C];
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            let gap = laws.rows.positions[row];
-            if *kind != Row::Unilateral || !above(num_traits::Zero::zero(), gap) {
-                continue;
-            }
-            let by_state = super::scene::extent(&scene.gradients[row], &state.q);
-            let size = most(most(laws.rows.position_sizes[row], self.memory.scales.gaps[row]), by_state);
-            // A gap of one coordinate is as large as its own size: then the others tell what is small.
-            let most_of = state.q.iter().fold(num_traits::Zero::zero(), |size, &q| most(size, q.abs()));
-            let own = laws.rows.position_sizes[row] == -gap;
-            let size = if own { most(self.memory.scales.gaps[row], most_of + gap) } else { size };
-            if above(-gap, share * size) {
-                return Err(Cause::Penetrates {
-                    constraint: row,
-                    name: S::NAMES.constraint(row),
-                    by: crate::constraints::magnitude(-gap),
-                });
-            }
-            closed[row] = true;
-        }
-        Ok(closed)
-    }
-
-    /// What follows a state: its impact, the regime that goes on, and the state projected onto that, so much later
-    /// as the time of the state is rounded.
-    fn settle(
-        &mut self,
-        state: &mut State<S::Scalar, N>,
-        present: &Regime<S::Scalar, C, W>,
-        mut known: Known<C>,
-        avoid: bool,
-        late: S::Scalar,
-    ) -> Result<Regime<S::Scalar, C, W>, Cause> {
-        if C > 0 {
-            let inputs = &self.control.0;
-            let scales = &mut self.memory.scales;
-            scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
-            let mut scene = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
-            if scene.has_impact() {
-                scales.strike(&scene.status, &scene.laws);
-                state.v = scene.impact()?;
-                for (closed, &status) in known.closed.iter_mut().zip(&scene.status) {
-                    *closed = *closed || matches!(status, Status::Meets | Status::Touches);
-                }
-                (known.fired, known.settled) = (None, true);
-                scene = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
-                if let Some(v) = scene.gathered(present, scales, &known, self.limits.relative)? {
-                    state.v = v;
-                    scene = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
-                }
-            }
-            let choice = scene.choose(present, known.fired.filter(|_| avoid))?;
-            for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
-                *seen = most(*seen, now.abs());
-            }
-            state.v = choice.velocities;
-            shift(state, &choice.accelerations, late);
-            let in_regime = self.system.in_regime(&choice.regime);
-            in_regime.project_at(&in_regime.constants(), state, None)?;
-            return Ok(choice.regime);
-        }
-        let in_regime = self.system.in_regime(present);
-        let State { t, q, v } = *state;
-        let a = in_regime.accelerations_at(&in_regime.constants(), t, &q, &v, &self.control.0);
-        shift(state, &a, late);
-        Ok(*present)
-    }
-
-    /// One piece, towards time `t`.
-    fn step(&mut self, t: S::Scalar, attempts: &mut u64) -> Result<(), MotionError<S::Scalar>> {
-        let at = |state: &State<S::Scalar, N>, cause| MotionError { cause, t: state.t };
-        if let Some(cause) = self.memory.stuck {
-            return Err(at(&self.memory.end, cause));
-        }
-        loop {
-            if self.memory.is_fresh {
-                let opened = self.open();
-                opened.map_err(|cause| at(&self.memory.end, cause))?;
-            }
-            if let Some((regime, state)) = self.memory.next {
-                self.enter(regime, state);
-            }
-            let here = self.memory.end;
-            if S::InRegime::CONSTRAINED && is_at_rest(&self.memory.start, &here) {
-                // Nothing bounds the length of a step by that of one before it.
-                M::restart(&mut self.memory.inner, here);
-            }
-            if here.t == t {
-                return Ok(());
-            }
-            if t < here.t && S::ROWS.iter().any(|row| *row != Row::Bilateral) {
-                return Err(at(&here, Cause::Irreversible));
-            }
-            let memory = &mut *self.memory;
-            let (in_regime, constants) = (&memory.in_regime, &memory.constants);
-            M::step(&mut memory.inner, in_regime, constants, self.control, self.limits, t, attempts)?;
-            let (start, end) = (*M::start(&memory.inner), *M::end(&memory.inner));
-            (memory.start, memory.end) = (start, end);
-            let found = self.event();
-            let found = found.map_err(|cause| {
-                self.memory.end = start;
-                at(&start, cause)
-            })?;
-            let Some(Event { state, guard, late }) = found else {
-                let laws = self.system.laws_at(end.t, &end.q, &end.v);
-                self.memory.scales.see(&laws);
-                self.passed(start.t, end.t);
-                self.come_to_rest().map_err(|cause| at(&end, cause))?;
-                return Ok(());
-            };
-            self.memory.end = state;
-            let has_passed = self.passed(start.t, state.t);
-            if let Err(cause) = self.switch(guard, late) {
-                self.memory.stuck = Some(cause);
-                return Err(at(&state, cause));
-            }
-            if has_passed {
-                return Ok(());
-            }
-            if *attempts == 0 {
-                return Err(at(&state, Cause::TooManySteps));
-            }
-            *attempts -= 1;
-        }
-    }
-
-    /// Whether time has passed that is more than rounding; forgets the changes before it if so.
-    fn passed(&mut self, from: S::Scalar, to: S::Scalar) -> bool {
-        let resolution = S::Scalar::from_f64(16.0) * S::Scalar::epsilon() * from.abs();
-        let has_passed = (to - from).abs() > resolution;
-        if has_passed {
-            (self.memory.flips, self.memory.changes) = ([0; W], 0);
-        }
-        has_passed
-    }
-
-    /// The first event of the piece.
-    fn event(&mut self) -> Result<Option<Event<S::Scalar, N>>, Cause> {
-        let memory = &mut *self.memory;
-        let (start, end) = (memory.start, memory.end);
-        let (in_regime, constants) = (&memory.in_regime, &memory.constants);
-        let guards = Guards::new(self.system, in_regime, &memory.regime, &self.control.0, &start);
-        if guards.is_empty() {
-            return Ok(None);
-        }
-        let inner = &mut memory.inner;
-        let (control, limits) = (self.control, self.limits);
-        let mut at = |part: S::Scalar| {
-            if part == num_traits::Zero::zero() {
-                return Some(start);
-            }
-            M::within(inner, in_regime, constants, control, limits, part).ok()
-        };
-        let Some((part, guard)) = guards.first(&memory.scales, [start.t, end.t], &mut at)? else {
-            return Ok(None);
-        };
-        let state = at(part).ok_or(Cause::NotFinite)?;
-        let earlier = at(part * S::Scalar::from_f64(EARLIER)).ok_or(Cause::NotFinite)?;
-        let late = guards.late(guard, [&earlier, &state]);
-        Ok(Some(Event { state, guard, late }))
-    }
-
-    /// Changes the regime where a guard has fired.
-    fn switch(&mut self, guard: Guard, late: S::Scalar) -> Result<(), Cause> {
-        let memory = &mut *self.memory;
-        let (mut state, mut present) = (memory.end, memory.regime);
-        memory.changes += 1;
-        let (mut fired, mut avoid) = (None, false);
-        match guard {
-            Guard::Kink(kink) => {
-                present.kinks[kink] = -present.kinks[kink];
-                memory.flips[kink] += 1;
-                if memory.flips[kink] > CHANGES {
-                    return Err(Cause::HeldAtKink { kink });
-                }
-            }
-            Guard::Row(row) => {
-                if memory.changes > CHANGES * (C + W) {
-                    return Err(Cause::EndlessSwitching { constraint: row, name: S::NAMES.constraint(row) });
-                }
-                fired = Some(row);
-                avoid = S::ROWS[row] != Row::Unilateral || present.active[row];
-            }
-        }
-        // A slip in two directions has turned by a right angle: the step goes on from there.
-        if let Some(row) = fired
-            && let Row::Friction { pair: Some(other), .. } = S::ROWS[row]
-            && !present.active[row]
-            && !self.rests(row, other, &state)
-        {
-            (fired, avoid) = (None, false);
-        }
-        // Back to the event itself.
-        let State { t, q, v } = state;
-        let a = self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
-        shift(&mut state, &a, -late);
-        let known = Known { closed: present.active, fired, settled: false };
-        let regime = self.settle(&mut state, &present, known, avoid, late)?;
-        self.memory.next = Some((regime, state));
-        Ok(())
-    }
-
-    /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
-    fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
-        let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
-        let least = S::Scalar::from_f64(256.0) * S::Scalar::epsilon();
-        let scales = &self.memory.scales;
-        let size = most(scales.speeds[row], scales.speeds[other]);
-        let slip = rows.rates[row].hypot(rows.rates[other]);
-        !above(slip, most(self.limits.relative, least) * size)
-    }
-
-    /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there, and
-    /// steps, which end before, become shorter and shorter. From within the tolerance the rest is a straight line.
-    fn come_to_rest(&mut self) -> Result<(), Cause> {
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            let Row::Friction { pair: Some(other), .. } = *kind else { continue };
-            let slips = self.memory.regime.slip[row] != num_traits::Zero::zero();
-            if !slips || other < row || !self.rests(row, other, &self.memory.end) {
-                continue;
-            }
-            let (memory, inputs) = (&*self.memory, &self.control.0);
-            let State { t, q, v } = memory.end;
-            let known = Known { closed: memory.regime.active, fired: None, settled: true };
-            let scene =
-                Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
-            let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
-            let a = equations.balance().accelerations;
-            let (x, y) = (scene.laws.rows.rates[row], scene.laws.rows.rates[other]);
-            let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
-            if !falls.is_positive() {
-                continue;
-            }
-            let left = (x * x + y * y) / falls;
-            let half = S::Scalar::from_f64(0.5);
-            let mut state = State {
-                t: t + left,
-                q: core::array::from_fn(|i| q[i] + left * (v[i] + half * left * a[i])),
-                v: core::array::from_fn(|i| v[i] + left * a[i]),
-            };
-            let present = memory.regime;
-            let known = Known { closed: present.active, fired: Some(row), settled: false };
-            let regime = self.settle(&mut state, &present, known, true, num_traits::Zero::zero())?;
-            self.memory.next = Some((regime, state));
-            return Ok(());
-        }
-        Ok(())
-    }
-
-    /// The state at time `t`.
-    fn state_at(
-        &mut self,
-        t: S::Scalar,
-        attempts: &mut u64,
-    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
-        loop {
-            if !self.memory.is_fresh {
-                let after = self.memory.after();
-                if t == after.t {
-                    return Ok(after);
-                }
-                if self.memory.covers(t) {
-                    let memory = &mut *self.memory;
-                    let (in_regime, constants) = (&memory.in_regime, &memory.constants);
-                    let inner = &mut memory.inner;
-                    return M::sample(inner, in_regime, constants, self.control, self.limits, t, &mut 0);
-                }
-                self.turn(t);
-            }
-            self.step(t, attempts)?;
-        }
-    }
-
-    /// Goes back to the start of the piece where `t` lies before it.
-    fn turn(&mut self, t: S::Scalar) {
-        let memory = &mut *self.memory;
-        let (start, end) = (memory.start, memory.end);
-        let is_behind = if start.t <= end.t { t < start.t } else { t > start.t };
-        if is_behind && start.t != end.t {
-            M::restart(&mut memory.inner, start);
-            (memory.end, memory.next) = (start, None);
-        }
-    }
-}
-
-/// Whether nothing moves.
-fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
-    start.t != end.t && end.v.iter().all(|&v| v == R::zero()) && start.q == end.q
-}
-
-/// Moves a state by a time that is shorter than the resolution of its own.
-fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
-    for ((q, v), &a) in state.q.iter_mut().zip(&mut state.v).zip(accelerations) {
-        *q += dt * *v;
-        *v += dt * a;
-    }
-}
-
-fn add(sum: &mut Steps, more: Steps) {
-    sum.accepted += more.accepted;
-    sum.rejected += more.rejected;
-    sum.evaluations += more.evaluations;
-}
 
 impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize>
     Adaptive<S, Held<S::Scalar, K>, N, K> for Hybrid<M, C, W>
@@ -481,7 +65,7 @@ where
             next: None,
             is_fresh: true,
             stuck: None,
-            scales: super::scene::Scales::new(),
+            scales: Scales::new(),
             flips: [0; W],
             changes: 0,
             counts: Steps::default(),
@@ -548,9 +132,7 @@ where
     }
 
     fn counts(memory: &Self::Memory) -> Steps {
-        let mut counts = memory.counts;
-        add(&mut counts, M::counts(&memory.inner));
-        counts
+        sum(memory.counts, M::counts(&memory.inner))
     }
 
     fn advance(
@@ -581,5 +163,14 @@ where
         S::Scalar: Ordered,
     {
         Run::<S, M, N, K, C, W> { system, memory, control, limits }.state_at(t, attempts)
+    }
+}
+
+/// Both counts together.
+pub(super) fn sum(a: Steps, b: Steps) -> Steps {
+    Steps {
+        accepted: a.accepted + b.accepted,
+        rejected: a.rejected + b.rejected,
+        evaluations: a.evaluations + b.evaluations,
     }
 }

@@ -6,8 +6,8 @@
 //! impulses: it sticks while |Λₜ| ≤ μ Λₙ, else |Λₜ| = μ Λₙ against the slip after the impact (Pfeiffer and
 //! Glocker, *Multibody Dynamics with Unilateral Contacts*, chapter 8; Brogliato, *Nonsmooth Mechanics*, 4.3).
 //!
-//! With friction, or with several contacts of different coefficients, Newton's law can create energy. Where it
-//! does, the impulses are (1 + e) times those of a plastic impact instead, e the least of the coefficients: a
+//! With friction, or with several contacts of different coefficients, Newton's law can create energy, or have no
+//! solution. Where that is so, the impulses are (1 + e) times those of a plastic impact instead, e the least of the coefficients: a
 //! plastic impact takes energy away, and along the line from the velocities before it to twice as far behind it
 //! the kinetic energy is a parabola with equal values at equal distances from its lowest point, which is not
 //! nearer than the plastic one.
@@ -16,18 +16,18 @@ use super::Row;
 use super::Switching;
 use super::scene::{Scene, Status, above, most, product, rounding};
 use super::trials::{Options, Part, combine, regime};
+use super::turning::{TURNS, Turning, pairs};
 use crate::error::Cause;
 use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 
-/// Searches for the direction of a slip in two directions.
-const TURNS: usize = 60;
-
 /// Changes of velocities and the impulses that make them.
 struct Impulses<R, const N: usize, const C: usize> {
     changes: [R; N],
     impulses: [R; C],
+    /// Rows that hold.
+    active: [bool; C],
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
@@ -38,16 +38,27 @@ where
     pub(super) fn impact(&self) -> Result<[S::Scalar; N], Cause> {
         let restitution = &self.laws.restitution;
         let zero: S::Scalar = num_traits::Zero::zero();
-        let by_newton = self.strike(restitution)?;
-        let mut changes = by_newton.changes;
-        if self.gains(&by_newton) {
+        let by_newton = self.strike(restitution).ok().filter(|strike| !self.gains(strike));
+        let changes = if let Some(strike) = by_newton {
+            strike.changes
+        } else {
             let plastic = self.strike(&[zero; C])?;
-            let least = (0..C).filter(|&row| self.status[row] == Status::Meets).fold(
-                S::Scalar::from_f64(1.0),
-                |least: S::Scalar, row| if above(least, restitution[row]) { restitution[row] } else { least },
-            );
-            changes = plastic.changes.map(|change| change + least * change);
-        }
+            let mut least: S::Scalar = num_traits::One::one();
+            for (row, &e) in restitution.iter().enumerate() {
+                let before = self.laws.rows.rates[row];
+                let slows = -product(&self.gradients[row], &plastic.changes);
+                // What opens already is not driven into penetration.
+                let most = match self.status[row] {
+                    Status::Meets => e,
+                    Status::Apart if self.is_closed[row] && slows.is_positive() => (before - slows) / slows,
+                    _ => continue,
+                };
+                if above(least, most) {
+                    least = if most.is_positive() { most } else { zero };
+                }
+            }
+            plastic.changes.map(|change| change + least * change)
+        };
         Ok(core::array::from_fn(|i| self.state.v[i] + changes[i]))
     }
 
@@ -95,8 +106,15 @@ where
         match (S::ROWS[row], self.status[row]) {
             (Row::Bilateral, _) if is_limit => Options::new(&[Part::On, Part::Against]),
             (Row::Bilateral, _) => Options::new(&[Part::On]),
+            // One that opens may be closed by the impulses at others.
+            (Row::Unilateral, Status::Apart) if self.is_closed[row] => Options::new(&[Part::Off, Part::On]),
             (Row::Unilateral, Status::Meets | Status::Touches) => Options::new(&[Part::On, Part::Off]),
-            (Row::Friction { normal: None, .. }, _) | (_, Status::Apart) => Options::new(&[Part::Off]),
+            (Row::Friction { normal: None, .. }, _) => Options::new(&[Part::Off]),
+            (Row::Friction { normal: Some(normal), .. }, _)
+                if S::ROWS[normal] == Row::Unilateral && !self.is_closed[normal] =>
+            {
+                Options::new(&[Part::Off])
+            }
             (Row::Friction { pair: Some(other), .. }, _) if other < row => Options::new(&[Part::Off]),
             (Row::Friction { pair: Some(_), .. }, _) => Options::new(&[Part::On, Part::Forward]),
             (Row::Friction { .. }, _) => {
@@ -106,6 +124,16 @@ where
                     .with(Part::On, true)
             }
             _ => Options::new(&[Part::Off]),
+        }
+    }
+
+    /// By how much the rate of a row changes that holds.
+    fn wanted(&self, row: usize, restitution: &[S::Scalar; C]) -> S::Scalar {
+        let rate = self.laws.rows.rates[row];
+        match S::ROWS[row] {
+            Row::Bilateral => num_traits::Zero::zero(),
+            Row::Unilateral if self.status[row] == Status::Meets => -(rate + restitution[row] * rate),
+            Row::Unilateral | Row::Friction { .. } => -rate,
         }
     }
 
@@ -119,42 +147,64 @@ where
     ) -> Option<Impulses<S::Scalar, N, C>> {
         let regime = regime(&S::ROWS, parts, options, self.kinks)?;
         let in_regime = self.system.in_regime(&regime);
-        let rates = &self.laws.rows.rates;
-        let wanted = core::array::from_fn(|row| match S::ROWS[row] {
-            Row::Bilateral => num_traits::Zero::zero(),
-            Row::Unilateral if self.status[row] == Status::Meets => -(rates[row] + restitution[row] * rates[row]),
-            Row::Unilateral | Row::Friction { .. } => -rates[row],
-        });
+        let wanted = core::array::from_fn(|row| self.wanted(row, restitution));
         let none = [num_traits::Zero::zero(); N];
-        // Of a slip in two directions that which follows is looked for.
-        let turns = S::ROWS.iter().zip(&regime.slip).any(|(row, &slip)| {
-            matches!(row, Row::Friction { pair: Some(_), .. }) && slip != num_traits::Zero::zero()
-        });
-        let mut velocities = self.state.v;
-        if turns {
-            velocities = self.without_friction(parts, options, restitution)?;
-        }
-        for _ in 0..TURNS {
-            let equations =
-                S::equations_in(&in_regime, self.state.t, &self.state.q, &velocities, self.inputs)?;
+        let State { t, q, v } = &self.state;
+        let solve = |in_regime: &S::InRegime, v: &[S::Scalar; N]| {
+            let equations = S::equations_in(in_regime, *t, q, v, self.inputs)?;
             let (changes, impulses) = equations.saddle.solve_motion(&none, &wanted);
-            if !changes.iter().chain(&impulses).all(|x| x.is_finite()) || equations.saddle.vanishing().is_some()
-            {
-                return None;
+            let is_finite = changes.iter().chain(&impulses).all(|x| x.is_finite());
+            (is_finite && equations.saddle.vanishing().is_none()).then_some((changes, impulses))
+        };
+        let found = |(changes, impulses): ([S::Scalar; N], _)| {
+            let after = core::array::from_fn(|i| v[i] + changes[i]);
+            let impulses = self.with_friction(&regime, impulses, &after);
+            Impulses { changes, impulses, active: regime.active }
+        };
+        // Of a slip in two directions that which follows is looked for.
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let turns = |row: usize| regime.slip[row] != zero;
+        if !pairs(&S::ROWS).any(|[row, _]| turns(row)) {
+            return solve(&in_regime, v).map(found);
+        }
+        let mut stuck = regime;
+        for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
+            stuck.slip[row] = zero;
+            (stuck.active[row], stuck.active[other]) = (true, true);
+        }
+        let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
+        let smooth = self.without_friction(parts, options, restitution)?;
+        let rates = &self.laws.rows.rates;
+        let after =
+            |row: usize, changes: &[S::Scalar; N]| rates[row] + product(&self.gradients[row], changes);
+        let mut slips: [S::Scalar; C] = core::array::from_fn(|row| after(row, &smooth));
+        let mut turning = Turning::new();
+        for _ in 0..TURNS {
+            let mut apart = [zero; C];
+            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
+                for row in [row, other] {
+                    apart[row] = slips[row] - rates[row];
+                }
             }
-            let next: [S::Scalar; N] = core::array::from_fn(|i| self.state.v[i] + changes[i]);
-            let size = next.iter().chain(&velocities).fold(num_traits::Zero::zero(), |size, &v| most(size, v.abs()));
-            let is_same = (0..N).all(|i| !above((next[i] - velocities[i]).abs(), part * size));
-            velocities = next;
-            if !turns || is_same {
-                let impulses = self.with_friction(&regime, impulses, &velocities);
-                return Some(Impulses { changes, impulses });
+            let (change, _) = held.saddle.solve(&none, &apart);
+            let strike = solve(&in_regime, &core::array::from_fn(|i| v[i] + change[i]))?;
+            let (mut lacks, mut is_done) = ([zero; C], true);
+            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
+                for row in [row, other] {
+                    lacks[row] = after(row, &strike.0) - slips[row];
+                }
+                let size = most(self.speeds[row], self.speeds[other]) + slips[row].hypot(slips[other]);
+                is_done = is_done && !above(lacks[row].hypot(lacks[other]), part * size);
             }
+            if is_done {
+                return Some(found(strike));
+            }
+            slips = turning.next(&slips, &lacks);
         }
         None
     }
 
-    /// The velocities after the same impact on smooth contacts, whose slip gives a first direction.
+    /// The changes of velocities by the same impact on smooth contacts, whose slip gives a first direction.
     fn without_friction(
         &self,
         parts: &[Part; C],
@@ -174,8 +224,7 @@ where
         });
         let State { t, q, v } = &self.state;
         let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
-        let (changes, _) = equations.saddle.solve(&[num_traits::Zero::zero(); N], &wanted);
-        Some(core::array::from_fn(|i| v[i] + changes[i]))
+        Some(equations.saddle.solve(&[num_traits::Zero::zero(); N], &wanted).0)
     }
 
     /// The impulses of frictions that slip, which follow from those of their contacts.
@@ -236,12 +285,20 @@ where
             let scale = super::scene::extent(gradient, &sizes);
             let slack = if squares.is_positive() { part * scale / squares } else { zero };
             let impulse = strike.impulses[row];
+            // Rows that depend on each other may ask for what contradicts.
+            let wanted = self.wanted(row, restitution);
+            let asked = strike.active[row] && *kind != Row::Bilateral;
+            let inexact = S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + self.speeds[row]);
+            if asked && above((change - wanted).abs(), inexact) {
+                return Err(row);
+            }
             let holds = match (kind, parts[row]) {
                 (Row::Bilateral, Part::Against) => !above(impulse, slack),
                 (Row::Bilateral, _) if super::choice::is_limit(&S::ROWS, row) => !above(-slack, impulse),
                 (Row::Unilateral, Part::On) => !above(-slack, impulse),
-                (Row::Unilateral, _) if self.status[row] != Status::Apart => {
-                    let back = if self.status[row] == Status::Meets { restitution[row] * before } else { zero };
+                (Row::Unilateral, _) if self.is_closed[row] => {
+                    let back =
+                        if self.status[row] == Status::Meets { restitution[row] * before } else { zero };
                     !above(-play, after + back)
                 }
                 (Row::Friction { normal: Some(normal), pair }, way) => {

@@ -8,6 +8,8 @@
 //! Brogliato, *Nonsmooth Mechanics*, 3rd ed.; Glocker, *Set-Valued Force Laws*; Acary and Brogliato,
 //! *Numerical Methods for Nonsmooth Dynamical Systems*.
 
+mod alone;
+mod begin;
 mod choice;
 mod contacts;
 mod guards;
@@ -15,15 +17,17 @@ mod hybrid;
 mod impact;
 mod memory;
 mod rest;
+mod run;
 mod scene;
 mod trials;
+mod turning;
 
 use crate::constraints::{Equations, Residuals};
 use crate::linear::Switched;
 use crate::real::Real;
 use crate::system::System;
 #[doc(hidden)]
-pub use choice::{accelerations, multipliers};
+pub use alone::{accelerations, multipliers};
 pub use contacts::{Contact, NamedRows, Switch};
 pub use hybrid::Hybrid;
 pub use memory::HybridMemory;
@@ -75,6 +79,18 @@ pub struct Laws<R, const C: usize, const W: usize> {
     pub kink_sizes: [R; W],
 }
 
+/// How far the functions that decide about regimes can change while the state moves by no more than given spreads:
+/// infinite where that is not known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach<R, const C: usize, const W: usize> {
+    /// Gaps.
+    pub positions: [R; C],
+    /// Rates of gaps, and slip velocities.
+    pub rates: [R; C],
+    /// Switching functions of kinks.
+    pub kinks: [R; W],
+}
+
 /// A system whose equations switch, with `C` rows of constraints and `W` kinks.
 pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usize>: System<N, K> {
     /// The equations in one mode.
@@ -93,6 +109,28 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         q: &[Self::Scalar; N],
         v: &[Self::Scalar; N],
     ) -> Laws<Self::Scalar, C, W>;
+
+    /// How far these functions can change while time, coordinates and velocities change by no more than `t`, `q`
+    /// and `v`.
+    fn reach_at(
+        &self,
+        _t: Self::Scalar,
+        _q: &[Self::Scalar; N],
+        _v: &[Self::Scalar; N],
+    ) -> Reach<Self::Scalar, C, W> {
+        let far = Self::Scalar::from_f64(f64::INFINITY);
+        Reach { positions: [far; C], rates: [far; C], kinks: [far; W] }
+    }
+
+    /// What the energy gains where each switching function passes zero upwards, and Σ |summands| of the energy.
+    fn jumps_at(
+        &self,
+        _t: Self::Scalar,
+        _q: &[Self::Scalar; N],
+        _v: &[Self::Scalar; N],
+    ) -> [[Self::Scalar; W]; 2] {
+        [[num_traits::Zero::zero(); W]; 2]
+    }
 
     /// The equations of a mode at a state, factored; `None` of a system without rows.
     fn equations_in(

@@ -5,7 +5,7 @@
 //! is low. Where a contact opens more slowly than the tolerance allows to tell, although forces close it again,
 //! all impacts that would follow are taken together with this one and it stays closed. Rest is rest then.
 
-use super::scene::{Known, Scales, Scene, Status, above, most};
+use super::scene::{Scales, Scene, Status, above, most};
 use super::{Regime, Row, Switching};
 use crate::error::Cause;
 use crate::linear::SaddlePoint;
@@ -20,12 +20,11 @@ where
     S: Switching<N, K, C, W>,
 {
     /// The velocities with all contacts closed that open after an impact for no time that counts; `None` where
-    /// there are none. The scene is that after the impact.
+    /// there are none. The scene is one without an impact.
     pub(super) fn gathered(
         &self,
         present: &Regime<S::Scalar, C, W>,
         scales: &Scales<S::Scalar, C>,
-        known: &Known<C>,
         tolerance: S::Scalar,
     ) -> Result<Option<[S::Scalar; N]>, Cause> {
         let zero: S::Scalar = num_traits::Zero::zero();
@@ -33,9 +32,8 @@ where
         let resolved = S::Scalar::from_f64(RESOLVED) * ulp;
         let tolerance = most(tolerance, S::Scalar::from_f64(16.0) * ulp);
         let rates = &self.laws.rows.rates;
-        let opens: [bool; C] = core::array::from_fn(|row| {
-            S::ROWS[row] == Row::Unilateral && known.closed[row] && self.status[row] == Status::Apart
-        });
+        let opens: [bool; C] =
+            core::array::from_fn(|row| self.is_closed[row] && self.status[row] == Status::Apart);
         if !opens.contains(&true) {
             return Ok(None);
         }
@@ -57,7 +55,14 @@ where
         let mut closed = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
         let mut wanted = [zero; C];
         for (row, kind) in S::ROWS.iter().enumerate() {
-            if slow[row] || *kind == Row::Unilateral && self.status[row] == Status::Touches {
+            let holds = match kind {
+                Row::Bilateral => false,
+                Row::Unilateral => slow[row] || self.status[row] == Status::Touches,
+                // What sticks at one of them goes on to stick.
+                Row::Friction { normal: Some(_), .. } => self.status[row] == Status::Rests,
+                Row::Friction { normal: None, .. } => false,
+            };
+            if holds {
                 closed.active[row] = true;
                 wanted[row] = -rates[row];
             }

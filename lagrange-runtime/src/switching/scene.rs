@@ -1,6 +1,7 @@
 //! What stands still and what moves at the rows of a system, at one state.
 
 use super::{Laws, Regime, Row, Switching};
+use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 
@@ -110,12 +111,16 @@ where
     pub(super) kinks: [S::Scalar; W],
     pub(super) laws: Laws<S::Scalar, C, W>,
     pub(super) status: [Status; C],
+    /// Gaps that are zero.
+    pub(super) is_closed: [bool; C],
     /// Sizes of rates and slip velocities.
     pub(super) speeds: [S::Scalar; C],
     /// The gradients of all rows, active or not.
     pub(super) gradients: [[S::Scalar; N]; C],
     /// γ of all rows.
     pub(super) gamma: [S::Scalar; C],
+    /// Units in which no coordinate is larger than another.
+    units: [S::Scalar; N],
 }
 
 impl<'a, S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'a, S, N, K, C, W>
@@ -133,9 +138,10 @@ where
         let State { t, q, v } = *state;
         let laws = system.laws_at(t, &q, &v);
         let (mut gradients, mut gamma) = ([[num_traits::Zero::zero(); N]; C], [num_traits::Zero::zero(); C]);
+        let mut units = [num_traits::Zero::zero(); N];
         let all = Regime { active: [true; C], kinks, ..Regime::open(&S::ROWS) };
         if let Some(equations) = S::equations_in(&system.in_regime(&all), t, &q, &v, inputs) {
-            (gradients, gamma) = (equations.gradients, equations.gamma);
+            (gradients, gamma, units) = (equations.gradients, equations.gamma, equations.saddle.units());
         }
         let speeds = core::array::from_fn(|row| most(scales.speeds[row], laws.rows.rate_sizes[row]));
         let mut scene = Self {
@@ -145,12 +151,15 @@ where
             kinks,
             laws,
             status: [Status::Apart; C],
+            is_closed: [false; C],
             speeds,
             gradients,
             gamma,
+            units,
         };
         for row in 0..C {
-            scene.status[row] = scene.status_of(row, scales, known);
+            scene.is_closed[row] = scene.closes(row, scales, known);
+            scene.status[row] = scene.status_of(row, known);
         }
         // A friction is that of a contact that touches.
         let contacts = scene.status;
@@ -164,7 +173,17 @@ where
         scene
     }
 
-    fn status_of(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>) -> Status {
+    /// Whether a row is a gap of zero, up to the roundings of its own, and to those of time.
+    fn closes(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>) -> bool {
+        let rows = &self.laws.rows;
+        let gap = most(scales.gaps[row], rows.position_sizes[row]);
+        let time = S::Scalar::from_f64(8.0) * S::Scalar::epsilon() * self.state.t.abs();
+        let is_zero =
+            !above(rows.positions[row], rounding::<S::Scalar>() * gap + time * rows.rates[row].abs());
+        S::ROWS[row] == Row::Unilateral && (known.fired == Some(row) || known.closed[row] || is_zero)
+    }
+
+    fn status_of(&self, row: usize, known: &Known<C>) -> Status {
         let part: S::Scalar = rounding();
         let rows = &self.laws.rows;
         let fired = known.fired == Some(row);
@@ -172,11 +191,10 @@ where
             Row::Bilateral => Status::Holds,
             Row::Unilateral => {
                 let rate = rows.rates[row];
-                let gap = most(scales.gaps[row], rows.position_sizes[row]);
-                let time = S::Scalar::from_f64(8.0) * S::Scalar::epsilon() * self.state.t.abs() * rate.abs();
-                if !(fired || known.closed[row] || !above(rows.positions[row], part * gap + time)) {
+                if !self.is_closed[row] {
                     Status::Apart
-                } else if !above(rate.abs(), part * self.speeds[row]) || known.settled && !rate.is_positive() {
+                } else if !above(rate.abs(), part * self.speeds[row]) || known.settled && !rate.is_positive()
+                {
                     Status::Touches
                 } else if rate.is_positive() {
                     Status::Apart
@@ -193,6 +211,21 @@ where
                 } else {
                     Status::Slips
                 }
+            }
+        }
+    }
+
+    /// Takes away what is left of velocities that contacts have stopped: it has no digits, and a series none by
+    /// which to find its scale.
+    pub(super) fn still(&self, v: &mut [S::Scalar; N]) {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {
+            if unit.is_positive() { most(fastest, v.abs() / unit) } else { fastest }
+        });
+        let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
+        for (v, &unit) in v.iter_mut().zip(&self.units) {
+            if !above(v.abs(), ulps * fastest * unit) {
+                *v = zero;
             }
         }
     }

@@ -94,6 +94,14 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         self.at_theta(((t - self.start.t) - self.residue.t) / self.unit).at_time(t)
     }
 
+    /// Σ |terms| of coordinates and velocities at the length of the step.
+    pub(super) fn spread(&self) -> [[R; N]; 2] {
+        let length = (self.end.t - self.start.t) + (self.end_residue.t - self.residue.t);
+        let theta = (length / self.unit).abs();
+        let (q, v) = self.series.spread(theta, self.orders);
+        [q, v]
+    }
+
     /// The state at a part of the step, from 0 to 1.
     pub(super) fn at_part(&self, part: R) -> State<R, N> {
         if part == R::one() {

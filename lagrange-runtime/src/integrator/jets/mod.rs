@@ -169,6 +169,14 @@ where
     }
 
     #[inline]
+    fn spread(memory: &Self::Memory) -> Option<[[S::Scalar; N]; 2]>
+    where
+        S::Scalar: Ordered,
+    {
+        Some(memory.spread())
+    }
+
+    #[inline]
     fn within(
         memory: &mut Self::Memory,
         system: &S,

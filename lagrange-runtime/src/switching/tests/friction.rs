@@ -56,7 +56,7 @@ fn an_oscillator_comes_to_rest() {
     assert_eq!(state.v[0], 0.0);
     let steps = motion.steps().accepted;
     assert_eq!(motion.advance_to(1e3).unwrap().q, state.q);
-    std::println!("{:?} {steps}", motion.steps());
+    assert!(motion.steps().accepted < steps + 30);
     let (forces, unique) = crate::switching::multipliers(&slider, 1e3, &state.q, &state.v, &[]);
     assert!((forces[0] + 4.24).abs() < 1e-11 && unique, "{forces:?}");
 }
@@ -113,7 +113,6 @@ fn a_particle_pushed_across_a_slope_stops() {
     let state = *motion.advance_to(0.8990851212853051814920221 + 1e-11).unwrap();
     assert_eq!(state.v, [0.0; 3]);
     let state = *motion.advance_to(100.0).unwrap();
-    std::println!("{state:?} {:?}", motion.steps());
     assert!((state.q[0] - 0.5377615388130569240494714).abs() < 1e-11, "{state:?}");
     assert!((state.q[1] - 0.3090217994424550467507644).abs() < 1e-11, "{state:?}");
 }

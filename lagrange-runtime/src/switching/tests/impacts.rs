@@ -1,6 +1,7 @@
 //! Contacts and impacts.
 
 use super::*;
+use crate::switching::scene::{Known, Scales, Scene};
 
 const G: f64 = 9.81;
 
@@ -44,7 +45,6 @@ fn a_ball_bounces_until_it_rests() {
     let steps = motion.steps().accepted;
     let state = *motion.advance_to(10.0).unwrap();
     assert_eq!((state.q[0], state.v[0]), (0.0, 0.0));
-    std::println!("{:?} {steps}", motion.steps());
     assert!(motion.steps().accepted < steps + 30);
 }
 
@@ -52,8 +52,14 @@ fn a_ball_bounces_until_it_rests() {
 fn impact_times_are_exact() {
     let ball = Model(Ball { e: 0.8 });
     for (time, sign) in [
-        0.4515236409857309, 1.1739614665629004, 1.751911727024636, 2.214271935394024, 2.584160102089535,
-        2.880070635445944, 3.1167990621310706, 3.3061818034791721,
+        0.4515236409857309,
+        1.1739614665629004,
+        1.751911727024636,
+        2.214271935394024,
+        2.584160102089535,
+        2.880070635445944,
+        3.1167990621310706,
+        3.3061818034791721,
     ]
     .into_iter()
     .zip(1..)
@@ -61,7 +67,10 @@ fn impact_times_are_exact() {
         let mut motion = ball.start([1.0], [0.0]);
         let before = motion.advance_to(time - 1e-12).unwrap().v[0];
         let after = motion.advance_to(time + 1e-12).unwrap().v[0];
-        assert!(before < 0.0 && after > 0.0 && (after + 0.8 * before).abs() < 1e-9, "{sign}: {before} {after}");
+        assert!(
+            before < 0.0 && after > 0.0 && (after + 0.8 * before).abs() < 1e-9,
+            "{sign}: {before} {after}"
+        );
     }
 }
 
@@ -174,22 +183,72 @@ fn a_disc_bounces_obliquely() {
     }
 }
 
-#[test]
-fn dbg_times() {
-    let ball = Model(Ball { e: 0.8 });
-    let mut memory = <Hybrid<Dop853, 1, 0> as crate::Adaptive<Model<Ball, 1, 1, 0>, Held<f64, 0>, 1, 0>>::begin(&ball, State::new([1.0], [0.0]));
-    let mut limits = crate::integrator::Limits::new();
-    limits.relative = 1e-13;
-    type H = Hybrid<Dop853, 1, 0>;
-    let mut n = 0;
-    let t0 = (2.0 / G).sqrt();
-    loop {
-        let r = <H as crate::Adaptive<Model<Ball, 1, 1, 0>, Held<f64, 0>, 1, 0>>::step(&mut memory, &ball, &(), &Held([]), &limits, 10.0, &mut 1000);
-        let end = *<H as crate::Adaptive<Model<Ball, 1, 1, 0>, Held<f64, 0>, 1, 0>>::end(&memory);
-        let start = *<H as crate::Adaptive<Model<Ball, 1, 1, 0>, Held<f64, 0>, 1, 0>>::start(&memory);
-        if memory.next.is_some() { n += 1;
-        let want = t0 + 2.0 * t0 * (0.8 - 0.8f64.powi(n)) / 0.2;
-        std::println!("{n} {r:?} start {} {:e} {:e} end {} {:e} {:e} want {want} diff {:e}", start.t, start.q[0], start.v[0], end.t, end.q[0], end.v[0], end.t - want); }
-        if end.t >= 10.0 || r.is_err() { break; }
+/// Two rough contacts of three coordinates, with any directions and coefficients.
+#[derive(Clone, Copy, Debug)]
+struct Any {
+    mass: [f64; 3],
+    gradients: [[f64; 3]; 4],
+    coefficients: [f64; 4],
+}
+
+impl Toy<3, 4, 0> for Any {
+    const ROWS: [Row; 4] = [
+        Row::Unilateral,
+        Row::Unilateral,
+        Row::Friction { normal: Some(0), pair: None },
+        Row::Friction { normal: Some(1), pair: None },
+    ];
+
+    fn mass(&self) -> [f64; 3] {
+        self.mass
     }
+
+    fn forces(&self, _: f64, _: &[f64; 3], _: &[f64; 3], _: &[f64; 0]) -> [f64; 3] {
+        [0.0; 3]
+    }
+
+    fn gradients(&self) -> [[f64; 3]; 4] {
+        self.gradients
+    }
+
+    fn restitution(&self) -> [f64; 4] {
+        self.coefficients
+    }
+
+    fn kinetic(&self) -> [f64; 4] {
+        self.coefficients
+    }
+}
+
+#[test]
+fn no_impact_makes_energy_or_penetrates() {
+    let mut seed = 1_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut unsolved, mut energies) = (0, 0);
+    for _ in 0..2000 {
+        let any = Model(Any {
+            mass: core::array::from_fn(|_| 0.1 + random()),
+            gradients: core::array::from_fn(|_| core::array::from_fn(|_| 2.0 * random() - 1.0)),
+            coefficients: core::array::from_fn(|_| random()),
+        });
+        let state = State::new([0.0; 3], core::array::from_fn(|_| 2.0 * random() - 1.0));
+        let known = Known { closed: [true; 4], fired: None, settled: false };
+        let scene = Scene::new(&any, &state, &[], [], &Scales::new(), &known);
+        if !scene.has_impact() {
+            continue;
+        }
+        let Ok(v) = scene.impact() else {
+            unsolved += 1;
+            continue;
+        };
+        let energy = |v: &[f64; 3]| any.energy_at(&(), 0.0, &[0.0; 3], v);
+        assert!(energy(&v) <= energy(&state.v) * (1.0 + 1e-12), "{any:?} {state:?} {v:?}");
+        let rates = any.residuals(&[0.0; 3], &v).rates;
+        assert!(rates[0] > -1e-12 && rates[1] > -1e-12, "{any:?} {state:?} {v:?} {rates:?}");
+        energies += 1;
+    }
+    assert!(energies > 1000 && unsolved == 0, "{energies} {unsolved}");
 }

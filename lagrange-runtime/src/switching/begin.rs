@@ -1,0 +1,110 @@
+//! Where a motion begins, or goes on from a state that is not its own.
+
+use super::choice::sides;
+use super::run::Run;
+use super::scene::{Known, Scene, above, extent, most};
+use super::{Laws, Regime, Row, Switching};
+use crate::constraints::magnitude;
+use crate::error::Cause;
+use crate::integrator::Adaptive;
+use crate::real::{Ordered, Real};
+use crate::simulation::Held;
+use crate::state::State;
+use crate::system::System;
+
+impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    /// Finds the regime where the motion begins, or goes on from a state that is not its own.
+    pub(super) fn open(&mut self) -> Result<(), Cause> {
+        let mut state = self.memory.end;
+        if !state.is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        let laws = self.system.laws_at(state.t, &state.q, &state.v);
+        self.check(&laws)?;
+        let mut present = self.memory.regime;
+        present.kinks = sides(&laws.kinks, &present.kinks, &laws.kink_sizes);
+        // What always holds has to hold at the start as well.
+        let alone = Regime { kinks: present.kinks, ..Regime::open(&S::ROWS) };
+        let in_regime = self.system.in_regime(&alone);
+        if S::InRegime::CONSTRAINED && S::ROWS.contains(&Row::Bilateral) {
+            in_regime.begin_at(&in_regime.constants(), &mut state)?;
+        } else {
+            let State { t, q, v } = &state;
+            in_regime.check_at(&in_regime.constants(), *t, q, v).map_err(|cause| cause.named(&S::NAMES))?;
+        }
+        let closed = self.penetrating(&state, &laws)?;
+        let known = Known { closed, fired: None, settled: false };
+        let regime = self.settle(&mut state, &present, known, false, num_traits::Zero::zero())?;
+        self.enter(regime, state);
+        let counts = &mut self.memory.counts;
+        counts.evaluations += 1;
+        self.memory.is_fresh = false;
+        Ok(())
+    }
+
+    /// Refuses coefficients that are none.
+    fn check(&self, laws: &Laws<S::Scalar, C, W>) -> Result<(), Cause> {
+        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let (e, kinetic, fixed) = (laws.restitution[row], laws.kinetic[row], laws.fixed[row]);
+            let is_good = match kind {
+                Row::Bilateral => true,
+                Row::Unilateral => e >= zero && e <= one,
+                Row::Friction { .. } => {
+                    kinetic >= zero && fixed >= kinetic && kinetic.is_finite() && fixed.is_finite()
+                }
+            };
+            if !is_good {
+                return Err(Cause::InvalidContact { constraint: row, name: S::NAMES.constraint(row) });
+            }
+        }
+        let rows = laws.rows.positions.iter().chain(&laws.rows.rates).chain(&laws.kinks);
+        if rows.copied().all(Real::is_finite) { Ok(()) } else { Err(Cause::NotFinite) }
+    }
+
+    /// Refuses a start that penetrates by more than the last digits of nine-digit numbers; gaps within that are
+    /// closed.
+    fn penetrating(
+        &self,
+        state: &State<S::Scalar, N>,
+        laws: &Laws<S::Scalar, C, W>,
+    ) -> Result<[bool; C], Cause> {
+        let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
+        let known = Known { closed: [false; C], fired: None, settled: true };
+        let scene = Scene::new(
+            self.system,
+            state,
+            &self.control.0,
+            self.memory.regime.kinks,
+            &self.memory.scales,
+            &known,
+        );
+        let mut closed = [false; C];
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let gap = laws.rows.positions[row];
+            if *kind != Row::Unilateral || !above(num_traits::Zero::zero(), gap) {
+                continue;
+            }
+            let by_state = extent(&scene.gradients[row], &state.q);
+            let size = most(most(laws.rows.position_sizes[row], self.memory.scales.gaps[row]), by_state);
+            // A gap of one coordinate is as large as its own size: then the others tell what is small.
+            let most_of = state.q.iter().fold(num_traits::Zero::zero(), |size, &q| most(size, q.abs()));
+            let own = laws.rows.position_sizes[row] == -gap;
+            let size = if own { most(self.memory.scales.gaps[row], most_of + gap) } else { size };
+            if above(-gap, share * size) {
+                return Err(Cause::Penetrates {
+                    constraint: row,
+                    name: S::NAMES.constraint(row),
+                    by: magnitude(-gap),
+                });
+            }
+            closed[row] = true;
+        }
+        Ok(closed)
+    }
+}

@@ -1,0 +1,346 @@
+//! A motion on its way from regime to regime.
+
+use super::guards::{Guard, Guards};
+use super::hybrid::{Memory, sum};
+use super::scene::{Known, Scene, above, most};
+use super::{Regime, Row, Switching};
+use crate::error::{Cause, MotionError};
+use crate::integrator::Adaptive;
+use crate::integrator::step_size::Limits;
+use crate::real::{Ordered, Real};
+use crate::simulation::Held;
+use crate::state::State;
+use crate::system::System;
+
+/// Changes of regimes without any time between them, for each row and kink, until they count as endless.
+const CHANGES: usize = 4;
+
+/// The part of a piece at which its guard is compared with the end, for its slope.
+const EARLIER: f64 = 1.0 - 1e-3;
+
+/// Where a guard has fired.
+struct Event<R, const N: usize> {
+    state: State<R, N>,
+    guard: Guard,
+    /// How long after the zero of the guard the time of the state is, which is rounded.
+    late: R,
+}
+
+/// A motion on its way.
+pub(super) struct Run<'a, S, M, const N: usize, const K: usize, const C: usize, const W: usize>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    pub(super) system: &'a S,
+    pub(super) memory: &'a mut Memory<S, M, N, K, C, W>,
+    pub(super) control: &'a Held<S::Scalar, K>,
+    pub(super) limits: &'a Limits<S::Scalar>,
+}
+
+impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    /// Begins a regime at a state.
+    pub(super) fn enter(&mut self, regime: Regime<S::Scalar, C, W>, state: State<S::Scalar, N>) {
+        let memory = &mut *self.memory;
+        memory.counts = sum(memory.counts, M::counts(&memory.inner));
+        memory.regime = regime;
+        memory.in_regime = self.system.in_regime(&regime);
+        memory.constants = memory.in_regime.constants();
+        memory.inner = M::begin(&memory.in_regime, state);
+        (memory.start, memory.end, memory.next) = (state, state, None);
+    }
+
+    /// What follows a state: its impact, the regime that goes on, and the state projected onto that, so much later
+    /// as the time of the state is rounded.
+    pub(super) fn settle(
+        &mut self,
+        state: &mut State<S::Scalar, N>,
+        present: &Regime<S::Scalar, C, W>,
+        mut known: Known<C>,
+        avoid: bool,
+        late: S::Scalar,
+    ) -> Result<Regime<S::Scalar, C, W>, Cause> {
+        if C > 0 {
+            let inputs = &self.control.0;
+            let scales = &mut self.memory.scales;
+            scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
+            let first = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
+            let mut later;
+            let mut scene = &first;
+            if scene.has_impact() {
+                scales.strike(&scene.status, &scene.laws);
+                state.v = scene.impact()?;
+                known = Known { closed: scene.is_closed, fired: None, settled: true };
+                later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
+                scene = &later;
+            }
+            if let Some(v) = scene.gathered(present, scales, self.limits.relative)? {
+                state.v = v;
+                (known.closed, known.settled) = (scene.is_closed, true);
+                later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
+                scene = &later;
+            }
+            let choice = scene.choose(present, known.fired.filter(|_| avoid))?;
+            for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
+                *seen = most(*seen, now.abs());
+            }
+            state.v = choice.velocities;
+            shift(state, &choice.accelerations, late);
+            let in_regime = self.system.in_regime(&choice.regime);
+            in_regime.project_at(&in_regime.constants(), state, None)?;
+            first.still(&mut state.v);
+            return Ok(choice.regime);
+        }
+        let in_regime = self.system.in_regime(present);
+        let State { t, q, v } = *state;
+        let a = in_regime.accelerations_at(&in_regime.constants(), t, &q, &v, &self.control.0);
+        shift(state, &a, late);
+        Ok(*present)
+    }
+
+    /// One piece, towards time `t`.
+    pub(super) fn step(&mut self, t: S::Scalar, attempts: &mut u64) -> Result<(), MotionError<S::Scalar>> {
+        let at = |state: &State<S::Scalar, N>, cause| MotionError { cause, t: state.t };
+        if let Some(cause) = self.memory.stuck {
+            return Err(at(&self.memory.end, cause));
+        }
+        loop {
+            if self.memory.is_fresh {
+                let opened = self.open();
+                opened.map_err(|cause| at(&self.memory.end, cause))?;
+            }
+            if let Some((regime, state)) = self.memory.next {
+                self.enter(regime, state);
+            }
+            let here = self.memory.end;
+            if S::InRegime::CONSTRAINED && is_at_rest(&self.memory.start, &here) {
+                // Nothing bounds the length of a step by that of one before it.
+                M::restart(&mut self.memory.inner, here);
+            }
+            if here.t == t {
+                return Ok(());
+            }
+            if t < here.t && S::ROWS.iter().any(|row| *row != Row::Bilateral) {
+                return Err(at(&here, Cause::Irreversible));
+            }
+            let memory = &mut *self.memory;
+            let (in_regime, constants) = (&memory.in_regime, &memory.constants);
+            M::step(&mut memory.inner, in_regime, constants, self.control, self.limits, t, attempts)?;
+            let (start, end) = (*M::start(&memory.inner), *M::end(&memory.inner));
+            (memory.start, memory.end) = (start, end);
+            let found = self.event();
+            let found = found.map_err(|cause| {
+                self.memory.end = start;
+                at(&start, cause)
+            })?;
+            let Some(Event { state, guard, late }) = found else {
+                let laws = self.system.laws_at(end.t, &end.q, &end.v);
+                self.memory.scales.see(&laws);
+                self.passed(start.t, end.t);
+                self.come_to_rest().map_err(|cause| at(&end, cause))?;
+                return Ok(());
+            };
+            self.memory.end = state;
+            let has_passed = self.passed(start.t, state.t);
+            if let Err(cause) = self.switch(guard, late) {
+                self.memory.stuck = Some(cause);
+                return Err(at(&state, cause));
+            }
+            if has_passed {
+                return Ok(());
+            }
+            if *attempts == 0 {
+                return Err(at(&state, Cause::TooManySteps));
+            }
+            *attempts -= 1;
+        }
+    }
+
+    /// Whether time has passed that is more than rounding; forgets the changes before it if so.
+    fn passed(&mut self, from: S::Scalar, to: S::Scalar) -> bool {
+        let resolution = S::Scalar::from_f64(16.0) * S::Scalar::epsilon() * from.abs();
+        let has_passed = (to - from).abs() > resolution;
+        if has_passed {
+            (self.memory.flips, self.memory.changes) = ([0; W], 0);
+        }
+        has_passed
+    }
+
+    /// The first event of the piece.
+    fn event(&mut self) -> Result<Option<Event<S::Scalar, N>>, Cause> {
+        let memory = &mut *self.memory;
+        let (start, end) = (memory.start, memory.end);
+        let (in_regime, constants) = (&memory.in_regime, &memory.constants);
+        let guards = Guards::new(self.system, in_regime, &memory.regime, &self.control.0, &start);
+        if guards.is_empty() {
+            return Ok(None);
+        }
+        let inner = &mut memory.inner;
+        let (control, limits) = (self.control, self.limits);
+        let mut at = |part: S::Scalar| {
+            if part == num_traits::Zero::zero() {
+                return Some(start);
+            }
+            M::within(inner, in_regime, constants, control, limits, part).ok()
+        };
+        let Some((part, guard)) = guards.first(&memory.scales, [start.t, end.t], &mut at)? else {
+            return Ok(None);
+        };
+        // A state belongs to a time that has been rounded; how much that is, the guard tells.
+        let mut at_time = |part: S::Scalar| {
+            let t = start.t + part * (end.t - start.t);
+            let is_beyond =
+                part == num_traits::One::one() || (t - end.t) * (end.t - start.t) > num_traits::Zero::zero();
+            let t = if is_beyond { end.t } else { t };
+            if t == start.t {
+                return Ok(start);
+            }
+            M::sample(inner, in_regime, constants, control, limits, t, &mut 0).map_err(|error| error.cause)
+        };
+        let state = at_time(part)?;
+        let earlier = at_time(part * S::Scalar::from_f64(EARLIER))?;
+        let late = guards.late(guard, [&earlier, &state]);
+        Ok(Some(Event { state, guard, late }))
+    }
+
+    /// Changes the regime where a guard has fired.
+    fn switch(&mut self, guard: Guard, late: S::Scalar) -> Result<(), Cause> {
+        let memory = &mut *self.memory;
+        let (mut state, mut present) = (memory.end, memory.regime);
+        memory.changes += 1;
+        let (mut fired, mut avoid) = (None, false);
+        match guard {
+            Guard::Kink(kink) => {
+                present.kinks[kink] = -present.kinks[kink];
+                memory.flips[kink] += 1;
+                if memory.flips[kink] > CHANGES {
+                    return Err(Cause::HeldAtKink { kink });
+                }
+            }
+            Guard::Row(row) => {
+                if memory.changes > CHANGES * (C + W) {
+                    return Err(Cause::EndlessSwitching { constraint: row, name: S::NAMES.constraint(row) });
+                }
+                fired = Some(row);
+                avoid = S::ROWS[row] != Row::Unilateral || present.active[row];
+            }
+        }
+        // A slip in two directions has turned by a right angle: the step goes on from there.
+        if let Some(row) = fired
+            && let Row::Friction { pair: Some(other), .. } = S::ROWS[row]
+            && !present.active[row]
+            && !self.rests(row, other, &state)
+        {
+            (fired, avoid) = (None, false);
+        }
+        // Back to the event itself.
+        let State { t, q, v } = state;
+        let a = self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
+        shift(&mut state, &a, -late);
+        let known = Known { closed: present.active, fired, settled: false };
+        let regime = self.settle(&mut state, &present, known, avoid, late)?;
+        self.memory.next = Some((regime, state));
+        Ok(())
+    }
+
+    /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
+    fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
+        let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
+        let least = S::Scalar::from_f64(256.0) * S::Scalar::epsilon();
+        let scales = &self.memory.scales;
+        let size = most(scales.speeds[row], scales.speeds[other]);
+        let slip = rows.rates[row].hypot(rows.rates[other]);
+        !above(slip, most(self.limits.relative, least) * size)
+    }
+
+    /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there, and
+    /// steps, which end before, become shorter and shorter. From within the tolerance the rest is a straight line.
+    fn come_to_rest(&mut self) -> Result<(), Cause> {
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let Row::Friction { pair: Some(other), .. } = *kind else { continue };
+            let slips = self.memory.regime.slip[row] != num_traits::Zero::zero();
+            if !slips || other < row || !self.rests(row, other, &self.memory.end) {
+                continue;
+            }
+            let (memory, inputs) = (&*self.memory, &self.control.0);
+            let State { t, q, v } = memory.end;
+            let known = Known { closed: memory.regime.active, fired: None, settled: true };
+            let scene =
+                Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
+            let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
+            let a = equations.balance().accelerations;
+            let (x, y) = (scene.laws.rows.rates[row], scene.laws.rows.rates[other]);
+            let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
+            if !falls.is_positive() {
+                continue;
+            }
+            let left = (x * x + y * y) / falls;
+            let half = S::Scalar::from_f64(0.5);
+            let mut state = State {
+                t: t + left,
+                q: core::array::from_fn(|i| q[i] + left * (v[i] + half * left * a[i])),
+                v: core::array::from_fn(|i| v[i] + left * a[i]),
+            };
+            let present = memory.regime;
+            let known = Known { closed: present.active, fired: Some(row), settled: false };
+            let regime = self.settle(&mut state, &present, known, true, num_traits::Zero::zero())?;
+            self.memory.next = Some((regime, state));
+            return Ok(());
+        }
+        Ok(())
+    }
+
+    /// The state at time `t`.
+    pub(super) fn state_at(
+        &mut self,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
+        loop {
+            if !self.memory.is_fresh {
+                let after = self.memory.after();
+                if t == after.t {
+                    return Ok(after);
+                }
+                if self.memory.covers(t) {
+                    let memory = &mut *self.memory;
+                    let (in_regime, constants) = (&memory.in_regime, &memory.constants);
+                    let inner = &mut memory.inner;
+                    return M::sample(inner, in_regime, constants, self.control, self.limits, t, &mut 0);
+                }
+                self.turn(t);
+            }
+            self.step(t, attempts)?;
+        }
+    }
+
+    /// Goes back to the start of the piece where `t` lies before it.
+    pub(super) fn turn(&mut self, t: S::Scalar) {
+        let memory = &mut *self.memory;
+        let (start, end) = (memory.start, memory.end);
+        let is_behind = if start.t <= end.t { t < start.t } else { t > start.t };
+        if is_behind && start.t != end.t {
+            M::restart(&mut memory.inner, start);
+            (memory.end, memory.next) = (start, None);
+        }
+    }
+}
+
+/// Whether nothing moves.
+fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
+    start.t != end.t && end.v.iter().all(|&v| v == R::zero()) && start.q == end.q
+}
+
+/// Moves a state by a time that is shorter than the resolution of its own.
+fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
+    for ((q, v), &a) in state.q.iter_mut().zip(&mut state.v).zip(accelerations) {
+        *q += dt * *v;
+        *v += dt * a;
+    }
+}

@@ -1,0 +1,53 @@
+//! Directions of slips in two directions.
+//!
+//! Friction points against the slip, and the slip follows from friction: x = F(x / |x|) with the slip x, or its
+//! rate where it begins. That is a monotone equation, but plain iteration overshoots where friction is strong
+//! and the slip is slow. Steps of the length that the last change suggests (J. Barzilai, J. M. Borwein,
+//! "Two-point step size gradient methods", IMA J. Numer. Anal. 8, 1988) are secants along one direction.
+
+use super::Row;
+use super::scene::{above, most};
+use crate::real::Real;
+
+/// Steps of a search.
+pub(super) const TURNS: usize = 300;
+
+/// A search for the slips of some rows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turning<R, const C: usize> {
+    last: Option<([R; C], [R; C])>,
+}
+
+impl<R: Real, const C: usize> Turning<R, C> {
+    pub(super) const fn new() -> Self {
+        Self { last: None }
+    }
+
+    /// The next slips after some that lack so much.
+    pub(super) fn next(&mut self, x: &[R; C], lack: &[R; C]) -> [R; C] {
+        let mut share = R::from_f64(0.25);
+        if let Some((before, lacked)) = self.last {
+            let (mut along, mut square) = (R::zero(), R::zero());
+            for row in 0..C {
+                let change = lack[row] - lacked[row];
+                along += (x[row] - before[row]) * change;
+                square += change * change;
+            }
+            if square.is_positive() && along != R::zero() {
+                share = along.abs() / square;
+            }
+            let (least, whole) = (R::from_f64(1e-4), R::one());
+            share = if above(share, whole) { whole } else { most(share, least) };
+        }
+        self.last = Some((*x, *lack));
+        core::array::from_fn(|row| x[row] + share * lack[row])
+    }
+}
+
+/// The rows of each slip in two directions.
+pub(super) fn pairs<const C: usize>(rows: &[Row; C]) -> impl Iterator<Item = [usize; 2]> + '_ {
+    rows.iter().enumerate().filter_map(|(row, kind)| match kind {
+        Row::Friction { pair: Some(other), .. } if row < *other => Some([row, *other]),
+        _ => None,
+    })
+}

@@ -1,0 +1,4 @@
+//! Zeros of functions along motions of generated systems, against closed forms.
+
+mod orbit;
+mod swings;
