@@ -67,7 +67,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     }
     let jets = jets::derive(&mut model, &equations);
     contacts_stand_alone(item, &model, diagnostics);
-    let switching = regimes::derive(&model, jets.is_some(), diagnostics);
+    let switching = regimes::derive(&model, equations.energy, jets.is_some(), diagnostics);
     if diagnostics.has_errors() {
         return None;
     }

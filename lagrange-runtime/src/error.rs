@@ -120,6 +120,12 @@ pub enum Cause {
         /// Index of the kink, in the order of the description.
         kink: usize,
     },
+    /// The energy has two values where a switching function is zero: an `if` on coordinates joins parts of a
+    /// potential or kinetic energy that do not meet there.
+    EnergyJumps {
+        /// Index of the kink, in the order of the description.
+        kink: usize,
+    },
     /// Impacts and friction cannot be followed backward in time.
     Irreversible,
     /// A step in fixed steps is too long for its constraints: bringing its end back onto them would change
@@ -271,6 +277,11 @@ impl fmt::Display for Cause {
                  the contacts contradict each other",
                 constraint = Part(*constraint, *name)
             ),
+            Self::EnergyJumps { kink } => write!(
+                out,
+                "the energy jumps at the zero of switching function {kink} (`if`, `signum`, … of the description, in its order): \
+                 let both sides of an energy have the same value there, or give the force by `#[force]`"
+            ),
             Self::HeldAtKink { kink } => write!(
                 out,
                 "the motion is pushed back from both sides to the zero of switching function {kink} (`abs`, `signum`, `max`, … of \
@@ -338,6 +349,7 @@ impl Cause {
             | Self::Undetermined { constraint, name } => *name = names.constraint(*constraint),
             Self::Misread { .. }
             | Self::HeldAtKink { .. }
+            | Self::EnergyJumps { .. }
             | Self::Irreversible
             | Self::StepTooLong
             | Self::NotFinite

@@ -17,7 +17,7 @@ const MOVING: Dependence = Dependence::COORDINATES
 pub(super) fn of(model: &Model, equations: &Equations) -> Vec<NodeId> {
     let conditions = &equations.conditions;
     let roots = equations.momenta.iter().chain(&equations.momentum_rates).chain(&equations.force);
-    let rows = conditions.rates.iter().chain(&conditions.positions);
+    let rows = conditions.rates.iter().chain(&conditions.positions).chain([&equations.energy]);
     let mut arguments: Vec<NodeId> = Vec::new();
     for id in model.graph.cone(roots.chain(rows).copied()) {
         if let Some(argument) = kinked(&model.graph, id)
@@ -27,6 +27,11 @@ pub(super) fn of(model: &Model, equations: &Equations) -> Vec<NodeId> {
         }
     }
     arguments
+}
+
+/// Whether there is one in a node.
+pub(super) fn are_in(model: &Model, node: NodeId) -> bool {
+    model.graph.cone([node]).into_iter().any(|id| kinked(&model.graph, id).is_some())
 }
 
 /// The argument of a function with a kink, where it moves.

@@ -51,8 +51,14 @@ impl Regimes {
 
 /// The regimes of a system; `None` of one that has a single one. `is_smooth` says whether the system has a
 /// series as it is.
-pub fn derive(model: &Model, is_smooth: bool, diagnostics: &mut Diagnostics) -> Option<Regimes> {
-    if model.contacts.is_empty() && is_smooth {
+pub fn derive(
+    model: &Model,
+    energy: NodeId,
+    is_smooth: bool,
+    diagnostics: &mut Diagnostics,
+) -> Option<Regimes> {
+    // A step of the energy leaves no trace in the equations.
+    if model.contacts.is_empty() && is_smooth && !kinks::are_in(model, energy) {
         return None;
     }
     let mut rows = model.clone();

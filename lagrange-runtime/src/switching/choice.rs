@@ -52,6 +52,11 @@ where
             let mut other = None;
             combine(&options, |parts| {
                 let Some(trial) = regime(&S::ROWS, parts, &options, self.kinks) else { return false };
+                // Of what several motions have in common, other frictions, one is taken.
+                if chosen.as_ref().is_some_and(|chosen| parts_at(&S::ROWS, &chosen.regime, &trial).is_none())
+                {
+                    return false;
+                }
                 let Some(trial) = self.trial(trial) else { return false };
                 match self.judge(parts, &trial, part) {
                     Ok(()) => match &chosen {
@@ -302,10 +307,7 @@ where
 
     /// The contact at which two regimes have other reactions, if the motion differs.
     fn differs(&self, a: &Choice<S::Scalar, N, C, W>, b: &Choice<S::Scalar, N, C, W>) -> Option<usize> {
-        let reacts = |regime: &Regime<S::Scalar, C, W>, row: usize| (regime.active[row], regime.side[row]);
-        let row = S::ROWS.iter().enumerate().position(|(row, kind)| {
-            !matches!(kind, Row::Friction { .. }) && reacts(&a.regime, row) != reacts(&b.regime, row)
-        })?;
+        let row = parts_at(&S::ROWS, &a.regime, &b.regime)?;
         let sizes = [a, b].map(|x| self.sizes(&x.regime, &x.accelerations, &x.multipliers).accelerations);
         let part = S::Scalar::epsilon().sqrt();
         let apart = (0..N).any(|i| {
@@ -314,6 +316,18 @@ where
         });
         apart.then_some(row)
     }
+}
+
+/// The first contact or constraint that reacts otherwise in one regime than in another.
+fn parts_at<R: Real, const C: usize, const W: usize>(
+    rows: &[Row; C],
+    a: &Regime<R, C, W>,
+    b: &Regime<R, C, W>,
+) -> Option<usize> {
+    let reacts = |regime: &Regime<R, C, W>, row: usize| (regime.active[row], regime.side[row]);
+    rows.iter()
+        .enumerate()
+        .position(|(row, kind)| !matches!(kind, Row::Friction { .. }) && reacts(a, row) != reacts(b, row))
 }
 
 /// The magnitudes of what forces and accelerations are made of.

@@ -23,9 +23,11 @@ pub(super) enum Guard {
 
 /// What each guard is, in a regime.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watch<R, const C: usize> {
+pub(super) struct Watch<R, const C: usize, const W: usize> {
     /// Rows that have a guard.
     rows: [bool; C],
+    /// Kinks that a step can reach.
+    kinks: [bool; W],
     /// Whether reactions are among them.
     reactions: bool,
     /// Slip velocities in two directions where the step starts: while the slip has a part in the same direction
@@ -65,7 +67,7 @@ where
     pub(super) in_regime: &'a S::InRegime,
     pub(super) regime: &'a Regime<S::Scalar, C, W>,
     pub(super) inputs: &'a [S::Scalar; K],
-    watch: Watch<S::Scalar, C>,
+    watch: Watch<S::Scalar, C, W>,
 }
 
 impl<'a, S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'a, S, N, K, C, W>
@@ -83,7 +85,7 @@ where
     ) -> Self {
         let zero: S::Scalar = num_traits::Zero::zero();
         let slips = |row: usize| regime.slip[row] != zero;
-        let mut watch = Watch { rows: [false; C], reactions: false, directions: [zero; C] };
+        let mut watch = Watch { rows: [false; C], kinks: [true; W], reactions: false, directions: [zero; C] };
         let mut turns = false;
         for (row, kind) in S::ROWS.iter().enumerate() {
             (watch.rows[row], watch.reactions) = match kind {
@@ -111,7 +113,40 @@ where
 
     /// Whether there is nothing to look at.
     pub(super) fn is_empty(&self) -> bool {
-        W == 0 && !self.watch.rows.contains(&true)
+        !self.watch.kinks.contains(&true) && !self.watch.rows.contains(&true)
+    }
+
+    /// Leaves out the guards that cannot reach zero while time, coordinates and velocities move by no more than
+    /// this from the start of the step.
+    pub(super) fn leave_out(
+        &mut self,
+        start: &State<S::Scalar, N>,
+        time: S::Scalar,
+        [q, v]: &[[S::Scalar; N]; 2],
+    ) {
+        let laws = self.system.laws_at(start.t, &start.q, &start.v);
+        let reach = self.system.reach_at(time, q, v);
+        let is_far = |value: S::Scalar, size: S::Scalar, reach: S::Scalar| {
+            value > S::Scalar::from_f64(1.125) * reach + rounding::<S::Scalar>() * size
+        };
+        let rows = &laws.rows;
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let is_left_out = match kind {
+                Row::Unilateral if !self.regime.active[row] => {
+                    is_far(rows.positions[row], rows.position_sizes[row], reach.positions[row])
+                }
+                Row::Friction { pair: None, .. } if !self.regime.active[row] => {
+                    let speed = self.regime.slip[row] * rows.rates[row];
+                    is_far(speed, rows.rate_sizes[row], reach.rates[row])
+                }
+                _ => false,
+            };
+            self.watch.rows[row] = self.watch.rows[row] && !is_left_out;
+        }
+        for (kink, watched) in self.watch.kinks.iter_mut().enumerate() {
+            let value = self.regime.kinks[kink] * laws.kinks[kink];
+            *watched = !is_far(value, laws.kink_sizes[kink], reach.kinks[kink]);
+        }
     }
 
     /// The multipliers at a state.
@@ -203,8 +238,8 @@ where
                 }
                 values
             };
-            let guards =
-                (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row).chain((0..W).map(Guard::Kink));
+            let rows = (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row);
+            let guards = rows.chain((0..W).filter(|&kink| self.watch.kinks[kink]).map(Guard::Kink));
             let mut earliest: Option<(S::Scalar, Guard)> = None;
             let mut unresolved = None;
             for guard in guards {

@@ -76,7 +76,10 @@ where
     where
         S::Scalar: Ordered,
     {
-        if let Some((regime, _)) = memory.next.take() {
+        // Inside the piece its own regime is the one to begin with.
+        if let Some((regime, after)) = memory.next.take()
+            && after.t == state.t
+        {
             memory.regime = regime;
         }
         (memory.start, memory.end) = (state, state);

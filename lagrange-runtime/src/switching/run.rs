@@ -177,7 +177,13 @@ where
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
         let (in_regime, constants) = (&memory.in_regime, &memory.constants);
-        let guards = Guards::new(self.system, in_regime, &memory.regime, &self.control.0, &start);
+        let mut guards = Guards::new(self.system, in_regime, &memory.regime, &self.control.0, &start);
+        if guards.is_empty() {
+            return Ok(None);
+        }
+        if let Some(spread) = M::spread(&memory.inner) {
+            guards.leave_out(&start, (end.t - start.t).abs(), &spread);
+        }
         if guards.is_empty() {
             return Ok(None);
         }
@@ -221,6 +227,11 @@ where
                 memory.flips[kink] += 1;
                 if memory.flips[kink] > CHANGES {
                     return Err(Cause::HeldAtKink { kink });
+                }
+                // The force of an energy that jumps would act at a point, where no equation has it.
+                let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v);
+                if above(jumps[kink].abs(), S::Scalar::epsilon().sqrt() * sizes[kink]) {
+                    return Err(Cause::EnergyJumps { kink });
                 }
             }
             Guard::Row(row) => {
@@ -274,13 +285,16 @@ where
             let scene =
                 Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
             let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
-            let a = equations.balance().accelerations;
+            let mut a = equations.balance().accelerations;
             let (x, y) = (scene.laws.rows.rates[row], scene.laws.rows.rates[other]);
             let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
-            if !falls.is_positive() {
+            let mut left = (x * x + y * y) / falls;
+            if x == num_traits::Zero::zero() && y == num_traits::Zero::zero() {
+                // It is there, and has no direction any more.
+                (left, a) = (num_traits::Zero::zero(), [num_traits::Zero::zero(); N]);
+            } else if !falls.is_positive() {
                 continue;
             }
-            let left = (x * x + y * y) / falls;
             let half = S::Scalar::from_f64(0.5);
             let mut state = State {
                 t: t + left,
@@ -339,6 +353,10 @@ fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -
 
 /// Moves a state by a time that is shorter than the resolution of its own.
 fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
+    // Where a slip in two directions has come to rest, its regime has no accelerations.
+    if dt == R::zero() || !accelerations.iter().all(|a| a.is_finite()) {
+        return;
+    }
     for ((q, v), &a) in state.q.iter_mut().zip(&mut state.v).zip(accelerations) {
         *q += dt * *v;
         *v += dt * a;

@@ -89,3 +89,48 @@ fn a_kink_at_a_turning_point() {
     close_on(1.0, a.q[0], b.q[0], 1e-11);
     assert!(motion.steps().accepted < 200, "{:?}", motion.steps());
 }
+
+/// A step of the potential, which nothing climbs by its slope.
+struct Step;
+
+#[lagrangian(coordinates = [x])]
+impl Step {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[potential]
+    fn height(&self, q: &Coordinates) -> f64 {
+        if q.x > 1.0 { 0.25 } else { 0.0 }
+    }
+}
+
+#[test]
+fn an_energy_that_jumps_is_refused() {
+    let error = Step.simulate(State::new([0.0], [1.0])).advance_to(2.0).unwrap_err();
+    assert_eq!(error.cause, Cause::EnergyJumps { kink: 0 });
+    close(error.t, 1.0, 1e-12);
+}
+
+/// A relay: a force that holds the motion where it jumps.
+struct Relay;
+
+#[lagrangian(coordinates = [x])]
+impl Relay {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force]
+    fn relay(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        -(q.x + v.x).signum()
+    }
+}
+
+#[test]
+fn a_motion_that_is_held_at_a_jump_ends_there() {
+    let error = Relay.simulate(State::new([1.0], [0.0])).advance_to(20.0).unwrap_err();
+    assert_eq!(error.cause, Cause::HeldAtKink { kink: 0 });
+}

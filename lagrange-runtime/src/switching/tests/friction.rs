@@ -129,3 +129,53 @@ fn a_particle_on_a_steep_slope_starts_to_slip() {
     let state = *motion.advance_to(3.0).unwrap();
     assert!(state.q[2] == 0.0 && state.v[1] > 0.0, "{state:?}");
 }
+
+/// A plate that spins about a vertical axis and stands on a foot beside it.
+#[derive(Clone, Copy, Debug)]
+struct Plate {
+    mu: f64,
+}
+
+impl Toy<4, 3, 0> for Plate {
+    const ROWS: [Row; 3] = [
+        Row::Unilateral,
+        Row::Friction { normal: Some(0), pair: Some(2) },
+        Row::Friction { normal: Some(0), pair: Some(1) },
+    ];
+
+    fn mass(&self) -> [f64; 4] {
+        [1.0, 1.0, 1.0, 0.1]
+    }
+
+    fn forces(&self, _: f64, _: &[f64; 4], _: &[f64; 4], _: &[f64; 0]) -> [f64; 4] {
+        [0.0, 0.0, -9.81, 0.0]
+    }
+
+    fn gradients(&self) -> [[f64; 4]; 3] {
+        [[0.0, 0.0, 1.0, 0.0], [1.0, 0.0, 0.0, -0.2], [0.0, 1.0, 0.0, 0.1]]
+    }
+
+    fn kinetic(&self) -> [f64; 3] {
+        [0.0, self.mu, self.mu]
+    }
+}
+
+#[test]
+fn a_plate_falls_on_its_foot_slips_and_sticks() {
+    let plate = Model(Plate { mu: 0.3 });
+    let start = [1.0, 0.5, 0.0, 4.0];
+    let mut motion = plate.start([0.0, 0.0, 0.2, 0.0], start);
+    let fall = (2.0_f64 * 0.2 / 9.81).sqrt();
+    let after = *motion.advance_to(fall + 1e-12).unwrap();
+    // All impulses of friction together are the coefficient times that of the floor, against the slip after it.
+    let (x, y) = (after.v[0] - start[0], after.v[1] - start[1]);
+    assert!((x.hypot(y) - 0.3 * 9.81 * fall).abs() < 1e-10, "{after:?}");
+    let slip = [after.v[0] - 0.2 * after.v[3], after.v[1] + 0.1 * after.v[3]];
+    assert!((x * slip[1] - y * slip[0]).abs() < 1e-10 && x * slip[0] + y * slip[1] < 0.0, "{after:?}");
+    assert!((0.1 * (after.v[3] - start[3]) - (0.1 * y - 0.2 * x)).abs() < 1e-12, "{after:?}");
+    let end = *motion.advance_to(10.0).unwrap();
+    assert!(
+        (end.v[0] - 0.2 * end.v[3]).abs() < 1e-14 && (end.v[1] + 0.1 * end.v[3]).abs() < 1e-14,
+        "{end:?}"
+    );
+}
