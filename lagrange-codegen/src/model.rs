@@ -8,7 +8,9 @@ mod constraints;
 use crate::collections::Lookup;
 use crate::diagnostics::Origin;
 use crate::expr::{Graph, NodeId};
-pub use constraints::{Constraint, ConstraintKind, Contact, Eliminated, Elimination, Law, Place, component_of_one};
+pub use constraints::{
+    Constraint, ConstraintKind, Contact, Eliminated, Elimination, Law, Place, component_of_one,
+};
 
 /// A lowered description.
 #[derive(Clone, Debug, Default)]

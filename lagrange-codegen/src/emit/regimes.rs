@@ -222,7 +222,8 @@ fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {
 /// `reach_at`: of functions with fixed slopes the sum of these times the spreads; nothing is known of others.
 fn reach(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     let conditions = &switching.laws.conditions;
-    let lists = [("positions", &conditions.positions), ("rates", &conditions.rates), ("kinks", &switching.kinks)];
+    let lists =
+        [("positions", &conditions.positions), ("rates", &conditions.rates), ("kinks", &switching.kinks)];
     let (count, scalar) = (emission.count(), emission.scalar.clone());
     let graph = &mut switching.rows.graph;
     let variables: Vec<NodeId> = (0..count as u32)
@@ -236,7 +237,8 @@ fn reach(emission: &Emission<'_>, switching: &mut Regimes) -> String {
         .iter()
         .map(|(_, nodes)| nodes.iter().map(|&node| pullback(graph, &[(node, one)], &variables)).collect())
         .collect();
-    let is_known = |graph: &Graph, slopes: &[NodeId]| slopes.iter().all(|&slope| graph.dependence(slope).is_fixed());
+    let is_known =
+        |graph: &Graph, slopes: &[NodeId]| slopes.iter().all(|&slope| graph.dependence(slope).is_fixed());
     let mut roots = Vec::new();
     for slopes in slopes.iter().flatten() {
         if is_known(graph, slopes) {
@@ -260,9 +262,8 @@ fn reach(emission: &Emission<'_>, switching: &mut Regimes) -> String {
                     return unknown.clone();
                 }
                 let moving = (0..slopes.len()).filter(|&i| !model.graph.is_zero(slopes[i]));
-                let terms: Vec<String> = moving
-                    .filter_map(|i| Some(format!("({}) * {}", values.next()?, place(i))))
-                    .collect();
+                let terms: Vec<String> =
+                    moving.filter_map(|i| Some(format!("({}) * {}", values.next()?, place(i)))).collect();
                 if terms.is_empty() { super::scalar::zero(&scalar) } else { terms.join(" + ") }
             });
             fields.push(format!("{name}: [{}]", entries.collect::<Vec<_>>().join(", ")));

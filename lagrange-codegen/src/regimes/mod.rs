@@ -92,7 +92,19 @@ pub fn derive(
     }
     let laws_of =
         (0..held).map(|_| None).chain(contacts.into_iter().map(|contact| Some(contact.law))).collect();
-    Some(Regimes { rows, laws, kinks, jumps, model: regime, equations, facts, solution, jets, laws_of, first })
+    Some(Regimes {
+        rows,
+        laws,
+        kinks,
+        jumps,
+        model: regime,
+        equations,
+        facts,
+        solution,
+        jets,
+        laws_of,
+        first,
+    })
 }
 
 /// The switches as variables of the graph, in the order in which they are parameters.

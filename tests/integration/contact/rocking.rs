@@ -58,7 +58,10 @@ fn a_block_rocks_from_corner_to_corner_and_stands() {
         let impact = motion.advance_to_switch(10.0).unwrap().unwrap();
         close_on(1.0, impact.state.t, time, 1e-12);
         close_on(1.0, impact.state.v[2].abs(), rate, 1e-10);
-        assert_eq!(motion.contacts().corners.map(|corner| corner == Contact::Closed).iter().filter(|x| **x).count(), 1);
+        assert_eq!(
+            motion.contacts().corners.map(|corner| corner == Contact::Closed).iter().filter(|x| **x).count(),
+            1
+        );
     }
     let state = *motion.advance_to(20.0).unwrap();
     assert_eq!(state.v, [0.0; 3]);
