@@ -16,7 +16,7 @@ use crate::system::System;
 const GROWTH: f64 = 4.0;
 
 /// How much shorter than the step an interval may become only because its start drowns in its end.
-const SHORTEST: f64 = 1e-9;
+const SHORTEST: f64 = 1e-13;
 
 /// So many intervals of the resolution of time in a row are more than a kink or a jump.
 const BLIND: u8 = 16;
@@ -152,8 +152,9 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         let Some(end) = self.reach(motion, attempts)? else { return Ok(()) };
         let step = (end - from).abs();
         let ahead = if end < from { -R::one() } else { R::one() };
-        let resolution =
-            R::from_f64(16.0) * R::epsilon() * larger(from.abs(), end.abs()) + step_size::smallest();
+        // Of the times that are near; the end of the step may be far.
+        let scale = larger(from.abs(), R::from_f64(SHORTEST) * step);
+        let resolution = R::from_f64(16.0) * R::epsilon() * scale + step_size::smallest();
         let mut length = self.length.map_or(step, |length| smaller(length, step));
         loop {
             let to = if length < step { from + ahead * length } else { end };

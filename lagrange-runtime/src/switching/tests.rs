@@ -1,6 +1,7 @@
 //! Motions with closed solutions, on systems written by hand.
 
-extern crate std;
+// Digits are those of the references.
+#![allow(clippy::excessive_precision)]
 
 mod friction;
 mod impacts;

@@ -33,14 +33,14 @@ impl Ball {
 const BALL: Ball = Ball { mass: 2.0, gravity: 9.81, restitution: 0.8 };
 
 const IMPACTS: [f64; 8] = [
-    0.4515236409857309044508111,
-    1.173961466562900351572109,
-    1.751911727024635909269147,
-    2.214271935394024355426778,
-    2.584160102089535112352882,
-    2.880070635445943717893766,
-    3.116799062131070602326473,
-    3.306181803479172109872638,
+    0.4515236409857309,
+    1.1739614665629003,
+    1.7519117270246358,
+    2.2142719353940246,
+    2.5841601020895353,
+    2.8800706354459438,
+    3.1167990621310704,
+    3.306181803479172,
 ];
 
 #[test]
@@ -63,14 +63,14 @@ fn a_ball_bounces_at_the_right_times() {
 fn between_impacts_a_ball_is_where_it_should_be() {
     let mut motion = BALL.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
     let state = motion.advance_to(3.0).unwrap();
-    close(state.q[0], 0.06870746096576572204080913, 1e-11);
-    close(state.v[0], -0.01535413338474475931973029, 1e-11);
+    close(state.q[0], 0.06870746096576572, 1e-11);
+    close(state.v[0], -0.01535413338474476, 1e-11);
 }
 
 #[test]
 fn infinitely_many_impacts_end_in_rest() {
     let mut motion = BALL.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
-    let state = *motion.advance_to(4.0637127687715781400573 + 1e-9).unwrap();
+    let state = *motion.advance_to(4.063712768771578 + 1e-9).unwrap();
     assert_eq!(state.v[0], 0.0);
     close_on(1.0, state.q[0], 0.0, 1e-15);
     close(motion.reactions().floor, 2.0 * 9.81, 1e-14);
@@ -85,7 +85,7 @@ fn infinitely_many_impacts_end_in_rest() {
 #[test]
 fn just_before_the_last_impact_a_ball_still_moves() {
     let mut motion = BALL.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
-    let state = motion.advance_to(4.0637127687715781400573 - 1e-5).unwrap();
+    let state = motion.advance_to(4.063712768771578 - 1e-5).unwrap();
     assert!(state.v[0] != 0.0 && state.q[0] >= 0.0, "{state:?}");
 }
 
@@ -138,11 +138,11 @@ fn a_pendulum_hits_a_wall() {
     let pendulum = Pendulum { length: 0.8, restitution: 0.9 };
     let mut motion = pendulum.simulate(State::at_rest([1.3])).with_tolerance(TIGHT);
     let impacts = [
-        (0.5011194142935444236579389, 3.814619102173297591941758),
-        (1.478873774153718910399404, 3.433157191955967832747582),
-        (2.438687857417003638847485, 3.089841472760371049472824),
-        (3.385023185767569956676857, 2.780857325484333944525542),
-        (4.321050771690149982547903, 2.502771592935900550072988),
+        (0.5011194142935445, 3.814619102173298),
+        (1.478873774153719, 3.433157191955968),
+        (2.4386878574170034, 3.089841472760371),
+        (3.38502318576757, 2.780857325484334),
+        (4.32105077169015, 2.5027715929359005),
     ];
     for (time, after) in impacts {
         let impact = motion.advance_to_switch(10.0).unwrap().unwrap();
@@ -214,13 +214,13 @@ impl Disc {
 #[test]
 fn a_disc_bounces_off_a_rough_floor() {
     for (friction, expected) in [
-        (0.1, [2.246994023928096570647382, 3.10061284264901412086372, -20.06011952143806858705235]),
-        (0.6, [2.166666666666666666666667, 3.10061284264901412086372, -21.66666666666666666666667]),
+        (0.1, [2.2469940239280968, 3.100612842649014, -20.060119521438068]),
+        (0.6, [2.1666666666666665, 3.100612842649014, -21.666666666666668]),
     ] {
         let disc = Disc { friction, restitution: 0.7 };
         let start = State::new([0.0, 1.1, 0.0], [3.0, 0.0, -5.0]);
         let mut motion = disc.simulate(start).with_tolerance(TIGHT);
-        let time = 0.4515236409857309044508111;
+        let time = 0.4515236409857309;
         let state = motion.advance_to(time + 1e-3).unwrap();
         let [x, y, phi] = state.v;
         all_close([x, y + 9.81 * (state.t - time), phi], expected, 1e-11);

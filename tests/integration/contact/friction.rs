@@ -36,7 +36,7 @@ const OSCILLATOR: Oscillator = Oscillator { mass: 2.0, stiffness: 50.0, friction
 fn an_oscillator_turns_and_sticks() {
     let mut motion = OSCILLATOR.simulate(State::at_rest([0.7])).with_tolerance(TIGHT);
     let energy = motion.energy();
-    close(motion.advance_to(0.4).unwrap().q[0], -0.1523787809177250027338363, 1e-11);
+    close(motion.advance_to(0.4).unwrap().q[0], -0.152378780917725, 1e-11);
     let half = core::f64::consts::PI / 5.0;
     for (k, turning) in [-0.5038, 0.3076, -0.1114, -0.0848].into_iter().enumerate() {
         let state = motion.advance_to((k + 1) as f64 * half).unwrap();
@@ -83,11 +83,11 @@ fn a_block_on_a_belt_sticks_and_slips() {
     let mut motion = belt.simulate(State::new([0.0], [0.2])).with_tolerance(TIGHT);
     let state = motion.advance_to(2.0).unwrap();
     close(state.q[0], 0.4, 1e-13);
-    close(motion.advance_to(3.0).unwrap().q[0], 0.1920709450492436335237753, 1e-11);
-    let period = 3.064155775821423670862606;
+    close(motion.advance_to(3.0).unwrap().q[0], 0.19207094504924363, 1e-11);
+    let period = 3.0641557758214235;
     for periods in [1, 10, 100] {
         let state = motion.advance_to(3.0 + periods as f64 * period).unwrap();
-        close_on(0.1, state.q[0], 0.1920709450492436335237753, 1e-10);
+        close_on(0.1, state.q[0], 0.19207094504924363, 1e-10);
     }
 }
 
@@ -119,11 +119,11 @@ impl Incline {
 fn a_particle_turns_downhill_and_stops() {
     let incline = Incline { angle: 0.3, friction: 0.45 };
     let mut motion = incline.simulate(State::new([0.0, 0.0], [0.0, 2.0])).with_tolerance(TIGHT);
-    let time = 0.8990851212853051814920221;
+    let time = 0.8990851212853052;
     assert!(motion.advance_to(time - 1e-6).unwrap().v[0] > 0.0);
     let state = *motion.advance_to(1.0).unwrap();
     assert_eq!(state.v, [0.0; 2]);
-    all_close(state.q, [0.3090217994424550467507644, 0.5377615388130569240494714], 1e-11);
+    all_close(state.q, [0.30902179944245506, 0.5377615388130569], 1e-11);
     assert_eq!(motion.advance_to(1e6).unwrap().q, state.q);
 }
 
@@ -147,18 +147,18 @@ impl Sphere {
 fn a_sphere_slips_then_rolls() {
     let mut motion = Sphere.simulate(State::new([0.0; 4], [2.0, -1.0, -10.0, 10.0])).with_tolerance(TIGHT);
     let energy = motion.energy();
-    let time = 0.2100219178950918475677426;
+    let time = 0.21002191789509184;
     let state = *motion.advance_to(time + 0.01).unwrap();
-    let rolling = [1.657142857142857142857143, -0.4857142857142857142857143];
+    let rolling = [1.6571428571428573, -0.4857142857142857];
     all_close(
         state.v,
-        [rolling[0], rolling[1], 6.071428571428571428571429, 20.71428571428571428571429],
+        [rolling[0], rolling[1], 6.071428571428571, 20.714285714285715],
         1e-11,
     );
     all_close(
         motion.advance_to(1.0).unwrap().q[..2].to_vec(),
-        [1.693146614496301459583042, -0.5397199217444521893745624],
+        [1.6931466144963014, -0.5397199217444522],
         1e-11,
     );
-    close(energy - motion.energy(), 1.002857142857142857142857, 1e-11);
+    close(energy - motion.energy(), 1.002857142857143, 1e-11);
 }

@@ -23,8 +23,8 @@ impl Valley {
 #[test]
 fn a_valley_with_a_kink() {
     let mut motion = Valley.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
-    close(motion.advance_to(5.656854249492380195206755).unwrap().q[0], 1.0, 1e-13);
-    close_on(1.0, motion.advance_to(1000.0).unwrap().q[0], 0.2021601512945515956167405, 1e-11);
+    close(motion.advance_to(5.656854249492381).unwrap().q[0], 1.0, 1e-13);
+    close_on(1.0, motion.advance_to(1000.0).unwrap().q[0], 0.2021601512945516, 1e-11);
     close(motion.energy(), 1.0, 1e-13);
     // 353 zeros in a thousand seconds, and a step on either side of each.
     assert!(motion.steps().accepted < 1500, "{:?}", motion.steps());
@@ -48,7 +48,7 @@ impl Bilinear {
 
 #[test]
 fn a_spring_that_is_stiffer_on_one_side() {
-    let period = 2.617993877991494365385536;
+    let period = 2.6179938779914944;
     let mut motion = Bilinear.simulate(State::at_rest([1.0])).with_tolerance(TIGHT);
     for periods in [1, 100] {
         let state = motion.advance_to(periods as f64 * period).unwrap();

@@ -41,11 +41,11 @@ fn a_block_slides_down_a_free_wedge() {
     let wedge = Wedge { friction: 0.2 };
     let state = State::at_rest([0.0; 3]);
     let [pushed, x, y] = wedge.accelerations(&state).unwrap();
-    close(pushed, -0.8776496286036762132497319, 1e-13);
-    close(ANGLE.cos() * (x - pushed) - ANGLE.sin() * y, 4.053689994628060303230213, 1e-13);
+    close(pushed, -0.8776496286036762, 1e-13);
+    close(ANGLE.cos() * (x - pushed) - ANGLE.sin() * y, 4.05368999462806, 1e-13);
     let mut motion = wedge.simulate(state).with_tolerance(TIGHT);
-    close(motion.advance_to(1.0).unwrap().q[0], -0.5 * 0.8776496286036762132497319, 1e-12);
-    close(motion.reactions().slope, 8.056884396823505018127258, 1e-13);
+    close(motion.advance_to(1.0).unwrap().q[0], -0.5 * 0.8776496286036762, 1e-12);
+    close(motion.reactions().slope, 8.056884396823506, 1e-13);
 }
 
 #[test]
@@ -90,8 +90,8 @@ fn a_bead_on_a_rough_hoop_swings_and_sticks() {
     let hoop = Bead { radius: 0.5, friction: 0.2 };
     let place = |angle: f64| [0.5 * angle.sin(), -0.5 * angle.cos()];
     let mut motion = hoop.simulate(State::at_rest(place(1.2))).with_tolerance(TIGHT);
-    let half_swings = [0.7437439471449609488601213, 0.7089741875605750718987965];
-    let turning = [-0.5833305635930566060046586, 0.1521974451156583137211321];
+    let half_swings = [0.743743947144961, 0.7089741875605751];
+    let turning = [-0.5833305635930566, 0.1521974451156583];
     let mut time = 0.0;
     for (half, angle) in half_swings.into_iter().zip(turning) {
         time += half;

@@ -6,7 +6,7 @@ use super::super::adaptive::Steps;
 use super::super::dop853::add;
 use super::super::landing::{Determined, across};
 use super::super::step_size::{self, Limits};
-use super::{DECAY, GROWTH, HIGHEST, SAFETY, last_term};
+use super::{DECAY, GROWTH, HIGHEST, ORDERS_PER_DIGIT, SAFETY, last_term, orders, steepest};
 use crate::constraints::Footing;
 use crate::error::Cause;
 use crate::linear::Independence;
@@ -73,6 +73,15 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         }
     }
 
+    /// Takes the order from the tolerance, where that has changed.
+    #[inline]
+    pub(super) fn prepare(&mut self, limits: &Limits<R>) {
+        if self.tolerance != limits.relative {
+            (self.tolerance, self.orders) = (limits.relative, orders(limits.relative, ORDERS_PER_DIGIT));
+            self.steepest = steepest(limits.relative, self.orders);
+        }
+    }
+
     /// Whether `t` lies in the step, ends included.
     pub(super) fn covers(&self, t: R) -> bool {
         let (a, b) = (self.start.t, self.end.t);
@@ -91,7 +100,14 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         if t == self.end.t {
             return self.end;
         }
-        self.at_theta(((t - self.start.t) - self.residue.t) / self.unit).at_time(t)
+        let theta = ((t - self.start.t) - self.residue.t) / self.unit;
+        let mut state = self.start.at_time(t);
+        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
+        for i in 0..N {
+            state.q[i] += gain_q[i] + self.residue.q[i];
+            state.v[i] += gain_v[i] + self.residue.v[i];
+        }
+        state
     }
 
     /// Σ |terms| of coordinates and velocities at the length of the step.
@@ -108,14 +124,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             return self.end;
         }
         let length = (self.end.t - self.start.t) + (self.end_residue.t - self.residue.t);
-        self.at_theta(part * length / self.unit).at_time(self.start.t + part * length)
-    }
-
-    /// The state at `theta` units of the scaled time, with what rounding took from the start.
-    #[inline]
-    fn at_theta(&self, theta: R) -> State<R, N> {
-        let mut state = self.start;
-        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
+        let mut state = self.start.at_time(self.start.t + part * length);
+        let (gain_q, gain_v) = self.series.gain(part * length / self.unit, self.orders);
         for i in 0..N {
             state.q[i] += gain_q[i] + self.residue.q[i];
             state.v[i] += gain_v[i] + self.residue.v[i];

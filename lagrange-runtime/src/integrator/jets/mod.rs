@@ -102,6 +102,27 @@ pub(crate) fn orders<R: Ordered>(relative: R, per_digit: f64) -> usize {
     orders
 }
 
+/// The error of a step that failed, and a memory that starts anew.
+#[cold]
+fn failed<S, const N: usize, const K: usize>(
+    memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
+    system: &S,
+    constants: &S::Constants,
+    cause: Cause,
+) -> MotionError<S::Scalar>
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    let at = memory.end;
+    let cause = match cause {
+        Cause::NotFinite => diagnose(system, constants, at.t, &at.q, &at.v),
+        cause => cause,
+    };
+    memory.next = num_traits::Zero::zero();
+    MotionError { cause, t: at.t }
+}
+
 impl<S, const N: usize, const K: usize> Adaptive<S, Held<S::Scalar, K>, N, K> for Jets
 where
     S: Smooth<N, K>,
@@ -148,19 +169,9 @@ where
     where
         S::Scalar: Ordered,
     {
-        if memory.tolerance != limits.relative {
-            (memory.tolerance, memory.orders) = (limits.relative, orders(limits.relative, ORDERS_PER_DIGIT));
-            memory.steepest = steepest(limits.relative, memory.orders);
-        }
-        step(memory, system, constants, control, limits, t, attempts).map_err(|cause| {
-            let at = memory.end;
-            let cause = match cause {
-                Cause::NotFinite => diagnose(system, constants, at.t, &at.q, &at.v),
-                cause => cause,
-            };
-            memory.next = num_traits::Zero::zero();
-            MotionError { cause, t: at.t }
-        })
+        memory.prepare(limits);
+        step(memory, system, constants, control, limits, t, attempts)
+            .map_err(|cause| failed(memory, system, constants, cause))
     }
 
     #[inline]
@@ -225,13 +236,14 @@ where
     where
         S::Scalar: Ordered,
     {
+        memory.prepare(limits);
         while !memory.covers(t) {
             if !memory.ahead(t) {
                 (memory.end, memory.end_residue) = (memory.start, memory.residue);
             }
-            <Self as Adaptive<S, Held<S::Scalar, K>, N, K>>::step(
-                memory, system, constants, control, limits, t, attempts,
-            )?;
+            if let Err(cause) = step(memory, system, constants, control, limits, t, attempts) {
+                return Err(failed(memory, system, constants, cause));
+            }
         }
         let mut state = memory.at(t);
         // The polynomial obeys constraints to the tolerance, the ends of its steps to rounding.

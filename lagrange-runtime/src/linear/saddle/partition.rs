@@ -36,6 +36,8 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     let mut parts = [[R::zero(); C]; C];
     // The coordinate of each row, then those that stay free.
     let mut places: [usize; N] = core::array::from_fn(|i| i);
+    // The coordinate of each row.
+    let mut leads = [0; C];
     let mut rank = 0;
     for k in 0..C {
         if !is_active(k) {
@@ -68,18 +70,18 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
             }
         }
         places[rank] = lead;
+        leads[k] = lead;
         rank += 1;
     }
-    let leads = |k: usize| places[(0..k).filter(|&k| is_active(k)).count()];
     for k in (0..C).filter(|&k| is_active(k)) {
-        let unit = pick(&scaled.units, leads(k));
-        put(&mut split.inverse, leads(k), parts[k].map(|x| x * unit));
+        let unit = pick(&scaled.units, leads[k]);
+        put(&mut split.inverse, leads[k], parts[k].map(|x| x * unit));
     }
-    for f in rank..N {
-        put(&mut split.null[f], places[f], pick(&scaled.units, places[f]));
+    for (vector, &free) in split.null.iter_mut().zip(&places).skip(count) {
+        put(vector, free, pick(&scaled.units, free));
         for k in (0..C).filter(|&k| is_active(k)) {
-            let entry = pick(&rows[k], places[f]) * pick(&scaled.units, leads(k));
-            put(&mut split.null[f], leads(k), -entry);
+            let entry = pick(&rows[k], free) * pick(&scaled.units, leads[k]);
+            put(vector, leads[k], -entry);
         }
     }
     Some(independence)

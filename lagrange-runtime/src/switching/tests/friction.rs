@@ -46,7 +46,7 @@ fn an_oscillator_comes_to_rest() {
     let slider = Model(Slider { m: 2.0, k: 50.0, fixed: force, kinetic: force, belt: 0.0 });
     let mut motion = slider.start([0.7], [0.0]);
     let state = *motion.advance_to(0.4).unwrap();
-    assert!((state.q[0] + 0.1523787809177250027338363).abs() < 1e-12, "{state:?}");
+    assert!((state.q[0] + 0.152378780917725).abs() < 1e-12, "{state:?}");
     let half = core::f64::consts::PI / 5.0;
     for (n, turning) in [0.7, -0.5038, 0.3076, -0.1114, -0.0848].into_iter().enumerate().skip(1) {
         let state = *motion.advance_to(half * n as f64).unwrap();
@@ -66,8 +66,8 @@ fn a_mass_on_a_belt_sticks_and_slips() {
     let slider = Model(Slider { m: 1.0, k: 9.0, fixed: 4.0, kinetic: 2.4, belt: 0.2 });
     let mut motion = slider.start([0.0], [0.2]);
     let state = *motion.advance_to(3.0).unwrap();
-    assert!((state.q[0] - 0.1920709450492436335237753).abs() < 1e-12, "{state:?}");
-    let (first, period) = (2.222222222222222222222222, 3.064155775821423670862606);
+    assert!((state.q[0] - 0.19207094504924363).abs() < 1e-12, "{state:?}");
+    let (first, period) = (2.2222222222222223, 3.0641557758214235);
     let state = *motion.advance_to(first + 100.0 * period).unwrap();
     assert!((state.q[0] - 4.0 / 9.0).abs() < 1e-10 && (state.v[0] - 0.2).abs() < 1e-9, "{state:?}");
 }
@@ -110,11 +110,11 @@ fn a_particle_pushed_across_a_slope_stops() {
     let mut motion = incline.start([0.0; 3], [2.0, 0.0, 0.0]);
     let state = *motion.advance_to(0.899).unwrap();
     assert!(state.v[1] > 0.0);
-    let state = *motion.advance_to(0.8990851212853051814920221 + 1e-11).unwrap();
+    let state = *motion.advance_to(0.8990851212853052 + 1e-11).unwrap();
     assert_eq!(state.v, [0.0; 3]);
     let state = *motion.advance_to(100.0).unwrap();
-    assert!((state.q[0] - 0.5377615388130569240494714).abs() < 1e-11, "{state:?}");
-    assert!((state.q[1] - 0.3090217994424550467507644).abs() < 1e-11, "{state:?}");
+    assert!((state.q[0] - 0.5377615388130569).abs() < 1e-11, "{state:?}");
+    assert!((state.q[1] - 0.30902179944245506).abs() < 1e-11, "{state:?}");
 }
 
 #[test]

@@ -35,8 +35,8 @@ fn a_ball_bounces_until_it_rests() {
     let ball = Model(Ball { e: 0.8 });
     let mut motion = ball.start([1.0], [0.0]);
     let state = *motion.advance_to(3.0).unwrap();
-    assert!((state.q[0] - 0.06870746096576572204080913).abs() < 1e-12, "{state:?}");
-    assert!((state.v[0] + 0.01535413338474475931973029).abs() < 1e-11, "{state:?}");
+    assert!((state.q[0] - 0.06870746096576572).abs() < 1e-12, "{state:?}");
+    assert!((state.v[0] + 0.01535413338474476).abs() < 1e-11, "{state:?}");
     // It bounces until 4.0637127688715781.
     let state = *motion.advance_to(4.063712768870).unwrap();
     assert!(state.v[0] != 0.0, "{state:?}");
@@ -169,12 +169,12 @@ impl Toy<3, 2, 0> for Disc {
 #[test]
 fn a_disc_bounces_obliquely() {
     for (mu, [x, y, spin]) in [
-        (0.1, [2.246994023928096570647382, 3.10061284264901412086372, -20.06011952143806858705235]),
-        (0.6, [2.166666666666666666666667, 3.10061284264901412086372, -21.66666666666666666666667]),
+        (0.1, [2.2469940239280968, 3.100612842649014, -20.060119521438068]),
+        (0.6, [2.1666666666666665, 3.100612842649014, -21.666666666666668]),
     ] {
         let disc = Model(Disc { mu });
         let mut motion = disc.start([0.0, 1.1, 0.0], [3.0, 0.0, -5.0]);
-        let state = *motion.advance_to(0.4515236409857309044508111 + 1e-3).unwrap();
+        let state = *motion.advance_to(0.4515236409857309 + 1e-3).unwrap();
         let v = [state.v[0], state.v[1] + 1e-3 * G, state.v[2]];
         assert!([x, y, spin].iter().zip(v).all(|(want, v)| (v - want).abs() < 1e-11), "{v:?}");
         // It comes to roll, and rolls on.
