@@ -15,7 +15,7 @@
 //!
 //! *Kinks and jumps.* A guard need not be smooth. Where no polynomial fits it, ever shorter parts of the step are
 //! looked at, down to the resolution of time; a jump across zero is a crossing there, also one of the motion
-//! itself, as by an impact.
+//! itself, as by an impact. The tip of a kink that touches zero and no more need not be seen.
 
 use crate::error::MotionError;
 use crate::integrator::Adaptive;

@@ -60,28 +60,6 @@ pub(crate) enum Kind {
     Grazing,
 }
 
-/// Which zeros are wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Direction {
-    /// Those from below to above.
-    Rising,
-    /// Those from above to below.
-    Falling,
-    /// All, those that graze included.
-    Either,
-}
-
-impl Direction {
-    /// Whether a zero of this kind is wanted.
-    pub(crate) fn wants(self, kind: Kind) -> bool {
-        match self {
-            Self::Rising => kind == Kind::Rising,
-            Self::Falling => kind == Kind::Falling,
-            Self::Either => true,
-        }
-    }
-}
-
 /// What is known of a guard where a step starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Memory {

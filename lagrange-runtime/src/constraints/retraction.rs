@@ -243,6 +243,7 @@ where
     /// better, they contradict each other if they depend on each other beside that state as well; if not, the
     /// configuration is singular.
     #[cold]
+    #[inline(never)]
     fn failure(&mut self, system: &S, level: Level) -> Cause {
         self.refresh(system);
         let violated = self.residuals.cause(level, &self.slopes);
@@ -357,6 +358,8 @@ where
     }
 
     /// Whether what is left is below a part of the summands and of the state.
+    #[cold]
+    #[inline(never)]
     fn is_within(&self, level: Level, begun: S::Scalar, part: S::Scalar) -> bool {
         let size = begun.max(self.extent(level));
         let by_state = self.slopes.map(|slope| slope * size);

@@ -1,7 +1,7 @@
 //! The walk along a motion, interval by interval.
 
 use super::interval::{Interval, POINTS, Watched};
-use super::track::{Pending, Refused, Track};
+use super::track::{Pending, RESOLVED, Refused, Track};
 use super::{Crossing, Event, Guard};
 use crate::error::{Cause, MotionError};
 use crate::integrator::Adaptive;
@@ -17,6 +17,10 @@ const GROWTH: f64 = 4.0;
 
 /// How much shorter than the step an interval may become only because its start drowns in its end.
 const SHORTEST: f64 = 1e-13;
+
+/// A time that is less than this part of another is not resolved as that is, but for times next to zero, which
+/// are finer than the states are.
+const FAR: f64 = 1e-9;
 
 /// So many intervals of the resolution of time in a row are more than a kink or a jump.
 const BLIND: u8 = 16;
@@ -152,9 +156,9 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         let Some(end) = self.reach(motion, attempts)? else { return Ok(()) };
         let step = (end - from).abs();
         let ahead = if end < from { -R::one() } else { R::one() };
-        // Of the times that are near; the end of the step may be far.
-        let scale = larger(from.abs(), R::from_f64(SHORTEST) * step);
-        let resolution = R::from_f64(16.0) * R::epsilon() * scale + step_size::smallest();
+        // Of the times that are near, where the end of the step is far.
+        let near = if from.abs() > R::from_f64(FAR) * end.abs() { from.abs() } else { end.abs() };
+        let resolution = R::from_f64(RESOLVED) * R::epsilon() * near + step_size::smallest();
         let mut length = self.length.map_or(step, |length| smaller(length, step));
         loop {
             let to = if length < step { from + ahead * length } else { end };

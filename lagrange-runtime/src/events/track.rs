@@ -24,6 +24,9 @@ const PART: f64 = 1.0 / 4096.0;
 /// A guard that was zero and is so many times its noise away from it has jumped.
 const JUMPED: f64 = 16.0;
 
+/// The resolution of time, in roundings, where no polynomial fits a guard; what is zero there is known no better.
+pub(super) const RESOLVED: f64 = 64.0;
+
 /// A zero that has been found and not been reported.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pending<R> {
@@ -148,7 +151,7 @@ impl<R: Ordered> Track<R> {
             return false;
         }
         let sizes = watched.sizes(states);
-        let noise = R::from_f64(16.0) * R::epsilon() * (sizes.near + sizes.by_time);
+        let noise = R::from_f64(RESOLVED) * R::epsilon() * (sizes.near + sizes.by_time);
         let before = match self.memory {
             Memory::Unknown => begin(from, noise),
             memory => memory,

@@ -7,7 +7,7 @@
 
 use crate::real::{Ordered, Real, larger};
 
-use super::{Direction, Memory, Zero, Zeros};
+use super::{Kind, Memory, Zero, Zeros};
 
 /// The highest degree.
 pub(super) const DEGREE: usize = 64;
@@ -272,9 +272,9 @@ impl<R: Ordered> Polynomial<R> {
         Zeros::new(self, start, until)
     }
 
-    /// The first zero of a direction.
-    pub(crate) fn first(&self, direction: Direction, start: Memory) -> Option<Zero<R>> {
-        self.zeros(start, R::one()).find(|zero| direction.wants(zero.kind))
+    /// The first zero of a kind.
+    pub(crate) fn first(&self, kind: Kind, start: Memory) -> Option<Zero<R>> {
+        self.zeros(start, R::one()).find(|zero| zero.kind == kind)
     }
 }
 

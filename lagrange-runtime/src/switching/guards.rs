@@ -5,7 +5,7 @@ use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::error::Cause;
 use crate::real::{Ordered, Real};
-use crate::roots::{Direction, Memory, Polynomial, Side, Unresolved};
+use crate::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::state::State;
 
 /// Evaluations of all guards that are kept: those of a polynomial of degree 16, and what tests it.
@@ -328,7 +328,7 @@ where
         } else {
             return Ok(Some(zero));
         };
-        let zero = polynomial.first(Direction::Falling, memory);
+        let zero = polynomial.first(Kind::Falling, memory);
         Ok(zero.map(|zero| zero.polish(|place| value(place).0)))
     }
 }

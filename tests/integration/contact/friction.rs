@@ -150,11 +150,7 @@ fn a_sphere_slips_then_rolls() {
     let time = 0.21002191789509184;
     let state = *motion.advance_to(time + 0.01).unwrap();
     let rolling = [1.6571428571428573, -0.4857142857142857];
-    all_close(
-        state.v,
-        [rolling[0], rolling[1], 6.071428571428571, 20.714285714285715],
-        1e-11,
-    );
+    all_close(state.v, [rolling[0], rolling[1], 6.071428571428571, 20.714285714285715], 1e-11);
     all_close(
         motion.advance_to(1.0).unwrap().q[..2].to_vec(),
         [1.6931466144963014, -0.5397199217444522],

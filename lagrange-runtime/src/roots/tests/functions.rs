@@ -156,9 +156,8 @@ fn the_way_between_two_zeros_may_be_short() {
 #[test]
 fn a_direction() {
     let polynomial = Polynomial::interpolate(1.0, |theta: f64| (20.0 * theta + 1.0).sin()).expect("smooth");
-    let first = |direction| polynomial.first(direction, Memory::Unknown).expect("a zero").theta;
+    let first = |kind| polynomial.first(kind, Memory::Unknown).expect("a zero").theta;
     let pi = core::f64::consts::PI;
-    assert!((first(Direction::Falling) - (pi - 1.0) / 20.0).abs() < 1e-14);
-    assert!((first(Direction::Either) - (pi - 1.0) / 20.0).abs() < 1e-14);
-    assert!((first(Direction::Rising) - (2.0 * pi - 1.0) / 20.0).abs() < 1e-14);
+    assert!((first(Kind::Falling) - (pi - 1.0) / 20.0).abs() < 1e-14);
+    assert!((first(Kind::Rising) - (2.0 * pi - 1.0) / 20.0).abs() < 1e-14);
 }
