@@ -1,21 +1,21 @@
 //! Events: the zeros of functions along a motion, with the exact state at each.
 //!
 //! A [`Guard`] is a function of the state. [`Simulation::advance_to_event`] moves to its next zero,
-//! [`Simulation::events`] visits one after the other, and `advance_to_event_of` and `events_of` do the same with
-//! several guards at once. No zero is found by comparing the signs of samples: between the ends of a step the
-//! method has a polynomial of the motion, the guard along it is interpolated until only roundings are left, and
-//! the zeros of the interpolant are isolated (see the module `roots`). So two zeros within one step are two
-//! events, a guard that touches zero is seen, and no step is ever shortened for an event.
+//! [`Simulation::events`] visits one after the other, and `advance_to_event_of` and `events_of` do the same
+//! with several guards at once. No zero is found by comparing the signs of samples: between the ends of a
+//! step the method has a polynomial of the motion, the guard along it is interpolated until only roundings
+//! are left, and the zeros of the interpolant are isolated (see the module `roots`). So two zeros within one
+//! step are two events, a guard that touches zero is seen, and no step is ever shortened for an event.
 //!
 //! *What counts.* Zero means zero within the roundings of the guard: those of its value, of the state it is
 //! evaluated at and of the time itself. A zero at the state where a search begins is not reported: the motion
-//! starts there, and the event that led there has been reported before. It may still be the start of a crossing
-//! or a flight that ends in the next zero. A zero exactly at the end of a search is reported. A guard that is
-//! zero throughout has no events.
+//! starts there, and the event that led there has been reported before. It may still be the start of a
+//! crossing or a flight that ends in the next zero. A zero exactly at the end of a search is reported. A
+//! guard that is zero throughout has no events.
 //!
-//! *Kinks and jumps.* A guard need not be smooth. Where no polynomial fits it, ever shorter parts of the step are
-//! looked at, down to the resolution of time; a jump across zero is a crossing there, also one of the motion
-//! itself, as by an impact. The tip of a kink that touches zero and no more need not be seen.
+//! *Kinks and jumps.* A guard need not be smooth. Where no polynomial fits it, ever shorter parts of the step
+//! are looked at, down to the resolution of time; a jump across zero is a crossing there, also one of the
+//! motion itself, as by an impact. The tip of a kink that touches zero and no more need not be seen.
 
 use crate::error::MotionError;
 use crate::integrator::Adaptive;
@@ -32,8 +32,8 @@ use search::Search;
 
 /// A function of the state whose zeros are events.
 ///
-/// Closures are guards. They name the type of their argument, `|state: &State<f64, 2>| state.q[0]`. So are the
-/// events of a description, by name.
+/// Closures are guards. They name the type of their argument, `|state: &State<f64, 2>| state.q[0]`. So are
+/// the events of a description, by name.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no guard of `{S}`",
     label = "not a function of its state",
@@ -83,8 +83,8 @@ where
     C: Control<S::Scalar, N, K>,
     M: Adaptive<S, C, N, K>,
 {
-    /// Moves to the next zero of `guard`, or to time `until` \[s] if there is none before: then `None`. Backward
-    /// if `until` lies before the present time.
+    /// Moves to the next zero of `guard`, or to time `until` \[s] if there is none before: then `None`.
+    /// Backward if `until` lies before the present time.
     ///
     /// # Errors
     /// As [`Simulation::advance_to`], and [`Cause::NotFinite`](crate::Cause) with the time where the guard is
@@ -102,9 +102,9 @@ where
         self.events(guard, until).next().transpose()
     }
 
-    /// Moves to the next zero of any of several guards; see [`Simulation::advance_to_event`]. Of guards that are
-    /// zero at the same time only the first is reported, which is why a search for all of them is better one of
-    /// [`Simulation::events_of`].
+    /// Moves to the next zero of any of several guards; see [`Simulation::advance_to_event`]. Of guards that
+    /// are zero at the same time only the first is reported, which is why a search for all of them is better
+    /// one of [`Simulation::events_of`].
     ///
     /// # Errors
     /// As [`Simulation::advance_to_event`].
@@ -120,8 +120,8 @@ where
         self.events_of(guards, until).next().transpose()
     }
 
-    /// The zeros of `guard` up to time `until` \[s], one after the other. The state of the motion is that of the
-    /// last event, and in the end that at `until`.
+    /// The zeros of `guard` up to time `until` \[s], one after the other. The state of the motion is that of
+    /// the last event, and in the end that at `until`.
     #[inline]
     pub fn events<G>(&mut self, guard: G, until: S::Scalar) -> Events<'_, Self, G, S::Scalar, N, 1>
     where
@@ -130,8 +130,8 @@ where
         self.events_of([guard], until)
     }
 
-    /// The zeros of several guards in the order of time up to `until` \[s]. Simultaneous ones are reported one
-    /// after the other, in the order of the guards.
+    /// The zeros of several guards in the order of time up to `until` \[s]. Simultaneous ones are reported
+    /// one after the other, in the order of the guards.
     #[inline]
     pub fn events_of<G, const E: usize>(
         &mut self,

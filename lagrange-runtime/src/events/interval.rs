@@ -10,8 +10,8 @@ use crate::simulation::{Control, Simulation};
 use crate::state::State;
 use crate::system::System;
 
-/// How many times larger than those of other motions the roundings of a state under constraints are: it is the
-/// result of an iteration.
+/// How many times larger than those of other motions the roundings of a state under constraints are: it is
+/// the result of an iteration.
 const PROJECTED: f64 = 16.0;
 
 /// A part of the last step of a motion, from `from` on in the direction of the search.
@@ -77,8 +77,8 @@ where
         self.guard.value(self.motion.system, state)
     }
 
-    /// The guard at a time in the last step; no number where the state there is not known, for which the reason
-    /// is left in `error`.
+    /// The guard at a time in the last step; no number where the state there is not known, for which the
+    /// reason is left in `error`.
     pub fn at_time(&mut self, t: S::Scalar, error: &mut Option<MotionError<S::Scalar>>) -> S::Scalar {
         match self.motion.peek(t) {
             Ok(state) => self.at(&state),

@@ -18,8 +18,8 @@ const GROWTH: f64 = 4.0;
 /// How much shorter than the step an interval may become only because its start drowns in its end.
 const SHORTEST: f64 = 1e-13;
 
-/// A time that is less than this part of another is not resolved as that is, but for times next to zero, which
-/// are finer than the states are.
+/// A time that is less than this part of another is not resolved as that is, but for times next to zero,
+/// which are finer than the states are.
 const FAR: f64 = 1e-9;
 
 /// So many intervals of the resolution of time in a row are more than a kink or a jump.
@@ -196,8 +196,8 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         }
     }
 
-    /// The end of what the last step has ahead of the front, after another step if need be; `None` if that led
-    /// nowhere.
+    /// The end of what the last step has ahead of the front, after another step if need be; `None` if that
+    /// led nowhere.
     fn reach<S, C, M, const K: usize>(
         &mut self,
         motion: &mut Simulation<'_, S, C, M, N, K>,

@@ -14,17 +14,19 @@ use crate::system::System;
 /// what is far away, as the end of a long free fall, must not hide what is near.
 const DROWNED: f64 = 256.0;
 
-/// A guard below so many roundings is zero where a search begins. Fewer than those in the noise of an interval, so
-/// that what has not been zero at the end of a search is not zero at the start of the next.
+/// A guard below so many roundings is zero where a search begins. Fewer than those in the noise of an
+/// interval, so that what has not been zero at the end of a search is not zero at the start of the next.
 const AT_START: f64 = 4.0;
 
-/// A part of an interval to take the slope over. Polynomials of degree 64 grow little beyond their interval by it.
+/// A part of an interval to take the slope over. Polynomials of degree 64 grow little beyond their interval
+/// by it.
 const PART: f64 = 1.0 / 4096.0;
 
 /// A guard that was zero and is so many times its noise away from it has jumped.
 const JUMPED: f64 = 16.0;
 
-/// The resolution of time, in roundings, where no polynomial fits a guard; what is zero there is known no better.
+/// The resolution of time, in roundings, where no polynomial fits a guard; what is zero there is known no
+/// better.
 pub(super) const RESOLVED: f64 = 64.0;
 
 /// A zero that has been found and not been reported.
@@ -66,8 +68,8 @@ impl<R: Ordered> Track<R> {
         Self { memory: unknown, beyond: (None, zero), noise: zero, zeros: None, pending: None }
     }
 
-    /// A zero at the end of the interval that has not been counted since the guard has not left it. From then on
-    /// it counts.
+    /// A zero at the end of the interval that has not been counted since the guard has not left it. From then
+    /// on it counts.
     pub fn take_last(&mut self, interval: Interval<R>) -> Option<Pending<R>> {
         let Memory::Touching(before) = self.memory else { return None };
         self.memory = Memory::Zero(None);
@@ -76,9 +78,9 @@ impl<R: Ordered> Track<R> {
         Some(Pending { theta: R::one(), crossing: crossing(kind, interval), blur })
     }
 
-    /// Interpolates the guard on an interval; `blur` is how well the time of its start is known,
-    /// where an event led there. If `strict`, an interval on which the start drowns in the roundings of the end
-    /// is too long.
+    /// Interpolates the guard on an interval; `blur` is how well the time of its start is known, where an
+    /// event led there. If `strict`, an interval on which the start drowns in the roundings of the end is too
+    /// long.
     pub fn look<S, C, M, G, const N: usize, const K: usize>(
         &mut self,
         watched: &mut Watched<'_, '_, S, C, M, G, N, K>,
@@ -131,8 +133,8 @@ impl<R: Ordered> Track<R> {
         Ok(())
     }
 
-    /// Compares the ends of an interval of the resolution of time, where no polynomial fits the guard. False if
-    /// it is no number at the end.
+    /// Compares the ends of an interval of the resolution of time, where no polynomial fits the guard. False
+    /// if it is no number at the end.
     pub fn compare<S, C, M, G, const N: usize, const K: usize>(
         &mut self,
         watched: &Watched<'_, '_, S, C, M, G, N, K>,
@@ -184,8 +186,8 @@ impl<R: Ordered> Track<R> {
         self.pending = Some(Pending { theta, crossing: crossing(kind, interval), blur });
     }
 
-    /// Finds the next zero on the interval, behind those before `after`, to the last bit. At the end of them the
-    /// memory is that of the end of the interval.
+    /// Finds the next zero on the interval, behind those before `after`, to the last bit. At the end of them
+    /// the memory is that of the end of the interval.
     pub fn refill<S, C, M, G, const N: usize, const K: usize>(
         &mut self,
         watched: &mut Watched<'_, '_, S, C, M, G, N, K>,
