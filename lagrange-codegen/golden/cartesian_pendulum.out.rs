@@ -170,6 +170,7 @@ A singular system, with its cause and the time.*/
             state: &lagrange::State<f64, 2>,
         ) -> ::core::result::Result<[f64; 2], lagrange::MotionError<f64>> {
             lagrange::reading::checked(self, state, &[])?;
+            lagrange::constraints::sound::<Self, 2, 0, 1>(self, state)?;
             let constants = lagrange::System::constants(self);
             let accelerations = lagrange::System::accelerations_at(
                 self,
