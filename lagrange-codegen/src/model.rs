@@ -46,6 +46,8 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Constraints, arrays flattened, in the order of declaration.
     pub constraints: Vec<Constraint>,
+    /// How many of the last constraints hold at times only.
+    pub at_times: usize,
     /// Gaps and slip velocities, in the order of declaration, gaps first: rows that are constraints at times.
     pub contacts: Vec<Contact>,
     /// Functions whose zeros are events.

@@ -49,6 +49,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         dissipation,
         forces,
         constraints,
+        at_times: _,
         contacts,
         events,
         places,

@@ -174,14 +174,13 @@ pub(crate) fn emit(
         switching.as_ref().map_or(&emission.model.constraints, |switching| &switching.rows.constraints);
     let reactions = (!rows.is_empty()).then(|| constraints::record(emission.item, &constraints::held(rows)));
     let regimes = regimes.map(|regimes::Items { companion, switching, constrained, rows, kinks }| {
-        let named = constrained.is_some().then(|| {
-            let record = constraints::record_ident(emission.item);
-            quote! {
-                impl #impl_generics lagrange::NamedRows<#rows> for #self_ty #where_clause {
-                    type Rows<T> = #record<T>;
-                }
+        let record = constraints::record_ident(emission.item);
+        let type_of_rows = if rows > 0 { quote!(#record<T>) } else { quote!([T; 0]) };
+        let named = quote! {
+            impl #impl_generics lagrange::NamedRows<#rows> for #self_ty #where_clause {
+                type Rows<T> = #type_of_rows;
             }
-        });
+        };
         let switching = parameters.parse(&switching);
         let constrained = constrained.map(|items| {
             let items = parameters.parse(&items);

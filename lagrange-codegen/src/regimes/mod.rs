@@ -64,6 +64,7 @@ pub fn derive(
     let mut rows = model.clone();
     let held = rows.constraints.len();
     let contacts = std::mem::take(&mut rows.contacts);
+    rows.at_times = contacts.len();
     rows.constraints.extend(contacts.iter().map(|contact| contact.constraint.clone()));
     // Rows hold at times: there may be more of them than coordinates, and a slip may be the rate of a function.
     // Of all else the system by itself was asked.

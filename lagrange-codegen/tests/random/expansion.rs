@@ -49,7 +49,8 @@ impl Expansion {
         for statement in blocks {
             if let Stmt::Item(Item::Impl(block)) = statement {
                 // The same code once more, for any scalar.
-                if matches!(&*block.self_ty, syn::Type::Path(ty) if last_segment(&ty.path) == "__Over") {
+                if matches!(&*block.self_ty, syn::Type::Path(ty) if ["__Over", "__InRegime"].contains(&&*last_segment(&ty.path)))
+                {
                     continue;
                 }
                 let name = block.trait_.as_ref().map(|(path, _)| last_segment(path));

@@ -2,7 +2,7 @@
 
 use super::choice::{Choice, sides};
 use super::scene::{Known, Scales, Scene};
-use super::{Regime, Switching};
+use super::{Regime, Row, Switching};
 use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
@@ -66,5 +66,23 @@ where
     S: Switching<N, K, C, W>,
 {
     let none = || ([S::Scalar::from_f64(f64::NAN); C], false);
-    at_state(system, t, q, v, u).map_or_else(none, |choice| (choice.multipliers, choice.is_unique))
+    let Some(choice) = at_state(system, t, q, v, u) else { return none() };
+    let mut multipliers = choice.multipliers;
+    // What slips is no constraint: its force is that of its law, against the slip.
+    let laws = system.laws_at(t, q, &choice.velocities);
+    for (row, kind) in S::ROWS.iter().enumerate() {
+        let Row::Friction { normal, pair } = *kind else { continue };
+        let carrier = pair.map_or(row, |other| row.min(other));
+        let slip = choice.regime.slip[carrier];
+        if choice.regime.active[row] || slip == num_traits::Zero::zero() {
+            continue;
+        }
+        let direction = match pair {
+            None => slip,
+            Some(other) => laws.rows.rates[row] / laws.rows.rates[row].hypot(laws.rows.rates[other]),
+        };
+        let load = normal.map_or(num_traits::One::one(), |normal| choice.multipliers[normal].abs());
+        multipliers[row] = -(laws.kinetic[row] * load * direction);
+    }
+    (multipliers, choice.is_unique)
 }

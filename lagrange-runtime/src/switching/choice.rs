@@ -34,13 +34,28 @@ where
     S: Switching<N, K, C, W>,
 {
     /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that again
-    /// only if nothing else is possible.
+    /// only if nothing else is possible. A reaction that has fallen through zero is one that the polynomial has
+    /// decided about, where accelerations and reactions tie.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,
         avoid: Option<usize>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
-        let options = self.options(present, avoid);
+        let decided = avoid.filter(|&row| !matches!(S::ROWS[row], Row::Friction { .. }));
+        if decided.is_some()
+            && let Ok(choice) = self.choose_among(self.options(present, avoid, decided), decided)
+        {
+            return Ok(choice);
+        }
+        self.choose_among(self.options(present, avoid, None), None)
+    }
+
+    /// The regime among these options; nothing is asked of a row that is decided.
+    fn choose_among(
+        &self,
+        options: [Options; C],
+        decided: Option<usize>,
+    ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
         let is_coupled = S::ROWS.iter().zip(&self.status).any(|(row, &status)| {
             matches!(row, Row::Friction { normal: Some(_), .. }) && status != Status::Apart
         });
@@ -58,7 +73,7 @@ where
                     return false;
                 }
                 let Some(trial) = self.trial(trial) else { return false };
-                match self.judge(parts, &trial, part) {
+                match self.judge(parts, &trial, part, decided) {
                     Ok(()) => match &chosen {
                         None => chosen = Some(trial),
                         Some(chosen) => other = other.or_else(|| self.differs(chosen, &trial)),
@@ -81,10 +96,20 @@ where
         Err(cause)
     }
 
-    fn options(&self, present: &Regime<S::Scalar, C, W>, avoid: Option<usize>) -> [Options; C] {
+    fn options(
+        &self,
+        present: &Regime<S::Scalar, C, W>,
+        avoid: Option<usize>,
+        decided: Option<usize>,
+    ) -> [Options; C] {
         core::array::from_fn(|row| {
             let kind = S::ROWS[row];
             let options = match (kind, self.status[row]) {
+                (Row::Bilateral, _) if decided == Some(row) => {
+                    let is_against = (-present.side[row]).is_positive();
+                    Options::new(&[if is_against { Part::On } else { Part::Against }])
+                }
+                (Row::Unilateral, _) if decided == Some(row) => Options::new(&[Part::Off]),
                 (Row::Bilateral, _) if is_limit(&S::ROWS, row) => Options::new(&[Part::On, Part::Against]),
                 (Row::Bilateral, _) => Options::new(&[Part::On]),
                 (Row::Unilateral, Status::Touches | Status::Meets) => Options::new(&[Part::On, Part::Off]),
@@ -239,6 +264,7 @@ where
         parts: &[Part; C],
         trial: &Choice<S::Scalar, N, C, W>,
         part: S::Scalar,
+        decided: Option<usize>,
     ) -> Result<(), usize> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let sizes = self.sizes(&trial.regime, &trial.accelerations, &trial.multipliers);
@@ -247,7 +273,7 @@ where
             let squares = product(gradient, gradient);
             if squares.is_positive() { extent(gradient, &sizes.forces) / squares } else { zero }
         };
-        for (row, kind) in S::ROWS.iter().enumerate() {
+        for (row, kind) in S::ROWS.iter().enumerate().filter(|(row, _)| decided != Some(*row)) {
             let reaction = trial.multipliers[row];
             let slack = part * scale(row);
             let rate = self.rate(row, &trial.accelerations);
@@ -314,7 +340,21 @@ where
             let difference = (a.accelerations[i] - b.accelerations[i]).abs();
             above(difference, part * (sizes[0][i] + sizes[1][i]))
         });
-        apart.then_some(row)
+        (apart && self.are_certain(row, a) && self.are_certain(row, b)).then_some(row)
+    }
+
+    /// Whether a contact reacts or opens by more than what decides a tie.
+    fn are_certain(&self, row: usize, choice: &Choice<S::Scalar, N, C, W>) -> bool {
+        let part = S::Scalar::epsilon().sqrt();
+        let sizes = self.sizes(&choice.regime, &choice.accelerations, &choice.multipliers);
+        let gradient = &self.gradients[row];
+        if choice.regime.active[row] {
+            let squares = product(gradient, gradient);
+            above(choice.multipliers[row].abs() * squares, part * extent(gradient, &sizes.forces))
+        } else {
+            let size = extent(gradient, &sizes.accelerations) + self.gamma[row].abs();
+            above(self.rate(row, &choice.accelerations), part * size)
+        }
     }
 }
 

@@ -142,6 +142,12 @@ where
             let Some(Event { state, guard, late }) = found else {
                 let laws = self.system.laws_at(end.t, &end.q, &end.v);
                 self.memory.scales.see(&laws);
+                // Whatever a polynomial has not shown, no step ends behind a contact that is open.
+                if let Some(cause) = self.missed(&laws) {
+                    self.memory.end = start;
+                    self.memory.stuck = Some(cause);
+                    return Err(at(&start, cause));
+                }
                 self.passed(start.t, end.t);
                 self.come_to_rest().map_err(|cause| at(&end, cause))?;
                 return Ok(());
@@ -160,6 +166,21 @@ where
             }
             *attempts -= 1;
         }
+    }
+
+    /// A gap of an open contact that is negative by more than what a start may penetrate.
+    fn missed(&self, laws: &super::Laws<S::Scalar, C, W>) -> Option<Cause> {
+        let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
+        (0..C).find_map(|row| {
+            let gap = laws.rows.positions[row];
+            let size = most(laws.rows.position_sizes[row], self.memory.scales.gaps[row]);
+            let is_open = S::ROWS[row] == Row::Unilateral && !self.memory.regime.active[row];
+            (is_open && above(-gap, share * size)).then(|| Cause::Penetrates {
+                constraint: row,
+                name: S::NAMES.constraint(row),
+                by: crate::constraints::magnitude(-gap),
+            })
+        })
     }
 
     /// Whether time has passed that is more than rounding; forgets the changes before it if so.

@@ -36,7 +36,9 @@ pub(in crate::mechanics) fn constraints(
         let columns = (0..gradient.len()).filter(|&i| !model.graph.is_zero(gradient[i])).collect();
         rows.push(Row { constraint, gradient, columns, faulty });
     }
-    for later in 1..rows.len() {
+    // What holds at times contradicts nothing by itself.
+    let always = rows.len() - model.at_times;
+    for later in 1..always {
         for earlier in 0..later {
             if let Some(message) = repetition(model, &rows[earlier], &rows[later], allows)
                 && !std::mem::replace(&mut rows[later].faulty, true)
@@ -54,7 +56,7 @@ pub(in crate::mechanics) fn constraints(
     let patterns: Vec<Vec<bool>> = rows.iter().map(pattern).collect();
     let mut matching = Matching::new(count, |row: usize, column: usize| patterns[row][column]);
     let mut independent = Vec::with_capacity(rows.len());
-    for (place, row) in rows.iter().enumerate() {
+    for (place, row) in rows.iter().enumerate().take(always) {
         if matching.add(place) {
             independent.push(patterns[place].clone());
         } else if !row.faulty && !allows("redundant") {
