@@ -54,7 +54,7 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         self.next.map(|(_, state)| (self.end, state))
     }
 
-    /// Which contacts are closed and which frictions stick or slip, at [`HybridMemory::after`].
+    /// Which contacts are closed and which frictions stick or slip after the piece.
     pub fn regime(&self) -> &Regime<R, C, W> {
         self.next.as_ref().map_or(&self.regime, |(regime, _)| regime)
     }
