@@ -27,10 +27,12 @@ run! {
     heavy_top,
     own_math,
     pleiades,
+    rocking_block,
     rolling_disc,
     rotating_frame,
     spring_pendulum,
     squeezer,
+    stick_slip,
     ten_link_chain,
     whirling_hoop,
 }
@@ -51,6 +53,8 @@ mod heavy_top;
 mod own_math;
 #[path = "../examples/pleiades.rs"]
 mod pleiades;
+#[path = "../examples/rocking_block.rs"]
+mod rocking_block;
 #[path = "../examples/rolling_disc.rs"]
 mod rolling_disc;
 #[path = "../examples/rotating_frame.rs"]
@@ -59,6 +63,8 @@ mod rotating_frame;
 mod spring_pendulum;
 #[path = "../examples/squeezer.rs"]
 mod squeezer;
+#[path = "../examples/stick_slip.rs"]
+mod stick_slip;
 #[path = "../examples/ten_link_chain.rs"]
 mod ten_link_chain;
 #[path = "../examples/whirling_hoop.rs"]
