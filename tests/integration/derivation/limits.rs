@@ -132,6 +132,6 @@ fn a_bouncing_ball_comes_back_after_its_period() {
         close(end.q[0], height, 1e-10);
         close(motion.energy(), 8.0, 1e-11);
     }
-    assert!(Ball::STRUCTURE.to_string().contains("switched at its zeros: 1"), "{}", Ball::STRUCTURE);
+    assert!(Ball::STRUCTURE.to_string().contains("switched at its zeros"), "{}", Ball::STRUCTURE);
     assert!(Ball::EQUATIONS.contains("max(0, −height)"), "{}", Ball::EQUATIONS);
 }
