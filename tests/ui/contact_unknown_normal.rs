@@ -1,4 +1,4 @@
-//! A misspelt normal.
+//! A normal that is nowhere.
 
 use lagrangian::prelude::*;
 
@@ -19,7 +19,7 @@ impl Puck {
         q.y
     }
 
-    #[friction(coefficient = self.mu, normal = flor)]
+    #[friction(coefficient = self.mu, normal = road)]
     fn slip(&self, v: &Velocities) -> f64 {
         v.x
     }
