@@ -38,8 +38,6 @@ pub struct Regimes {
     pub jets: Option<Jets>,
     /// What each row stands for.
     pub laws_of: Vec<Option<Law>>,
-    /// Where the switches begin among the parameters.
-    pub first: usize,
 }
 
 impl Regimes {
@@ -77,7 +75,6 @@ pub fn derive(
     let jumps = kinks::jumps(&mut rows, &laws, &kinks);
     let count = held + contacts.len();
     let mut regime = rows.clone();
-    let first = regime.parameters.len();
     let switches = Switches::new(&mut regime, count, kinks.len());
     kinks::replace(&mut regime, &kinks, &switches.kinks);
     let mut equations = mechanics::derive(&mut regime, &permits, diagnostics)?;
@@ -93,19 +90,7 @@ pub fn derive(
     }
     let laws_of =
         (0..held).map(|_| None).chain(contacts.into_iter().map(|contact| Some(contact.law))).collect();
-    Some(Regimes {
-        rows,
-        laws,
-        kinks,
-        jumps,
-        model: regime,
-        equations,
-        facts,
-        solution,
-        jets,
-        laws_of,
-        first,
-    })
+    Some(Regimes { rows, laws, kinks, jumps, model: regime, equations, facts, solution, jets, laws_of })
 }
 
 /// The switches as variables of the graph, in the order in which they are parameters.
