@@ -7,7 +7,8 @@ use quote::quote;
 
 use crate::diagnostics::{Diagnostics, catalogue, physics};
 use crate::emit::{
-    ANALYSIS_METHODS, COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, emit, is_force_on_place, stubs,
+    ANALYSIS_METHODS, COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, STATE_METHOD, emit,
+    is_force_on_place, stubs,
 };
 use crate::mechanics::Equations;
 use crate::model::Model;
@@ -94,7 +95,8 @@ fn names_are_free(item: &Item, model: &Model, equations: &Equations, diagnostics
             name if equations.conditions.count() > 0 && CONSTRAINT_METHODS.contains(&name) => true,
             name if item.analysis && ANALYSIS_METHODS.contains(&name) => true,
             name if is_force_on_place(name, places()) => true,
-            name if COMPLETIONS.contains(&name) => !model.eliminated.is_empty(),
+            name if COMPLETIONS.contains(&name) => !model.eliminated.is_empty() || item.has_orientations(),
+            name if item.has_orientations() && name == STATE_METHOD => true,
             name => METHODS.contains(&name),
         };
         if generated {

@@ -4,6 +4,7 @@
 //! Contributions of several functions to one role are kept apart until mechanics adds them.
 
 mod constraints;
+pub mod orientation;
 
 use crate::collections::Lookup;
 use crate::diagnostics::Origin;
@@ -20,6 +21,8 @@ pub struct Model {
     /// Generalized coordinates, arrays flattened, in declaration order. Those that are eliminated are not
     /// among them.
     pub coordinates: Vec<Quantity>,
+    /// Where the three numbers of each orientation begin among the coordinates.
+    pub orientations: Vec<usize>,
     /// Inputs, arrays flattened, in declaration order.
     pub inputs: Vec<Quantity>,
     /// Parameters in order of their first use: `Variable::Parameter(i)` is the i-th.
@@ -245,6 +248,8 @@ pub enum RotationForm {
     Product(Box<Rotation>, Box<Rotation>),
     /// The inverse.
     Inverse(Box<Rotation>),
+    /// By three parameters, see [`orientation`].
+    Parameters([NodeId; 3]),
     /// Given by its entries alone.
     Entries,
 }
@@ -290,6 +295,8 @@ pub enum Action {
         /// Torque \[N m\].
         torque: NodeId,
     },
+    /// A load along scalar velocities: Q = Σ load ∂w/∂v.
+    Along(Vec<(NodeId, NodeId)>),
     /// A torque on a spatial body, in space axes: Q = τᵀ ∂ω/∂v.
     SpatialTorque {
         /// Orientation of the body.

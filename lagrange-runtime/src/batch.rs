@@ -4,6 +4,7 @@
 //! from lane to lane and the same generated code serves all of them. All lanes expand together to the same
 //! order; each takes the step that its own series allows.
 
+use crate::attitude;
 use crate::error::{Cause, MotionError};
 use crate::integrator::dop853::add;
 use crate::integrator::jets::probe::{self, Probe};
@@ -318,6 +319,10 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
                     residue.v[i] = num_traits::Zero::zero();
                 }
             }
+        }
+        if let Some(settled) = attitude::settle(S::ORIENTATIONS, &state) {
+            let zero = [num_traits::Zero::zero(); N];
+            (state, residue) = (settled, State { t: residue.t, q: zero, v: zero });
         }
         (self.state, self.residue) = (state, residue);
         Ok(())

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | [`real`] | the scalar trait, open to scalars of your own |
 //! | [`state`] | time, coordinates, velocities |
+//! | [`attitude`] | orientations in space as three numbers of a state |
 //! | [`system`] | the trait that generated code implements |
 //! | [`smooth`] | the same for Taylor coefficients of the motion |
 //! | [`simulation`] | a motion under error control: advance, sample, steer |
@@ -47,6 +48,7 @@ compile_error!(
 
 pub mod algebra;
 pub mod analysis;
+pub mod attitude;
 pub mod batch;
 mod columns;
 pub mod constraints;
@@ -76,6 +78,7 @@ pub mod verify;
 
 pub use algebra::PrincipalMoments;
 pub use analysis::InertiaForces;
+pub use attitude::Twist;
 pub use batch::Batch;
 pub use constraints::{Constrained, Footing, Reactions};
 pub use error::{Cause, Function, Magnitude, MotionError};
@@ -118,6 +121,7 @@ pub use wide;
 pub mod __private {
     pub use crate::algebra::{self, PrincipalMoments};
     pub use crate::analysis::{self, InertiaForces};
+    pub use crate::attitude;
     pub use crate::error::{Cause, Function, MotionError};
     pub use crate::events::Guard;
     pub use crate::linear::{Independence, Ldlt, Lu};

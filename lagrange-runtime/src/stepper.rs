@@ -4,6 +4,7 @@
 //! what it needs, so one that would go wrong does not compile. Time is summed with compensation,
 //! so a million steps of 1 ms end within a rounding of 1000 s.
 
+use crate::attitude;
 use crate::constraints::{Constrained, Reactions};
 use crate::error::{Cause, MotionError};
 use crate::integrator::{FixedStep, diagnose};
@@ -78,6 +79,9 @@ where
             .project_at(&self.constants, &mut next, Some(from))
             .map_err(|cause| MotionError { cause, t: from.t })?;
         self.residue = increment - (next.t - from.t);
+        if let Some(settled) = attitude::settle(S::ORIENTATIONS, &next) {
+            (next, self.memory) = (settled, M::begin(self.system));
+        }
         self.state = next;
         Ok(&self.state)
     }

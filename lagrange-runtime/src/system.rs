@@ -25,6 +25,10 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Names of coordinates and constraints, for errors.
     const NAMES: Names = Names::NONE;
 
+    /// Where the three numbers of each orientation begin among the coordinates, see
+    /// [`attitude`](crate::attitude).
+    const ORIENTATIONS: &'static [usize] = &[];
+
     /// Evaluates [`System::Constants`].
     fn constants(&self) -> Self::Constants;
 

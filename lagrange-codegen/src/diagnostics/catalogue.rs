@@ -52,6 +52,17 @@ messages! {
     empty_array(name) = "the array `{name}` has no elements; give it a length of at least 1";
     array_too_long(name, most) = "the array `{name}` is longer than {most}; a system of this size cannot be \
         expanded into source code";
+    unknown_coordinate_kind(name) = "`{name}` is no kind of coordinate; write `Rotation` for an orientation in \
+        space, `Pose` for a position and an orientation, or a length in brackets for an array of numbers: `theta: [3]`";
+    input_not_scalar(name) = "the input `{name}` is a number or an array of numbers; leave the kind out, or write \
+        `{name}: [3]`";
+    no_array_of_orientations(record) = "`{record}` with orientations are no array of numbers; use their fields by name";
+    eliminated_orientation(name) = "`{name}` is an orientation or a pose and cannot be eliminated; leave \
+        `eliminate` out: the constraint then has a multiplier";
+    force_on_all_with_orientations(name) = "`{name}` gives a force for each coordinate, but some coordinates are \
+        orientations; write `#[force(on = …)]` for a coordinate or `#[force(at = …)]` for a place";
+    force_on_pose(name) = "`{name}` is a pose; a force on it acts at a place: write `#[force(at = …)]` with the name of \
+        a function that returns it";
     length_not_constant(name) = "the length of `{name}` is not known to the macro; write a literal or a \
         `const` of this impl block";
     no_roles(name) = "`{name}` has no function with a role; mark at least one with `#[point(mass = …)]`, \

@@ -92,7 +92,9 @@ fn solve(
         }
         Some(coordinate) => coordinate,
         None => {
-            let free: Vec<usize> = (0..q.len()).filter(|i| occurs(i) && !named.contains(i)).collect();
+            let oriented = |i: &usize| model.orientations.iter().any(|&first| (first..first + 3).contains(i));
+            let free: Vec<usize> =
+                (0..q.len()).filter(|i| occurs(i) && !named.contains(i) && !oriented(i)).collect();
             match free.iter().rev().find(|i| is_fixed(i)).or(free.last()) {
                 Some(&last) => last,
                 None => return refused(physics::nothing_to_eliminate(&constraint.written())),
@@ -189,6 +191,9 @@ fn remove(model: &mut Model, solved: &[Solved]) {
     }
     quantities::rewrite(model, &replacements);
 
+    for first in &mut model.orientations {
+        *first = rest.iter().position(|i| i == first).unwrap_or_default();
+    }
     for (declared_index, quantity) in std::mem::take(&mut model.coordinates).into_iter().enumerate() {
         let Some(place) = place(declared_index) else {
             model.coordinates.push(quantity);

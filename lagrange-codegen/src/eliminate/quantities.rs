@@ -36,6 +36,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
     let Model {
         graph: _,
         coordinates: _,
+        orientations: _,
         inputs: _,
         parameters: _,
         lengths: _,
@@ -87,6 +88,12 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
                 each(angle);
                 each(torque);
             }
+            Action::Along(loads) => {
+                for (velocity, load) in loads {
+                    each(velocity);
+                    each(load);
+                }
+            }
             Action::SpatialTorque { rotation: turn, torque } => {
                 rotation(turn, each);
                 torque.iter_mut().for_each(&mut *each);
@@ -114,6 +121,7 @@ fn rotation(turn: &mut Rotation, each: &mut dyn FnMut(&mut NodeId)) {
             rotation(right, each);
         }
         RotationForm::Inverse(inner) => rotation(inner, each),
+        RotationForm::Parameters(rho) => rho.iter_mut().for_each(each),
         RotationForm::Entries => {}
     }
 }

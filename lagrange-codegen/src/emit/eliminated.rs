@@ -1,20 +1,23 @@
-//! Methods that complete a state by the coordinates that constraints have eliminated.
+//! Methods that give the named quantities of a state, where these are not its numbers: coordinates that
+//! constraints have eliminated, orientations and angular velocities.
 //!
-//! The user's functions take all declared coordinates; a state holds those that are left.
+//! The user's functions take all declared coordinates; a state holds the numbers of those that are left.
 
 use super::Emission;
 use super::body::{self, Source};
 use super::{docs, methods};
 use crate::expr::{NodeId, Variable};
+use crate::model::orientation;
 use crate::simplify::simplify;
 use crate::syntax::Record;
+use crate::syntax::item::Kind;
 
-/// The methods of a system from which coordinates were eliminated.
+/// The methods.
 pub(crate) const METHODS: [&str; 2] = ["coordinates", "velocities"];
 
-/// `coordinates` and `velocities`; nothing where no coordinate was eliminated.
+/// `coordinates` and `velocities`; nothing where they are the numbers of a state.
 pub(super) fn completions(emission: &mut Emission<'_>) -> String {
-    if emission.model.eliminated.is_empty() {
+    if emission.is_state_complete() {
         return String::new();
     }
     let coordinates = completion(emission, Record::Coordinates);
@@ -27,21 +30,54 @@ fn completion(emission: &mut Emission<'_>, record: Record) -> String {
         Record::Velocities => (velocities, "velocities", "′"),
         Record::Coordinates | Record::Inputs => (coordinates, "coordinates", ""),
     };
-    let nodes = declared(emission, record);
+    let mut nodes = declared(emission, record);
+    let mut conversion = "as ::core::convert::From<_>>::from";
+    if record == Record::Velocities && emission.item.has_orientations() {
+        angular(emission, &mut nodes);
+        conversion = ">::__of";
+    }
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &nodes);
     let model = &*emission.model;
-    let mut doc = format!("All declared {what}, those included that constraints have eliminated.");
+    let mut doc = format!("All declared {what} by name");
+    if !model.eliminated.is_empty() {
+        doc.push_str(", those included that constraints have eliminated");
+    }
+    if emission.item.has_orientations() && record == Record::Velocities {
+        doc.push_str("; angular velocities in body axes [rad/s]");
+    }
+    doc.push('.');
     for eliminated in &model.eliminated {
         let symbol = format!("{}{mark}", eliminated.quantity.written());
         doc.push_str(&docs::equation(model, &symbol, nodes[eliminated.declared_index]));
     }
-    let (scalar, count) = (&emission.scalar, nodes.len());
+    let scalar = &emission.scalar;
     let result = format!("{}<{scalar}>", emission.item.record_ident(record));
     let signature = format!("{name}({}) -> {result}", methods::arguments(emission, &nodes));
     let body = body::plain(model, scalar, &nodes, Source::State, |values| {
-        format!("<{result} as ::core::convert::From<[{scalar}; {count}]>>::from([{}])", values.join(", "))
+        format!("<{result} {conversion}([{}])", values.join(", "))
     });
     methods::method(&doc, &signature, &body)
+}
+
+/// Puts angular velocities in the places of what a state holds of them.
+fn angular(emission: &mut Emission<'_>, velocities: &mut [NodeId]) {
+    let coordinates = declared(emission, Record::Coordinates);
+    let mut first = 0;
+    for group in &emission.item.coordinates {
+        for _ in 0..group.length.unwrap_or(1) {
+            let next = first + group.kind.width();
+            let turned = next - 3.min(group.kind.width())..next;
+            if let (true, Some(rho), Some(rates)) = (
+                group.kind != Kind::Scalar,
+                coordinates.get(turned.clone()).and_then(<[_]>::first_chunk),
+                velocities.get(turned.clone()).and_then(<[_]>::first_chunk),
+            ) {
+                let rate = orientation::body_rate(&mut emission.model.graph, rho, rates);
+                velocities[turned].copy_from_slice(&rate);
+            }
+            first = next;
+        }
+    }
 }
 
 /// The values of all declared coordinates, or their velocities, in order.

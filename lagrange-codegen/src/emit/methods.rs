@@ -2,7 +2,7 @@
 
 use super::body::{self, Source};
 use super::equations::Sides;
-use super::{Emission, docs, eliminated};
+use super::{Emission, docs, eliminated, oriented};
 use crate::expr::{Dependence, NodeId};
 use crate::simplify::simplify;
 
@@ -64,6 +64,7 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> (String, Sides) {
         text.push_str(&method("Energy T + V \\[J\\].", &signature, body));
     }
     text.push_str(&eliminated::completions(emission));
+    text.push_str(&oriented::state(emission));
     (text, sides)
 }
 

@@ -14,6 +14,7 @@ mod linearization;
 mod meanings;
 mod methods;
 mod names;
+mod oriented;
 mod over;
 mod parts;
 mod proofs;
@@ -41,6 +42,7 @@ pub(crate) use analysis::METHODS as ANALYSIS_METHODS;
 pub(crate) use constraints::{METHODS as CONSTRAINT_METHODS, is_force_on_place};
 pub(crate) use eliminated::METHODS as COMPLETIONS;
 pub(crate) use methods::METHODS;
+pub(crate) use oriented::METHOD as STATE_METHOD;
 pub(crate) use stubs::stubs;
 
 /// Everything that emission reads; the graph grows while it simplifies.
@@ -61,6 +63,11 @@ pub(crate) struct Emission<'a> {
 impl Emission<'_> {
     fn count(&self) -> usize {
         self.model.coordinates.len()
+    }
+
+    /// Whether the numbers of a state are the declared coordinates and velocities.
+    fn is_state_complete(&self) -> bool {
+        self.model.eliminated.is_empty() && !self.item.has_orientations()
     }
 
     /// The integrator of the system.
@@ -298,13 +305,18 @@ pub(crate) fn emit(
     }
 }
 
-/// The constant `NAMES` as text.
+/// The constants `NAMES` and, where there are any, `ORIENTATIONS` as text.
 fn names_of_parts(model: &Model) -> String {
     let coordinates: Vec<String> = model.coordinates.iter().map(|quantity| quantity.written()).collect();
     let constraints: Vec<String> = model.constraints.iter().map(|constraint| constraint.written()).collect();
-    format!(
+    let mut text = format!(
         "const NAMES: lagrange::Names = lagrange::Names {{ coordinates: &{coordinates:?}, constraints: &{constraints:?} }};\n"
-    )
+    );
+    let orientations = &model.orientations;
+    if !orientations.is_empty() {
+        text.push_str(&format!("const ORIENTATIONS: &'static [usize] = &{orientations:?};\n"));
+    }
+    text
 }
 
 /// The constants `COST` and `STRUCTURE`.

@@ -83,7 +83,7 @@ fn getter(reading: &Reading) -> String {
 /// The records that functions take, each once.
 fn records(emission: &Emission<'_>, readings: &[Reading]) -> String {
     let item = emission.item;
-    let whole = emission.model.eliminated.is_empty();
+    let whole = emission.is_state_complete();
     let mut text = String::new();
     for record in Record::ALL {
         let takes = |reading: &&Reading| {

@@ -3,6 +3,7 @@
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
+use super::oriented;
 use crate::syntax::{Group, Item, Record};
 
 /// `…Coordinates`, `…Velocities`, and `…Inputs` where there are any.
@@ -21,58 +22,71 @@ pub(super) fn records(item: &Item) -> TokenStream {
 /// half of what `cargo expand` shows.
 fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenStream {
     let name = item.record_ident(record);
+    let oriented = record != Record::Inputs && item.has_orientations();
     let shown = name.to_string();
     let doc = format!("{title} of [`{}`].", item.name);
-    let count: usize = groups.iter().map(|group| group.length.unwrap_or(1)).sum();
+    let count: usize = groups.iter().map(Group::size).sum();
     let (mut fields, mut patterns, mut flat, mut debug) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for group in groups {
         let (ident, label) = (&group.ident, group.name().to_string());
         let field_doc = format!("`{label}`");
+        let element = group.kind.element(record, &item.crate_path);
         match group.length {
             Some(length) => {
                 let parts: Vec<_> = (0..length).map(|i| format_ident!("x{}", flat.len() + i)).collect();
-                fields.push(quote!(#[doc = #field_doc] pub #ident: [R; #length]));
+                fields.push(quote!(#[doc = #field_doc] pub #ident: [#element; #length]));
                 patterns.push(quote!(#ident: [#(#parts),*]));
                 flat.extend(parts);
             }
             None => {
                 let part = format_ident!("x{}", flat.len());
-                fields.push(quote!(#[doc = #field_doc] pub #ident: R));
+                fields.push(quote!(#[doc = #field_doc] pub #ident: #element));
                 patterns.push(quote!(#ident: #part));
                 flat.push(part);
             }
         }
         debug.push(quote!(.field(#label, &self.#ident)));
     }
-    let conversions = conversions(item, record, count);
+    let conversions = match oriented {
+        true => oriented::conversions(item, record),
+        false => {
+            let methods = conversions(item, record, count);
+            quote! {
+                impl<R> ::core::convert::From<[R; #count]> for #name<R> {
+                    fn from([#(#flat),*]: [R; #count]) -> Self {
+                        Self { #(#patterns),* }
+                    }
+                }
+
+                impl<R> ::core::convert::From<#name<R>> for [R; #count] {
+                    fn from(#name { #(#patterns),* }: #name<R>) -> Self {
+                        [#(#flat),*]
+                    }
+                }
+
+                #methods
+            }
+        }
+    };
+    let path = &item.crate_path;
+    let real = oriented.then(|| quote!(#path::__private::Real +));
+    let bound = oriented.then(|| quote!(: #path::__private::Real));
     quote! {
         #[doc = #doc]
         #[allow(non_snake_case)]
-        pub struct #name<R = f64> { #(#fields),* }
+        pub struct #name<R #bound = f64> { #(#fields),* }
 
-        impl<R: ::core::marker::Copy> ::core::marker::Copy for #name<R> {}
+        impl<R: #real ::core::marker::Copy> ::core::marker::Copy for #name<R> {}
 
-        impl<R: ::core::marker::Copy> ::core::clone::Clone for #name<R> {
+        impl<R: #real ::core::marker::Copy> ::core::clone::Clone for #name<R> {
             fn clone(&self) -> Self {
                 *self
             }
         }
 
-        impl<R: ::core::fmt::Debug> ::core::fmt::Debug for #name<R> {
+        impl<R: #real ::core::fmt::Debug> ::core::fmt::Debug for #name<R> {
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 f.debug_struct(#shown)#(#debug)*.finish()
-            }
-        }
-
-        impl<R> ::core::convert::From<[R; #count]> for #name<R> {
-            fn from([#(#flat),*]: [R; #count]) -> Self {
-                Self { #(#patterns),* }
-            }
-        }
-
-        impl<R> ::core::convert::From<#name<R>> for [R; #count] {
-            fn from(#name { #(#patterns),* }: #name<R>) -> Self {
-                [#(#flat),*]
             }
         }
 

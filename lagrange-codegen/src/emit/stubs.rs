@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
-use super::{COMPLETIONS, analysis, over, proofs, records};
+use super::{COMPLETIONS, analysis, oriented, over, proofs, records};
 use crate::syntax::body::Expr;
 use crate::syntax::constant;
 use crate::syntax::item::RoleKind;
@@ -26,7 +26,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
         Scalar::F32 => format_ident!("f32"),
         Scalar::Generic(parameter) => parameter.clone(),
     };
-    let total = |groups: &[Group]| groups.iter().map(|group| group.length.unwrap_or(1)).sum::<usize>();
+    let total = |groups: &[Group]| groups.iter().map(Group::size).sum::<usize>();
     let (declared, inputs) = (total(&item.coordinates), total(&item.inputs));
     let count = declared.saturating_sub(item.eliminated());
     let held = constraints::declared(item);
@@ -96,7 +96,10 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     let mut methods = methods(item, &quote!(#scalar), count, inputs);
     methods.extend(constraint_methods(item, &held, &quote!(#scalar), count, inputs));
     methods.extend(analysis::stubs(item, &quote!(#scalar), count, inputs));
-    let completions = (declared > count).then(|| completions(item, &quote!(#scalar), count));
+    let is_complete = declared == count && !item.has_orientations();
+    let completions = (!is_complete).then(|| completions(item, &quote!(#scalar), count));
+    let state = (item.has_orientations() && declared == count && is_free(item, oriented::METHOD))
+        .then(|| oriented::stub(item, &quote!(#scalar), count));
     Some(quote! {
         #records
         #reactions
@@ -116,6 +119,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 pub const EQUATIONS: &'static str = "";
                 #methods
                 #completions
+                #state
             }
 
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {

@@ -51,6 +51,11 @@ impl<'a> Interpreter<'a> {
                 "rotation" => Value::Rotation(turn.clone()),
                 _ => self.unknown_field(&base, word),
             },
+            Value::Twist(linear, angular) => match name {
+                "linear" => Value::Vector(linear.clone()),
+                "angular" => Value::Vector(angular.clone()),
+                _ => self.unknown_field(&base, word),
+            },
             Value::Tuple(elements) => {
                 match name.parse::<usize>().ok().and_then(|index| elements.get(index)) {
                     Some(element) => element.clone(),

@@ -66,6 +66,10 @@ impl<'a> Interpreter<'a> {
     ) -> Option<Vec<Option<usize>>> {
         let constraints = count.unwrap_or(1);
         let Some((word, element)) = &eliminate.coordinate else { return Some(vec![None; constraints]) };
+        if self.is_oriented(word) {
+            self.report(word.origin, catalogue::eliminated_orientation(&word.name));
+            return None;
+        }
         let coordinates = self.coordinates_of(word, element.as_ref())?;
         if coordinates.len() == constraints {
             return Some(coordinates.into_iter().map(Some).collect());

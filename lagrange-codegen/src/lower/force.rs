@@ -8,19 +8,27 @@ use super::value::{Turn, Value};
 use crate::diagnostics::catalogue;
 use crate::expr::NodeId;
 use crate::model::{Action, Force, Rotation};
-use crate::syntax::Record;
 use crate::syntax::body::{Expr, Name, Word};
-use crate::syntax::item::{Argument, Function, RoleKind, Target};
+use crate::syntax::item::{Argument, Function, Kind, RoleKind, Target};
+use crate::syntax::{Group, Record};
 
 impl<'a> Interpreter<'a> {
     /// Lowers one force function.
     pub fn force(&mut self, index: usize, target: &'a Target) {
         match target {
+            Target::Generalized if self.item.has_orientations() => {
+                let function = &self.item.functions[index];
+                let message = catalogue::force_on_all_with_orientations(&function.name);
+                self.report(function.origin, message);
+            }
             Target::Generalized => {
                 let all = (0..self.size(Record::Coordinates)).collect();
                 self.generalized_force(index, all);
             }
             Target::On(word, element) => {
+                if self.is_oriented(word) {
+                    return self.torque_on(index, word, element.as_ref());
+                }
                 if let Some(coordinates) = self.coordinates_of(word, element.as_ref()) {
                     self.generalized_force(index, coordinates);
                 }
@@ -54,6 +62,59 @@ impl<'a> Interpreter<'a> {
         self.push_force(function, function.name.to_string(), action);
     }
 
+    /// Whether a name is that of an orientation or a pose.
+    pub fn is_oriented(&self, word: &Word) -> bool {
+        let is_it = |group: &&Group| group.name() == word.name && group.kind != Kind::Scalar;
+        self.item.coordinates.iter().any(|group| is_it(&group))
+    }
+
+    /// A torque in body axes on an orientation, or on each of an array of them.
+    fn torque_on(&mut self, index: usize, word: &'a Word, element: Option<&'a Expr>) {
+        let function: &'a Function = &self.item.functions[index];
+        let Some(place) = self.item.coordinates.iter().position(|group| group.name() == word.name) else {
+            return;
+        };
+        let group = &self.item.coordinates[place];
+        if group.kind == Kind::Pose {
+            return self.report(word.origin, catalogue::force_on_pose(&word.name));
+        }
+        let velocities = match (self.fields[1][place].clone(), element) {
+            (Value::Array(all), Some(element)) => {
+                let Some(index) = self.length(element) else { return };
+                let Some(one) = all.get(index) else {
+                    let valid = valid_indices(all.len());
+                    return self.report(element.origin, catalogue::index_out_of_range(index, valid));
+                };
+                one.clone()
+            }
+            (_, Some(element)) => {
+                return self.report(element.origin, catalogue::index_into_single(&word.name));
+            }
+            (all, None) => all,
+        };
+        let fits = |shape: &Shape| *shape == Shape::Vector(3);
+        let is_right = match (self.declared(function), &velocities) {
+            (Shape::Array(element, length), Value::Array(all)) => fits(&element) && length == all.len(),
+            (shape, Value::Vector(_)) => fits(&shape),
+            _ => false,
+        };
+        if !is_right {
+            let vector = format!("a torque in body axes, `Vector3<{}>`", self.item.scalar);
+            let expected = match &velocities {
+                Value::Array(all) => format!("an array of {}, each {vector}", all.len()),
+                _ => vector,
+            };
+            return self.wrong_force(function, expected);
+        }
+        let Some(value) = self.result(index) else { return };
+        let [velocities, torques] = [&velocities, &value].map(|value| match value {
+            Value::Array(all) => all.iter().flat_map(|one| one.nodes().to_vec()).collect(),
+            one => one.nodes().to_vec(),
+        });
+        let action = Action::Along(velocities.into_iter().zip(torques).collect());
+        self.push_force(function, function.name.to_string(), action);
+    }
+
     fn push_force(&mut self, function: &'a Function, name: String, action: Action) {
         self.model.forces.push(Force { name, action, origin: function.origin });
     }
@@ -74,7 +135,7 @@ impl<'a> Interpreter<'a> {
         let groups = &self.item.coordinates;
         let mut start = 0;
         for group in groups {
-            let length = group.length.unwrap_or(1);
+            let length = group.size();
             if group.name() == word.name {
                 return match (element, group.length) {
                     (None, _) => Some((start..start + length).collect()),

@@ -14,6 +14,10 @@ impl Interpreter<'_> {
             Value::Vector(nodes) | Value::Point(nodes) | Value::Translation(nodes) => {
                 self.hint_components(nodes, name);
             }
+            Value::Twist(linear, angular) => {
+                self.hint_components(linear, name);
+                self.hint_components(angular, &format!("{name}_angular"));
+            }
             Value::Isometry(shift, _) => self.hint_components(shift, name),
             Value::Rotation(Turn::Space(rotation)) => {
                 for (row, entries) in rotation.matrix.iter().enumerate() {

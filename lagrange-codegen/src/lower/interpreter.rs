@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use super::coordinates;
 use super::parameter::Parameters;
 use super::rounded::Rounded;
 use super::scalar::LARGEST_POWER;
@@ -10,12 +11,12 @@ use super::shape::Shape;
 use super::value::Value;
 use crate::collections::Lookup;
 use crate::diagnostics::{Diagnostics, Origin, catalogue};
-use crate::expr::{Graph, Node, NodeId, Variable};
-use crate::model::{Meaning, Model, Quantity};
+use crate::expr::{Graph, Node, NodeId};
+use crate::model::{Meaning, Model};
 use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Name, Owner};
 use crate::syntax::integers::Integers;
-use crate::syntax::{Group, Item};
+use crate::syntax::{Item, Record};
 
 /// Steps, an expression each, after which a description counts as runaway: about three seconds of an engine
 /// without optimisation. Five hundred coordinates of which each meets each take a third of them, a chain of a
@@ -88,15 +89,16 @@ impl<'a> Interpreter<'a> {
     /// An interpreter with the variables of a description.
     pub fn new(item: &'a Item, diagnostics: &'a mut Diagnostics) -> Interpreter<'a> {
         let mut model = Model {
-            coordinates: quantities(&item.coordinates),
-            inputs: quantities(&item.inputs),
+            coordinates: coordinates::quantities(&item.coordinates),
+            orientations: coordinates::orientations(&item.coordinates),
+            inputs: coordinates::quantities(&item.inputs),
             ..Model::default()
         };
         let graph = &mut model.graph;
         let fields = [
-            variables(graph, &item.coordinates, Variable::Coordinate),
-            variables(graph, &item.coordinates, Variable::Velocity),
-            variables(graph, &item.inputs, Variable::Input),
+            coordinates::fields(graph, &item.coordinates, Record::Coordinates),
+            coordinates::fields(graph, &item.coordinates, Record::Velocities),
+            coordinates::fields(graph, &item.inputs, Record::Inputs),
         ];
         Interpreter {
             item,
@@ -350,35 +352,4 @@ impl<'a> Interpreter<'a> {
             _ => false,
         }
     }
-}
-
-fn quantities(groups: &[Group]) -> Vec<Quantity> {
-    let mut quantities = Vec::new();
-    for group in groups {
-        let name = group.name().to_string();
-        match group.length {
-            None => quantities.push(Quantity { name, index: None, origin: group.origin }),
-            Some(length) => quantities.extend((0..length).map(|index| Quantity {
-                name: name.clone(),
-                index: Some(index),
-                origin: group.origin,
-            })),
-        }
-    }
-    quantities
-}
-
-fn variables(graph: &mut Graph, groups: &[Group], kind: impl Fn(u32) -> Variable) -> Vec<Value> {
-    let mut next = 0;
-    let mut variable = || {
-        next += 1;
-        Value::scalar(graph.variable(kind(next - 1)))
-    };
-    groups
-        .iter()
-        .map(|group| match group.length {
-            None => variable(),
-            Some(length) => Value::array((0..length).map(|_| variable()).collect()),
-        })
-        .collect()
 }

@@ -89,7 +89,7 @@ impl<'a> Interpreter<'a> {
                 self.iterator_method(receiver, word, arguments, origin)
             }
             Value::Record(record) => self.record_method(record, word, arguments),
-            Value::Unit | Value::Boolean(_) | Value::Choice(_) | Value::Tuple(_) => {
+            Value::Unit | Value::Boolean(_) | Value::Choice(_) | Value::Twist(..) | Value::Tuple(_) => {
                 self.unknown_method(&receiver, word)
             }
         }
@@ -107,6 +107,7 @@ impl<'a> Interpreter<'a> {
             | Value::Boolean(_)
             | Value::Choice(_)
             | Value::Integer(..)
+            | Value::Twist(..)
             | Value::Tuple(_)
             | Value::Record(_) => &["to_array", "as_vector"],
         };
@@ -188,6 +189,11 @@ impl<'a> Interpreter<'a> {
 
     fn record_method(&mut self, record: Record, word: &Word, arguments: Vec<Value>) -> Value {
         match (&*word.name, arguments.as_slice()) {
+            ("to_array" | "as_vector" | "to_vector", [])
+                if record != Record::Inputs && self.item.has_orientations() =>
+            {
+                self.refuse(word.origin, catalogue::no_array_of_orientations(record.name()))
+            }
             ("to_array", []) => Value::array(self.record_values(record)),
             ("as_vector" | "to_vector", []) => {
                 let values = self.record_values(record);

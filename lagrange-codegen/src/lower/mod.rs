@@ -14,6 +14,7 @@ mod constraint;
 mod construct;
 mod contact;
 mod control;
+mod coordinates;
 mod force;
 mod hint;
 mod interpreter;

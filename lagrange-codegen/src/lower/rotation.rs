@@ -93,6 +93,9 @@ impl Interpreter<'_> {
                         RotationForm::Axis { axis: *axis, angle: self.graph().neg(*angle) }
                     }
                     RotationForm::Inverse(original) => original.form.clone(),
+                    RotationForm::Parameters(rho) => {
+                        RotationForm::Parameters(rho.map(|component| self.graph().neg(component)))
+                    }
                     RotationForm::Product(..) | RotationForm::Entries => {
                         RotationForm::Inverse(Box::new(Rotation::clone(rotation)))
                     }

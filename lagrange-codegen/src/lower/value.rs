@@ -41,6 +41,8 @@ pub enum Value {
     Rotation(Turn),
     /// A rotation followed by a translation.
     Isometry(Rc<[NodeId]>, Turn),
+    /// The velocity of a pose: of its origin in space axes, and angular in body axes.
+    Twist(Rc<[NodeId]>, Rc<[NodeId]>),
     /// A tuple.
     Tuple(Rc<Vec<Value>>),
     /// An array.
@@ -149,6 +151,7 @@ impl Value {
             Value::Translation(components) => format!("a Translation{}", components.len()),
             Value::Rotation(turn) => format!("a Rotation{}", turn.dimension()),
             Value::Isometry(_, turn) => format!("an Isometry{}", turn.dimension()),
+            Value::Twist(..) => "a Twist".into(),
             Value::Tuple(elements) => format!("a tuple of {}", elements.len()),
             Value::Array(elements) => format!("an array of {}", elements.len()),
             Value::Iterator(_) => "an iterator".into(),
@@ -188,6 +191,7 @@ impl Value {
             | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
+            | Value::Twist(..)
             | Value::Tuple(_)
             | Value::Array(_)
             | Value::Iterator(_)
@@ -236,6 +240,10 @@ impl Value {
             Value::Isometry(_, turn) => {
                 nodes(words, 11, self.nodes());
                 Value::Rotation(turn.clone()).fingerprint(words);
+            }
+            Value::Twist(linear, angular) => {
+                nodes(words, 17, linear);
+                nodes(words, 17, angular);
             }
             Value::Tuple(elements) => list(words, 12, elements),
             Value::Array(elements) => list(words, 13, elements),

@@ -1,12 +1,13 @@
 //! Angular velocities of composed rotations.
 //!
 //! In body axes: ω = φ̇ e for a fixed axis e, ω(AB) = Bᵀ ω(A) + ω(B), ω(A⁻¹) = −A ω(A), and for a
+//! rotation by parameters as `orientation` has it, and for a
 //! rotation known by its entries alone the vector of the skew matrix Rᵀ Ṙ. Goldstein, *Classical
 //! Mechanics*, 3rd ed., section 4.9.
 
 use crate::calculus::pushforward;
 use crate::expr::{Graph, NodeId};
-use crate::model::{Rotation, RotationForm};
+use crate::model::{Rotation, RotationForm, orientation};
 use crate::number::Number;
 
 /// The angular velocity in body axes, for total time derivatives along `direction`.
@@ -30,6 +31,10 @@ pub(super) fn body_rate(
             let of_inner = body_rate(graph, inner, direction);
             let turned = times(graph, &inner.matrix, &of_inner);
             turned.map(|component| graph.neg(component))
+        }
+        RotationForm::Parameters(rho) => {
+            let rates = pushforward(graph, rho, direction);
+            orientation::body_rate(graph, rho, &[rates[0], rates[1], rates[2]])
         }
         RotationForm::Entries => {
             let entries: Vec<NodeId> = rotation.matrix.iter().flatten().copied().collect();

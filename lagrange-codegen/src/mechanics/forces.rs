@@ -18,6 +18,7 @@ pub(super) fn loads(model: &mut Model, motion: &Motion) -> Loads {
                 loads.through_q.extend(position.iter().copied().zip(force.iter().copied()));
             }
             Action::PlanarTorque { angle, torque } => loads.through_q.push((*angle, *torque)),
+            Action::Along(along) => loads.through_v.extend(along.iter().copied()),
             Action::SpatialTorque { rotation, torque } => {
                 // The torque turns into body axes, where the angular velocity is known.
                 let rate = angular::body_rate(graph, rotation, &direction);

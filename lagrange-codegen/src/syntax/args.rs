@@ -9,7 +9,7 @@ use syn::{Token, bracketed, parenthesized};
 
 use super::body::{Constant, Name};
 use super::constant;
-use super::item::Group;
+use super::item::{Group, Kind};
 use super::suggest::nearest;
 use super::translate::{Translator, bare};
 use crate::diagnostics::{Diagnostics, catalogue};
@@ -55,10 +55,12 @@ pub struct Args {
     pub allowed: Vec<&'static str>,
 }
 
-/// A declared name with the length as written.
+/// A declared name with its kind and the length as written.
 pub struct Declaration {
     /// The name.
     pub ident: Ident,
+    /// What each element is.
+    pub kind: Kind,
     /// The length of an array.
     pub length: Option<syn::Expr>,
 }
@@ -66,15 +68,32 @@ pub struct Declaration {
 impl Parse for Declaration {
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let ident = input.call(Ident::parse_any)?;
-        let length = match input.parse::<Option<Token![:]>>()? {
-            Some(_) => {
+        let (mut kind, mut length) = (Kind::Scalar, None);
+        if input.parse::<Option<Token![:]>>()?.is_some() {
+            if input.peek(syn::token::Bracket) {
                 let content;
                 bracketed!(content in input);
-                Some(content.parse()?)
+                if content.peek(syn::Ident) && content.peek2(Token![;]) {
+                    kind = content.parse()?;
+                    content.parse::<Token![;]>()?;
+                }
+                length = Some(content.parse()?);
+            } else {
+                kind = input.parse()?;
             }
-            None => None,
-        };
-        Ok(Declaration { ident, length })
+        }
+        Ok(Declaration { ident, kind, length })
+    }
+}
+
+impl Parse for Kind {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let word = input.parse::<Ident>()?;
+        match word.to_string().as_str() {
+            "Rotation" => Ok(Kind::Rotation),
+            "Pose" => Ok(Kind::Pose),
+            other => Err(syn::Error::new(word.span(), catalogue::unknown_coordinate_kind(other))),
+        }
     }
 }
 
@@ -223,6 +242,9 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
         diagnostics.error(Span::call_site(), message);
     }
     check_names(&args, diagnostics);
+    for input in args.inputs.iter().filter(|input| input.kind != Kind::Scalar) {
+        diagnostics.error(input.ident.span(), catalogue::input_not_scalar(&input.ident));
+    }
     args
 }
 
@@ -241,7 +263,7 @@ pub fn groups(
                 Some(expr) => Some(length(&declaration.ident, expr, constants, translator)?),
             };
             let origin = translator.origin(declaration.ident.span());
-            Some(Group { ident: declaration.ident.clone(), length, origin })
+            Some(Group { ident: declaration.ident.clone(), kind: declaration.kind, length, origin })
         })
         .collect();
     groups.into_iter().collect()

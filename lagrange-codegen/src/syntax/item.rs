@@ -3,7 +3,7 @@
 use std::fmt;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::format_ident;
+use quote::{format_ident, quote};
 
 use super::args::LINTS;
 use super::body::{Block, Constant, Expr, Name, Pattern, Word};
@@ -58,6 +58,11 @@ impl Item {
         self.allowed.contains(&lint)
     }
 
+    /// Whether a coordinate is an orientation or a pose.
+    pub fn has_orientations(&self) -> bool {
+        self.coordinates.iter().any(|group| group.kind != Kind::Scalar)
+    }
+
     /// How many scalar coordinates are to be eliminated, by what the roles say.
     pub fn eliminated(&self) -> usize {
         let eliminates = |function: &&Function| {
@@ -97,11 +102,47 @@ impl Item {
     }
 }
 
+/// What a declared coordinate is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A number.
+    Scalar,
+    /// An orientation in space: three numbers of a state.
+    Rotation,
+    /// A position and an orientation in space: three numbers of a state each.
+    Pose,
+}
+
+impl Kind {
+    /// Scalar coordinates of an element.
+    pub fn width(self) -> usize {
+        match self {
+            Kind::Scalar => 1,
+            Kind::Rotation => 3,
+            Kind::Pose => 6,
+        }
+    }
+
+    /// The type of an element in a record over the scalar `R`; `path` leads to the facade.
+    pub fn element(self, record: Record, path: &syn::Path) -> TokenStream {
+        let is_velocity = record == Record::Velocities;
+        match (self, is_velocity) {
+            (Kind::Scalar, _) => quote!(R),
+            (Kind::Rotation, false) => quote!(#path::__private::nalgebra::UnitQuaternion<R>),
+            (Kind::Rotation, true) => quote!(#path::__private::nalgebra::Vector3<R>),
+            (Kind::Pose, false) => quote!(#path::__private::nalgebra::Isometry3<R>),
+            (Kind::Pose, true) => quote!(#path::__private::attitude::Twist<R>),
+        }
+    }
+}
+
 /// A declared coordinate or input.
 #[derive(Clone, Debug)]
 pub struct Group {
     /// The name, possibly raw.
     pub ident: Ident,
+    /// What it is, or what its elements are.
+    pub kind: Kind,
     /// The length of an array.
     pub length: Option<usize>,
     /// Where it was declared.
@@ -112,6 +153,11 @@ impl Group {
     /// The name without a raw prefix.
     pub fn name(&self) -> Name {
         bare(&self.ident)
+    }
+
+    /// Scalar coordinates of all elements.
+    pub fn size(&self) -> usize {
+        self.kind.width() * self.length.unwrap_or(1)
     }
 }
 

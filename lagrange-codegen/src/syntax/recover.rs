@@ -5,7 +5,7 @@ use quote::{ToTokens, quote};
 use syn::{Attribute, ImplItem, Item, ItemImpl};
 
 use super::args::{self, Declaration};
-use super::item::{Record, Scalar};
+use super::item::{Kind, Record, Scalar};
 use super::{generic_scalar, rewrite, role, self_name};
 use crate::diagnostics::Diagnostics;
 
@@ -40,17 +40,20 @@ pub fn recover(args: TokenStream, item: TokenStream, with_records: bool) -> Toke
 fn records(args: TokenStream, name: &syn::Ident) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
     let args = args::parse(args, &mut diagnostics);
+    let path = args.crate_path.clone().unwrap_or_else(|| syn::parse_quote!(::lagrangian));
+    let has_orientations = args.coordinates.iter().any(|declaration| declaration.kind != Kind::Scalar);
+    let bound = has_orientations.then(|| quote!(: #path::__private::Real));
     let structs = Record::ALL.map(|record| {
         let ident = record.ident(name);
         let fields = match record {
-            Record::Coordinates | Record::Velocities => fields(&args.coordinates),
-            Record::Inputs => fields(&args.inputs),
+            Record::Coordinates | Record::Velocities => fields(&args.coordinates, record, &path),
+            Record::Inputs => fields(&args.inputs, record, &path),
         };
         quote! {
             #[doc(hidden)]
             #[allow(missing_docs, dead_code)]
             #[derive(Clone, Copy, Debug)]
-            pub struct #ident<R = f64> {
+            pub struct #ident<R #bound = f64> {
                 #(#fields,)*
                 #[doc(hidden)]
                 pub __scalar: ::core::marker::PhantomData<R>,
@@ -67,19 +70,20 @@ fn inherent(mut block: ItemImpl, name: &syn::Ident) -> ItemImpl {
 }
 
 /// The declared names that can be fields.
-fn fields(declarations: &[Declaration]) -> Vec<TokenStream> {
+fn fields(declarations: &[Declaration], record: Record, path: &syn::Path) -> Vec<TokenStream> {
     let mut names: Vec<String> = Vec::new();
     let mut fields = Vec::new();
-    for Declaration { ident, length } in declarations {
+    for Declaration { ident, kind, length } in declarations {
         let name = ident.to_string();
         if names.contains(&name) || syn::parse_str::<syn::Ident>(&name).is_err() {
             continue;
         }
         names.push(name);
+        let element = kind.element(record, path);
         match length {
-            None => fields.push(quote!(pub #ident: R)),
+            None => fields.push(quote!(pub #ident: #element)),
             Some(syn::Expr::Lit(length)) if matches!(length.lit, syn::Lit::Int(_)) => {
-                fields.push(quote!(pub #ident: [R; #length]))
+                fields.push(quote!(pub #ident: [#element; #length]))
             }
             Some(_) => {}
         }

@@ -5,6 +5,7 @@ use super::landing::{Check, Determined};
 use super::lengths::{Lengths, Verdict};
 use super::step_size::{self, Limits};
 use super::{Field, diagnose};
+use crate::attitude;
 use crate::error::{Cause, MotionError};
 use crate::real::{Ordered, Real, larger};
 use crate::simulation::Control;
@@ -273,6 +274,9 @@ where
         exactly: bool,
         attempts: &mut u64,
     ) -> Result<(), MotionError<S::Scalar>> {
+        if let Some(settled) = attitude::settle(S::ORIENTATIONS, &memory.end.state) {
+            memory.restart(settled);
+        }
         if !S::CONSTRAINED {
             return memory.step(self, limits, target, exactly, attempts);
         }

@@ -236,7 +236,7 @@ fn call(emission: &Emission<'_>, name: &str) -> String {
     };
     let mut text = String::new();
     let mut arguments = Vec::new();
-    let is_complete = emission.model.eliminated.is_empty();
+    let is_complete = emission.is_state_complete();
     for parameter in &function.parameters {
         match parameter.argument {
             Some(Argument::Time) => arguments.push("state.t".to_owned()),

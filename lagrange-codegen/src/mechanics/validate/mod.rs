@@ -89,6 +89,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
                 .zip(force)
                 .any(|(&x, &f)| !idle(x, Dependence::COORDINATES) && !graph.is_zero(f)),
             Action::PlanarTorque { angle, torque } => !fixed(&[*angle]) && !graph.is_zero(*torque),
+            Action::Along(loads) => loads.iter().any(|&(_, load)| !graph.is_zero(load)),
             Action::SpatialTorque { torque, .. } => torque.iter().any(|&component| !graph.is_zero(component)),
         };
         let part_of_a_pair = model.forces.iter().filter(|other| other.origin == force.origin).count() > 1;

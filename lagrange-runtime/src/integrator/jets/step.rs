@@ -7,6 +7,7 @@ use super::super::step_size::{self, Limits};
 use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
 use super::{Jets, JetsMemory, singular};
+use crate::attitude;
 use crate::error::Cause;
 use crate::real::{Ordered, Real, smaller};
 use crate::simulation::Held;
@@ -32,6 +33,10 @@ where
     S: Smooth<N, K>,
     S::Scalar: Ordered,
 {
+    if let Some(settled) = attitude::settle(S::ORIENTATIONS, &memory.end) {
+        <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::restart(memory, settled);
+        memory.prepare(limits);
+    }
     (memory.start, memory.residue) = (memory.end, memory.end_residue);
     if !memory.start.is_finite() {
         return Err(Cause::NotFinite);

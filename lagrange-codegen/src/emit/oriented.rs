@@ -1,0 +1,145 @@
+//! Records and methods of systems with orientations: what a state holds as three numbers is a quaternion by
+//! name, and its velocity the angular velocity.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Emission;
+use crate::syntax::item::Kind;
+use crate::syntax::{Group, Item, Record};
+
+/// Builds a state from named quantities.
+pub(crate) const METHOD: &str = "state";
+
+/// One element of a group: its numbers among all, and how a program writes it.
+struct Element {
+    kind: Kind,
+    numbers: Vec<Ident>,
+    place: TokenStream,
+}
+
+fn elements(groups: &[Group]) -> Vec<Element> {
+    let mut next = 0;
+    let mut elements = Vec::new();
+    for group in groups {
+        let ident = &group.ident;
+        for index in 0..group.length.unwrap_or(1) {
+            let place = match group.length {
+                Some(_) => quote!(#ident[#index]),
+                None => quote!(#ident),
+            };
+            let numbers = (next..next + group.kind.width()).map(|i| format_ident!("x{i}")).collect();
+            next += group.kind.width();
+            elements.push(Element { kind: group.kind, numbers, place });
+        }
+    }
+    elements
+}
+
+/// The conversions of a record to and from numbers.
+pub(super) fn conversions(item: &Item, record: Record) -> TokenStream {
+    let (name, path) = (item.record_ident(record), &item.crate_path);
+    let attitude = quote!(#path::__private::attitude);
+    let elements = elements(&item.coordinates);
+    let count: usize = item.coordinates.iter().map(Group::size).sum();
+    let all: Vec<&Ident> = elements.iter().flat_map(|element| &element.numbers).collect();
+    let made: Vec<TokenStream> = elements
+        .iter()
+        .map(|Element { kind, numbers, .. }| match (kind, record) {
+            (Kind::Scalar, _) => quote!(#(#numbers)*),
+            (Kind::Rotation, Record::Velocities) => {
+                quote!(#path::__private::nalgebra::Vector3::new(#(#numbers),*))
+            }
+            (Kind::Pose, Record::Velocities) => quote!(#attitude::twist([#(#numbers),*])),
+            (Kind::Rotation, _) => quote!(#attitude::rotation([#(#numbers),*])),
+            (Kind::Pose, _) => quote!(#attitude::pose([#(#numbers),*])),
+        })
+        .collect();
+    let mut made = made.into_iter();
+    let fields = item.coordinates.iter().map(|group| {
+        let ident = &group.ident;
+        let parts: Vec<TokenStream> = made.by_ref().take(group.length.unwrap_or(1)).collect();
+        match group.length {
+            Some(_) => quote!(#ident: [#(#parts),*]),
+            None => quote!(#ident: #(#parts)*),
+        }
+    });
+    if record == Record::Velocities {
+        let rates = elements.iter().map(|Element { kind, numbers, place }| {
+            let rates = match kind {
+                Kind::Scalar => quote!([self.#place]),
+                Kind::Rotation => quote!(#attitude::rates([#(#numbers),*], &self.#place)),
+                Kind::Pose => quote!(#attitude::pose_rates([#(#numbers),*], &self.#place)),
+            };
+            quote!(let [#(#numbers),*] = #rates;)
+        });
+        return quote! {
+            impl<R: #path::__private::Real> #name<R> {
+                #[doc(hidden)]
+                pub fn __of([#(#all),*]: [R; #count]) -> Self {
+                    Self { #(#fields),* }
+                }
+
+                /// What a state holds of these velocities at coordinates of it.
+                #[doc(hidden)]
+                #[allow(unused_variables)]
+                pub fn __rates(&self, [#(#all),*]: [R; #count]) -> [R; #count] {
+                    #(#rates)*
+                    [#(#all),*]
+                }
+            }
+        };
+    }
+    let numbers = elements.iter().map(|Element { kind, numbers, place }| {
+        let found = match kind {
+            Kind::Scalar => quote!([named.#place]),
+            Kind::Rotation => quote!(#attitude::parameters(&named.#place)),
+            Kind::Pose => quote!(#attitude::pose_parameters(&named.#place)),
+        };
+        quote!(let [#(#numbers),*] = #found;)
+    });
+    quote! {
+        impl<R: #path::__private::Real> ::core::convert::From<[R; #count]> for #name<R> {
+            fn from([#(#all),*]: [R; #count]) -> Self {
+                Self { #(#fields),* }
+            }
+        }
+
+        impl<R: #path::__private::Real> ::core::convert::From<#name<R>> for [R; #count] {
+            fn from(named: #name<R>) -> Self {
+                #(#numbers)*
+                [#(#all),*]
+            }
+        }
+    }
+}
+
+/// `state`, as text; nothing where a state does not hold all coordinates.
+pub(super) fn state(emission: &Emission<'_>) -> String {
+    let item = emission.item;
+    if !item.has_orientations() || !emission.model.eliminated.is_empty() {
+        return String::new();
+    }
+    let (scalar, state) = (&emission.scalar, emission.state_type());
+    let [coordinates, velocities] =
+        [Record::Coordinates, Record::Velocities].map(|record| item.record_ident(record));
+    format!(
+        "/// The state at time zero with these coordinates and velocities: angular velocities in body axes [rad/s].\n\
+         #[inline]\npub fn {METHOD}(&self, coordinates: {coordinates}<{scalar}>, velocities: {velocities}<{scalar}>) -> {state} {{\n\
+         let q: {} = ::core::convert::Into::into(coordinates);\n\
+         lagrange::State::new(q, velocities.__rates(q))\n}}\n",
+        emission.vector_type()
+    )
+}
+
+/// The same without content.
+pub(super) fn stub(item: &Item, scalar: &TokenStream, count: usize) -> TokenStream {
+    let [coordinates, velocities] =
+        [Record::Coordinates, Record::Velocities].map(|record| item.record_ident(record));
+    let name = format_ident!("{METHOD}");
+    quote! {
+        pub fn #name(&self, _: #coordinates<#scalar>, _: #velocities<#scalar>) -> lagrange::State<#scalar, #count> {
+            loop {}
+        }
+    }
+}
