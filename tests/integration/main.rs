@@ -15,6 +15,7 @@ mod hygiene;
 mod integrators;
 mod jets;
 mod order;
+mod orientations;
 mod reading;
 mod structure_of_models;
 mod support;

@@ -242,8 +242,9 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
         diagnostics.error(Span::call_site(), message);
     }
     check_names(&args, diagnostics);
-    for input in args.inputs.iter().filter(|input| input.kind != Kind::Scalar) {
+    for input in args.inputs.iter_mut().filter(|input| input.kind != Kind::Scalar) {
         diagnostics.error(input.ident.span(), catalogue::input_not_scalar(&input.ident));
+        input.kind = Kind::Scalar;
     }
     args
 }

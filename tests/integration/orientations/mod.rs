@@ -1,0 +1,7 @@
+//! Orientations and poses as coordinates: closed forms through every attitude, and everything else that a
+//! system can have beside them.
+
+mod beside;
+mod elliptic;
+mod rolling;
+mod tops;
