@@ -14,7 +14,7 @@ use crate::state::State;
 
 /// The velocity of a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Twist<R> {
+pub struct PoseVelocity<R> {
     /// Velocity of the pose's origin in space axes \[m/s].
     pub linear: Vector3<R>,
     /// Angular velocity in body axes \[rad/s].
@@ -73,14 +73,14 @@ pub fn pose_parameters<R: Real>(pose: &Isometry3<R>) -> [R; 6] {
 
 /// The velocity of a pose from its six components.
 #[must_use]
-pub fn twist<R: Real>([x, y, z, a, b, c]: [R; 6]) -> Twist<R> {
-    Twist { linear: Vector3::new(x, y, z), angular: Vector3::new(a, b, c) }
+pub fn pose_velocity<R: Real>([x, y, z, a, b, c]: [R; 6]) -> PoseVelocity<R> {
+    PoseVelocity { linear: Vector3::new(x, y, z), angular: Vector3::new(a, b, c) }
 }
 
 /// The rates of a pose's parameters at its velocity.
 #[must_use]
-pub fn pose_rates<R: Real>([_, _, _, a, b, c]: [R; 6], twist: &Twist<R>) -> [R; 6] {
-    let ([x, y, z], [a, b, c]): ([R; 3], _) = (twist.linear.into(), rates([a, b, c], &twist.angular));
+pub fn pose_rates<R: Real>([_, _, _, a, b, c]: [R; 6], velocity: &PoseVelocity<R>) -> [R; 6] {
+    let ([x, y, z], [a, b, c]): ([R; 3], _) = (velocity.linear.into(), rates([a, b, c], &velocity.angular));
     [x, y, z, a, b, c]
 }
 
@@ -190,7 +190,7 @@ mod tests {
         let numbers = [1.0, 2.0, 3.0, 0.1, 0.2, -0.3];
         let again = pose_parameters(&pose(numbers));
         assert!(numbers.iter().zip(again).all(|(a, b)| (a - b).abs() < 1e-15));
-        let speeds = pose_rates(numbers, &twist([4.0, 5.0, 6.0, 0.0, 0.0, 0.0]));
+        let speeds = pose_rates(numbers, &pose_velocity([4.0, 5.0, 6.0, 0.0, 0.0, 0.0]));
         assert_eq!(speeds, [4.0, 5.0, 6.0, 0.0, 0.0, 0.0]);
     }
 }

@@ -78,7 +78,7 @@ pub mod verify;
 
 pub use algebra::PrincipalMoments;
 pub use analysis::InertiaForces;
-pub use attitude::Twist;
+pub use attitude::PoseVelocity;
 pub use batch::Batch;
 pub use constraints::{Constrained, Footing, Reactions};
 pub use error::{Cause, Function, Magnitude, MotionError};

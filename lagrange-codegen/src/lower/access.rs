@@ -51,7 +51,7 @@ impl<'a> Interpreter<'a> {
                 "rotation" => Value::Rotation(turn.clone()),
                 _ => self.unknown_field(&base, word),
             },
-            Value::Twist(linear, angular) => match name {
+            Value::PoseVelocity(linear, angular) => match name {
                 "linear" => Value::Vector(linear.clone()),
                 "angular" => Value::Vector(angular.clone()),
                 _ => self.unknown_field(&base, word),

@@ -75,7 +75,7 @@ fn element(graph: &mut Graph, kind: Kind, record: Record, first: u32) -> Value {
             let rates = three(graph, Variable::Velocity, turned);
             let angular: Rc<[NodeId]> = Rc::from(orientation::body_rate(graph, &rho, &rates));
             match kind {
-                Kind::Pose => Value::Twist(Rc::from(three(graph, of, 0)), angular),
+                Kind::Pose => Value::PoseVelocity(Rc::from(three(graph, of, 0)), angular),
                 Kind::Scalar | Kind::Rotation => Value::Vector(angular),
             }
         }

@@ -14,7 +14,7 @@ impl Interpreter<'_> {
             Value::Vector(nodes) | Value::Point(nodes) | Value::Translation(nodes) => {
                 self.hint_components(nodes, name);
             }
-            Value::Twist(linear, angular) => {
+            Value::PoseVelocity(linear, angular) => {
                 self.hint_components(linear, name);
                 self.hint_components(angular, &format!("{name}_angular"));
             }

@@ -89,9 +89,11 @@ impl<'a> Interpreter<'a> {
                 self.iterator_method(receiver, word, arguments, origin)
             }
             Value::Record(record) => self.record_method(record, word, arguments),
-            Value::Unit | Value::Boolean(_) | Value::Choice(_) | Value::Twist(..) | Value::Tuple(_) => {
-                self.unknown_method(&receiver, word)
-            }
+            Value::Unit
+            | Value::Boolean(_)
+            | Value::Choice(_)
+            | Value::PoseVelocity(..)
+            | Value::Tuple(_) => self.unknown_method(&receiver, word),
         }
     }
 
@@ -107,7 +109,7 @@ impl<'a> Interpreter<'a> {
             | Value::Boolean(_)
             | Value::Choice(_)
             | Value::Integer(..)
-            | Value::Twist(..)
+            | Value::PoseVelocity(..)
             | Value::Tuple(_)
             | Value::Record(_) => &["to_array", "as_vector"],
         };

@@ -60,7 +60,7 @@ impl Interpreter<'_> {
                 nodes.extend(shift.iter());
                 self.flatten(&Value::Rotation(turn.clone()), nodes)?;
             }
-            Value::Twist(linear, angular) => nodes.extend(linear.iter().chain(angular.iter())),
+            Value::PoseVelocity(linear, angular) => nodes.extend(linear.iter().chain(angular.iter())),
             Value::Tuple(elements) if elements.len() != 2 => return None,
             Value::Tuple(elements) | Value::Array(elements) => {
                 for element in elements.iter() {

@@ -42,7 +42,7 @@ pub enum Value {
     /// A rotation followed by a translation.
     Isometry(Rc<[NodeId]>, Turn),
     /// The velocity of a pose: of its origin in space axes, and angular in body axes.
-    Twist(Rc<[NodeId]>, Rc<[NodeId]>),
+    PoseVelocity(Rc<[NodeId]>, Rc<[NodeId]>),
     /// A tuple.
     Tuple(Rc<Vec<Value>>),
     /// An array.
@@ -151,7 +151,7 @@ impl Value {
             Value::Translation(components) => format!("a Translation{}", components.len()),
             Value::Rotation(turn) => format!("a Rotation{}", turn.dimension()),
             Value::Isometry(_, turn) => format!("an Isometry{}", turn.dimension()),
-            Value::Twist(..) => "a Twist".into(),
+            Value::PoseVelocity(..) => "a PoseVelocity".into(),
             Value::Tuple(elements) => format!("a tuple of {}", elements.len()),
             Value::Array(elements) => format!("an array of {}", elements.len()),
             Value::Iterator(_) => "an iterator".into(),
@@ -191,7 +191,7 @@ impl Value {
             | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
-            | Value::Twist(..)
+            | Value::PoseVelocity(..)
             | Value::Tuple(_)
             | Value::Array(_)
             | Value::Iterator(_)
@@ -241,7 +241,7 @@ impl Value {
                 nodes(words, 11, self.nodes());
                 Value::Rotation(turn.clone()).fingerprint(words);
             }
-            Value::Twist(linear, angular) => {
+            Value::PoseVelocity(linear, angular) => {
                 nodes(words, 17, linear);
                 nodes(words, 17, angular);
             }

@@ -131,7 +131,7 @@ impl Kind {
             (Kind::Rotation, false) => quote!(#path::__private::nalgebra::UnitQuaternion<R>),
             (Kind::Rotation, true) => quote!(#path::__private::nalgebra::Vector3<R>),
             (Kind::Pose, false) => quote!(#path::__private::nalgebra::Isometry3<R>),
-            (Kind::Pose, true) => quote!(#path::__private::attitude::Twist<R>),
+            (Kind::Pose, true) => quote!(#path::__private::attitude::PoseVelocity<R>),
         }
     }
 }

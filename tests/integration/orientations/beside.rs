@@ -1,6 +1,6 @@
 //! What a system can have beside orientations: other methods, derivatives, lanes of numbers, contacts, forces.
 
-use lagrangian::Twist;
+use lagrangian::PoseVelocity;
 use lagrangian::prelude::*;
 
 use crate::support::close::{all_close_on_largest, close, close_on};
@@ -183,7 +183,7 @@ fn a_die_falls_on_its_corners() {
     let start = Die.state(
         DieCoordinates { die: Isometry3::translation(0.0, 0.0, 1.0) },
         DieVelocities {
-            die: Twist { linear: Vector3::new(1.0, 0.0, 0.0), angular: Vector3::new(5.0, 3.0, 1.0) },
+            die: PoseVelocity { linear: Vector3::new(1.0, 0.0, 0.0), angular: Vector3::new(5.0, 3.0, 1.0) },
         },
     );
     let mut motion = Die.simulate(start);

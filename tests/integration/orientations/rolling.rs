@@ -1,6 +1,6 @@
 //! Bodies that roll: velocities of poses in constraints, without a formula by hand.
 
-use lagrangian::Twist;
+use lagrangian::PoseVelocity;
 use lagrangian::prelude::*;
 
 use crate::support::close::{between, close_on};
@@ -43,7 +43,7 @@ fn a_ball_rolls_down_a_slope_on_a_parabola() {
     let start = ball.state(
         BallCoordinates { ball: Isometry3::from_parts(Translation3::new(0.0, 0.0, 0.3), tilted) },
         BallVelocities {
-            ball: Twist {
+            ball: PoseVelocity {
                 linear: Vector3::new(0.0, 0.9, 0.0),
                 angular: tilted.inverse() * Vector3::new(-3.0, 0.0, 0.7),
             },
@@ -127,7 +127,7 @@ fn spins(stone: &Rattleback, spin: f64) -> (Vec<f64>, f64) {
     let start = stone.state(
         RattlebackCoordinates { body: Isometry3::translation(0.0, 0.0, height) },
         RattlebackVelocities {
-            body: Twist { linear: Vector3::zeros(), angular: Vector3::new(0.0, 0.0, spin) },
+            body: PoseVelocity { linear: Vector3::zeros(), angular: Vector3::new(0.0, 0.0, spin) },
         },
     );
     let mut nodding = start;
