@@ -9,6 +9,7 @@ use super::interpreter::Interpreter;
 use super::value::{Matrix, Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::{NodeId, Unary};
+use crate::kinematics::transposed;
 use crate::model::{Rotation, RotationForm};
 use crate::number::Number;
 
@@ -273,14 +274,4 @@ impl Interpreter<'_> {
         let yaw_pitch = self.rotation_product(&about_z, &about_y);
         Value::Rotation(Turn::Space(Rc::new(self.rotation_product(&yaw_pitch, &about_x))))
     }
-}
-
-fn transposed(matrix: &[[NodeId; 3]; 3]) -> [[NodeId; 3]; 3] {
-    let mut result = *matrix;
-    for (i, row) in matrix.iter().enumerate() {
-        for (j, entry) in row.iter().enumerate() {
-            result[j][i] = *entry;
-        }
-    }
-    result
 }
