@@ -4,6 +4,7 @@
 //! Contributions of several functions to one role are kept apart until mechanics adds them.
 
 mod constraints;
+mod velocities;
 
 use crate::collections::Lookup;
 use crate::diagnostics::Origin;
@@ -11,6 +12,7 @@ use crate::expr::{Graph, NodeId};
 pub use constraints::{
     Constraint, ConstraintKind, Contact, Eliminated, Elimination, Law, Place, component_of_one,
 };
+pub use velocities::{Rates, Spin, Twist, Velocity};
 
 /// A lowered description.
 #[derive(Clone, Debug, Default)]
@@ -30,6 +32,8 @@ pub struct Model {
     pub meanings: Vec<Meaning>,
     /// What the functions with a role, and the arguments of roles, were read as.
     pub readings: Vec<Reading>,
+    /// Velocities that the description names.
+    pub velocities: Vec<Velocity>,
     /// Particles.
     pub points: Vec<Point>,
     /// Rigid bodies.

@@ -18,6 +18,7 @@
 //! | [`tangent`] | the same with constraints, and what follows: equilibria, linear models, modes |
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
+//! | [`twist`] | velocities of rigid bodies |
 //! | [`verify`] | the certificate of a model: identities at sampled states |
 //! | [`stored`] | large tables on the heap where there is one |
 //! | [`structure`] | operation counts and proven facts of a model |
@@ -72,6 +73,7 @@ pub mod switching;
 pub mod system;
 mod tables;
 pub mod tangent;
+pub mod twist;
 pub mod verify;
 
 pub use algebra::PrincipalMoments;
@@ -109,6 +111,7 @@ pub use tangent::{
 };
 #[cfg(feature = "std")]
 pub use tangent::{Mode, Monodromy};
+pub use twist::{Twist2, Twist3};
 pub use verify::{Certificate, Identity, Violation};
 #[cfg(feature = "wide")]
 pub use wide;
@@ -157,6 +160,7 @@ pub mod __private {
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::switching::{self, Hybrid, Laws, NamedRows, Reach, Regime, Row, Switching};
     pub use crate::system::System;
+    pub use crate::twist::{Twist2, Twist3};
     pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;
 }

@@ -183,6 +183,10 @@ messages! {
         this impl block can be inlined";
     free_function(name) = "only functions of this impl block can be inlined; move `{name}` in as an \
         associated function and call it by `Self::`";
+    velocity_of_more(name) = "`{name}` is a function of more than coordinates and time, so its velocity is not known; \
+        let it take `q: &Coordinates` and `t` only, and read all else from `self`";
+    no_velocity(name, value) = "`{name}` returns {value}, which has no velocity; let it return numbers, vectors, poses or \
+        arrays of them";
     function_as_method(name, call) = "`{name}` is a method of numbers; write `{call}`";
     helper_without_self(name) = "`{name}` is a function of this impl block; call it as `self.{name}(…)` or \
         `Self::{name}(…)`";

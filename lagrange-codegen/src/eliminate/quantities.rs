@@ -41,6 +41,8 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         lengths: _,
         meanings: _,
         readings,
+        // They are functions of all declared coordinates.
+        velocities: _,
         points,
         bodies,
         kinetic,

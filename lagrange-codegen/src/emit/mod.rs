@@ -24,6 +24,7 @@ mod scalar;
 mod stubs;
 mod system;
 mod tokens;
+mod velocities;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -237,6 +238,7 @@ pub(crate) fn emit(
             fn __lengths(&self) { #lengths }
         }
     });
+    let velocities = velocities::velocities(&mut emission, diagnostics);
     let getters = readings::getters(&emission);
     let meanings = meanings::meanings(emission.item, emission.model, diagnostics);
     let test = analysis::test(&emission);
@@ -277,6 +279,7 @@ pub(crate) fn emit(
                 #meanings
                 #getters
                 #methods
+                #velocities
             }
 
             #[automatically_derived]

@@ -6,6 +6,7 @@ use super::shape::Shape;
 use super::value::Value;
 use crate::diagnostics::{Origin, catalogue};
 use crate::syntax::body::{Block, Closure, Expr, ExprKind, Name, Path, Statement, Word};
+use crate::syntax::velocity::SUFFIX;
 
 /// What can be passed where a closure is expected.
 #[derive(Clone, Copy)]
@@ -28,7 +29,13 @@ impl<'a> Interpreter<'a> {
     ) -> Value {
         let item = self.item;
         let Some(index) = item.functions.iter().position(|function| function.name == word.name) else {
-            let names: Vec<Name> = item.functions.iter().map(|function| function.name.clone()).collect();
+            if let Some(value) = self.velocity_call(word, &arguments, with_self, origin) {
+                return value;
+            }
+            let own = item.functions.iter().map(|function| function.name.clone());
+            let velocities =
+                item.functions.iter().map(|function| format!("{}{SUFFIX}", function.name).into());
+            let names: Vec<Name> = own.chain(velocities).collect();
             let near = self.near(&word.name, &names);
             return self.refuse(word.origin, catalogue::unknown_helper(&word.name, near));
         };

@@ -41,6 +41,7 @@ impl<'a> Interpreter<'a> {
             | Shape::Array(..)
             | Shape::Slice(_)
             | Shape::Tuple(_)
+            | Shape::Twist(_)
             | Shape::Record(_) => None,
         };
         match built {

@@ -3,6 +3,7 @@
 use super::interpreter::Interpreter;
 use super::value::{Turn, Value};
 use crate::expr::{Node, NodeId};
+use crate::model::Spin;
 use crate::syntax::hygiene::written;
 
 impl Interpreter<'_> {
@@ -26,6 +27,16 @@ impl Interpreter<'_> {
                 for (index, node) in matrix.entries.iter().enumerate() {
                     let (row, column) = (index / matrix.columns, index % matrix.columns);
                     self.hint_node(*node, name, &format!("_{row}{column}"));
+                }
+            }
+            Value::Twist(twist) => {
+                self.hint_components(&twist.velocity, name);
+                match &twist.spin {
+                    Spin::Plane(rate) => self.hint_node(*rate, name, "_rate"),
+                    Spin::Space { in_space, in_body } => {
+                        self.hint_components(in_space, &format!("{name}_rate"));
+                        self.hint_components(in_body, &format!("{name}_body_rate"));
+                    }
                 }
             }
             Value::Tuple(elements) | Value::Array(elements) => {

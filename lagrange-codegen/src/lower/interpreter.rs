@@ -65,6 +65,8 @@ pub struct Interpreter<'a> {
     pub memo: Lookup<(usize, Vec<u64>), Value>,
     /// The functions being evaluated.
     pub calls: Vec<usize>,
+    /// Rates of functions whose velocities the description names, once they are derived.
+    pub rates: Vec<Option<Value>>,
     /// Constants of the impl block: evaluated, or being evaluated (`Unknown`).
     pub constants: Vec<Option<Value>>,
     /// The fields of each record, in the order of [`crate::syntax::Record::ALL`].
@@ -107,6 +109,7 @@ impl<'a> Interpreter<'a> {
             flow: Flow::Next,
             memo: Lookup::default(),
             calls: Vec::new(),
+            rates: vec![None; item.velocities.len()],
             constants: vec![None; item.constants.len()],
             fields,
             later: Vec::new(),

@@ -85,6 +85,7 @@ impl<'a> Interpreter<'a> {
             Value::Matrix(matrix) => self.matrix_method(matrix, word, arguments, origin),
             Value::Rotation(turn) => self.rotation_method(turn, word, arguments, origin),
             Value::Isometry(shift, turn) => self.isometry_method(shift, turn, word, arguments, origin),
+            Value::Twist(twist) => self.twist_method(twist, word, arguments, origin),
             Value::Array(_) | Value::Iterator(_) | Value::Range(..) => {
                 self.iterator_method(receiver, word, arguments, origin)
             }
@@ -102,6 +103,7 @@ impl<'a> Interpreter<'a> {
             Value::Vector(_) | Value::Point(_) | Value::Translation(_) | Value::Matrix(_) => &vector::METHODS,
             Value::Rotation(_) | Value::Isometry(..) => &vector::POSE_METHODS,
             Value::Array(_) | Value::Iterator(_) | Value::Range(..) => &iterate::METHODS,
+            Value::Twist(_) => &["at"],
             Value::Unknown
             | Value::Unit
             | Value::Boolean(_)

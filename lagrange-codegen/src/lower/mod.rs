@@ -36,6 +36,7 @@ mod statement;
 mod tests;
 mod value;
 mod vector;
+mod velocity;
 
 use crate::diagnostics::Diagnostics;
 use crate::model::Model;

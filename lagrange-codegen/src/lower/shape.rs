@@ -38,6 +38,8 @@ pub enum Shape {
     Quaternion,
     /// An isometry.
     Isometry(usize),
+    /// The velocity of a body.
+    Twist(usize),
     /// An array.
     Array(Box<Shape>, usize),
     /// A slice: an array of any length.
@@ -64,6 +66,7 @@ impl Shape {
             Shape::Rotation(dimension) => format!("a Rotation{dimension}"),
             Shape::Quaternion => "a UnitQuaternion".into(),
             Shape::Isometry(dimension) => format!("an Isometry{dimension}"),
+            Shape::Twist(dimension) => format!("a Twist{dimension}"),
             Shape::Array(_, length) => format!("an array of {length}"),
             Shape::Slice(_) => "a slice".into(),
             Shape::Tuple(elements) => format!("a tuple of {}", elements.len()),
@@ -107,6 +110,7 @@ impl<'a> Interpreter<'a> {
             TypeKind::Rotation(dimension) => Shape::Rotation(*dimension),
             TypeKind::Quaternion => Shape::Quaternion,
             TypeKind::Isometry(dimension) => Shape::Isometry(*dimension),
+            TypeKind::Twist(dimension) => Shape::Twist(*dimension),
             TypeKind::Array(element, length) => {
                 let element = self.shape(element);
                 match self.length(length) {
@@ -199,6 +203,9 @@ impl<'a> Interpreter<'a> {
             (Value::Tuple(elements), Shape::Tuple(shapes)) if elements.len() == shapes.len() => {
                 self.coerce_all(elements, shapes.iter(), origin, Value::tuple)
             }
+            (Value::Twist(twist), Shape::Twist(dimension)) if twist.dimension() == *dimension => {
+                Value::Twist(twist)
+            }
             (Value::Record(record), Shape::Record(expected)) if record == *expected => Value::Record(record),
             (Value::Record(record), shape) if !matches!(shape, Shape::Record(_)) => {
                 let message = self.record_as_value(record);
@@ -285,7 +292,7 @@ impl<'a> Interpreter<'a> {
                 });
                 Value::tuple(elements.collect())
             }
-            Shape::Unit | Shape::Record(_) | Shape::Isometry(_) => {
+            Shape::Unit | Shape::Record(_) | Shape::Isometry(_) | Shape::Twist(_) => {
                 let value = Value::Parameter(id);
                 self.report(origin, catalogue::wrong_shape(shape.describe(), value.describe()));
                 Value::Unknown

@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use super::rounded::Rounded;
 use crate::expr::NodeId;
-use crate::model::Rotation;
+use crate::model::{Rotation, Twist};
 use crate::syntax::Record;
 use crate::syntax::integers::Integers;
 
@@ -41,6 +41,8 @@ pub enum Value {
     Rotation(Turn),
     /// A rotation followed by a translation.
     Isometry(Rc<[NodeId]>, Turn),
+    /// The velocity of a body.
+    Twist(Rc<Twist>),
     /// A tuple.
     Tuple(Rc<Vec<Value>>),
     /// An array.
@@ -149,6 +151,7 @@ impl Value {
             Value::Translation(components) => format!("a Translation{}", components.len()),
             Value::Rotation(turn) => format!("a Rotation{}", turn.dimension()),
             Value::Isometry(_, turn) => format!("an Isometry{}", turn.dimension()),
+            Value::Twist(twist) => format!("a Twist{}", twist.dimension()),
             Value::Tuple(elements) => format!("a tuple of {}", elements.len()),
             Value::Array(elements) => format!("an array of {}", elements.len()),
             Value::Iterator(_) => "an iterator".into(),
@@ -188,6 +191,7 @@ impl Value {
             | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
+            | Value::Twist(_)
             | Value::Tuple(_)
             | Value::Array(_)
             | Value::Iterator(_)
@@ -237,6 +241,7 @@ impl Value {
                 nodes(words, 11, self.nodes());
                 Value::Rotation(turn.clone()).fingerprint(words);
             }
+            Value::Twist(twist) => nodes(words, 17, &twist.nodes()),
             Value::Tuple(elements) => list(words, 12, elements),
             Value::Array(elements) => list(words, 13, elements),
             Value::Iterator(elements) => list(words, 14, elements),
