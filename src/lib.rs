@@ -117,7 +117,7 @@ pub mod prelude {
     pub use crate::lagrangian;
     pub use lagrange_runtime::__private::nalgebra::{
         Isometry2, Isometry3, IsometryMatrix2, IsometryMatrix3, Matrix2, Matrix3, Point1, Point2, Point3,
-        Rotation2, Rotation3, SMatrix, SVector, Translation2, Translation3, Unit, UnitComplex,
+        Quaternion, Rotation2, Rotation3, SMatrix, SVector, Translation2, Translation3, Unit, UnitComplex,
         UnitQuaternion, Vector1, Vector2, Vector3,
     };
     pub use lagrange_runtime::{

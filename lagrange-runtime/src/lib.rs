@@ -88,6 +88,7 @@ pub use integrator::{
 };
 pub use linear::Independence;
 pub use linearized::{Jacobians, Linearization, Linearized};
+pub use nalgebra;
 pub use name::{Name, Names};
 pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};

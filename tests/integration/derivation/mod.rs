@@ -16,3 +16,4 @@ mod scalars;
 mod sizes;
 mod spatial_bodies;
 mod time;
+mod velocities;
