@@ -1,13 +1,14 @@
 //! Velocities along a motion: the direction of total time derivatives, and angular velocities of composed
 //! rotations.
 //!
-//! In body axes: ω = φ̇ e for a fixed axis e, ω(AB) = Bᵀ ω(A) + ω(B), ω(A⁻¹) = −A ω(A), and for a
-//! rotation known by its entries alone the vector of the skew matrix Rᵀ Ṙ. In space axes: the same φ̇ e,
-//! ω(AB) = ω(A) + A ω(B), ω(A⁻¹) of the one is −ω(A) of the other, and Ṙ Rᵀ. Goldstein, *Classical
+//! In body axes: ω = φ̇ e for a fixed axis e, φ̇ u + sin φ u̇ − (1 − cos φ) u × u̇ for a moving one, the
+//! imaginary part of 2 q* q̇ / |q|² for a quaternion, ω(AB) = Bᵀ ω(A) + ω(B), ω(A⁻¹) = −A ω(A), and for a
+//! rotation known by its entries alone the vector of the skew matrix Rᵀ Ṙ. In space axes: the
+//! same with + for u × u̇, 2 q̇ q* / |q|², ω(AB) = ω(A) + A ω(B), ω(A⁻¹) of the one is −ω(A) of the other, and Ṙ Rᵀ. Goldstein, *Classical
 //! Mechanics*, 3rd ed., section 4.9.
 
 use crate::calculus::pushforward;
-use crate::expr::{Graph, NodeId, Variable};
+use crate::expr::{Graph, NodeId, Unary, Variable};
 use crate::model::{Rotation, RotationForm};
 use crate::number::Number;
 
@@ -29,10 +30,8 @@ pub(crate) fn body_rate(
     direction: &[(NodeId, NodeId)],
 ) -> [NodeId; 3] {
     match &rotation.form {
-        RotationForm::Axis { axis, angle } => {
-            let rate = pushforward(graph, &[*angle], direction)[0];
-            axis.map(|component| graph.mul(rate, component))
-        }
+        RotationForm::Axis { axis, angle } => axis_rate(graph, axis, *angle, Frame::Body, direction),
+        RotationForm::Quaternion(parts) => quaternion_rate(graph, parts, Frame::Body, direction),
         RotationForm::Product(left, right) => {
             let of_left = body_rate(graph, left, direction);
             let of_right = body_rate(graph, right, direction);
@@ -60,7 +59,8 @@ pub(crate) fn space_rate(
     direction: &[(NodeId, NodeId)],
 ) -> [NodeId; 3] {
     match &rotation.form {
-        RotationForm::Axis { .. } => body_rate(graph, rotation, direction),
+        RotationForm::Axis { axis, angle } => axis_rate(graph, axis, *angle, Frame::Space, direction),
+        RotationForm::Quaternion(parts) => quaternion_rate(graph, parts, Frame::Space, direction),
         RotationForm::Product(left, right) => {
             let of_left = space_rate(graph, left, direction);
             let of_right = space_rate(graph, right, direction);
@@ -76,6 +76,68 @@ pub(crate) fn space_rate(
             vector_of_skew(|row, column| dot(graph, &rates[row], &rotation.matrix[column]))
         }
     }
+}
+
+/// The axes that an angular velocity has its components in.
+#[derive(Clone, Copy, PartialEq)]
+enum Frame {
+    Body,
+    Space,
+}
+
+impl Frame {
+    /// The sign of a × b in the space axes, as it is in these.
+    fn sign(self) -> Number {
+        if self == Frame::Space { Number::ONE } else { Number::MINUS_ONE }
+    }
+}
+
+/// φ̇ u + sin φ u̇ ± (1 − cos φ) u × u̇.
+fn axis_rate(
+    graph: &mut Graph,
+    axis: &[NodeId; 3],
+    angle: NodeId,
+    frame: Frame,
+    direction: &[(NodeId, NodeId)],
+) -> [NodeId; 3] {
+    let rate = pushforward(graph, &[angle], direction)[0];
+    let along = axis.map(|component| graph.mul(rate, component));
+    let moves = pushforward(graph, axis, direction);
+    if moves.iter().all(|&component| graph.is_zero(component)) {
+        return along;
+    }
+    let moves = [moves[0], moves[1], moves[2]];
+    let (sine, cosine) = (graph.unary(Unary::Sin, angle), graph.unary(Unary::Cos, angle));
+    let versine = graph.sum(Number::ONE, &[(cosine, Number::MINUS_ONE)]);
+    let across = cross(graph, axis, &moves);
+    [0, 1, 2].map(|i| {
+        let (turned, across) = (graph.mul(sine, moves[i]), graph.mul(versine, across[i]));
+        graph.sum(Number::ZERO, &[(along[i], Number::ONE), (turned, Number::ONE), (across, frame.sign())])
+    })
+}
+
+/// 2 (w u̇ − ẇ u ± u × u̇) / |q|² of a quaternion q = w + u.
+fn quaternion_rate(
+    graph: &mut Graph,
+    parts: &[NodeId; 4],
+    frame: Frame,
+    direction: &[(NodeId, NodeId)],
+) -> [NodeId; 3] {
+    let rates = pushforward(graph, parts, direction);
+    let (u, u_rate) = ([parts[1], parts[2], parts[3]], [rates[1], rates[2], rates[3]]);
+    let squares: Vec<_> = parts.iter().map(|&part| (graph.powi(part, 2), Number::ONE)).collect();
+    let square = graph.sum(Number::ZERO, &squares);
+    let two = graph.integer(2);
+    let scale = graph.div(two, square);
+    let across = cross(graph, &u, &u_rate);
+    [0, 1, 2].map(|i| {
+        let (with, against) = (graph.mul(parts[0], u_rate[i]), graph.mul(rates[0], u[i]));
+        let sum = graph.sum(
+            Number::ZERO,
+            &[(with, Number::ONE), (against, Number::MINUS_ONE), (across[i], frame.sign())],
+        );
+        graph.mul(scale, sum)
+    })
 }
 
 /// The rates of the entries of a rotation.

@@ -238,13 +238,15 @@ pub struct Rotation {
 /// How a rotation was made.
 #[derive(Clone, Debug)]
 pub enum RotationForm {
-    /// About a fixed unit axis (the same in body and space) by an angle.
+    /// About a unit axis (the same in body and space), which may move, by an angle.
     Axis {
         /// Unit vector.
         axis: [NodeId; 3],
         /// Angle \[rad\].
         angle: NodeId,
     },
+    /// v ↦ q v q* / |q|² by a quaternion of any length: w, i, j, k.
+    Quaternion([NodeId; 4]),
     /// The left rotation after the right one.
     Product(Box<Rotation>, Box<Rotation>),
     /// The inverse.

@@ -208,6 +208,10 @@ messages! {
 // Shapes.
 messages! {
     wrong_shape(expected, found) = "{expected} is expected here, not {found}; convert it or change the type";
+    taken_for_scalar(path, other) = "`{path}` was taken for a scalar, and here it meets {other}; name it with its type first, \
+        as in `let value: Vector2<f64> = {path};`";
+    method_of_scalar(path, name) = "`{path}` was taken for a scalar, which has no method `{name}`; name it with its type \
+        first, as in `let value: Vector2<f64> = {path};`";
     cannot_add(right, left) = "{right} cannot be added to {left}; bring both to the same shape";
     cannot_subtract(right, left) = "{right} cannot be subtracted from {left}; bring both to the same shape";
     cannot_multiply(left, right) = "{left} cannot be multiplied by {right}; for vectors use `.dot(…)`, \
@@ -228,8 +232,10 @@ messages! {
     record_as_value(holder, kind, field) = "`{holder}` holds all {kind}; write the one that is meant, as in \
         `{field}`";
     self_as_value() = "`self` is no quantity; use one of its fields";
-    axis_not_fixed() = "the axis of this rotation moves; compose rotations about fixed axes instead, such as \
-        `Rotation3::from_axis_angle(&Vector3::z_axis(), angle)`";
+    axis_not_fixed() = "the axis of this rotation vector moves, and at zero it has none; give the axis by itself, \
+        `Rotation3::from_axis_angle(&axis, angle)`, or compose rotations about fixed axes";
+    unchecked_quaternion() = "whether this quaternion has length one is not known here; write \
+        `UnitQuaternion::from_quaternion(…)`, which divides by its length";
     pattern_mismatch(value) = "this pattern does not fit {value}; name the value as a whole";
     pattern_length(expected, found) = "this pattern has {expected} for {found}; name each, or \
         skip some with `..`";

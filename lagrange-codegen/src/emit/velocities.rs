@@ -1,6 +1,6 @@
 //! The functions of velocities that a description names: a description stays Rust that can be called.
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::TokenStream;
 
 use super::body::{self, Source};
 use super::tokens::Parameters;
@@ -12,7 +12,7 @@ use crate::syntax::item::{Argument, Function};
 use crate::syntax::types::{Type, TypeKind};
 use crate::syntax::{Item, Record, constant};
 
-/// All of them as functions of the user's type, each named where the description calls it.
+/// All of them as functions of the user's type.
 pub(super) fn velocities(emission: &mut Emission<'_>, diagnostics: &Diagnostics) -> TokenStream {
     let velocities = emission.model.velocities.clone();
     if velocities.is_empty() {
@@ -21,19 +21,8 @@ pub(super) fn velocities(emission: &mut Emission<'_>, diagnostics: &Diagnostics)
     // They take all declared coordinates, of which constraints may have eliminated some.
     let (coordinates, locals) = declared(emission.model);
     let parameters = Parameters::new(emission.model, diagnostics);
-    let functions = velocities.iter().map(|velocity| {
-        let text = function(emission, velocity);
-        let span = diagnostics.span(velocity.origin);
-        let rename = |tree: TokenTree| match tree {
-            TokenTree::Ident(mut ident) if ident == velocity.name => {
-                ident.set_span(span);
-                TokenTree::Ident(ident)
-            }
-            other => other,
-        };
-        parameters.parse(&text).into_iter().map(rename).collect::<TokenStream>()
-    });
-    let functions = functions.collect();
+    let text: String = velocities.iter().map(|velocity| function(emission, velocity)).collect();
+    let functions = parameters.parse(&text);
     emission.model.coordinates = coordinates;
     emission.model.locals = locals;
     functions

@@ -51,6 +51,7 @@ impl<'a> Interpreter<'a> {
                 "rotation" => Value::Rotation(turn.clone()),
                 _ => self.unknown_field(&base, word),
             },
+            Value::Quaternion(parts) => self.quaternion_field(parts, word),
             Value::Twist(twist) => self.twist_field(twist, word),
             Value::Tuple(elements) => {
                 match name.parse::<usize>().ok().and_then(|index| elements.get(index)) {

@@ -29,6 +29,11 @@ impl Interpreter<'_> {
                     self.hint_node(*node, name, &format!("_{row}{column}"));
                 }
             }
+            Value::Quaternion(parts) => {
+                for (part, suffix) in parts.iter().zip(["_w", "_i", "_j", "_k"]) {
+                    self.hint_node(*part, name, suffix);
+                }
+            }
             Value::Twist(twist) => {
                 self.hint_components(&twist.velocity, name);
                 match &twist.spin {

@@ -218,6 +218,10 @@ impl<'a> Interpreter<'a> {
                 let base = self.expression(base);
                 self.field(base, word, origin)
             }
+            ExprKind::Pointee(pointer) => match self.expression(pointer) {
+                Value::Parameter(id) => Value::Parameter(self.pointee(id, origin)),
+                other => other,
+            },
             ExprKind::Index(base, index) => self.index(base, index),
             ExprKind::Call(path, arguments) => self.call_path(path, arguments, origin),
             ExprKind::Method(call) => self.method(call, origin),

@@ -24,6 +24,7 @@ mod parameter;
 mod path;
 mod pattern;
 mod places;
+mod quaternion;
 mod readings;
 mod roles;
 mod rotation;

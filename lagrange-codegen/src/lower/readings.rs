@@ -81,6 +81,7 @@ impl Interpreter<'_> {
             | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
+            | Value::Quaternion(_)
             | Value::Twist(_)
             | Value::Iterator(_)
             | Value::Range(..)

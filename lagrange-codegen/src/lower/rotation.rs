@@ -31,7 +31,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The rotation about a unit axis: c + u uᵀ (1 − c) + [u]ₓ s.
+    /// The rotation about a unit axis u: c + u uᵀ (1 − c) + [u]ₓ s.
     pub fn rotation_about(&mut self, axis: [NodeId; 3], angle: NodeId) -> Rotation {
         let graph = self.graph();
         let (sine, cosine) = (graph.unary(Unary::Sin, angle), graph.unary(Unary::Cos, angle));
@@ -92,6 +92,10 @@ impl Interpreter<'_> {
                 let form = match &rotation.form {
                     RotationForm::Axis { axis, angle } => {
                         RotationForm::Axis { axis: *axis, angle: self.graph().neg(*angle) }
+                    }
+                    RotationForm::Quaternion([w, i, j, k]) => {
+                        let [i, j, k] = [*i, *j, *k].map(|part| self.graph().neg(part));
+                        RotationForm::Quaternion([*w, i, j, k])
                     }
                     RotationForm::Inverse(original) => original.form.clone(),
                     RotationForm::Product(..) | RotationForm::Entries => {

@@ -5,6 +5,7 @@
 
 use std::rc::Rc;
 
+use super::quaternion::Parts;
 use super::rounded::Rounded;
 use crate::expr::NodeId;
 use crate::model::{Rotation, Twist};
@@ -41,6 +42,8 @@ pub enum Value {
     Rotation(Turn),
     /// A rotation followed by a translation.
     Isometry(Rc<[NodeId]>, Turn),
+    /// A quaternion of any length.
+    Quaternion(Parts),
     /// The velocity of a body.
     Twist(Rc<Twist>),
     /// A tuple.
@@ -151,6 +154,7 @@ impl Value {
             Value::Translation(components) => format!("a Translation{}", components.len()),
             Value::Rotation(turn) => format!("a Rotation{}", turn.dimension()),
             Value::Isometry(_, turn) => format!("an Isometry{}", turn.dimension()),
+            Value::Quaternion(_) => "a Quaternion".into(),
             Value::Twist(twist) => format!("a Twist{}", twist.dimension()),
             Value::Tuple(elements) => format!("a tuple of {}", elements.len()),
             Value::Array(elements) => format!("an array of {}", elements.len()),
@@ -184,6 +188,7 @@ impl Value {
             Value::Vector(nodes) | Value::Point(nodes) | Value::Translation(nodes) => nodes,
             Value::Isometry(nodes, _) => nodes,
             Value::Matrix(matrix) => &matrix.entries,
+            Value::Quaternion(parts) => parts,
             Value::Rotation(Turn::Space(rotation)) => rotation.matrix.as_flattened(),
             Value::Unknown
             | Value::Unit
@@ -241,6 +246,7 @@ impl Value {
                 nodes(words, 11, self.nodes());
                 Value::Rotation(turn.clone()).fingerprint(words);
             }
+            Value::Quaternion(parts) => nodes(words, 18, parts),
             Value::Twist(twist) => nodes(words, 17, &twist.nodes()),
             Value::Tuple(elements) => list(words, 12, elements),
             Value::Array(elements) => list(words, 13, elements),

@@ -64,7 +64,6 @@ impl<'a> Interpreter<'a> {
                     function: velocity.function,
                     name: velocity.name.to_string(),
                     rates,
-                    origin: velocity.origin,
                 });
             }
         }
@@ -130,6 +129,7 @@ impl<'a> Interpreter<'a> {
             | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
+            | Value::Quaternion(_)
             | Value::Twist(_)
             | Value::Iterator(_)
             | Value::Range(..)

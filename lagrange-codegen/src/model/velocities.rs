@@ -1,6 +1,5 @@
 //! Velocities that a description names, and the form they have.
 
-use crate::diagnostics::Origin;
 use crate::expr::NodeId;
 
 /// A function of coordinates, velocities and time that the macro writes: the rate of what a function of the
@@ -13,8 +12,6 @@ pub struct Velocity {
     pub name: String,
     /// What it returns.
     pub rates: Rates,
-    /// Where it is first called.
-    pub origin: Origin,
 }
 
 /// The rate of a value, in the value's own form.

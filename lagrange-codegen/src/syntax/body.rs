@@ -47,6 +47,8 @@ pub enum ExprKind {
     Cast(Box<Expr>, Type),
     /// `a.x`, `a.0`.
     Field(Box<Expr>, Word),
+    /// `*self.a`.
+    Pointee(Box<Expr>),
     /// `a[i]`.
     Index(Box<Expr>, Box<Expr>),
     /// `f(a)`.

@@ -55,6 +55,8 @@ pub enum TypeKind {
     Rotation(usize),
     /// `UnitQuaternion`.
     Quaternion,
+    /// `Quaternion`, of any length.
+    AnyQuaternion,
     /// `Isometry2`, `IsometryMatrix3`.
     Isometry(usize),
     /// `Twist2`, `Twist3`.
@@ -120,6 +122,7 @@ impl Translator<'_> {
             | TypeKind::Translation(_)
             | TypeKind::Rotation(_)
             | TypeKind::Quaternion
+            | TypeKind::AnyQuaternion
             | TypeKind::Isometry(_)
             | TypeKind::Twist(_) => Some(self.meaning(&segments, whole)),
             _ => None,
@@ -197,6 +200,7 @@ impl Translator<'_> {
             "Rotation2" | "UnitComplex" => return Some(TypeKind::Rotation(2)),
             "Rotation3" => return Some(TypeKind::Rotation(3)),
             "UnitQuaternion" => return Some(TypeKind::Quaternion),
+            "Quaternion" => return Some(TypeKind::AnyQuaternion),
             "Isometry2" | "IsometryMatrix2" => return Some(TypeKind::Isometry(2)),
             "Isometry3" | "IsometryMatrix3" => return Some(TypeKind::Isometry(3)),
             "Twist2" => return Some(TypeKind::Twist(2)),

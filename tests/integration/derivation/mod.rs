@@ -10,6 +10,7 @@ mod generic_bodies;
 mod lagrangians;
 mod language;
 mod limits;
+mod orientations;
 mod parameters;
 mod planar_bodies;
 mod scalars;
