@@ -131,8 +131,12 @@ messages! {
     struct_literal() = "a struct cannot be built here; use a tuple or an array";
     break_with_value() = "a loop has no value here; assign to a variable before the loop ends";
     call_of_value() = "only functions can be called; name the function directly";
-    stored_closure() = "a closure can only be an argument, as in `.map(|x| …)`; make it a function of this \
+    moving_closure() = "a closure in a variable reads what is in sight where it stands; leave out `move`, or make it a \
+        function of this impl block";
+    escaped_closure() = "this closure has left the block that it stands in; call it there, or make it a function of this \
         impl block";
+    closure_argument(name) = "`{name}` is inlined for values and takes no closure; call the closure here, or make it a \
+        function of this impl block";
     closure_expected() = "a closure is expected here; write `|x| …` or the path of a function";
     closure_arguments(given, taken) = "this closure is called with {given} but takes {taken}";
     trailing_semicolon(name) = "the `;` throws away what `{name}` should return; remove the `;`";

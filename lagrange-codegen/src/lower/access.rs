@@ -65,6 +65,7 @@ impl<'a> Interpreter<'a> {
             | Value::Integer(..)
             | Value::Scalar(..)
             | Value::Rotation(_)
+            | Value::Closure(_)
             | Value::Array(_)
             | Value::Iterator(_)
             | Value::Range(..) => self.unknown_field(&base, word),

@@ -55,6 +55,7 @@ impl Interpreter<'_> {
             | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
+            | Value::Closure(_)
             | Value::Iterator(_)
             | Value::Range(..)
             | Value::Record(_) => {}

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::parameter::Parameters;
 use super::rounded::Rounded;
 use super::scalar::LARGEST_POWER;
-use super::scope::Scope;
+use super::scope::{Scope, View};
 use super::shape::Shape;
 use super::value::Value;
 use crate::collections::Lookup;
@@ -13,7 +13,7 @@ use crate::diagnostics::{Diagnostics, Origin, catalogue};
 use crate::expr::{Graph, Node, NodeId, Variable};
 use crate::model::{Meaning, Model, Quantity};
 use crate::number::Number;
-use crate::syntax::body::{Expr, ExprKind, Name, Owner};
+use crate::syntax::body::{Closure, Expr, ExprKind, Name, Owner};
 use crate::syntax::integers::Integers;
 use crate::syntax::{Group, Item};
 
@@ -75,6 +75,8 @@ pub struct Interpreter<'a> {
     pub later: Vec<&'a Name>,
     /// While a closure of a lazy iterator runs: the variables below this position are outside it.
     pub lazy: Option<usize>,
+    /// Closures in variables, with what they have in sight.
+    pub closures: Vec<(&'a Closure, View)>,
     /// Statements that rustc will confirm.
     meant: Lookup<String, ()>,
     /// Whether an attribute argument such as a mass is evaluated.
@@ -114,6 +116,7 @@ impl<'a> Interpreter<'a> {
             fields,
             later: Vec::new(),
             lazy: None,
+            closures: Vec::new(),
             meant: Lookup::default(),
             in_attribute: false,
             positions: 0,
@@ -254,7 +257,7 @@ impl<'a> Interpreter<'a> {
             }
             ExprKind::Break(label) => self.leave(Flow::Break(label.clone())),
             ExprKind::Continue(label) => self.leave(Flow::Continue(label.clone())),
-            ExprKind::Closure(_) => self.refuse(origin, catalogue::stored_closure()),
+            ExprKind::Closure(closure) => self.stored(closure, origin),
             ExprKind::Unsupported(message) => self.refuse(origin, message.clone()),
         };
         // Arrays share their elements, but what walks over them pays for each.

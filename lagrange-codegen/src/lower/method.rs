@@ -92,7 +92,7 @@ impl<'a> Interpreter<'a> {
                 self.iterator_method(receiver, word, arguments, origin)
             }
             Value::Record(record) => self.record_method(record, word, arguments),
-            Value::Unit | Value::Boolean(_) | Value::Choice(_) | Value::Tuple(_) => {
+            Value::Unit | Value::Boolean(_) | Value::Choice(_) | Value::Closure(_) | Value::Tuple(_) => {
                 self.unknown_method(&receiver, word)
             }
         }
@@ -112,6 +112,7 @@ impl<'a> Interpreter<'a> {
             | Value::Boolean(_)
             | Value::Choice(_)
             | Value::Integer(..)
+            | Value::Closure(_)
             | Value::Tuple(_)
             | Value::Record(_) => &["to_array", "as_vector"],
         };

@@ -83,6 +83,7 @@ impl Interpreter<'_> {
             | Value::Parameter(_)
             | Value::Quaternion(_)
             | Value::Twist(_)
+            | Value::Closure(_)
             | Value::Iterator(_)
             | Value::Range(..)
             | Value::Record(_) => return None,

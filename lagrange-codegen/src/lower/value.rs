@@ -46,6 +46,8 @@ pub enum Value {
     Quaternion(Parts),
     /// The velocity of a body.
     Twist(Rc<Twist>),
+    /// A closure in a variable.
+    Closure(ClosureId),
     /// A tuple.
     Tuple(Rc<Vec<Value>>),
     /// An array.
@@ -61,6 +63,10 @@ pub enum Value {
 /// A handle to a path that starts at `self`, or to a foreign constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ParameterId(pub usize);
+
+/// A handle to a closure with what it has in sight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ClosureId(pub usize);
 
 /// A matrix.
 #[derive(Clone, Debug)]
@@ -155,6 +161,7 @@ impl Value {
             Value::Rotation(turn) => format!("a Rotation{}", turn.dimension()),
             Value::Isometry(_, turn) => format!("an Isometry{}", turn.dimension()),
             Value::Quaternion(_) => "a Quaternion".into(),
+            Value::Closure(_) => "a closure".into(),
             Value::Twist(twist) => format!("a Twist{}", twist.dimension()),
             Value::Tuple(elements) => format!("a tuple of {}", elements.len()),
             Value::Array(elements) => format!("an array of {}", elements.len()),
@@ -197,6 +204,7 @@ impl Value {
             | Value::Integer(..)
             | Value::Parameter(_)
             | Value::Twist(_)
+            | Value::Closure(_)
             | Value::Tuple(_)
             | Value::Array(_)
             | Value::Iterator(_)
@@ -247,6 +255,7 @@ impl Value {
                 Value::Rotation(turn.clone()).fingerprint(words);
             }
             Value::Quaternion(parts) => nodes(words, 18, parts),
+            Value::Closure(id) => words.extend([19, id.0 as u64]),
             Value::Twist(twist) => nodes(words, 17, &twist.nodes()),
             Value::Tuple(elements) => list(words, 12, elements),
             Value::Array(elements) => list(words, 13, elements),

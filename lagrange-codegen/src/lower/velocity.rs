@@ -131,6 +131,7 @@ impl<'a> Interpreter<'a> {
             | Value::Parameter(_)
             | Value::Quaternion(_)
             | Value::Twist(_)
+            | Value::Closure(_)
             | Value::Iterator(_)
             | Value::Range(..)
             | Value::Record(_) => return None,

@@ -225,13 +225,15 @@ pub struct For {
     pub body: Block,
 }
 
-/// A closure in argument position.
+/// A closure.
 #[derive(Clone, Debug)]
 pub struct Closure {
     /// The parameters.
     pub parameters: Vec<Pattern>,
     /// The body.
     pub body: Expr,
+    /// `move`.
+    pub is_move: bool,
 }
 
 /// A pattern.

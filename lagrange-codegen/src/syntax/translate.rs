@@ -158,7 +158,7 @@ impl Translator<'_> {
             syn::Expr::Closure(closure) => {
                 let parameters = closure.inputs.iter().map(|pattern| self.pattern(pattern)).collect();
                 let body = self.expression(&closure.body);
-                ExprKind::Closure(Box::new(Closure { parameters, body }))
+                ExprKind::Closure(Box::new(Closure { parameters, body, is_move: closure.capture.is_some() }))
             }
             syn::Expr::Continue(next) => ExprKind::Continue(label(next.label.as_ref())),
             syn::Expr::Field(field) => {

@@ -1,6 +1,7 @@
 //! One small system per feature of the language, with a result by hand, and the identities of every system.
 
 mod arrays;
+mod closures;
 mod constraints;
 mod constraints_language;
 mod elementary;
