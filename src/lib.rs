@@ -117,13 +117,13 @@ pub mod prelude {
     pub use crate::lagrangian;
     pub use lagrange_runtime::__private::nalgebra::{
         Isometry2, Isometry3, IsometryMatrix2, IsometryMatrix3, Matrix2, Matrix3, Point1, Point2, Point3,
-        Rotation2, Rotation3, SMatrix, SVector, Translation2, Translation3, Unit, UnitComplex,
+        Quaternion, Rotation2, Rotation3, SMatrix, SVector, Translation2, Translation3, Unit, UnitComplex,
         UnitQuaternion, Vector1, Vector2, Vector3,
     };
     pub use lagrange_runtime::{
         BlanesMoan4, BlanesMoan6, Cause, Crossing, Dop853, Event, Gauss4, Gauss6, Gauss8, Guard, Jet, Jets,
         Leapfrog, Linearized, MotionError, Ordered, PoseVelocity, Real, Rk4, Sensitive, State, System,
-        Tangent, Yoshida4, Yoshida6, Yoshida8,
+        Tangent, Twist2, Twist3, Yoshida4, Yoshida6, Yoshida8,
     };
 }
 

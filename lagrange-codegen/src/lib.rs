@@ -16,7 +16,7 @@
 //! | [`schedule`] | graph nodes → a straight-line [`schedule::Program`] |
 //! | `emit` | everything → tokens |
 //!
-//! [`expr`], [`calculus`] and [`number`] are the mathematics underneath; they know no tokens.
+//! [`expr`], [`calculus`], `kinematics` and [`number`] are the mathematics underneath; they know no tokens.
 #![forbid(unsafe_code)]
 
 pub mod calculus;
@@ -27,6 +27,7 @@ mod emit;
 mod expand;
 pub mod expr;
 pub mod jets;
+mod kinematics;
 pub mod lower;
 pub mod mechanics;
 pub mod model;

@@ -5,6 +5,7 @@
 
 mod constraints;
 pub mod orientation;
+mod velocities;
 
 use crate::collections::Lookup;
 use crate::diagnostics::Origin;
@@ -12,6 +13,7 @@ use crate::expr::{Graph, NodeId};
 pub use constraints::{
     Constraint, ConstraintKind, Contact, Eliminated, Elimination, Law, Place, component_of_one,
 };
+pub use velocities::{Rates, Spin, Twist, Velocity};
 
 /// A lowered description.
 #[derive(Clone, Debug, Default)]
@@ -33,6 +35,8 @@ pub struct Model {
     pub meanings: Vec<Meaning>,
     /// What the functions with a role, and the arguments of roles, were read as.
     pub readings: Vec<Reading>,
+    /// Velocities that the description names.
+    pub velocities: Vec<Velocity>,
     /// Particles.
     pub points: Vec<Point>,
     /// Rigid bodies.
@@ -237,13 +241,15 @@ pub struct Rotation {
 /// How a rotation was made.
 #[derive(Clone, Debug)]
 pub enum RotationForm {
-    /// About a fixed unit axis (the same in body and space) by an angle.
+    /// About a unit axis (the same in body and space), which may move, by an angle.
     Axis {
         /// Unit vector.
         axis: [NodeId; 3],
         /// Angle \[rad\].
         angle: NodeId,
     },
+    /// v ↦ q v q* / |q|² by a quaternion of any length: w, i, j, k.
+    Quaternion([NodeId; 4]),
     /// The left rotation after the right one.
     Product(Box<Rotation>, Box<Rotation>),
     /// The inverse.

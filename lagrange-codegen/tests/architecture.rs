@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Lower layers first; a module may name only modules of its own and lower layers.
-const LAYERS: [(&str, u32); 16] = [
+const LAYERS: [(&str, u32); 17] = [
     ("collections", 0),
     ("number", 0),
     ("diagnostics", 0),
@@ -12,6 +12,7 @@ const LAYERS: [(&str, u32); 16] = [
     ("model", 2),
     ("calculus", 2),
     ("simplify", 3),
+    ("kinematics", 3),
     ("syntax", 3),
     ("lower", 4),
     ("mechanics", 4),
@@ -24,12 +25,13 @@ const LAYERS: [(&str, u32); 16] = [
 ];
 
 /// Modules that know no tokens.
-const TOKEN_FREE: [&str; 12] = [
+const TOKEN_FREE: [&str; 13] = [
     "collections",
     "number",
     "expr",
     "model",
     "calculus",
+    "kinematics",
     "simplify",
     "eliminate",
     "mechanics",

@@ -19,6 +19,7 @@
 //! | [`tangent`] | the same with constraints, and what follows: equilibria, linear models, modes |
 //! | [`linear`] | factorisations of small dense matrices |
 //! | [`algebra`] | vector functions for any scalar |
+//! | [`twist`] | velocities of rigid bodies |
 //! | [`verify`] | the certificate of a model: identities at sampled states |
 //! | [`stored`] | large tables on the heap where there is one |
 //! | [`structure`] | operation counts and proven facts of a model |
@@ -74,6 +75,7 @@ pub mod switching;
 pub mod system;
 mod tables;
 pub mod tangent;
+pub mod twist;
 pub mod verify;
 
 pub use algebra::PrincipalMoments;
@@ -89,6 +91,7 @@ pub use integrator::{
 };
 pub use linear::Independence;
 pub use linearized::{Jacobians, Linearization, Linearized};
+pub use nalgebra;
 pub use name::{Name, Names};
 pub use num_traits::{One, Zero};
 pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};
@@ -112,6 +115,7 @@ pub use tangent::{
 };
 #[cfg(feature = "std")]
 pub use tangent::{Mode, Monodromy};
+pub use twist::{Twist2, Twist3};
 pub use verify::{Certificate, Identity, Violation};
 #[cfg(feature = "wide")]
 pub use wide;
@@ -161,6 +165,7 @@ pub mod __private {
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::switching::{self, Hybrid, Laws, NamedRows, Reach, Regime, Row, Switching};
     pub use crate::system::System;
+    pub use crate::twist::{Twist2, Twist3};
     pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;
 }

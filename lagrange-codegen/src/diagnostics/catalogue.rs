@@ -142,8 +142,12 @@ messages! {
     struct_literal() = "a struct cannot be built here; use a tuple or an array";
     break_with_value() = "a loop has no value here; assign to a variable before the loop ends";
     call_of_value() = "only functions can be called; name the function directly";
-    stored_closure() = "a closure can only be an argument, as in `.map(|x| …)`; make it a function of this \
+    moving_closure() = "a closure in a variable reads what is in sight where it stands; leave out `move`, or make it a \
+        function of this impl block";
+    escaped_closure() = "this closure has left the block that it stands in; call it there, or make it a function of this \
         impl block";
+    closure_argument(name) = "`{name}` is inlined for values and takes no closure; call the closure here, or make it a \
+        function of this impl block";
     closure_expected() = "a closure is expected here; write `|x| …` or the path of a function";
     closure_arguments(given, taken) = "this closure is called with {given} but takes {taken}";
     trailing_semicolon(name) = "the `;` throws away what `{name}` should return; remove the `;`";
@@ -194,6 +198,10 @@ messages! {
         this impl block can be inlined";
     free_function(name) = "only functions of this impl block can be inlined; move `{name}` in as an \
         associated function and call it by `Self::`";
+    velocity_of_more(name) = "`{name}` is a function of more than coordinates and time, so its velocity is not known; \
+        let it take `q: &Coordinates` and `t` only, and read all else from `self`";
+    no_velocity(name, value) = "`{name}` returns {value}, which has no velocity; let it return numbers, vectors, poses or \
+        arrays of them";
     function_as_method(name, call) = "`{name}` is a method of numbers; write `{call}`";
     helper_without_self(name) = "`{name}` is a function of this impl block; call it as `self.{name}(…)` or \
         `Self::{name}(…)`";
@@ -215,6 +223,10 @@ messages! {
 // Shapes.
 messages! {
     wrong_shape(expected, found) = "{expected} is expected here, not {found}; convert it or change the type";
+    taken_for_scalar(path, other) = "`{path}` was taken for a scalar, and here it meets {other}; name it with its type first, \
+        as in `let value: Vector2<f64> = {path};`";
+    method_of_scalar(path, name) = "`{path}` was taken for a scalar, which has no method `{name}`; name it with its type \
+        first, as in `let value: Vector2<f64> = {path};`";
     cannot_add(right, left) = "{right} cannot be added to {left}; bring both to the same shape";
     cannot_subtract(right, left) = "{right} cannot be subtracted from {left}; bring both to the same shape";
     cannot_multiply(left, right) = "{left} cannot be multiplied by {right}; for vectors use `.dot(…)`, \
@@ -235,8 +247,10 @@ messages! {
     record_as_value(holder, kind, field) = "`{holder}` holds all {kind}; write the one that is meant, as in \
         `{field}`";
     self_as_value() = "`self` is no quantity; use one of its fields";
-    axis_not_fixed() = "the axis of this rotation moves; compose rotations about fixed axes instead, such as \
-        `Rotation3::from_axis_angle(&Vector3::z_axis(), angle)`";
+    axis_not_fixed() = "the axis of this rotation vector moves, and at zero it has none; give the axis by itself, \
+        `Rotation3::from_axis_angle(&axis, angle)`, or compose rotations about fixed axes";
+    unchecked_quaternion() = "whether this quaternion has length one is not known here; write \
+        `UnitQuaternion::from_quaternion(…)`, which divides by its length";
     pattern_mismatch(value) = "this pattern does not fit {value}; name the value as a whole";
     pattern_length(expected, found) = "this pattern has {expected} for {found}; name each, or \
         skip some with `..`";

@@ -11,7 +11,7 @@ pub(crate) mod quantities;
 use crate::calculus::{pullback, pushforward, sizes, substitute};
 use crate::diagnostics::{Diagnostics, Origin, physics};
 use crate::expr::{Exponent, Graph, Node, NodeId, Variable};
-use crate::mechanics::time_direction;
+use crate::kinematics::time_direction;
 use crate::model::{Action, Eliminated, Elimination, Model};
 use crate::simplify::simplify;
 

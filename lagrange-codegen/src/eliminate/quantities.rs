@@ -42,6 +42,8 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         lengths: _,
         meanings: _,
         readings,
+        // They are functions of all declared coordinates.
+        velocities: _,
         points,
         bodies,
         kinetic,
@@ -115,7 +117,11 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
 fn rotation(turn: &mut Rotation, each: &mut dyn FnMut(&mut NodeId)) {
     turn.matrix.as_flattened_mut().iter_mut().for_each(&mut *each);
     match &mut turn.form {
-        RotationForm::Axis { axis: _, angle } => each(angle),
+        RotationForm::Axis { axis, angle } => {
+            axis.iter_mut().for_each(&mut *each);
+            each(angle);
+        }
+        RotationForm::Quaternion(parts) => parts.iter_mut().for_each(&mut *each),
         RotationForm::Product(left, right) => {
             rotation(left, each);
             rotation(right, each);

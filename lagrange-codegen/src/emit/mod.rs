@@ -25,6 +25,7 @@ mod scalar;
 mod stubs;
 mod system;
 mod tokens;
+mod velocities;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -244,6 +245,7 @@ pub(crate) fn emit(
             fn __lengths(&self) { #lengths }
         }
     });
+    let velocities = velocities::velocities(&mut emission, diagnostics);
     let getters = readings::getters(&emission);
     let meanings = meanings::meanings(emission.item, emission.model, diagnostics);
     let test = analysis::test(&emission);
@@ -284,6 +286,7 @@ pub(crate) fn emit(
                 #meanings
                 #getters
                 #methods
+                #velocities
             }
 
             #[automatically_derived]

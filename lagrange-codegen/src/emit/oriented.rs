@@ -50,7 +50,7 @@ pub(super) fn conversions(item: &Item, record: Record) -> TokenStream {
             (Kind::Rotation, Record::Velocities) => {
                 quote!(#path::__private::nalgebra::Vector3::new(#(#numbers),*))
             }
-            (Kind::Pose, Record::Velocities) => quote!(#attitude::twist([#(#numbers),*])),
+            (Kind::Pose, Record::Velocities) => quote!(#attitude::pose_velocity([#(#numbers),*])),
             (Kind::Rotation, _) => quote!(#attitude::rotation([#(#numbers),*])),
             (Kind::Pose, _) => quote!(#attitude::pose([#(#numbers),*])),
         })

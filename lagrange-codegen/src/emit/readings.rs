@@ -134,5 +134,6 @@ fn call(function: &Function) -> String {
     });
     let name = &function.name;
     let raw = if syn::parse_str::<Ident>(name).is_ok() { "" } else { "r#" };
-    format!("self.{raw}{name}({})", arguments.collect::<Vec<_>>().join(", "))
+    let owner = if function.receiver { "self." } else { "Self::" };
+    format!("{owner}{raw}{name}({})", arguments.collect::<Vec<_>>().join(", "))
 }

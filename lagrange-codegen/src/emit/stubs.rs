@@ -95,6 +95,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let mut methods = methods(item, &quote!(#scalar), count, inputs);
     methods.extend(constraint_methods(item, &held, &quote!(#scalar), count, inputs));
+    methods.extend(super::velocities::stubs(item, &scalar.to_string()));
     methods.extend(analysis::stubs(item, &quote!(#scalar), count, inputs));
     let is_complete = declared == count && !item.has_orientations();
     let completions = (!is_complete).then(|| completions(item, &quote!(#scalar), count));

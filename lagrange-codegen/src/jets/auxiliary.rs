@@ -13,7 +13,7 @@
 use crate::calculus::{derivative, partial_derivatives, pushforward, substitute, velocity_degrees};
 use crate::collections::Lookup;
 use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Variable};
-use crate::mechanics::time_direction;
+use crate::kinematics::time_direction;
 use crate::number::Number;
 
 /// What changes in the course of a step; inputs are held.

@@ -56,6 +56,8 @@ impl<'a> Interpreter<'a> {
                 "angular" => Value::Vector(angular.clone()),
                 _ => self.unknown_field(&base, word),
             },
+            Value::Quaternion(parts) => self.quaternion_field(parts, word),
+            Value::Twist(twist) => self.twist_field(twist, word),
             Value::Tuple(elements) => {
                 match name.parse::<usize>().ok().and_then(|index| elements.get(index)) {
                     Some(element) => element.clone(),
@@ -68,6 +70,7 @@ impl<'a> Interpreter<'a> {
             | Value::Integer(..)
             | Value::Scalar(..)
             | Value::Rotation(_)
+            | Value::Closure(_)
             | Value::Array(_)
             | Value::Iterator(_)
             | Value::Range(..) => self.unknown_field(&base, word),

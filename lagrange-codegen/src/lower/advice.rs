@@ -160,6 +160,24 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// The field that a number was made of, if it is a field times something.
+    pub fn taken_for_scalar(&self, value: &Value) -> Option<String> {
+        /// A field, a constant, and few more.
+        const SMALL: usize = 6;
+        let Value::Scalar(node, _) = value else { return None };
+        let cone = self.model.graph.cone([*node]);
+        if cone.len() > SMALL {
+            return None;
+        }
+        cone.into_iter().find_map(|node| match self.model.graph.node(node) {
+            Node::Variable(Variable::Parameter(index)) => {
+                let path = &self.model.parameters[*index as usize].path;
+                path.starts_with("self.").then(|| path.clone())
+            }
+            _ => None,
+        })
+    }
+
     /// An integer, where a number of the scalar type belongs.
     pub fn integer_as_number(&mut self, value: i128, expr: &'a Expr) -> Value {
         let message = match &expr.kind {

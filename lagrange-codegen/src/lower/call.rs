@@ -3,9 +3,10 @@
 use super::advice::{argument_count, counted};
 use super::interpreter::{Flow, Interpreter};
 use super::shape::Shape;
-use super::value::Value;
+use super::value::{ClosureId, Value};
 use crate::diagnostics::{Origin, catalogue};
-use crate::syntax::body::{Block, Closure, Expr, ExprKind, Name, Path, Statement, Word};
+use crate::syntax::body::{Block, Closure, Expr, ExprKind, Name, Owner, Path, Statement, Word};
+use crate::syntax::velocity::SUFFIX;
 
 /// What can be passed where a closure is expected.
 #[derive(Clone, Copy)]
@@ -28,7 +29,13 @@ impl<'a> Interpreter<'a> {
     ) -> Value {
         let item = self.item;
         let Some(index) = item.functions.iter().position(|function| function.name == word.name) else {
-            let names: Vec<Name> = item.functions.iter().map(|function| function.name.clone()).collect();
+            if let Some(value) = self.velocity_call(word, &arguments, with_self, origin) {
+                return value;
+            }
+            let own = item.functions.iter().map(|function| function.name.clone());
+            let velocities =
+                item.functions.iter().map(|function| format!("{}{SUFFIX}", function.name).into());
+            let names: Vec<Name> = own.chain(velocities).collect();
             let near = self.near(&word.name, &names);
             return self.refuse(word.origin, catalogue::unknown_helper(&word.name, near));
         };
@@ -66,6 +73,9 @@ impl<'a> Interpreter<'a> {
         let function = &item.functions[index];
         if let Some(origin) = function.conditional {
             return self.refuse(origin, catalogue::conditional_code());
+        }
+        if arguments.iter().any(|argument| matches!(argument, Value::Closure(_))) {
+            return self.refuse(origin, catalogue::closure_argument(&function.name));
         }
         if arguments.len() != function.parameters.len() {
             let message = argument_count(&function.name, function.parameters.len(), arguments.len());
@@ -166,6 +176,34 @@ impl<'a> Interpreter<'a> {
         let outer = self.lazy.replace(inside);
         let value = self.apply(callable, arguments, origin);
         self.lazy = outer;
+        value
+    }
+
+    /// A closure that is kept in a variable: it sees what is in sight here whenever it is called.
+    pub fn stored(&mut self, closure: &'a Closure, origin: Origin) -> Value {
+        if closure.is_move {
+            return self.refuse(origin, catalogue::moving_closure());
+        }
+        self.closures.push((closure, self.scope.view()));
+        Value::Closure(ClosureId(self.closures.len() - 1))
+    }
+
+    /// The closure that a path names, if it is a variable that holds one.
+    pub fn closure_of(&self, path: &Path) -> Option<ClosureId> {
+        match (&path.owner, self.scope.get(&path.last)) {
+            (Owner::None, Some(Value::Closure(id))) => Some(*id),
+            _ => None,
+        }
+    }
+
+    /// Calls a closure from a variable.
+    pub fn apply_stored(&mut self, id: ClosureId, arguments: Vec<Value>, origin: Origin) -> Value {
+        let (closure, view) = self.closures[id.0].clone();
+        let Some(here) = self.scope.look(&view) else {
+            return self.refuse(origin, catalogue::escaped_closure());
+        };
+        let value = self.apply(Callable::Closure(closure), arguments, origin);
+        self.scope.look_back(here);
         value
     }
 

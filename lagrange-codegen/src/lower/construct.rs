@@ -32,7 +32,11 @@ impl<'a> Interpreter<'a> {
             },
             Shape::Matrix(rows, columns) => self.new_matrix(rows, columns, name, &arguments, origin),
             Shape::Rotation(2) => self.new_plane_rotation(name, &arguments, origin),
+            Shape::Quaternion if matches!(name, "from_quaternion" | "new_normalize" | "new_unchecked") => {
+                self.new_unit_quaternion(name, &arguments, origin)
+            }
             Shape::Rotation(_) | Shape::Quaternion => self.new_space_rotation(name, &arguments, origin),
+            Shape::AnyQuaternion => self.new_quaternion(name, &arguments, origin),
             Shape::Isometry(dimension) => self.new_isometry(dimension, name, &arguments, origin),
             Shape::Any
             | Shape::Unit
@@ -41,6 +45,7 @@ impl<'a> Interpreter<'a> {
             | Shape::Array(..)
             | Shape::Slice(_)
             | Shape::Tuple(_)
+            | Shape::Twist(_)
             | Shape::Record(_) => None,
         };
         match built {
@@ -206,9 +211,6 @@ impl<'a> Interpreter<'a> {
             ("from_axis_angle", [axis, angle]) => {
                 let axis = self.vector(axis.clone(), 3, origin)?;
                 let angle = self.scalar(angle.clone(), origin)?;
-                if axis.iter().any(|&node| !self.model.graph.dependence(node).is_fixed()) {
-                    return Some(self.refuse(origin, catalogue::axis_not_fixed()));
-                }
                 let rotation = self.rotation_about([axis[0], axis[1], axis[2]], angle);
                 Some(Value::Rotation(Turn::Space(Rc::new(rotation))))
             }
@@ -336,7 +338,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-const CONSTRUCTORS: [&str; 37] = [
+const CONSTRUCTORS: [&str; 40] = [
     "new",
     "zeros",
     "repeat",
@@ -369,6 +371,9 @@ const CONSTRUCTORS: [&str; 37] = [
     "from_euler_angles",
     "from_basis_unchecked",
     "from_parts",
+    "from_quaternion",
+    "from_imag",
+    "from_real",
     "translation",
     "rotation",
     "zero",

@@ -3,6 +3,7 @@
 use super::interpreter::Interpreter;
 use super::value::{Turn, Value};
 use crate::expr::{Node, NodeId};
+use crate::model::Spin;
 use crate::syntax::hygiene::written;
 
 impl Interpreter<'_> {
@@ -32,6 +33,21 @@ impl Interpreter<'_> {
                     self.hint_node(*node, name, &format!("_{row}{column}"));
                 }
             }
+            Value::Quaternion(parts) => {
+                for (part, suffix) in parts.iter().zip(["_w", "_i", "_j", "_k"]) {
+                    self.hint_node(*part, name, suffix);
+                }
+            }
+            Value::Twist(twist) => {
+                self.hint_components(&twist.velocity, name);
+                match &twist.spin {
+                    Spin::Plane(rate) => self.hint_node(*rate, name, "_rate"),
+                    Spin::Space { in_space, in_body } => {
+                        self.hint_components(in_space, &format!("{name}_rate"));
+                        self.hint_components(in_body, &format!("{name}_body_rate"));
+                    }
+                }
+            }
             Value::Tuple(elements) | Value::Array(elements) => {
                 for (index, element) in elements.iter().enumerate() {
                     self.hint(element, &format!("{name}_{index}"));
@@ -43,6 +59,7 @@ impl Interpreter<'_> {
             | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
+            | Value::Closure(_)
             | Value::Iterator(_)
             | Value::Range(..)
             | Value::Record(_) => {}

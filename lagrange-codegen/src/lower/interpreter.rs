@@ -6,7 +6,7 @@ use super::coordinates;
 use super::parameter::Parameters;
 use super::rounded::Rounded;
 use super::scalar::LARGEST_POWER;
-use super::scope::Scope;
+use super::scope::{Scope, View};
 use super::shape::Shape;
 use super::value::Value;
 use crate::collections::Lookup;
@@ -14,7 +14,7 @@ use crate::diagnostics::{Diagnostics, Origin, catalogue};
 use crate::expr::{Graph, Node, NodeId};
 use crate::model::{Meaning, Model};
 use crate::number::Number;
-use crate::syntax::body::{Expr, ExprKind, Name, Owner};
+use crate::syntax::body::{Closure, Expr, ExprKind, Name, Owner};
 use crate::syntax::integers::Integers;
 use crate::syntax::{Item, Record};
 
@@ -66,6 +66,8 @@ pub struct Interpreter<'a> {
     pub memo: Lookup<(usize, Vec<u64>), Value>,
     /// The functions being evaluated.
     pub calls: Vec<usize>,
+    /// Rates of functions whose velocities the description names, once they are derived.
+    pub rates: Vec<Option<Value>>,
     /// Constants of the impl block: evaluated, or being evaluated (`Unknown`).
     pub constants: Vec<Option<Value>>,
     /// The fields of each record, in the order of [`crate::syntax::Record::ALL`].
@@ -74,6 +76,8 @@ pub struct Interpreter<'a> {
     pub later: Vec<&'a Name>,
     /// While a closure of a lazy iterator runs: the variables below this position are outside it.
     pub lazy: Option<usize>,
+    /// Closures in variables, with what they have in sight.
+    pub closures: Vec<(&'a Closure, View)>,
     /// Statements that rustc will confirm.
     meant: Lookup<String, ()>,
     /// Whether an attribute argument such as a mass is evaluated.
@@ -109,10 +113,12 @@ impl<'a> Interpreter<'a> {
             flow: Flow::Next,
             memo: Lookup::default(),
             calls: Vec::new(),
+            rates: vec![None; item.velocities.len()],
             constants: vec![None; item.constants.len()],
             fields,
             later: Vec::new(),
             lazy: None,
+            closures: Vec::new(),
             meant: Lookup::default(),
             in_attribute: false,
             positions: 0,
@@ -217,6 +223,10 @@ impl<'a> Interpreter<'a> {
                 let base = self.expression(base);
                 self.field(base, word, origin)
             }
+            ExprKind::Pointee(pointer) => match self.expression(pointer) {
+                Value::Parameter(id) => Value::Parameter(self.pointee(id, origin)),
+                other => other,
+            },
             ExprKind::Index(base, index) => self.index(base, index),
             ExprKind::Call(path, arguments) => self.call_path(path, arguments, origin),
             ExprKind::Method(call) => self.method(call, origin),
@@ -249,7 +259,7 @@ impl<'a> Interpreter<'a> {
             }
             ExprKind::Break(label) => self.leave(Flow::Break(label.clone())),
             ExprKind::Continue(label) => self.leave(Flow::Continue(label.clone())),
-            ExprKind::Closure(_) => self.refuse(origin, catalogue::stored_closure()),
+            ExprKind::Closure(closure) => self.stored(closure, origin),
             ExprKind::Unsupported(message) => self.refuse(origin, message.clone()),
         };
         // Arrays share their elements, but what walks over them pays for each.

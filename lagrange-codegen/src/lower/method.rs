@@ -3,6 +3,7 @@
 use super::advice::argument_count;
 use super::interpreter::Interpreter;
 use super::iterate;
+use super::quaternion;
 use super::rounded::Rounded;
 use super::scalar;
 use super::value::{ParameterId, Value};
@@ -85,6 +86,8 @@ impl<'a> Interpreter<'a> {
             Value::Matrix(matrix) => self.matrix_method(matrix, word, arguments, origin),
             Value::Rotation(turn) => self.rotation_method(turn, word, arguments, origin),
             Value::Isometry(shift, turn) => self.isometry_method(shift, turn, word, arguments, origin),
+            Value::Quaternion(parts) => self.quaternion_method(&parts, word, arguments, origin),
+            Value::Twist(twist) => self.twist_method(twist, word, arguments, origin),
             Value::Array(_) | Value::Iterator(_) | Value::Range(..) => {
                 self.iterator_method(receiver, word, arguments, origin)
             }
@@ -93,6 +96,7 @@ impl<'a> Interpreter<'a> {
             | Value::Boolean(_)
             | Value::Choice(_)
             | Value::PoseVelocity(..)
+            | Value::Closure(_)
             | Value::Tuple(_) => self.unknown_method(&receiver, word),
         }
     }
@@ -104,15 +108,23 @@ impl<'a> Interpreter<'a> {
             Value::Vector(_) | Value::Point(_) | Value::Translation(_) | Value::Matrix(_) => &vector::METHODS,
             Value::Rotation(_) | Value::Isometry(..) => &vector::POSE_METHODS,
             Value::Array(_) | Value::Iterator(_) | Value::Range(..) => &iterate::METHODS,
+            Value::Twist(_) => &["at"],
+            Value::Quaternion(_) => &quaternion::METHODS,
             Value::Unknown
             | Value::Unit
             | Value::Boolean(_)
             | Value::Choice(_)
             | Value::Integer(..)
             | Value::PoseVelocity(..)
+            | Value::Closure(_)
             | Value::Tuple(_)
             | Value::Record(_) => &["to_array", "as_vector"],
         };
+        let of_vectors =
+            || vector::METHODS.contains(&&*word.name) || vector::POSE_METHODS.contains(&&*word.name);
+        if let Some(path) = self.taken_for_scalar(receiver).filter(|_| of_vectors()) {
+            return self.refuse(word.origin, catalogue::method_of_scalar(path, &word.name));
+        }
         let near = nearest(&word.name, candidates.iter().copied()).map(String::from);
         self.refuse(word.origin, catalogue::unknown_method(receiver.describe(), &word.name, near))
     }

@@ -25,6 +25,7 @@ mod parameter;
 mod path;
 mod pattern;
 mod places;
+mod quaternion;
 mod readings;
 mod roles;
 mod rotation;
@@ -37,6 +38,7 @@ mod statement;
 mod tests;
 mod value;
 mod vector;
+mod velocity;
 
 use crate::diagnostics::Diagnostics;
 use crate::model::Model;

@@ -33,6 +33,9 @@ impl<'a> Interpreter<'a> {
             (UnaryOperator::Negate, Value::Vector(nodes)) => {
                 Value::Vector(nodes.iter().map(|&node| self.graph().neg(node)).collect())
             }
+            (UnaryOperator::Negate, Value::Quaternion(parts)) => {
+                Value::Quaternion(parts.map(|part| self.graph().neg(part)))
+            }
             (UnaryOperator::Negate, Value::Matrix(matrix)) => {
                 self.scale_matrix(&matrix, |graph, node| graph.neg(node))
             }
@@ -153,6 +156,13 @@ impl<'a> Interpreter<'a> {
             {
                 catalogue::integer_for_scalar(value)
             }
+            // A field without a shape is a scalar.
+            (_, scalar @ Value::Scalar(..), other) | (_, other, scalar @ Value::Scalar(..))
+                if !matches!(other, Value::Scalar(..)) && self.taken_for_scalar(scalar).is_some() =>
+            {
+                let path = self.taken_for_scalar(scalar).unwrap_or_default();
+                catalogue::taken_for_scalar(path, other.describe())
+            }
             (BinaryOperator::Add, ..) => catalogue::cannot_add(b, a),
             (BinaryOperator::Subtract, ..) => catalogue::cannot_subtract(b, a),
             (BinaryOperator::Multiply, ..) => catalogue::cannot_multiply(a, b),
@@ -203,6 +213,9 @@ impl<'a> Interpreter<'a> {
                 if a.len() == b.len() && operator == BinaryOperator::Subtract =>
             {
                 Value::Vector(self.zip_nodes(a, b, combine))
+            }
+            (Value::Quaternion(a), Value::Quaternion(b)) => {
+                Value::Quaternion([0, 1, 2, 3].map(|part| combine(self.graph(), a[part], b[part])))
             }
             (Value::Matrix(a), Value::Matrix(b)) if a.rows == b.rows && a.columns == b.columns => {
                 let entries = self.zip_nodes(&a.entries, &b.entries, combine).to_vec();
@@ -267,6 +280,11 @@ impl<'a> Interpreter<'a> {
             | (Value::Matrix(matrix), Value::Scalar(factor, ..)) => {
                 self.scale_matrix(matrix, |graph, node| graph.mul(*factor, node))
             }
+            (Value::Scalar(factor, ..), Value::Quaternion(parts))
+            | (Value::Quaternion(parts), Value::Scalar(factor, ..)) => {
+                Value::Quaternion(parts.map(|part| self.graph().mul(*factor, part)))
+            }
+            (Value::Quaternion(a), Value::Quaternion(b)) => self.quaternion_product(a, b),
             (Value::Matrix(matrix), Value::Vector(nodes)) if matrix.columns == nodes.len() => {
                 let rows: Vec<NodeId> = (0..matrix.rows)
                     .map(|row| {
@@ -343,6 +361,9 @@ impl<'a> Interpreter<'a> {
             }
             (Value::Matrix(matrix), Value::Scalar(b, ..)) => {
                 self.scale_matrix(matrix, |graph, node| graph.div(node, *b))
+            }
+            (Value::Quaternion(parts), Value::Scalar(b, ..)) => {
+                Value::Quaternion(parts.map(|part| self.graph().div(part, *b)))
             }
             (Value::Rotation(turn), Value::Rotation(other)) if turn.dimension() == other.dimension() => {
                 let inverse = self.inverse_turn(other);

@@ -78,6 +78,13 @@ impl Interpreter<'_> {
         self.extend_parameter(id, &format!(".{name}()"), name, origin)
     }
 
+    /// `*path`.
+    pub fn pointee(&mut self, id: ParameterId, origin: Origin) -> ParameterId {
+        let (text, label) =
+            (format!("(*{})", self.parameters.text(id)), self.parameters.label(id).to_owned());
+        self.parameters.intern(text, label, origin)
+    }
+
     fn extend_parameter(
         &mut self,
         id: ParameterId,

@@ -149,6 +149,12 @@ impl<'a> Interpreter<'a> {
             return self.refuse(path.origin, catalogue::local_item(name));
         }
         let values = self.expressions(arguments);
+        if let Some(id) = self.closure_of(path) {
+            return match values.iter().any(Value::is_unknown) {
+                true => Value::Unknown,
+                false => self.apply_stored(id, values, origin),
+            };
+        }
         if let Owner::None = path.owner
             && self.item.functions.iter().all(|function| function.name != path.last)
         {
@@ -176,6 +182,9 @@ impl<'a> Interpreter<'a> {
     /// A call whose arguments are known.
     pub fn call_values(&mut self, path: &'a Path, arguments: Vec<Value>, origin: Origin) -> Value {
         let word = Word { name: path.last.clone(), origin: path.origin };
+        if let Some(id) = self.closure_of(path) {
+            return self.apply_stored(id, arguments, origin);
+        }
         match &path.owner {
             Owner::SelfType => self.call_helper(&word, arguments, false, origin),
             Owner::None => {

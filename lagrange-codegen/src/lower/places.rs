@@ -2,7 +2,7 @@
 //!
 //! The force of a constraint f on a particle is λ ∂f/∂r where f is a function of its position r. So each
 //! constraint function runs once more, with variables in place of what the functions of particles and bodies
-//! return.
+//! return. One on velocities that names the velocity ṙ of a place likewise acts there with λ ∂g/∂ṙ.
 
 use std::rc::Rc;
 
@@ -10,7 +10,7 @@ use super::interpreter::Interpreter;
 use super::value::Value;
 use crate::collections::Lookup;
 use crate::expr::{NodeId, Variable};
-use crate::model::{ConstraintKind, Place};
+use crate::model::{ConstraintKind, Place, Twist};
 use crate::syntax::item::RoleKind;
 
 impl Interpreter<'_> {
@@ -21,6 +21,7 @@ impl Interpreter<'_> {
         }
         let item = self.item;
         let mut stand_ins = Lookup::default();
+        let true_rates = self.rates.clone();
         for (index, function) in item.functions.iter().enumerate() {
             let kind = function.role.as_ref().map(|role| &role.kind);
             if !matches!(kind, Some(RoleKind::Point { .. } | RoleKind::Body { .. })) {
@@ -30,14 +31,24 @@ impl Interpreter<'_> {
             let (_, key) = self.shaped(index, arguments, function.origin);
             let Some(value) = self.result(index) else { continue };
             let stand_in = self.stand_in(&value);
+            let moving = item.velocities.iter().position(|velocity| velocity.function == index);
+            let mut rates: Vec<NodeId> = Vec::new();
+            if let Some(place) = moving
+                && let Some(rate) = true_rates[place].clone()
+            {
+                self.rates[place] = Some(self.rate_stand_in(&rate, &mut rates));
+            }
+            let mut rates = rates.into_iter();
             for (number, (place, variables)) in
                 self.placed(&function.name, &value).into_iter().zip(self.placed("", &stand_in)).enumerate()
             {
+                let count = place.position.len();
                 self.model.places.push(Place {
                     name: function.name.to_string(),
                     index: matches!(value, Value::Array(_)).then_some(number),
                     position: place.position,
                     variables: variables.position,
+                    rates: rates.by_ref().take(count).collect(),
                     origin: function.origin,
                 });
             }
@@ -55,11 +66,16 @@ impl Interpreter<'_> {
             let own =
                 self.model.constraints.iter_mut().filter(|constraint| *constraint.name == *function.name);
             for (constraint, node) in own.zip(nodes(&value)) {
-                if constraint.kind == ConstraintKind::Holonomic {
+                let rates = self.model.places.iter().flat_map(|place| &place.rates);
+                let through_rates = || {
+                    self.model.graph.cone([node]).iter().any(|node| rates.clone().any(|rate| rate == node))
+                };
+                if constraint.kind == ConstraintKind::Holonomic || through_rates() {
                     constraint.through = Some(node);
                 }
             }
         }
+        self.rates = true_rates;
         self.memo = memo;
         self.model.hints = hints;
     }
@@ -81,6 +97,27 @@ impl Interpreter<'_> {
                 [shift, turn] => Value::Tuple(Rc::new(vec![self.stand_in(shift), turn.clone()])),
                 _ => value.clone(),
             },
+            other => other.clone(),
+        }
+    }
+
+    /// The velocity of a place with variables in place of that of its position, which are noted.
+    fn rate_stand_in(&mut self, rate: &Value, noted: &mut Vec<NodeId>) -> Value {
+        let mut fresh = |this: &mut Self, count: usize| -> Vec<NodeId> {
+            let variables: Vec<NodeId> = (0..count).map(|_| this.position()).collect();
+            noted.extend(&variables);
+            variables
+        };
+        match rate {
+            Value::Scalar(..) => Value::scalar(fresh(self, 1)[0]),
+            Value::Vector(nodes) => Value::Vector(fresh(self, nodes.len()).into()),
+            Value::Twist(twist) => {
+                let velocity = fresh(self, twist.dimension());
+                Value::Twist(Rc::new(Twist { velocity, ..Twist::clone(twist) }))
+            }
+            Value::Array(elements) => {
+                Value::array(elements.iter().map(|element| self.rate_stand_in(element, noted)).collect())
+            }
             other => other.clone(),
         }
     }

@@ -1,4 +1,4 @@
-//! What was read of each function with a role and of each argument of a role, for the comparison with what
+//! What was read of each function with a role or a velocity and of each argument of a role, for the comparison with what
 //! they return.
 
 use super::interpreter::Interpreter;
@@ -8,14 +8,23 @@ use crate::model::Reading;
 use crate::syntax::item::RoleKind;
 
 impl Interpreter<'_> {
-    /// Collects the values of all functions with a role, which are remembered, and of the arguments of roles.
+    /// Collects the values of all functions with a role or a velocity, which are remembered, and of the
+    /// arguments of roles.
     pub fn readings(&mut self) {
         if self.reports > 0 || self.item.allows("misread") {
             return;
         }
         let item = self.item;
         for (function, declared) in item.functions.iter().enumerate() {
-            let Some(role) = &declared.role else { continue };
+            let Some(role) = &declared.role else {
+                // Its velocity may be all that other functions use.
+                if item.velocities.iter().any(|velocity| velocity.function == function)
+                    && let Some(value) = self.result(function)
+                {
+                    self.reading(function, None, &value);
+                }
+                continue;
+            };
             if let Some(value) = self.result(function) {
                 self.reading(function, None, &value);
             }
@@ -73,6 +82,9 @@ impl Interpreter<'_> {
             | Value::Choice(_)
             | Value::Integer(..)
             | Value::Parameter(_)
+            | Value::Quaternion(_)
+            | Value::Twist(_)
+            | Value::Closure(_)
             | Value::Iterator(_)
             | Value::Range(..)
             | Value::Record(_) => return None,

@@ -62,6 +62,7 @@ impl<'a> Interpreter<'a> {
             self.baumgarte(rate);
         }
         self.sensitivities();
+        self.velocities();
         self.readings();
     }
 

@@ -9,6 +9,7 @@ use super::interpreter::Interpreter;
 use super::value::{Matrix, Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::{NodeId, Unary};
+use crate::kinematics::transposed;
 use crate::model::{Rotation, RotationForm};
 use crate::number::Number;
 
@@ -30,7 +31,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The rotation about a unit axis: c + u uᵀ (1 − c) + [u]ₓ s.
+    /// The rotation about a unit axis u: c + u uᵀ (1 − c) + [u]ₓ s.
     pub fn rotation_about(&mut self, axis: [NodeId; 3], angle: NodeId) -> Rotation {
         let graph = self.graph();
         let (sine, cosine) = (graph.unary(Unary::Sin, angle), graph.unary(Unary::Cos, angle));
@@ -91,6 +92,10 @@ impl Interpreter<'_> {
                 let form = match &rotation.form {
                     RotationForm::Axis { axis, angle } => {
                         RotationForm::Axis { axis: *axis, angle: self.graph().neg(*angle) }
+                    }
+                    RotationForm::Quaternion([w, i, j, k]) => {
+                        let [i, j, k] = [*i, *j, *k].map(|part| self.graph().neg(part));
+                        RotationForm::Quaternion([*w, i, j, k])
                     }
                     RotationForm::Inverse(original) => original.form.clone(),
                     RotationForm::Parameters(rho) => {
@@ -276,14 +281,4 @@ impl Interpreter<'_> {
         let yaw_pitch = self.rotation_product(&about_z, &about_y);
         Value::Rotation(Turn::Space(Rc::new(self.rotation_product(&yaw_pitch, &about_x))))
     }
-}
-
-fn transposed(matrix: &[[NodeId; 3]; 3]) -> [[NodeId; 3]; 3] {
-    let mut result = *matrix;
-    for (i, row) in matrix.iter().enumerate() {
-        for (j, entry) in row.iter().enumerate() {
-            result[j][i] = *entry;
-        }
-    }
-    result
 }

@@ -9,6 +9,20 @@ use crate::syntax::hygiene::written;
 pub struct Scope {
     variables: Vec<Entry>,
     base: usize,
+    /// Stretches of the stack that are out of sight while a closure from further out runs.
+    hidden: Vec<(usize, usize)>,
+    /// How many variables there have ever been.
+    made: u64,
+}
+
+/// What is in sight where a closure stands.
+#[derive(Clone, Debug)]
+pub struct View {
+    length: usize,
+    base: usize,
+    hidden: Vec<(usize, usize)>,
+    /// The innermost variable there.
+    innermost: Option<u64>,
 }
 
 #[derive(Debug)]
@@ -16,6 +30,8 @@ struct Entry {
     name: Name,
     value: Value,
     kind: Kind,
+    /// Which of all variables it is.
+    number: u64,
 }
 
 /// What a name stands for.
@@ -60,30 +76,66 @@ impl Scope {
         self.base = mark.base;
     }
 
+    /// What is in sight here.
+    pub fn view(&self) -> View {
+        let (length, base, hidden) = (self.variables.len(), self.base, self.hidden.clone());
+        View { length, base, hidden, innermost: self.variables.last().map(|entry| entry.number) }
+    }
+
+    /// Goes to another view. Gives back the present one; `None` where that other is no more.
+    pub fn look(&mut self, view: &View) -> Option<View> {
+        let last = view.length.checked_sub(1).and_then(|last| self.variables.get(last));
+        if view.innermost.is_some() && last.map(|entry| entry.number) != view.innermost {
+            return None;
+        }
+        let here = self.view();
+        self.base = view.base;
+        self.hidden.clone_from(&view.hidden);
+        self.hidden.push((view.length, self.variables.len()));
+        Some(here)
+    }
+
+    /// Goes back to the view that [`Scope::look`] gave.
+    pub fn look_back(&mut self, view: View) {
+        self.base = view.base;
+        self.hidden = view.hidden;
+    }
+
+    /// The variables in sight with their positions, the innermost last.
+    fn own(&self) -> impl DoubleEndedIterator<Item = (usize, &Entry)> {
+        let in_sight =
+            |&(slot, _): &(usize, &Entry)| self.hidden.iter().all(|&(from, to)| slot < from || slot >= to);
+        self.variables.iter().enumerate().skip(self.base).filter(in_sight)
+    }
+
+    fn push(&mut self, name: Name, value: Value, kind: Kind) {
+        self.made += 1;
+        self.variables.push(Entry { name, value, kind, number: self.made });
+    }
+
     /// Makes a variable.
     pub fn bind(&mut self, name: Name, value: Value) {
-        self.variables.push(Entry { name, value, kind: Kind::Variable });
+        self.push(name, value, Kind::Variable);
     }
 
     /// Makes a constant of a function body.
     pub fn bind_item(&mut self, name: Name, value: Value) {
-        self.variables.push(Entry { name, value, kind: Kind::Item });
+        self.push(name, value, Kind::Item);
     }
 
     /// Notes an import of everything.
     pub fn bind_glob(&mut self) {
-        self.variables.push(Entry { name: "".into(), value: Value::Unknown, kind: Kind::Glob });
+        self.push("".into(), Value::Unknown, Kind::Glob);
     }
 
     /// Whether an import of everything may hide what is declared further out than a position.
     pub fn is_globbed(&self, slot: usize) -> bool {
-        self.variables[slot.max(self.base)..].iter().any(|entry| entry.kind == Kind::Glob)
+        self.own().any(|(own, entry)| own >= slot && entry.kind == Kind::Glob)
     }
 
     /// Whether the innermost variable of a name comes from another syntax context.
     pub fn other_context(&self, name: &str) -> bool {
-        let own = &self.variables[self.base..];
-        own.iter().any(|entry| {
+        self.own().any(|(_, entry)| {
             entry.kind == Kind::Variable && *entry.name != *name && written(&entry.name) == written(name)
         })
     }
@@ -97,13 +149,12 @@ impl Scope {
 
     /// The position of a variable, the innermost of its name.
     pub fn find(&self, name: &str) -> Option<usize> {
-        let own = &self.variables[self.base..];
         let fits = |entry: &Entry| match entry.kind {
             Kind::Variable => *entry.name == *name,
             Kind::Item => *entry.name == *written(name),
             Kind::Glob => false,
         };
-        own.iter().rposition(fits).map(|position| self.base + position)
+        self.own().rev().find(|(_, entry)| fits(entry)).map(|(slot, _)| slot)
     }
 
     /// The value of a variable.
@@ -130,6 +181,6 @@ impl Scope {
 
     /// The names in sight.
     pub fn names(&self) -> Vec<Name> {
-        self.variables[self.base..].iter().map(|entry| entry.name.clone()).collect()
+        self.own().map(|(_, entry)| entry.name.clone()).collect()
     }
 }

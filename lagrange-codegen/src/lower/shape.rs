@@ -36,8 +36,12 @@ pub enum Shape {
     Rotation(usize),
     /// A rotation in space, stored as a quaternion.
     Quaternion,
+    /// A quaternion of any length.
+    AnyQuaternion,
     /// An isometry.
     Isometry(usize),
+    /// The velocity of a body.
+    Twist(usize),
     /// An array.
     Array(Box<Shape>, usize),
     /// A slice: an array of any length.
@@ -63,7 +67,9 @@ impl Shape {
             Shape::Translation(length) => format!("a Translation{length}"),
             Shape::Rotation(dimension) => format!("a Rotation{dimension}"),
             Shape::Quaternion => "a UnitQuaternion".into(),
+            Shape::AnyQuaternion => "a Quaternion".into(),
             Shape::Isometry(dimension) => format!("an Isometry{dimension}"),
+            Shape::Twist(dimension) => format!("a Twist{dimension}"),
             Shape::Array(_, length) => format!("an array of {length}"),
             Shape::Slice(_) => "a slice".into(),
             Shape::Tuple(elements) => format!("a tuple of {}", elements.len()),
@@ -106,7 +112,9 @@ impl<'a> Interpreter<'a> {
             TypeKind::Translation(length) => Shape::Translation(*length),
             TypeKind::Rotation(dimension) => Shape::Rotation(*dimension),
             TypeKind::Quaternion => Shape::Quaternion,
+            TypeKind::AnyQuaternion => Shape::AnyQuaternion,
             TypeKind::Isometry(dimension) => Shape::Isometry(*dimension),
+            TypeKind::Twist(dimension) => Shape::Twist(*dimension),
             TypeKind::Array(element, length) => {
                 let element = self.shape(element);
                 match self.length(length) {
@@ -178,6 +186,7 @@ impl<'a> Interpreter<'a> {
                 Value::Rotation(turn)
             }
             (Value::Rotation(turn @ Turn::Space(_)), Shape::Quaternion) => Value::Rotation(turn),
+            (value @ Value::Quaternion(_), Shape::AnyQuaternion) => value,
             (Value::Rotation(turn), Shape::Matrix(rows, columns))
                 if turn.dimension() == *rows && rows == columns =>
             {
@@ -198,6 +207,9 @@ impl<'a> Interpreter<'a> {
             }
             (Value::Tuple(elements), Shape::Tuple(shapes)) if elements.len() == shapes.len() => {
                 self.coerce_all(elements, shapes.iter(), origin, Value::tuple)
+            }
+            (Value::Twist(twist), Shape::Twist(dimension)) if twist.dimension() == *dimension => {
+                Value::Twist(twist)
             }
             (Value::Record(record), Shape::Record(expected)) if record == *expected => Value::Record(record),
             (Value::Record(record), shape) if !matches!(shape, Shape::Record(_)) => {
@@ -270,6 +282,16 @@ impl<'a> Interpreter<'a> {
                 let matrix = self.parameter_method(id, "to_rotation_matrix", origin);
                 self.unfold(matrix, &Shape::Rotation(3), origin)
             }
+            Shape::AnyQuaternion => {
+                let parts = ["w", "i", "j", "k"].map(|part| {
+                    let part = self.parameter_field(id, part, origin);
+                    self.scalar_parameter(part, origin)
+                });
+                match parts {
+                    [Some(w), Some(i), Some(j), Some(k)] => Value::Quaternion([w, i, j, k]),
+                    _ => Value::Unknown,
+                }
+            }
             Shape::Array(_, length) if !self.pay_for(*length, origin) => Value::Unknown,
             Shape::Array(element, length) => {
                 let elements = (0..*length).map(|index| {
@@ -285,7 +307,26 @@ impl<'a> Interpreter<'a> {
                 });
                 Value::tuple(elements.collect())
             }
-            Shape::Unit | Shape::Record(_) | Shape::Isometry(_) => {
+            Shape::Isometry(dimension) => {
+                let shift = self.parameter_field(id, "translation", origin);
+                let shift = self.unfold(shift, &Shape::Translation(*dimension), origin);
+                let turn = match dimension {
+                    2 => {
+                        let turn = self.parameter_field(id, "rotation", origin);
+                        self.unfold(turn, &Shape::Rotation(2), origin)
+                    }
+                    // The rotation may be a quaternion or a matrix.
+                    _ => {
+                        let matrix = self.parameter_method(id, "to_homogeneous", origin);
+                        self.unfold(matrix, &Shape::Rotation(3), origin)
+                    }
+                };
+                match (shift, turn) {
+                    (Value::Translation(shift), Value::Rotation(turn)) => Value::Isometry(shift, turn),
+                    _ => Value::Unknown,
+                }
+            }
+            Shape::Unit | Shape::Record(_) | Shape::Twist(_) => {
                 let value = Value::Parameter(id);
                 self.report(origin, catalogue::wrong_shape(shape.describe(), value.describe()));
                 Value::Unknown

@@ -5,9 +5,10 @@
 
 use std::rc::Rc;
 
+use super::quaternion::Parts;
 use super::rounded::Rounded;
 use crate::expr::NodeId;
-use crate::model::Rotation;
+use crate::model::{Rotation, Twist};
 use crate::syntax::Record;
 use crate::syntax::integers::Integers;
 
@@ -43,6 +44,12 @@ pub enum Value {
     Isometry(Rc<[NodeId]>, Turn),
     /// The velocity of a pose: of its origin in space axes, and angular in body axes.
     PoseVelocity(Rc<[NodeId]>, Rc<[NodeId]>),
+    /// A quaternion of any length.
+    Quaternion(Parts),
+    /// The velocity of a body.
+    Twist(Rc<Twist>),
+    /// A closure in a variable.
+    Closure(ClosureId),
     /// A tuple.
     Tuple(Rc<Vec<Value>>),
     /// An array.
@@ -58,6 +65,10 @@ pub enum Value {
 /// A handle to a path that starts at `self`, or to a foreign constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ParameterId(pub usize);
+
+/// A handle to a closure with what it has in sight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ClosureId(pub usize);
 
 /// A matrix.
 #[derive(Clone, Debug)]
@@ -152,6 +163,9 @@ impl Value {
             Value::Rotation(turn) => format!("a Rotation{}", turn.dimension()),
             Value::Isometry(_, turn) => format!("an Isometry{}", turn.dimension()),
             Value::PoseVelocity(..) => "a PoseVelocity".into(),
+            Value::Quaternion(_) => "a Quaternion".into(),
+            Value::Closure(_) => "a closure".into(),
+            Value::Twist(twist) => format!("a Twist{}", twist.dimension()),
             Value::Tuple(elements) => format!("a tuple of {}", elements.len()),
             Value::Array(elements) => format!("an array of {}", elements.len()),
             Value::Iterator(_) => "an iterator".into(),
@@ -184,6 +198,7 @@ impl Value {
             Value::Vector(nodes) | Value::Point(nodes) | Value::Translation(nodes) => nodes,
             Value::Isometry(nodes, _) => nodes,
             Value::Matrix(matrix) => &matrix.entries,
+            Value::Quaternion(parts) => parts,
             Value::Rotation(Turn::Space(rotation)) => rotation.matrix.as_flattened(),
             Value::Unknown
             | Value::Unit
@@ -192,6 +207,8 @@ impl Value {
             | Value::Integer(..)
             | Value::Parameter(_)
             | Value::PoseVelocity(..)
+            | Value::Twist(_)
+            | Value::Closure(_)
             | Value::Tuple(_)
             | Value::Array(_)
             | Value::Iterator(_)
@@ -242,9 +259,12 @@ impl Value {
                 Value::Rotation(turn.clone()).fingerprint(words);
             }
             Value::PoseVelocity(linear, angular) => {
-                nodes(words, 17, linear);
-                nodes(words, 17, angular);
+                nodes(words, 20, linear);
+                nodes(words, 20, angular);
             }
+            Value::Quaternion(parts) => nodes(words, 18, parts),
+            Value::Closure(id) => words.extend([19, id.0 as u64]),
+            Value::Twist(twist) => nodes(words, 17, &twist.nodes()),
             Value::Tuple(elements) => list(words, 12, elements),
             Value::Array(elements) => list(words, 13, elements),
             Value::Iterator(elements) => list(words, 14, elements),

@@ -9,10 +9,11 @@
 //! as the user wrote them (Lanczos, *The Variational Principles of Mechanics*, chapter II.12; Neimark and
 //! Fufaev, *Dynamics of Nonholonomic Systems*, chapter III).
 
-use super::motion::{Motion, time_direction};
+use super::motion::Motion;
 use super::places;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
 use crate::expr::{Exponent, Graph, Node, NodeId, Unary, Variable};
+use crate::kinematics::time_direction;
 use crate::model::{Constraint, ConstraintKind, Model};
 use crate::number::Number;
 

@@ -4,11 +4,11 @@
 //! its energy the Jacobi integral v·∂L/∂v − L; the kinetic energy is the difference, which for
 //! L = T − V with a T quadratic in v is T, and for the relativistic particle (γ − 1) m c².
 
-use super::angular;
 use super::constraints::Conditions;
-use super::motion::{Motion, time_direction};
+use super::motion::Motion;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
 use crate::expr::{Graph, NodeId, Variable};
+use crate::kinematics::{time_direction, times};
 use crate::model::Model;
 use crate::number::Number;
 
@@ -32,7 +32,7 @@ pub(super) fn energies(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
         kinetic.push((model.graph.mul(body.mass, square), half));
     }
     for body in &motion.rotations {
-        let momentum = angular::times(&mut model.graph, &body.inertia, &body.rate);
+        let momentum = times(&mut model.graph, &body.inertia, &body.rate);
         for (rate, momentum) in body.rate.into_iter().zip(momentum) {
             kinetic.push((model.graph.mul(rate, momentum), half));
         }

@@ -1,9 +1,10 @@
 //! Momenta, mass matrix and bias.
 
-use super::motion::{Motion, time_direction};
-use super::{angular, forces};
+use super::forces;
+use super::motion::Motion;
 use crate::calculus::{pullback, pushforward};
 use crate::expr::NodeId;
+use crate::kinematics::{cross, time_direction, times};
 use crate::model::Model;
 use crate::number::Number;
 
@@ -63,7 +64,7 @@ pub(super) fn momenta(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
         }
     }
     for body in &motion.rotations {
-        let momentum = angular::times(&mut model.graph, &body.inertia, &body.rate);
+        let momentum = times(&mut model.graph, &body.inertia, &body.rate);
         loads.through_v.extend(body.rate.iter().copied().zip(momentum));
     }
     let one = model.graph.one();
@@ -97,9 +98,9 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
         }
     }
     for body in &motion.rotations {
-        let momentum = angular::times(graph, &body.inertia, &body.rate);
-        let change = angular::times(graph, &body.inertia, &body.acceleration);
-        let gyroscopic = angular::cross(graph, &body.rate, &momentum);
+        let momentum = times(graph, &body.inertia, &body.rate);
+        let change = times(graph, &body.inertia, &body.acceleration);
+        let gyroscopic = cross(graph, &body.rate, &momentum);
         for k in 0..3 {
             let torque = graph.add(change[k], gyroscopic[k]);
             loads.through_v.push((body.rate[k], torque));
@@ -137,7 +138,7 @@ pub(super) fn momentum_rates(model: &mut Model, motion: &Motion) -> Vec<NodeId> 
         }
     }
     for body in &motion.rotations {
-        let momentum = angular::times(graph, &body.inertia, &body.rate);
+        let momentum = times(graph, &body.inertia, &body.rate);
         loads.through_q.extend(body.rate.iter().copied().zip(momentum));
     }
     let (one, minus_one) = (graph.one(), graph.constant(Number::MINUS_ONE));

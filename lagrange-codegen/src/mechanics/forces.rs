@@ -1,8 +1,8 @@
 //! Applied forces: given forces by virtual power, and Rayleigh dissipation −∂D/∂v.
 
-use super::angular;
 use super::equations::Loads;
-use super::motion::{Motion, time_direction};
+use super::motion::Motion;
+use crate::kinematics::{body_rate, time_direction, transposed_times};
 use crate::model::{Action, Model};
 use crate::number::Number;
 
@@ -21,8 +21,8 @@ pub(super) fn loads(model: &mut Model, motion: &Motion) -> Loads {
             Action::Along(along) => loads.through_v.extend(along.iter().copied()),
             Action::SpatialTorque { rotation, torque } => {
                 // The torque turns into body axes, where the angular velocity is known.
-                let rate = angular::body_rate(graph, rotation, &direction);
-                let torque = angular::transposed_times(graph, &rotation.matrix, torque);
+                let rate = body_rate(graph, rotation, &direction);
+                let torque = transposed_times(graph, &rotation.matrix, torque);
                 loads.through_v.extend(rate.into_iter().zip(torque));
             }
         }

@@ -6,7 +6,6 @@
 //! the same vector without the terms that cancel between d/dt ∂T/∂v and ∂T/∂q.
 
 pub mod analysis;
-mod angular;
 mod constraints;
 mod energy;
 mod equations;
@@ -24,7 +23,6 @@ use crate::expr::NodeId;
 use crate::model::Model;
 use crate::simplify::simplify;
 use motion::Motion;
-pub(crate) use motion::time_direction;
 
 /// The equations of motion and the scalars that go with them.
 #[derive(Clone, Debug)]

@@ -1,8 +1,8 @@
 //! Velocities and velocity-dependent accelerations of particles and bodies.
 
-use super::angular;
 use crate::calculus::pushforward;
-use crate::expr::{Graph, NodeId, Variable};
+use crate::expr::NodeId;
+use crate::kinematics::{body_rate, time_direction};
 use crate::model::{Attitude, Model};
 
 /// Kinematics of a model at a = 0, with the nodes of its variables.
@@ -40,17 +40,6 @@ pub(super) struct Turning {
     pub rate: [NodeId; 3],
     /// ω̇ at a = 0.
     pub acceleration: [NodeId; 3],
-}
-
-/// The direction (v, 0, 1) of (q, v, t): total time derivatives at a = 0.
-pub(crate) fn time_direction(graph: &mut Graph, coordinates: usize) -> Vec<(NodeId, NodeId)> {
-    let mut direction = Vec::with_capacity(coordinates + 1);
-    for i in 0..coordinates as u32 {
-        direction.push((graph.variable(Variable::Coordinate(i)), graph.variable(Variable::Velocity(i))));
-    }
-    let one = graph.one();
-    direction.push((graph.variable(Variable::Time), one));
-    direction
 }
 
 impl Motion {
@@ -98,7 +87,7 @@ impl Motion {
 
         let mut rotations = Vec::with_capacity(turning.len());
         for (rotation, inertia, name) in turning {
-            let rate = angular::body_rate(graph, &rotation, &direction);
+            let rate = body_rate(graph, &rotation, &direction);
             let acceleration = pushforward(graph, &rate, &direction);
             for (component, axis) in rate.iter().zip(["x", "y", "z"]) {
                 model.hints.suggest(*component, format!("{name}_rate_{axis}"));

@@ -1,12 +1,14 @@
 //! Cartesian forces of constraints on the particles and bodies that they are written through.
 //!
 //! Where f is a function of positions r, its force at r is λ ∂f/∂r. A coordinate that is a component of one
-//! position counts as that component, so that a constraint may be written in the coordinates as well.
+//! position counts as that component, so that a constraint may be written in the coordinates as well. A
+//! constraint g on velocities that names the velocity ṙ of a place acts there with λ ∂g/∂ṙ.
 
 use super::motion::Motion;
-use crate::calculus::{pullback, substitute};
+use crate::calculus::{pullback, pushforward, substitute};
 use crate::expr::{Graph, NodeId};
-use crate::model::{Constraint, Place, component_of_one};
+use crate::kinematics::time_direction;
+use crate::model::{Constraint, ConstraintKind, Place, component_of_one};
 
 /// The force of a unit multiplier by constraint, place and component.
 pub(super) fn forces(
@@ -23,10 +25,43 @@ pub(super) fn forces(
         .iter()
         .flat_map(|place| place.variables.iter().copied().zip(place.position.iter().copied()))
         .collect();
+    let direction = time_direction(graph, motion.q.len());
+    let moving: Vec<(NodeId, NodeId)> = places
+        .iter()
+        .flat_map(|place| place.rates.iter().copied().zip(place.position.iter().copied()))
+        .collect();
+    let positions: Vec<NodeId> = moving.iter().map(|&(_, position)| position).collect();
+    let velocities = pushforward(graph, &positions, &direction);
+    let rates: Vec<(NodeId, NodeId)> = moving.iter().map(|&(rate, _)| rate).zip(velocities).collect();
     let one = graph.one();
     let mut forces = Vec::with_capacity(constraints.len());
     for (constraint, gradient) in constraints.iter().zip(jacobian) {
         let flat: Vec<NodeId> = match constraint.through {
+            Some(through) if constraint.kind != ConstraintKind::Holonomic => {
+                // What it says of a coordinate that is a component counts there as well.
+                let named: Vec<NodeId> =
+                    places.iter().flat_map(|place| place.rates.iter().copied()).collect();
+                let by = [named.as_slice(), &motion.v].concat();
+                let slopes = pullback(graph, &[(through, one)], &by);
+                let slopes = substitute(graph, &slopes, &[values.as_slice(), &rates].concat());
+                let (named, own) = slopes.split_at(named.len());
+                let mut named = named.iter().copied();
+                let mut flat = Vec::with_capacity(variables.len());
+                for place in places {
+                    let mut at_place: Vec<NodeId> = named.by_ref().take(place.rates.len()).collect();
+                    at_place.resize(place.variables.len(), graph.zero());
+                    for (force, variable) in at_place.iter_mut().zip(&place.variables) {
+                        let coordinate = coordinates.iter().find(|(_, of)| of == variable);
+                        if let Some(i) =
+                            coordinate.and_then(|&(q, _)| motion.q.iter().position(|&other| other == q))
+                        {
+                            *force = graph.add(*force, own[i]);
+                        }
+                    }
+                    flat.extend(at_place);
+                }
+                flat
+            }
             Some(through) => {
                 let through = substitute(graph, &[through], &coordinates)[0];
                 let slopes = pullback(graph, &[(through, one)], &variables);

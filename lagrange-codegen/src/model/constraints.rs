@@ -86,6 +86,8 @@ pub struct Place {
     pub position: Vec<NodeId>,
     /// The variables that stand for the components of the position in [`Constraint::through`].
     pub variables: Vec<NodeId>,
+    /// The variables that stand for their velocities there, in a constraint on velocities.
+    pub rates: Vec<NodeId>,
     /// The function's name in the source.
     pub origin: Origin,
 }

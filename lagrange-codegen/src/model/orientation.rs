@@ -50,8 +50,14 @@ pub fn rotation(graph: &mut Graph, rho: [NodeId; 3]) -> Rotation {
     Rotation { matrix, form: RotationForm::Parameters(rho) }
 }
 
-/// The angular velocity in body axes: D (w ρ′ − u × ρ′ + ¼ u (ρ·ρ′)) with D = 1/(1 + |ρ|²/16).
+/// The angular velocity in body axes.
 pub fn body_rate(graph: &mut Graph, rho: &[NodeId; 3], rates: &[NodeId; 3]) -> [NodeId; 3] {
+    angular_rate(graph, rho, rates, Number::MINUS_ONE)
+}
+
+/// The angular velocity D (w ρ′ ± u × ρ′ + ¼ u (ρ·ρ′)) with D = 1/(1 + |ρ|²/16): in space axes with the sign
+/// plus, in body axes with minus.
+pub fn angular_rate(graph: &mut Graph, rho: &[NodeId; 3], rates: &[NodeId; 3], sign: Number) -> [NodeId; 3] {
     let Quaternion { scalar, vector, reciprocal } = quaternion(graph, rho);
     let scaled = rates.map(|rate| graph.mul(reciprocal, rate));
     let products: Vec<_> = (0..3).map(|i| (graph.mul(rho[i], scaled[i]), QUARTER)).collect();
@@ -59,8 +65,8 @@ pub fn body_rate(graph: &mut Graph, rho: &[NodeId; 3], rates: &[NodeId; 3]) -> [
     [(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|(i, j, k)| {
         let terms = [
             (graph.mul(scalar, scaled[i]), Number::ONE),
-            (graph.mul(vector[j], scaled[k]), Number::MINUS_ONE),
-            (graph.mul(vector[k], scaled[j]), Number::ONE),
+            (graph.mul(vector[j], scaled[k]), sign),
+            (graph.mul(vector[k], scaled[j]), -sign),
             (graph.mul(vector[i], along), Number::ONE),
         ];
         graph.sum(Number::ZERO, &terms)

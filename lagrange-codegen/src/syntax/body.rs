@@ -47,6 +47,8 @@ pub enum ExprKind {
     Cast(Box<Expr>, Type),
     /// `a.x`, `a.0`.
     Field(Box<Expr>, Word),
+    /// `*self.a`.
+    Pointee(Box<Expr>),
     /// `a[i]`.
     Index(Box<Expr>, Box<Expr>),
     /// `f(a)`.
@@ -223,13 +225,15 @@ pub struct For {
     pub body: Block,
 }
 
-/// A closure in argument position.
+/// A closure.
 #[derive(Clone, Debug)]
 pub struct Closure {
     /// The parameters.
     pub parameters: Vec<Pattern>,
     /// The body.
     pub body: Expr,
+    /// `move`.
+    pub is_move: bool,
 }
 
 /// A pattern.

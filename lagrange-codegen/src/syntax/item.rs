@@ -45,6 +45,8 @@ pub struct Item {
     pub cleaned: TokenStream,
     /// Functions with and without a role, in order.
     pub functions: Vec<Function>,
+    /// Velocities that the macro writes functions for.
+    pub velocities: Vec<Velocity>,
     /// Associated constants.
     pub constants: Vec<Constant>,
     /// The name of the type.
@@ -258,6 +260,34 @@ pub enum Argument {
     Record(Record),
     /// Time.
     Time,
+}
+
+impl Function {
+    /// What its velocity is a function of, in order; `None` where that is more than the state.
+    pub fn velocity_arguments(&self) -> Option<Vec<Argument>> {
+        let mut arguments = Vec::new();
+        for parameter in &self.parameters {
+            match parameter.argument? {
+                Argument::Record(Record::Coordinates) => {
+                    arguments.extend([Record::Coordinates, Record::Velocities].map(Argument::Record));
+                }
+                Argument::Time => arguments.push(Argument::Time),
+                Argument::Record(Record::Velocities | Record::Inputs) => return None,
+            }
+        }
+        Some(arguments)
+    }
+}
+
+/// A velocity that the description calls for.
+#[derive(Clone, Debug)]
+pub struct Velocity {
+    /// The index of the function whose rate it is.
+    pub function: usize,
+    /// Its own name.
+    pub name: Name,
+    /// Where it is first called.
+    pub origin: Origin,
 }
 
 /// What a function means.

@@ -10,6 +10,7 @@ pub mod integers;
 pub mod item;
 pub mod suggest;
 pub mod types;
+pub mod velocity;
 
 mod args;
 mod conditional;
@@ -30,8 +31,8 @@ use syn::{GenericParam, ImplItem, ItemImpl, TypeParamBound};
 
 pub use args::LINTS;
 pub use depth::{DEEPEST, too_deep};
-use item::Argument;
-pub use item::{Group, Item, Record, Scalar};
+use item::{Argument, Function};
+pub use item::{Group, Item, Record, Scalar, Velocity};
 pub use recover::recover;
 pub use rewrite::expression as rewritten;
 pub use signature::{refused, returns};
@@ -98,6 +99,7 @@ pub fn parse(
             }
         }
     }
+    let velocities = velocities(&block, &functions, &mut translator);
     let origin = translator.origin(name.span());
     let scalar = translator.scalar;
     if functions.iter().all(|function| function.role.is_none()) && !diagnostics.has_errors() {
@@ -123,9 +125,23 @@ pub fn parse(
         allowed: args.allowed,
         cleaned,
         functions,
+        velocities,
         constants,
         origin,
     })
+}
+
+/// The functions of a block whose velocities it calls for, those left out that the user has written.
+fn velocities(block: &ItemImpl, functions: &[Function], translator: &mut Translator) -> Vec<Velocity> {
+    let find = |name: &str| functions.iter().position(|function| *function.name == *name);
+    let mentioned = velocity::mentioned(block).into_iter();
+    let missing = mentioned.filter(|(name, _)| find(name).is_none());
+    missing
+        .filter_map(|(name, span)| {
+            let function = find(name.strip_suffix(velocity::SUFFIX)?)?;
+            Some(Velocity { function, name, origin: translator.origin(span) })
+        })
+        .collect()
 }
 
 fn impl_block(item: TokenStream, diagnostics: &mut Diagnostics) -> Option<ItemImpl> {

@@ -10,7 +10,7 @@ use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, ImplItem, ItemImpl, Lit};
 
 use super::item::{Record, Scalar};
-use super::role;
+use super::{role, velocity};
 use crate::number::Number;
 
 /// The cleaned impl block. `rate` is an expression from the attribute of the block.
@@ -22,7 +22,10 @@ pub fn clean(
     rate: Option<&Expr>,
 ) -> TokenStream {
     let mut block = block.clone();
-    let used = names_in_attributes(&block, rate);
+    let mut used = names_in_attributes(&block, rate);
+    // A function may serve through its velocity alone.
+    let velocities = velocity::mentioned(&block).into_iter();
+    used.extend(velocities.filter_map(|(name, _)| Some(name.strip_suffix(velocity::SUFFIX)?.to_owned())));
     for item in &mut block.items {
         match item {
             ImplItem::Fn(function) => {

@@ -120,7 +120,14 @@ impl Translator<'_> {
             syn::Expr::Paren(paren) => Some(&paren.expr),
             syn::Expr::Group(group) => Some(&group.expr),
             syn::Expr::Reference(reference) if reference.mutability.is_none() => Some(&reference.expr),
-            syn::Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => Some(&unary.expr),
+            // What a pointer among the parameters points to is another place than the pointer.
+            syn::Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => match is_field(&unary.expr) {
+                true => {
+                    let origin = self.origin(place::expression(expr));
+                    return Expr { origin, kind: ExprKind::Pointee(self.boxed(&unary.expr)) };
+                }
+                false => Some(&unary.expr),
+            },
             _ => None,
         };
         let origin = self.origin(place::expression(expr));
@@ -151,7 +158,7 @@ impl Translator<'_> {
             syn::Expr::Closure(closure) => {
                 let parameters = closure.inputs.iter().map(|pattern| self.pattern(pattern)).collect();
                 let body = self.expression(&closure.body);
-                ExprKind::Closure(Box::new(Closure { parameters, body }))
+                ExprKind::Closure(Box::new(Closure { parameters, body, is_move: closure.capture.is_some() }))
             }
             syn::Expr::Continue(next) => ExprKind::Continue(label(next.label.as_ref())),
             syn::Expr::Field(field) => {
@@ -365,4 +372,19 @@ impl Translator<'_> {
 
 fn label(label: Option<&syn::Lifetime>) -> Option<Name> {
     label.map(|label| bare(&label.ident))
+}
+
+/// Whether an expression is a field of `self`, or an element or a field of one.
+fn is_field(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Paren(paren) => is_field(&paren.expr),
+        syn::Expr::Group(group) => is_field(&group.expr),
+        syn::Expr::Index(index) => is_field(&index.expr),
+        syn::Expr::Field(field) => {
+            is_field(&field.base)
+                || matches!(&*field.base, syn::Expr::Path(path) if path.path.is_ident("self"))
+        }
+        syn::Expr::Unary(unary) => matches!(unary.op, UnOp::Deref(_)) && is_field(&unary.expr),
+        _ => false,
+    }
 }

@@ -55,8 +55,12 @@ pub enum TypeKind {
     Rotation(usize),
     /// `UnitQuaternion`.
     Quaternion,
+    /// `Quaternion`, of any length.
+    AnyQuaternion,
     /// `Isometry2`, `IsometryMatrix3`.
     Isometry(usize),
+    /// `Twist2`, `Twist3`.
+    Twist(usize),
     /// `[T; n]`.
     Array(Box<Type>, Box<Expr>),
     /// `[T]`.
@@ -118,7 +122,9 @@ impl Translator<'_> {
             | TypeKind::Translation(_)
             | TypeKind::Rotation(_)
             | TypeKind::Quaternion
-            | TypeKind::Isometry(_) => Some(self.meaning(&segments, whole)),
+            | TypeKind::AnyQuaternion
+            | TypeKind::Isometry(_)
+            | TypeKind::Twist(_) => Some(self.meaning(&segments, whole)),
             _ => None,
         };
         Type { origin, kind, meaning, written: self.text(whole) }
@@ -148,7 +154,7 @@ impl Translator<'_> {
         Meaning { path, statement: format!("let _: fn(&{ours}) -> {ours} = {theirs};").into() }
     }
 
-    /// The type of nalgebra that a name stands for. Generic arguments are those written, or else the scalar.
+    /// The type that a name stands for, of nalgebra but for velocities of bodies. Generic arguments are those written, or else the scalar.
     fn ours(&mut self, segment: &syn::PathSegment) -> String {
         let written = generic_arguments(segment);
         let arguments: Vec<String> = match written.as_slice() {
@@ -158,7 +164,9 @@ impl Translator<'_> {
             [] => vec![self.scalar.to_string()],
             list => list.iter().map(|argument| self.text(argument).to_string()).collect(),
         };
-        format!("lagrange::nalgebra::{}<{}>", segment.ident, arguments.join(", "))
+        let own = matches!(segment.ident.to_string().as_str(), "Twist2" | "Twist3");
+        let home = if own { "lagrange" } else { "lagrange::nalgebra" };
+        format!("{home}::{}<{}>", segment.ident, arguments.join(", "))
     }
 
     fn path_kind(
@@ -192,8 +200,11 @@ impl Translator<'_> {
             "Rotation2" | "UnitComplex" => return Some(TypeKind::Rotation(2)),
             "Rotation3" => return Some(TypeKind::Rotation(3)),
             "UnitQuaternion" => return Some(TypeKind::Quaternion),
+            "Quaternion" => return Some(TypeKind::AnyQuaternion),
             "Isometry2" | "IsometryMatrix2" => return Some(TypeKind::Isometry(2)),
             "Isometry3" | "IsometryMatrix3" => return Some(TypeKind::Isometry(3)),
+            "Twist2" => return Some(TypeKind::Twist(2)),
+            "Twist3" => return Some(TypeKind::Twist(3)),
             "Unit" => {
                 let Some(GenericArgument::Type(inner)) = arguments.first() else { return None };
                 return Some(self.ty(inner).kind);

@@ -30,8 +30,8 @@ impl Ball {
 
     #[nonholonomic]
     fn rolling(&self, q: &Coordinates, v: &Velocities) -> [f64; 2] {
-        let turning = q.ball.rotation * v.ball.angular;
-        let contact = v.ball.linear + turning.cross(&Vector3::new(0.0, 0.0, -self.radius));
+        let place = q.ball.translation.vector - Vector3::new(0.0, 0.0, self.radius);
+        let contact = self.ball_velocity(q, v).at(place);
         [contact.x, contact.y]
     }
 }

@@ -12,7 +12,8 @@
 
 use crate::calculus::{pushforward, substitute};
 use crate::expr::{Dependence, NodeId, Variable};
-use crate::mechanics::{Equations, time_direction};
+use crate::kinematics::time_direction;
+use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::number::Number;
 

@@ -9,7 +9,8 @@
 use super::Covariant;
 use crate::calculus::{pullback, pushforward, substitute};
 use crate::expr::{NodeId, Variable};
-use crate::mechanics::{Equations, time_direction};
+use crate::kinematics::time_direction;
+use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::number::Number;
 

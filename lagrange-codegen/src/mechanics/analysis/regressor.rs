@@ -8,7 +8,8 @@
 use super::monomials::polynomial;
 use crate::calculus::{pullback, pushforward};
 use crate::expr::{NodeId, Variable};
-use crate::mechanics::{Equations, time_direction};
+use crate::kinematics::time_direction;
+use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::number::Number;
 use crate::simplify::simplify;

@@ -1,4 +1,4 @@
-//! A closure in a variable.
+//! A closure that copies what it uses.
 
 use lagrangian::prelude::*;
 
@@ -16,8 +16,10 @@ impl Block {
 
     #[potential]
     fn spring(&self, q: &Coordinates) -> f64 {
-        let _square = |x: f64| x * x;
-        0.5 * self.stiffness * q.x.powi(2)
+        let mut stiffness = self.stiffness;
+        let energy = move |x: f64| 0.5 * stiffness * x * x;
+        stiffness *= 2.0;
+        energy(q.x) + stiffness
     }
 }
 

@@ -1,4 +1,4 @@
-//! A closure in a variable, and its call.
+//! A closure outside the block that it stands in.
 
 use lagrangian::prelude::*;
 
@@ -16,7 +16,10 @@ impl Block {
 
     #[potential]
     fn spring(&self, q: &Coordinates) -> f64 {
-        let square = |x: f64| x * x;
+        let square = {
+            let _unit = 1.0;
+            |x: f64| x * x
+        };
         0.5 * self.stiffness * square(q.x)
     }
 }

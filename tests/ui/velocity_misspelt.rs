@@ -1,0 +1,21 @@
+//! A velocity whose name is misspelt.
+use lagrangian::prelude::*;
+
+struct Rod {
+    mass: f64,
+}
+
+#[lagrangian(coordinates = [angle])]
+impl Rod {
+    #[point(mass = self.mass)]
+    fn tip(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.angle.sin(), -q.angle.cos())
+    }
+
+    #[dissipation]
+    fn air(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        self.tip_velocty(q, v).norm_squared()
+    }
+}
+
+fn main() {}
