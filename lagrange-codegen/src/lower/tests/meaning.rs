@@ -118,7 +118,7 @@ fn shapes() {
     body(quote!((Matrix2::identity() * self.arm).x), "the shape of `self.arm` is not known to the macro; ");
     body(quote!(self * q.x), "`self` is no quantity; ");
     body(
-        quote!((Rotation3::from_scaled_axis(Vector3::new(q.x, q.y, 0.0)) * Vector3::x()).x),
+        quote!((Rotation3::from_scaled_axis(Vector3::new(q.x, q.theta[0], 0.0)) * Vector3::x()).x),
         "the axis of this rotation vector moves, and at zero it has none; ",
     );
     body(
