@@ -15,20 +15,21 @@ pub const SUFFIX: &str = "_velocity";
 /// The names in a block that a function `…_velocity` of its own is called by, each once where it first stands.
 pub fn mentioned(block: &syn::ItemImpl) -> Vec<(Name, Span)> {
     let mut found = Vec::new();
+    let own = super::self_name(&block.self_ty);
     for item in &block.items {
         if let syn::ImplItem::Fn(function) = item {
-            search(function.block.to_token_stream(), &block.self_ty.to_token_stream(), &mut found);
+            search(function.block.to_token_stream(), own, &mut found);
         }
     }
     found
 }
 
-fn search(tokens: TokenStream, self_ty: &TokenStream, found: &mut Vec<(Name, Span)>) {
+fn search(tokens: TokenStream, own: Option<&Ident>, found: &mut Vec<(Name, Span)>) {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     for (place, tree) in trees.iter().enumerate() {
         match tree {
-            TokenTree::Group(group) => search(group.stream(), self_ty, found),
-            TokenTree::Ident(ident) if is_called(&trees, place, self_ty) => {
+            TokenTree::Group(group) => search(group.stream(), own, found),
+            TokenTree::Ident(ident) if is_called(&trees, place, own) => {
                 let name = bare(ident);
                 let is_new = name.ends_with(SUFFIX) && found.iter().all(|(other, _)| *other != name);
                 if is_new {
@@ -41,7 +42,7 @@ fn search(tokens: TokenStream, self_ty: &TokenStream, found: &mut Vec<(Name, Spa
 }
 
 /// Whether the identifier at a place is a method called on `self`, or a function of the type.
-fn is_called(trees: &[TokenTree], place: usize, self_ty: &TokenStream) -> bool {
+fn is_called(trees: &[TokenTree], place: usize, own: Option<&Ident>) -> bool {
     let punct = |place: Option<usize>, c: char| {
         let tree = place.and_then(|place| trees.get(place));
         matches!(tree, Some(TokenTree::Punct(punct)) if punct.as_char() == c)
@@ -51,7 +52,7 @@ fn is_called(trees: &[TokenTree], place: usize, self_ty: &TokenStream) -> bool {
         _ => None,
     };
     let before = |distance: usize| place.checked_sub(distance);
-    let is_type = |ident: &Ident| ident == "Self" || self_ty.to_string() == ident.to_string();
+    let is_type = |ident: &Ident| ident == "Self" || own == Some(ident);
     let arguments = matches!(trees.get(place + 1), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis);
     let on_self = punct(before(1), '.') && word(before(2)).is_some_and(|word| word == "self") && arguments;
     let of_type = punct(before(1), ':') && punct(before(2), ':') && word(before(3)).is_some_and(is_type);

@@ -34,7 +34,7 @@ fn syntax() {
     body(quote!(debug_assert!(q.x > 0.0); q.x), "`debug_assert!` has no part in an equation; ");
     body(quote!("text"), "this literal is no number; ");
     body(quote!(Point { x: 1.0 }), "a struct cannot be built here; ");
-    body(quote!(let f = |x: f64| x; q.x), "a closure can only be an argument, ");
+    body(quote!(let f = move |x: f64| x; q.x), "a closure in a variable reads what is in sight ");
     body(quote!((0..3).map(q.x).sum()), "a closure is expected here; ");
     body(quote!((0..3).map(|a, b| q.x).sum()), "this closure is called with 1 argument but takes 2");
     body(quote!(self.table[0](q.x)), "only functions can be called; ");
@@ -118,12 +118,12 @@ fn shapes() {
     body(quote!((Matrix2::identity() * self.arm).x), "the shape of `self.arm` is not known to the macro; ");
     body(quote!(self * q.x), "`self` is no quantity; ");
     body(
-        quote!((Rotation3::from_axis_angle(&Vector3::new(q.x, q.x, 0.0), 1.0) * Vector3::x()).x),
-        "the axis of this rotation moves; ",
+        quote!((Rotation3::from_scaled_axis(Vector3::new(q.x, q.theta[0], 0.0)) * Vector3::x()).x),
+        "the axis of this rotation vector moves, and at zero it has none; ",
     );
     body(
         quote!((Rotation3::new(Vector3::new(q.x, t, 0.0)) * Vector3::x()).x),
-        "the axis of this rotation moves; ",
+        "the axis of this rotation vector moves, and at zero it has none; ",
     );
     body(quote!(let (a, b) = q.x; a), "this pattern does not fit a scalar; ");
     body(quote!(let [a, b] = q.theta; a), "this pattern has 2 names for 3 elements; ");
