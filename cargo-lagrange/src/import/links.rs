@@ -7,14 +7,17 @@ use super::geometry::{Angle, Matrix};
 use super::inertia::{Flaw, flaw};
 use super::xml::Reader;
 
-/// An angle that nearly is a right one, but not to the tolerance, is worth a word.
-const SUSPICIOUS: f64 = 1e-3;
+/// How far right angles of few digits, such as 1.57 or 3.14, are off.
+const FEW_DIGITS: f64 = 2e-3;
 
 /// An angle [rad], a right one within the tolerance of the options.
 pub fn angle(reader: &mut Reader<'_>, node: Node<'_, '_>, radians: f64, options: &Options) -> Angle {
     let angle = Angle::new(radians, options.tolerance);
-    if matches!(angle, Angle::Radians(_)) && matches!(Angle::new(radians, SUSPICIOUS), Angle::Quarters(_)) {
-        let text = format!("{radians} is nearly a right angle and is taken as written; --right-angles 1e-3 makes it one");
+    let is_turned = radians.abs() > FEW_DIGITS;
+    if is_turned && angle == Angle::Radians(radians) && Angle::new(radians, FEW_DIGITS) != angle {
+        let text = format!(
+            "{radians} is a right angle of few digits, and is taken as written; --right-angles {FEW_DIGITS} makes it exact"
+        );
         reader.warning(node, text);
     }
     angle

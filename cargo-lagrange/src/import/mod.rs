@@ -6,6 +6,7 @@ mod describe;
 mod geometry;
 mod inertia;
 mod links;
+mod mjcf;
 mod names;
 mod plan;
 mod report;
@@ -126,10 +127,11 @@ pub fn import(file: &str, text: &str, options: &Options) -> Result<Import, Repor
 }
 
 /// The robot of a file in any format that is known.
-fn read(reader: &mut Reader<'_>, options: &Options) -> Option<Robot> {
+fn read<'a>(reader: &mut Reader<'a>, options: &Options) -> Option<Robot> {
     let root = reader.document.root_element();
     match root.tag_name().name() {
         "robot" => Some(urdf::read(reader, root, options)),
+        "mujoco" => Some(mjcf::read(reader, root, options)),
         "sdf" => {
             reader.problem(root, "SDF is not read; write the model as URDF or MJCF");
             None

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use roxmltree::Node;
 
-use super::Options;
+use super::{Inputs, Options};
 use super::geometry::{Pose, Rotation, Vector, direction};
 use super::inertia::Inertial;
 use super::links;
@@ -19,7 +19,7 @@ pub fn read(reader: &mut Reader<'_>, root: Node<'_, '_>, options: &Options) -> R
     let mut urdf = Urdf { reader, options, names: BTreeMap::new() };
     let links = urdf.links(root);
     let joints = urdf.joints(root, &links);
-    urdf.ignored(root, &joints);
+    urdf.ignored(root);
     let name = root.attribute("name").map(str::to_owned);
     Robot { name, links, joints, gravity: GRAVITY }
 }
@@ -107,7 +107,11 @@ impl Urdf<'_, '_> {
         }
         for (joint, node) in mimics {
             joints[joint].mimic = self.mimic(node, &names, &joints);
+            if joints[joint].kind.freedom() != 1 {
+                self.reader.problem(node, "only joints that turn or slide can follow another one; remove <mimic>");
+            }
         }
+        self.transmissions(root, &names, &mut joints);
         joints
     }
 
@@ -190,8 +194,31 @@ impl Urdf<'_, '_> {
         Some(Mimic { of, multiplier, offset })
     }
 
+    /// Where a file has transmissions, other joints are passive.
+    fn transmissions(&mut self, root: Node<'_, '_>, names: &BTreeMap<String, usize>, joints: &mut [Joint]) {
+        let mut driven = vec![false; joints.len()];
+        for node in children(root, "transmission").flat_map(|node| node.children()) {
+            if !node.has_tag_name("joint") && !node.has_tag_name("actuatedJoint") {
+                continue;
+            }
+            let Some(name) = self.reader.text(node, "name", "shoulder") else { continue };
+            match names.get(name) {
+                Some(&joint) => driven[joint] = true,
+                None => {
+                    let near = links::near(name, names.keys().map(String::as_str));
+                    self.reader.warning(node, format!("`{name}` is no joint of the file{near}; it is left out"));
+                }
+            }
+        }
+        if self.options.inputs == Inputs::Actuated && driven.contains(&true) {
+            for (joint, _) in joints.iter_mut().zip(driven).filter(|(_, driven)| !driven) {
+                joint.drives.clear();
+            }
+        }
+    }
+
     /// Says what the description leaves out.
-    fn ignored(&mut self, root: Node<'_, '_>, _joints: &[Joint]) {
+    fn ignored(&mut self, root: Node<'_, '_>) {
         let count = |name: &str| root.descendants().filter(|node| node.has_tag_name(name)).count();
         let kinds = ["visual", "collision", "mesh", "sensor", "gazebo", "safety_controller", "calibration"];
         let found: Vec<String> = kinds

@@ -16,7 +16,7 @@ pub fn describe(plan: &Plan, options: &Options, file: &str) -> String {
     writer.bodies();
     writer.gravity();
     writer.actions(options);
-    let body = writer.out.finish();
+    let body = writer.out.finish().trim_end().to_owned() + "\n";
     writer.out = Lines::default();
     writer.head(options, file, &body);
     writer.out.finish() + &body + "}\n"
