@@ -13,6 +13,7 @@ mod report;
 mod robot;
 mod tree;
 mod urdf;
+mod weight;
 mod xml;
 
 pub use names::is_type_name;

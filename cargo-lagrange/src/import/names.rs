@@ -25,6 +25,11 @@ pub struct Names {
 }
 
 impl Names {
+    /// Whether a name is there already.
+    pub fn has(&self, name: &str) -> bool {
+        self.taken.contains(name)
+    }
+
     /// An identifier for a name of the file; a number makes it another one than those before, which is said.
     pub fn take(&mut self, written: &str, wanted: &str, sink: &mut Sink) -> String {
         let mut name = wanted.to_owned();

@@ -6,8 +6,9 @@ use super::geometry::Pose;
 use super::inertia::Inertial;
 use super::names::{Names, camel, snake};
 use super::report::Sink;
-use super::robot::{Action, Joint, Kind, Mimic, Robot};
+use super::robot::{Action, Drive, Joint, Kind, Mimic, Robot};
 use super::tree::{Tree, add_floating_base, tree};
+use super::weight::does_work;
 use super::{Following, Inputs, Options};
 
 /// All that a description says.
@@ -31,6 +32,8 @@ pub struct Plan {
     pub frames: Vec<Frame>,
     /// Moving masses.
     pub bodies: Vec<Body>,
+    /// Whether gravity does work.
+    pub is_heavy: bool,
     /// What the description leaves out.
     pub left_out: Vec<String>,
 }
@@ -96,6 +99,7 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
         coordinates,
         motions,
         bodies: Vec::new(),
+        is_heavy: false,
         left_out: Vec::new(),
     };
     if plan.coordinates.is_empty() {
@@ -104,6 +108,10 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
         return None;
     }
     plan.bodies = bodies(&plan);
+    plan.is_heavy = does_work(&plan);
+    if !plan.is_heavy {
+        sink.note("gravity does no work: the description has no weight");
+    }
     plan.say(options, sink);
     Some(plan)
 }
@@ -176,21 +184,27 @@ fn inputs(
     names: &mut Names,
     sink: &mut Sink,
 ) -> Vec<(String, usize, f64)> {
-    let mut inputs = Vec::new();
+    let mut drives = Vec::new();
     for &index in tree.order.iter().filter(|_| options.inputs != Inputs::None) {
         let joint = &robot.joints[index];
         let follows = matches!(motions[index], Motion::Follows { .. });
-        if joint.kind.freedom() != 1 || (follows && joint.drives.iter().all(|drive| drive.name.is_none())) {
-            continue;
-        }
-        let unit = if matches!(joint.kind, Kind::Slides(_)) { "force" } else { "torque" };
-        for drive in &joint.drives {
-            let wanted = drive.name.as_deref().map_or_else(|| format!("{}_{unit}", snake(&joint.name)), snake);
-            let written = drive.name.as_deref().unwrap_or(&joint.name);
-            inputs.push((names.take(written, &wanted, sink), index, drive.gear));
+        if joint.kind.freedom() == 1 && !(follows && joint.drives.iter().all(|drive| drive.name.is_none())) {
+            drives.extend(joint.drives.iter().map(|drive| (index, drive)));
         }
     }
-    inputs
+    // Actuators come in the order of the file, other drives in that of the joints.
+    drives.sort_by_key(|(_, drive)| drive.order);
+    let name = |(index, drive): (usize, &Drive)| {
+        let joint = &robot.joints[index];
+        let unit = if matches!(joint.kind, Kind::Slides(_)) { "force" } else { "torque" };
+        let of_joint = || format!("{}_{unit}", snake(&joint.name));
+        // Motors are often named like the joints that they drive.
+        let named = drive.name.as_deref().map(snake).filter(|name| !names.has(name));
+        let wanted = named.unwrap_or_else(of_joint);
+        let written = drive.name.as_deref().unwrap_or(&joint.name);
+        (names.take(written, &wanted, sink), index, drive.gear)
+    };
+    drives.into_iter().map(name).collect()
 }
 
 fn frames(robot: &Robot, tree: &Tree, motions: &[Motion], sink: &mut Sink) -> Vec<Frame> {

@@ -107,6 +107,8 @@ pub struct Drive {
     pub name: Option<String>,
     /// Force in the joint for a unit of the input.
     pub gear: f64,
+    /// Its place among the actuators of the file.
+    pub order: usize,
 }
 
 impl Kind {

@@ -91,7 +91,7 @@ impl Urdf<'_, '_> {
             let mark = self.reader.mark(node);
             // A link that is not there has been reported; the indices are never used.
             let (parent, child) = (parent.unwrap_or(links.len()), children.unwrap_or(links.len()));
-            let (back, drives) = ([0.0; 3], vec![Drive { name: None, gear: 1.0 }]);
+            let (back, drives) = ([0.0; 3], vec![Drive { name: None, gear: 1.0, order: 0 }]);
             joints.push(Joint {
                 name: name.to_owned(),
                 mark,

@@ -2,7 +2,7 @@
 
 use super::Writer;
 use super::bodies::weighted;
-use super::text::{number, sum};
+use super::text::{grouped, number, sum};
 use crate::import::plan::Motion;
 use crate::import::{Following, Options};
 
@@ -45,9 +45,8 @@ impl<'p> Writer<'p> {
             .map(|(index, (factor, zero))| {
                 let value = self.joint_value(index, record);
                 let value = match zero {
-                    0.0 if value.starts_with(record) => value,
-                    0.0 => format!("({value})"),
-                    _ => format!("({})", sum(&[(1.0, value), (-zero, String::new())])),
+                    0.0 => grouped(value),
+                    _ => format!("({})", sum(&[(1.0, grouped(value)), (-zero, String::new())])),
                 };
                 format!("{} * {value}.powi(2)", number(factor))
             })
@@ -82,7 +81,7 @@ impl<'p> Writer<'p> {
             let Some([lower, upper]) = action.limits else { continue };
             let name = self.joint_name(index);
             let value = self.joint_value(index, 'q');
-            let value = if value.starts_with('q') { value } else { format!("({value})") };
+            let value = grouped(value);
             let below = sum(&[(1.0, value.clone()), (-lower, String::new())]);
             let above = sum(&[(upper, String::new()), (-1.0, value)]);
             self.out.line(4, &format!("/// The stops of `{}`, lower and upper.", joint.name));
@@ -100,7 +99,7 @@ impl<'p> Writer<'p> {
             let (name, other) = (self.joint_name(index), &self.plan.robot.joints[mimic.of].name);
             let terms = [
                 (1.0, self.joint_value(index, 'q')),
-                (-mimic.multiplier, self.joint_value(mimic.of, 'q')),
+                (-mimic.multiplier, grouped(self.joint_value(mimic.of, 'q'))),
                 (-mimic.offset, String::new()),
             ];
             self.out.line(4, &format!("/// `{}` follows `{other}`.", joint.name));

@@ -86,7 +86,7 @@ impl Writer<'_> {
         let plan = self.plan;
         let size = norm(plan.robot.gravity);
         let heavy: Vec<&Body> = plan.bodies.iter().filter(|body| body.inertial.mass != 0.0).collect();
-        if size == 0.0 || heavy.is_empty() {
+        if !plan.is_heavy {
             return;
         }
         let doc = "Gravitational acceleration [m/s²].".to_owned();

@@ -1,7 +1,7 @@
 //! A function for the frame of each link.
 
 use super::Writer;
-use super::text::{axis, number, shift, sum, turn};
+use super::text::{axis, grouped, number, shift, sum, turn};
 use crate::import::geometry::{Pose, Vector, add, cross, norm, scaled};
 use crate::import::plan::Motion;
 use crate::import::robot::{Joint, Kind};
@@ -83,7 +83,7 @@ impl Writer<'_> {
         let reference = joint.action.reference;
         let single = || match reference {
             0.0 => self.joint_value(index, 'q'),
-            _ => format!("({})", sum(&[(1.0, self.joint_value(index, 'q')), (-reference, String::new())])),
+            _ => sum(&[(1.0, grouped(self.joint_value(index, 'q'))), (-reference, String::new())]),
         };
         match joint.kind {
             Kind::Fixed => Vec::new(),
@@ -122,20 +122,28 @@ impl Writer<'_> {
 
 fn about_axis(about: Vector, angle: String) -> String {
     let (axis, turned) = axis(about);
-    // A minus in front of a sum or a product of its own would be read as part of it.
-    let angle = match (turned, angle.strip_prefix('-')) {
-        (false, _) => angle,
-        (true, Some(positive)) => positive.to_owned(),
-        (true, None) => format!("-{angle}"),
-    };
+    let angle = if turned { negated(&angle) } else { angle };
     format!("Rotation3::from_axis_angle({axis}, {angle})")
+}
+
+/// The opposite.
+fn negated(text: &str) -> String {
+    match text.strip_prefix('-') {
+        Some(name) if !name.contains(' ') => name.to_owned(),
+        _ => format!("-{}", grouped(text.to_owned())),
+    }
 }
 
 /// The entries of Σ direction · amount.
 fn multiples(parts: &[(Vector, String)]) -> [String; 3] {
     std::array::from_fn(|i| {
-        let terms: Vec<(f64, String)> = parts.iter().map(|(along, amount)| (along[i], amount.clone())).collect();
-        sum(&terms)
+        let terms: Vec<(f64, String)> =
+            parts.iter().filter(|(along, _)| along[i] != 0.0).map(|(along, amount)| (along[i], amount.clone())).collect();
+        match terms.as_slice() {
+            [(1.0, only)] => only.clone(),
+            [(-1.0, only)] => negated(only),
+            _ => sum(&terms.into_iter().map(|(factor, amount)| (factor, grouped(amount))).collect::<Vec<_>>()),
+        }
     })
 }
 

@@ -59,7 +59,7 @@ impl Writer<'_> {
                     (1.0, 0.0) => of,
                     (-1.0, 0.0) => format!("-{of}"),
                     (multiplier, 0.0) => format!("{} * {of}", number(multiplier)),
-                    _ => format!("({})", sum(&[(*multiplier, of), (offset, String::new())])),
+                    _ => sum(&[(*multiplier, of), (offset, String::new())]),
                 }
             }
         }

@@ -112,6 +112,11 @@ pub fn axis(axis: Vector) -> (String, bool) {
     }
 }
 
+/// In parentheses where it is more than a name.
+pub fn grouped(text: String) -> String {
+    if text.contains(' ') || text.starts_with('-') { format!("({text})") } else { text }
+}
+
 /// A sum of multiples; an empty text stands for the factor alone.
 pub fn sum(terms: &[(f64, String)]) -> String {
     let mut text = String::new();

@@ -34,6 +34,7 @@ pub fn read<'a>(reader: &mut Reader<'a>, root: Node<'a, 'a>, options: &Options) 
         Robot { name: root.attribute("model").map(str::to_owned), links: Vec::new(), joints: Vec::new(), gravity };
     let mut bodies = bodies::Bodies::new(reader, &attributes, options, &mut robot);
     bodies.world(root);
+    total_mass(reader, root, &mut robot);
     let mut mjcf = Mjcf { reader, attributes: &attributes, robot: &mut robot };
     mjcf.actuators(root, options);
     mjcf.equalities(root);
@@ -49,9 +50,9 @@ struct Mjcf<'r, 'a> {
 
 impl<'a> Mjcf<'_, 'a> {
     fn actuators(&mut self, root: Element<'a>, options: &Options) {
-        let mut is_actuated = false;
+        let mut count = 0;
         for node in children(root, "actuator").flat_map(|list| list.children().filter(Node::is_element)) {
-            is_actuated = true;
+            count += 1;
             let kind = node.tag_name().name();
             let Some(name) = self.attributes.text(self.reader, node, "joint") else {
                 self.reader.warning(node, "an actuator without a `joint` is left out");
@@ -63,12 +64,12 @@ impl<'a> Mjcf<'_, 'a> {
                 let text = format!("<{kind}> is taken as a motor: its input is a force, and its gains are left out");
                 self.reader.warning(node, text);
             }
-            let drive = Drive { name: node.attribute("name").map(str::to_owned), gear: gear.unwrap_or(1.0) };
+            let drive = Drive { name: node.attribute("name").map(str::to_owned), gear: gear.unwrap_or(1.0), order: count };
             self.robot.joints[joint].drives.push(drive);
         }
-        let is_all = options.inputs == super::Inputs::All || !is_actuated;
+        let is_all = options.inputs == super::Inputs::All || count == 0;
         for joint in self.robot.joints.iter_mut().filter(|joint| is_all && joint.drives.is_empty()) {
-            joint.drives.push(Drive { name: None, gear: 1.0 });
+            joint.drives.push(Drive { name: None, gear: 1.0, order: usize::MAX });
         }
     }
 
@@ -119,6 +120,17 @@ impl<'a> Mjcf<'_, 'a> {
     }
 }
 
+/// Scales all masses where the file gives their sum.
+fn total_mass(reader: &mut Reader<'_>, root: Node<'_, '_>, robot: &mut Robot) {
+    let given = children(root, "compiler").filter_map(|node| reader.number(node, "settotalmass")).last();
+    let masses = || robot.links.iter().flat_map(|link| &link.inertials).map(|inertial| inertial.mass);
+    let Some(factor) = given.filter(|given| *given > 0.0).map(|given| given / masses().sum::<f64>()) else { return };
+    for inertial in robot.links.iter_mut().flat_map(|link| &mut link.inertials) {
+        inertial.mass *= factor;
+        inertial.tensor = inertial.tensor.map(|row| row.map(|entry| factor * entry));
+    }
+}
+
 /// Reports what changes the tree or its masses and is not read.
 fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
     const WHOLE: &str = "MuJoCo writes the whole model with `mj_saveLastXML`, or `compile model.xml whole.xml`";
@@ -128,7 +140,7 @@ fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
             reader.problem(node, format!("<{tag}> is not read; {WHOLE}"));
         }
         if tag == "compiler" {
-            for attribute in ["boundmass", "boundinertia", "settotalmass"] {
+            for attribute in ["boundmass", "boundinertia"] {
                 let given = reader.number(node, attribute).is_some_and(|number| number > 0.0);
                 if given {
                     reader.problem_of(node, attribute, format!("`{attribute}` is not read; {WHOLE}"));
