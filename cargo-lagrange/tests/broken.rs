@@ -34,7 +34,8 @@ fn message(text: &str) -> String {
 #[test]
 fn every_mistake_of_urdf_has_its_place() {
     for (from, to, expected) in [
-        ("</robot>", "", "error: r.urdf:14:1: this is not XML: "),
+        ("</robot>", "", "error: r.urdf:1:1: this is not XML: the root node was opened but never closed; mend the XML there"),
+        ("</inertial>", "</inertia>", "error: r.urdf:7:5: this is not XML: "),
         (
             "parent link=\"base\"",
             "parent link=\"bose\"",
@@ -89,7 +90,7 @@ fn every_mistake_of_urdf_has_its_place() {
         (
             "type=\"revolute\"",
             "type=\"revolut\"",
-            "error: r.urdf:9:23: <joint name=\"turn\">: `revolut` is no type of joint, or did you mean `revolute`?; there are",
+            "error: r.urdf:9:22: <joint name=\"turn\">: `revolut` is no type of joint, or did you mean `revolute`?; there are",
         ),
         (
             "xyz=\"1 0 0\"",

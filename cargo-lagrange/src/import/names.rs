@@ -63,9 +63,13 @@ pub fn snake(written: &str) -> String {
     match name.chars().next() {
         None => "unnamed".to_owned(),
         Some(first) if first.is_ascii_digit() => format!("n{name}"),
-        _ if KEYWORDS.contains(&name) => format!("{name}_"),
         _ => name.to_owned(),
     }
+}
+
+/// A name of its own: words of the language get an underscore.
+pub fn alone(name: String) -> String {
+    if KEYWORDS.contains(&name.as_str()) { name + "_" } else { name }
 }
 
 /// Words with capitals, as Rust names types.
@@ -99,12 +103,12 @@ mod tests {
             ("leftHipYaw", "left_hip_yaw"),
             ("robot/base link", "robot_base_link"),
             ("2nd-axis", "n2nd_axis"),
-            ("type", "type_"),
             ("_", "unnamed"),
             ("Gelenk für Öl", "gelenk_f_r_l"),
         ] {
             assert_eq!(snake(written), name);
         }
+        assert_eq!(alone(snake("type")), "type_");
         assert_eq!(camel("ur5_robot"), "Ur5Robot");
         assert_eq!(camel("vector3"), "Vector3Robot");
     }

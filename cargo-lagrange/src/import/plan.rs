@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::geometry::Pose;
 use super::inertia::Inertial;
-use super::names::{Names, camel, snake};
+use super::names::{Names, alone, camel, snake};
 use super::report::Sink;
 use super::robot::{Action, Drive, Joint, Kind, Mimic, Robot};
 use super::tree::{Tree, add_floating_base, tree};
@@ -150,7 +150,7 @@ fn motions(
         for part in parts {
             let wanted = if part.is_empty() { wanted.clone() } else { format!("{prefix}{part}") };
             own.push(coordinates.len());
-            coordinates.push(names.take(&joint.name, &wanted, sink));
+            coordinates.push(names.take(&joint.name, &alone(wanted), sink));
         }
         motions[index] = Motion::Own(own);
     }
@@ -199,7 +199,7 @@ fn inputs(
         let unit = if matches!(joint.kind, Kind::Slides(_)) { "force" } else { "torque" };
         let of_joint = || format!("{}_{unit}", snake(&joint.name));
         // Motors are often named like the joints that they drive.
-        let named = drive.name.as_deref().map(snake).filter(|name| !names.has(name));
+        let named = drive.name.as_deref().map(snake).map(alone).filter(|name| !names.has(name));
         let wanted = named.unwrap_or_else(of_joint);
         let written = drive.name.as_deref().unwrap_or(&joint.name);
         (names.take(written, &wanted, sink), index, drive.gear)

@@ -137,7 +137,7 @@ impl<'p> Writer<'p> {
     fn joint_name(&self, joint: usize) -> &'p str {
         let plan = self.plan;
         match &plan.motions[joint] {
-            Motion::Own(own) => &plan.coordinates[own[0]],
+            Motion::Own(own) => plan.coordinates[own[0]].trim_end_matches('_'),
             Motion::Follows { .. } => &plan.frames[plan.robot.joints[joint].child].name,
         }
     }

@@ -38,7 +38,7 @@ impl Writer<'_> {
             factors.extend(shift(joint.back.map(number)));
         }
         // A product is a pose only if it has a shift and a rotation.
-        if reference && !factors.iter().any(|factor| factor.starts_with("Rotation3")) {
+        if reference && !factors.iter().any(|factor| factor.starts_with("Rotation3") || factor.ends_with("_orientation(q)")) {
             factors.push("Rotation3::identity()".to_owned());
         }
         if reference && !factors.iter().any(|factor| factor.starts_with("Translation3")) {
@@ -123,7 +123,10 @@ impl Writer<'_> {
 fn about_axis(about: Vector, angle: String) -> String {
     let (axis, turned) = axis(about);
     let angle = if turned { negated(&angle) } else { angle };
-    format!("Rotation3::from_axis_angle({axis}, {angle})")
+    match axis.len() + angle.len() {
+        0..=70 => format!("Rotation3::from_axis_angle({axis}, {angle})"),
+        _ => format!("Rotation3::from_axis_angle(\n{axis},\n{angle},\n)"),
+    }
 }
 
 /// The opposite.

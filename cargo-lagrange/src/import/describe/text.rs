@@ -30,15 +30,18 @@ impl Lines {
     /// Adds operands joined by an operator, on lines of their own where they do not fit on one.
     pub fn chain(&mut self, indent: usize, start: &str, operator: char, operands: &[String], end: &str) {
         let whole = format!("{start}{}{end}", operands.join(&format!(" {operator} ")));
-        if indent + whole.chars().count() <= WIDTH {
+        if indent + whole.chars().count() <= WIDTH && !whole.contains('\n') {
             return self.line(indent, &whole);
         }
         let last = operands.len().saturating_sub(1);
         for (index, operand) in operands.iter().enumerate() {
             let tail = if index == last { end } else { "" };
-            match index {
-                0 => self.line(indent, &format!("{start}{operand}{tail}")),
-                _ => self.line(indent + 4, &format!("{operator} {operand}{tail}")),
+            let (indent, front) = match index {
+                0 => (indent, start.to_owned()),
+                _ => (indent + 4, format!("{operator} ")),
+            };
+            for (row, line) in format!("{front}{operand}{tail}").lines().enumerate() {
+                self.line(if row == 0 || line.starts_with(')') { indent } else { indent + 4 }, line);
             }
         }
     }
@@ -90,7 +93,7 @@ pub fn shift(vector: [String; 3]) -> Option<String> {
     (vector.iter().any(|entry| *entry != zero)).then(|| format!("Translation3::new({})", vector.join(", ")))
 }
 
-/// The factors of a rotation: none for the identity.
+/// The factors of a rotation, on several lines where it is a matrix: none for the identity.
 pub fn turn(rotation: &Rotation) -> Option<String> {
     if rotation.is_identity() {
         return None;
@@ -98,8 +101,8 @@ pub fn turn(rotation: &Rotation) -> Option<String> {
     Some(match rotation.angles {
         Some(angles) => format!("Rotation3::from_euler_angles({})", angles.map(angle).join(", ")),
         None => {
-            let entries: Vec<String> = rotation.matrix.as_flattened().iter().map(|&entry| number(entry)).collect();
-            format!("Rotation3::from_matrix_unchecked(Matrix3::new({}))", entries.join(", "))
+            let rows = rotation.matrix.map(|row| row.map(number).join(", ") + ",\n").concat();
+            format!("Rotation3::from_matrix_unchecked(Matrix3::new(\n{rows}))")
         }
     })
 }

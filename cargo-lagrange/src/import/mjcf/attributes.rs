@@ -162,6 +162,15 @@ impl<'a> Attributes<'a> {
             return Some(about(axis, self.angle(reader, node, angle, options)));
         }
         if let Some(angles) = self.vector::<3>(reader, node, "euler") {
+            let [a, b, c] = angles;
+            let as_in_urdf = match &*self.euler {
+                "XYZ" => Some([a, b, c]),
+                "zyx" => Some([c, b, a]),
+                _ => None,
+            };
+            if let Some(angles) = as_in_urdf {
+                return Some(Rotation::of_angles(angles.map(|angle| self.angle(reader, node, angle, options))));
+            }
             let mut whole = Rotation::IDENTITY;
             for (letter, written) in self.euler.chars().zip(angles) {
                 let mut axis = [0.0; 3];

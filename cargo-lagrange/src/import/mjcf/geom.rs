@@ -141,7 +141,7 @@ mod tests {
             ("capsule", [0.4, 0.5, 0.0]),
         ] {
             let (volume, moments) = solid(kind, size).expect("the kind is known");
-            let (count, step) = (100, 0.02);
+            let (count, step) = (100_i32, 0.02);
             let at = |i: i32| (f64::from(i) + 0.5) * step - 0.5 * f64::from(count) * step;
             let (mut sum, mut second) = (0.0, [0.0; 3]);
             for cell in 0..count.pow(3) {
