@@ -148,11 +148,19 @@ fn run_import(arguments: &ImportArguments) -> Result<(), String> {
             result => result.map_err(|error| format!("error: standard output: {error}")),
         };
     };
-    let opened = fs::OpenOptions::new().write(true).create(true).truncate(true).create_new(!arguments.force).open(output);
+    let opened = fs::OpenOptions::new()
+        .write(true)
+        .create(true)
+        .truncate(true)
+        .create_new(!arguments.force)
+        .open(output);
     let written = opened.and_then(|mut file| file.write_all(import.text.as_bytes()));
     written.map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => {
-            format!("error: {} is there already; replace it with --force, or name another file", output.display())
+            format!(
+                "error: {} is there already; replace it with --force, or name another file",
+                output.display()
+            )
         }
         _ => format!("error: {}: {error}", output.display()),
     })
@@ -162,7 +170,9 @@ fn options(arguments: &ImportArguments) -> Result<Options, String> {
     if let Some(name) = &arguments.name
         && !cargo_lagrange::import::is_type_name(name)
     {
-        return Err(format!("error: --name {name}: write a name of a type, such as `Ur5`, that the prelude does not have"));
+        return Err(format!(
+            "error: --name {name}: write a name of a type, such as `Ur5`, that the prelude does not have"
+        ));
     }
     if !(0.0..0.1).contains(&arguments.right_angles) {
         return Err("error: --right-angles: write an angle from 0 to 0.1 rad".to_owned());

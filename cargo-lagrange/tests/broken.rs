@@ -34,7 +34,11 @@ fn message(text: &str) -> String {
 #[test]
 fn every_mistake_of_urdf_has_its_place() {
     for (from, to, expected) in [
-        ("</robot>", "", "error: r.urdf:1:1: this is not XML: the root node was opened but never closed; mend the XML there"),
+        (
+            "</robot>",
+            "",
+            "error: r.urdf:1:1: this is not XML: the root node was opened but never closed; mend the XML there",
+        ),
         ("</inertial>", "</inertia>", "error: r.urdf:7:5: this is not XML: "),
         (
             "parent link=\"base\"",
@@ -42,7 +46,11 @@ fn every_mistake_of_urdf_has_its_place() {
             "error: r.urdf:10:13: <parent> of <joint name=\"turn\">: the parent `bose` is no link of the file; write \
              <link name=\"bose\"/>, or did you mean `base`?",
         ),
-        ("    <parent link=\"base\"/>\n", "", "error: r.urdf:9:3: <joint name=\"turn\">: it has no <parent>; write"),
+        (
+            "    <parent link=\"base\"/>\n",
+            "",
+            "error: r.urdf:9:3: <joint name=\"turn\">: it has no <parent>; write",
+        ),
         (
             "  <link name=\"base\"/>\n",
             "  <link name=\"base\"/>\n  <link name=\"other\"/>\n",
@@ -73,7 +81,11 @@ fn every_mistake_of_urdf_has_its_place() {
             "mass value=\"NaN\"",
             "error: r.urdf:5:13: <mass> of <link name=\"arm\">: value=\"NaN\" is not finite; write a number",
         ),
-        ("mass value=\"1\"", "mass value=\"-1\"", "error: r.urdf:5:13: <mass> of <link name=\"arm\">: the mass -1 is negative"),
+        (
+            "mass value=\"1\"",
+            "mass value=\"-1\"",
+            "error: r.urdf:5:13: <mass> of <link name=\"arm\">: the mass -1 is negative",
+        ),
         (
             "ixy=\"0\"",
             "ixy=\"2\"",
@@ -86,7 +98,11 @@ fn every_mistake_of_urdf_has_its_place() {
             "warning: r.urdf:6:7: <inertia> of <link name=\"arm\">: the largest principal moment of inertia exceeds the sum \
              of the two others by 50.00 %",
         ),
-        (" izz=\"1\"", "", "error: r.urdf:6:7: <inertia> of <link name=\"arm\">: it has no `izz`; write izz="),
+        (
+            " izz=\"1\"",
+            "",
+            "error: r.urdf:6:7: <inertia> of <link name=\"arm\">: it has no `izz`; write izz=",
+        ),
         (
             "type=\"revolute\"",
             "type=\"revolut\"",
@@ -108,7 +124,11 @@ fn every_mistake_of_urdf_has_its_place() {
             "error: r.urdf:12:11: <axis> of <joint name=\"turn\">: `1,0` in `xyz` is no number: write a decimal point",
         ),
         ("xyz=\"1 0 0\"", "xyz=\"${a}\"", "`${a}` in `xyz` is no number: this is a xacro file; run `xacro"),
-        ("name=\"turn\" type=\"revolute\"", "name=\"turn\" type=\"fixed\"", "<link name=\"base\">: no joint moves"),
+        (
+            "name=\"turn\" type=\"revolute\"",
+            "name=\"turn\" type=\"fixed\"",
+            "<link name=\"base\">: no joint moves",
+        ),
         (
             "<axis xyz=\"1 0 0\"/>",
             "<axis xyz=\"1 0 0\"/><mimic joint=\"turn\"/>",
@@ -117,7 +137,7 @@ fn every_mistake_of_urdf_has_its_place() {
         (
             "<axis xyz=\"1 0 0\"/>",
             "<axis xyz=\"1 0 0\"/><mimic joint=\"torn\"/>",
-            "error: r.urdf:12:32: <mimic joint=\"torn\"> of <joint name=\"turn\">: `torn` is no joint of the file, or did you \
+            "error: r.urdf:12:31: <mimic joint=\"torn\"> of <joint name=\"turn\">: `torn` is no joint of the file, or did you \
              mean `turn`?",
         ),
         (
@@ -171,25 +191,46 @@ fn mjcf(inside: &str) -> String {
 fn every_mistake_of_mjcf_has_its_place() {
     let body = |inside: &str| format!("<worldbody><body name=\"b\">\n{inside}</body></worldbody>");
     for (text, expected) in [
-        (body("<joint type=\"hing\"/>"), "error: m.xml:3:8: <joint> of <body name=\"b\">: `hing` is no type of joint, or did"),
+        (
+            body("<joint type=\"hing\"/>"),
+            "error: m.xml:3:8: <joint> of <body name=\"b\">: `hing` is no type of joint, or did",
+        ),
         (body("<joint axis=\"0 0 0\"/>"), "error: m.xml:3:8: <joint> of <body name=\"b\">: the axis is zero"),
-        (body("<joint damping=\"-1\"/>"), "error: m.xml:3:8: <joint> of <body name=\"b\">: `damping` is negative"),
+        (
+            body("<joint damping=\"-1\"/>"),
+            "error: m.xml:3:8: <joint> of <body name=\"b\">: `damping` is negative",
+        ),
         (body("<joint class=\"c\"/>"), "there is no <default class=\"c\">"),
-        (body("<joint/><geom type=\"mesh\"/>"), "the mass of a geom of type `mesh` is not known; write an <inertial>"),
+        (
+            body("<joint/><geom type=\"mesh\"/>"),
+            "the mass of a geom of type `mesh` is not known; write an <inertial>",
+        ),
         (body("<joint/><geom type=\"box\" size=\"1 1\"/>"), "a box needs 3 positive numbers in `size`"),
         (body("<joint/><inertial mass=\"1\"/>"), "it has no inertia; write diaginertia"),
-        (body("<joint/><inertial mass=\"1\" diaginertia=\"1 1 -1\"/>"), "the inertia is not positive definite"),
-        (body("<joint/><inertial mass=\"1\" diaginertia=\"1 1 3\"/>"), "warning: m.xml:3:9: <inertial> of <body name=\"b\">: the largest"),
+        (
+            body("<joint/><inertial mass=\"1\" diaginertia=\"1 1 -1\"/>"),
+            "the inertia is not positive definite",
+        ),
+        (
+            body("<joint/><inertial mass=\"1\" diaginertia=\"1 1 3\"/>"),
+            "warning: m.xml:3:9: <inertial> of <body name=\"b\">: the largest",
+        ),
         (body("<joint/><body name=\"b\"/>"), "another body has this name"),
         (body("<joint name=\"j\"/><body><joint name=\"j\"/></body>"), "another joint has this name"),
         (body("<joint/><body><freejoint/></body>"), "only bodies of the world move freely"),
-        (body("<include file=\"x.xml\"/>"), "error: m.xml:3:1: <include> of <body name=\"b\">: <include> is not read; MuJoCo writes"),
+        (
+            body("<include file=\"x.xml\"/>"),
+            "error: m.xml:3:1: <include> of <body name=\"b\">: <include> is not read; MuJoCo writes",
+        ),
         (body("<joint/>") + "<actuator><motor joint=\"x\"/></actuator>", "`x` is no joint of the file"),
         (
             body("<joint/>") + "<actuator><position joint=\"b\"/></actuator>",
             "<position> is taken as a motor: its input is a force, and its gains are left out",
         ),
-        (body("<joint/>") + "<equality><connect body1=\"b\"/></equality>", "<connect> is left out; write a #[holonomic]"),
+        (
+            body("<joint/>") + "<equality><connect body1=\"b\"/></equality>",
+            "<connect> is left out; write a #[holonomic]",
+        ),
         ("<worldbody/>".to_owned(), "the model has no bodies"),
         ("<compiler angle=\"turn\"/>".to_owned(), "write angle=\"degree\" or angle=\"radian\""),
     ] {

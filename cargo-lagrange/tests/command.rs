@@ -40,8 +40,10 @@ fn options_are_those_of_the_library() {
     assert_eq!(text(&output.stdout), snapshot("two_link_parameters.rs"), "{}", text(&output.stderr));
     let output = lagrange(&["import", "two_link.urdf", "--limits", "--friction", "--name", "Rough"]);
     assert_eq!(text(&output.stdout), snapshot("two_link_rough.rs"), "{}", text(&output.stderr));
-    let arguments = ["import", "everything.urdf", "--mimic", "constrain", "--inputs", "all", "--floating"];
+    let arguments = ["import", "everything.urdf", "--mimic", "constrain", "--inputs", "all"];
     assert_eq!(text(&lagrange(&arguments).stdout), snapshot("everything_constrained.rs"));
+    let arguments = ["import", "two_link.urdf", "--floating", "--inputs", "none"];
+    assert_eq!(text(&lagrange(&arguments).stdout), snapshot("two_link_floating.rs"));
     let output = lagrange(&["import", "two_link.urdf", "--parameters=masses"]);
     let masses = text(&output.stdout);
     assert!(masses.contains("pub upper_mass: f64") && !masses.contains("upper_centre_z"), "{masses}");
@@ -65,9 +67,18 @@ fn a_file_is_replaced_only_by_force() {
 fn mistakes_are_errors() {
     for (arguments, message) in [
         (&["import", "missing.urdf"][..], "error: missing.urdf: "),
-        (&["import", "two_link.urdf", "--name", "two link"], "error: --name two link: write a name of a type"),
-        (&["import", "two_link.urdf", "--right-angles", "2"], "error: --right-angles: write an angle from 0 to 0.1"),
-        (&["import", "two_link.xml", "--floating"], "error: two_link.xml:1:1: <mujoco>: --floating is for URDF"),
+        (
+            &["import", "two_link.urdf", "--name", "two link"],
+            "error: --name two link: write a name of a type",
+        ),
+        (
+            &["import", "two_link.urdf", "--right-angles", "2"],
+            "error: --right-angles: write an angle from 0 to 0.1",
+        ),
+        (
+            &["import", "two_link.xml", "--floating"],
+            "error: two_link.xml:1:1: <mujoco>: --floating is for URDF",
+        ),
     ] {
         let output = lagrange(arguments);
         assert!(!output.status.success() && output.stdout.is_empty());

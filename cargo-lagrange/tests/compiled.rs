@@ -11,6 +11,9 @@ mod two_link_rough {
 mod two_link_parameters {
     include!("snapshots/two_link_parameters.rs");
 }
+mod two_link_floating {
+    include!("snapshots/two_link_floating.rs");
+}
 mod two_link_mjcf {
     include!("snapshots/two_link_mjcf.rs");
 }
@@ -223,7 +226,8 @@ fn frames_are_those_of_urdf() {
     let robot = Everything::default();
     let q = spread::<11>(3, 1.0);
     let at = everything::EverythingCoordinates::from(q);
-    let about = |axis: Vector3<f64>, angle: f64| Rotation3::from_axis_angle(&Unit::new_normalize(axis), angle);
+    let about =
+        |axis: Vector3<f64>, angle: f64| Rotation3::from_axis_angle(&Unit::new_normalize(axis), angle);
     let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
     let pose = |shift: Vector3<f64>, turn: Rotation3<f64>| IsometryMatrix3::from_parts(shift.into(), turn);
     let still = Rotation3::identity();
@@ -242,38 +246,69 @@ fn frames_are_those_of_urdf() {
         (robot.puck_frame(&at), base * pose(at.puck_x * y + at.puck_y * z, about(x, at.puck_angle))),
         (
             robot.drone_frame(&at),
-            pose(Vector3::new(at.drone_x, at.drone_y, at.drone_z), about(z, yaw) * about(y, pitch) * about(x, roll)),
+            pose(
+                Vector3::new(at.drone_x, at.drone_y, at.drone_z),
+                about(z, yaw) * about(y, pitch) * about(x, roll),
+            ),
         ),
     ] {
         close(found.to_homogeneous().as_slice(), expected.to_homogeneous().as_slice(), 1e-14);
     }
 }
 
-/// A follower tied by a constraint moves as one without a coordinate, if its parts have no actions of their own.
+/// A follower tied by a constraint moves as one without a coordinate.
 #[test]
 fn both_kinds_of_followers_move_alike() -> Result<(), Box<dyn std::error::Error>> {
-    let (free, tied) = (Everything::default(), Constrained::default());
-    let q: [f64; 11] = spread(5, 0.8);
-    let v: [f64; 11] = spread(6, 0.8);
-    let expected = free.accelerations(&State::new(q, v), &[0.4, -0.3])?;
-    // The floating base is held by what it has to have as accelerations: here it is compared at first order only,
-    // with a base that is far too heavy to move.
-    let names = Constrained::COORDINATES;
-    let find = |name: &str| Everything::COORDINATES.iter().position(|other| *other == name);
-    let value = |from: &[f64; 11], name: &str, offset: f64| match (find(name), name) {
-        (Some(index), _) => from[index],
-        (None, "follower") => -0.5 * from[find("type_").unwrap_or_default()] + offset,
-        (None, _) => 0.0,
-    };
-    let state: State<f64, 18> = State::new(
-        std::array::from_fn(|i| value(&q, names[i], 0.1)),
-        std::array::from_fn(|i| value(&v, names[i], 0.0)),
-    );
-    assert!(tied.constraint_residuals(&state)[0].abs() < 1e-15);
-    let found = tied.accelerations(&state, &[0.4, -0.3, 0.0])?;
-    let follower = names.iter().position(|name| *name == "follower").ok_or("the follower has a coordinate")?;
-    let leader = names.iter().position(|name| *name == "type_").ok_or("the leader has a coordinate")?;
-    close(&[found[follower]], &[-0.5 * found[leader]], 1e-12);
-    assert_eq!(expected.len() + 7, found.len());
+    let (without, tied) = (Everything::default(), Constrained::default());
+    let place =
+        Constrained::COORDINATES.iter().position(|name| *name == "follower").ok_or("it has a coordinate")?;
+    let leader = place - 1;
+    assert_eq!(Constrained::COORDINATES[leader], "type_");
+    for case in 0..50 {
+        let (q, v): ([f64; 11], [f64; 11]) = (spread(case, 0.8), spread(case + 50, 0.8));
+        // The entry of the follower pushes those behind it by one.
+        let with = |from: &[f64; 11], follower: f64| -> [f64; 12] {
+            std::array::from_fn(|i| match i.cmp(&place) {
+                std::cmp::Ordering::Less => from[i],
+                std::cmp::Ordering::Equal => follower,
+                std::cmp::Ordering::Greater => from[i - 1],
+            })
+        };
+        let state = State::new(with(&q, -0.5 * q[leader] + 0.1), with(&v, -0.5 * v[leader]));
+        assert!(tied.constraint_residuals(&state)[0].abs() < 1e-15);
+        let expected = without.accelerations(&State::new(q, v), &[0.4, -0.3])?;
+        // A torque of the follower acts on the leader through the gear.
+        let found = tied.accelerations(&state, &[0.4, -0.2, 0.2])?;
+        close(&found, &with(&expected, -0.5 * expected[leader]), 1e-12);
+    }
     Ok(())
+}
+
+/// A base that floats, at rest where it stands otherwise: the same energies.
+#[test]
+fn a_floating_base_can_stand_still() {
+    use two_link_floating::TwoLinkArm as Floating;
+    assert_eq!(Floating::COORDINATES, ["x", "y", "z", "roll", "pitch", "yaw", "shoulder", "elbow"]);
+    let ([a, b], [c, d]) = (spread(1, 2.0), spread(2, 2.0));
+    let floating = State::new([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, a, b], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, c, d]);
+    let fixed = State::new([a, b], [c, d]);
+    let (on, off) = (TwoLinkArm::default(), Floating::default());
+    close(&[off.kinetic_energy(&floating)], &[on.kinetic_energy(&fixed)], 1e-14);
+    close(&[off.potential_energy(&floating)], &[on.potential_energy(&fixed)], 1e-14);
+    // Lifted by a metre, it is heavier by its weight.
+    let mut lifted = floating;
+    lifted.q[2] = 1.0;
+    let weight = off.potential_energy(&lifted) - off.potential_energy(&floating);
+    close(&[weight], &[9.81 * 2.3], 1e-13);
+}
+
+/// Several joints in a body, a ball, references, a tilted gravity and a follower: energies by MuJoCo 4.0
+/// (½ vᵀ M v, and −Σ m g·r of the bodies), with the rates of the ball as an angular velocity in its body.
+#[test]
+fn joints_have_the_energies_of_mujoco() {
+    assert_eq!(Joints::COORDINATES, ["yaw", "roll", "body_3_roll", "body_3_pitch", "body_3_yaw", "left"]);
+    let state = State::new([0.4, -0.3, 0.5, 0.6, -0.7, 0.2], [1.0, -0.8, 0.6, 0.9, -1.1, 0.7]);
+    let joints = Joints::default();
+    close(&[joints.kinetic_energy(&state)], &[0.981_498_442_442_059_1], 1e-12);
+    close(&[joints.potential_energy(&state)], &[36.265_200_710_945_28], 1e-12);
 }

@@ -29,7 +29,8 @@ fn two_link() {
 
 #[test]
 fn two_link_with_all_that_is_optional() {
-    let options = Options { limits: true, friction: true, name: Some("Rough".to_owned()), ..Options::default() };
+    let options =
+        Options { limits: true, friction: true, name: Some("Rough".to_owned()), ..Options::default() };
     holds("two_link.urdf", "two_link_rough", &options);
 }
 
@@ -38,6 +39,12 @@ fn two_link_with_parameters() {
     let parameters = Parameters { masses: true, centres: true, inertias: true, lengths: true };
     let options = Options { parameters, with: vec!["jacobians".to_owned()], ..Options::default() };
     holds("two_link.urdf", "two_link_parameters", &options);
+}
+
+#[test]
+fn two_link_on_a_floating_base() {
+    let options = Options { floating: true, inputs: Inputs::None, ..Options::default() };
+    holds("two_link.urdf", "two_link_floating", &options);
 }
 
 #[test]
@@ -52,7 +59,7 @@ fn everything() {
 
 #[test]
 fn everything_with_a_constraint() {
-    let options = Options { mimic: Following::Constrain, inputs: Inputs::All, floating: true, ..Options::default() };
+    let options = Options { mimic: Following::Constrain, inputs: Inputs::All, ..Options::default() };
     holds("everything.urdf", "everything_constrained", &options);
 }
 

@@ -142,7 +142,8 @@ mod tests {
             let moment = |a: f64, b: f64| mass / 12.0 * (a * a + b * b);
             [[moment(y, z), 0.0, 0.0], [0.0, moment(x, z), 0.0], [0.0, 0.0, moment(x, y)]]
         };
-        let half = |x| Inertial { mass: 1.5, centre: [x, 0.0, 2.0], tensor: box_tensor(1.5, [1.0, 2.0, 2.0]) };
+        let half =
+            |x| Inertial { mass: 1.5, centre: [x, 0.0, 2.0], tensor: box_tensor(1.5, [1.0, 2.0, 2.0]) };
         let whole = Inertial::together(&[half(-0.5), half(0.5)]).expect("there is mass");
         assert_eq!((whole.mass, whole.centre), (3.0, [0.0, 0.0, 2.0]));
         let expected = box_tensor(3.0, [2.0, 2.0, 2.0]);

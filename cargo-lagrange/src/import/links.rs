@@ -34,7 +34,11 @@ pub fn check_inertia(
     options: &Options,
 ) {
     if mass < 0.0 {
-        reader.problem_of(mass_node, mass_attribute, format!("the mass {mass} is negative; write one from 0 on"));
+        reader.problem_of(
+            mass_node,
+            mass_attribute,
+            format!("the mass {mass} is negative; write one from 0 on"),
+        );
     }
     match flaw(tensor) {
         Some(Flaw::Negative(moment)) => {
@@ -63,7 +67,10 @@ pub fn check_inertia(
 pub fn near<'n>(written: &str, names: impl Iterator<Item = &'n str>) -> String {
     let nearest = names.map(|name| (distance(written, name), name)).min();
     let bound = 1 + written.chars().count() / 4;
-    nearest.filter(|(distance, _)| *distance <= bound).map(|(_, name)| format!(", or did you mean `{name}`?")).unwrap_or_default()
+    nearest
+        .filter(|(distance, _)| *distance <= bound)
+        .map(|(_, name)| format!(", or did you mean `{name}`?"))
+        .unwrap_or_default()
 }
 
 /// The number of characters to change, insert and remove.

@@ -138,7 +138,8 @@ fn read<'a>(reader: &mut Reader<'a>, options: &Options) -> Option<Robot> {
             None
         }
         other => {
-            let text = format!("<{other}> is no robot; a URDF file has <robot>, an MJCF file <mujoco> outside");
+            let text =
+                format!("<{other}> is no robot; a URDF file has <robot>, an MJCF file <mujoco> outside");
             reader.problem(root, text);
             None
         }

@@ -6,16 +6,28 @@ use super::report::Sink;
 
 const KEYWORDS: [&str; 52] = [
     "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
-    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
-    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super",
-    "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized", "use", "virtual", "where", "while",
-    "yield",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",
+    "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static",
+    "struct", "super", "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized", "use",
+    "virtual", "where", "while", "yield",
 ];
 
 /// Types and constants that a description names.
 const TYPES: [&str; 14] = [
-    "Coordinates", "Velocities", "Inputs", "IsometryMatrix3", "Translation3", "Rotation3", "Vector3", "Matrix3",
-    "Unit", "Self", "Default", "Clone", "Copy", "Debug",
+    "Coordinates",
+    "Velocities",
+    "Inputs",
+    "IsometryMatrix3",
+    "Translation3",
+    "Rotation3",
+    "Vector3",
+    "Matrix3",
+    "Unit",
+    "Self",
+    "Default",
+    "Clone",
+    "Copy",
+    "Debug",
 ];
 
 /// A set of names in which each occurs once.
@@ -39,7 +51,9 @@ impl Names {
             name = format!("{wanted}_{count}");
         }
         if count > 1 {
-            sink.note(format!("`{written}` is `{name}` in the description, since `{wanted}` is there already"));
+            sink.note(format!(
+                "`{written}` is `{name}` in the description, since `{wanted}` is there already"
+            ));
         }
         name
     }
@@ -78,7 +92,10 @@ pub fn camel(written: &str) -> String {
         .split('_')
         .map(|word| {
             let mut letters = word.chars();
-            letters.next().map(|first| first.to_ascii_uppercase().to_string() + letters.as_str()).unwrap_or_default()
+            letters
+                .next()
+                .map(|first| first.to_ascii_uppercase().to_string() + letters.as_str())
+                .unwrap_or_default()
         })
         .collect();
     if TYPES.contains(&name.as_str()) { format!("{name}Robot") } else { name }

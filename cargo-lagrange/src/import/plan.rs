@@ -104,7 +104,10 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
     };
     if plan.coordinates.is_empty() {
         let mark = plan.robot.links[plan.tree.root].mark.clone();
-        sink.problem(&mark, "no joint moves; add a joint that is not fixed, or let the root move with --floating");
+        sink.problem(
+            &mark,
+            "no joint moves; add a joint that is not fixed, or let the root move with --floating",
+        );
         return None;
     }
     plan.bodies = bodies(&plan);
@@ -209,14 +212,11 @@ fn inputs(
 
 fn frames(robot: &Robot, tree: &Tree, motions: &[Motion], sink: &mut Sink) -> Vec<Frame> {
     let mut names = Names::default();
-    let root = Frame {
-        name: String::new(),
-        carrier: (tree.root, Pose::IDENTITY),
-        moves: false,
-        is_world: true,
-    };
+    let root =
+        Frame { name: String::new(), carrier: (tree.root, Pose::IDENTITY), moves: false, is_world: true };
     let mut frames = vec![root; robot.links.len()];
-    frames[tree.root].name = names.take(&robot.links[tree.root].name, &snake(&robot.links[tree.root].name), sink);
+    frames[tree.root].name =
+        names.take(&robot.links[tree.root].name, &snake(&robot.links[tree.root].name), sink);
     for &index in &tree.order {
         let joint = &robot.joints[index];
         let link = &robot.links[joint.child].name;
@@ -268,7 +268,9 @@ impl Plan {
     /// The joints whose actions matter, with their actions.
     pub fn actions(&self) -> impl Iterator<Item = (usize, &Joint, &Action)> {
         let joints = self.tree.order.iter().map(|&index| (index, &self.robot.joints[index]));
-        joints.filter(|(_, joint)| joint.kind.freedom() == 1).map(|(index, joint)| (index, joint, &joint.action))
+        joints
+            .filter(|(_, joint)| joint.kind.freedom() == 1)
+            .map(|(index, joint)| (index, joint, &joint.action))
     }
 
     /// Whether a joint follows another one.
@@ -295,7 +297,8 @@ impl Plan {
             left_out.push(format!("dry friction in {} (--friction)", list(rough)));
         }
         if options.mimic == Following::Ignore && self.robot.joints.iter().any(|joint| joint.mimic.is_some()) {
-            left_out.push("<mimic>: joints that follow others move by themselves (--mimic eliminate)".to_owned());
+            left_out
+                .push("<mimic>: joints that follow others move by themselves (--mimic eliminate)".to_owned());
         }
         let idle: Vec<&str> = self
             .actions()
@@ -303,7 +306,10 @@ impl Plan {
             .map(|(_, joint, _)| &*joint.name)
             .collect();
         if options.inputs == Inputs::Actuated && !idle.is_empty() {
-            sink.note(format!("no transmission or actuator drives {}: no inputs for them (--inputs all)", list(idle)));
+            sink.note(format!(
+                "no transmission or actuator drives {}: no inputs for them (--inputs all)",
+                list(idle)
+            ));
         }
         let massless: Vec<&str> = self
             .tree
@@ -328,7 +334,11 @@ impl Plan {
                 Kind::Free | Kind::Ball => "pitch",
                 _ => continue,
             };
-            let name = if joint.name.is_empty() { "the floating base".to_owned() } else { format!("`{}`", joint.name) };
+            let name = if joint.name.is_empty() {
+                "the floating base".to_owned()
+            } else {
+                format!("`{}`", joint.name)
+            };
             sink.note(format!(
                 "{name} has the angles roll, pitch and yaw about fixed axes: the equations are singular at a {angle} of ±90°"
             ));

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use roxmltree::Node;
 
-use super::{Inputs, Options};
 use super::geometry::{Pose, Rotation, Vector, direction};
 use super::inertia::Inertial;
 use super::links;
 use super::robot::{Action, Drive, Joint, Kind, Link, Mimic, Robot};
 use super::xml::{Reader, child, children};
+use super::{Inputs, Options};
 
 /// The acceleration of free fall at rest [m/s²], which URDF does not give.
 const GRAVITY: Vector = [0.0, 0.0, -9.81];
@@ -38,7 +38,8 @@ impl Urdf<'_, '_> {
             let Some(name) = self.reader.text(node, "name", "base_link") else { continue };
             let mark = self.reader.mark(node);
             if self.names.insert(name.to_owned(), links.len()).is_some() {
-                self.reader.problem(node, "another link has this name; rename one, and the joints that mean it");
+                self.reader
+                    .problem(node, "another link has this name; rename one, and the joints that mean it");
             }
             let inertials = child(node, "inertial").and_then(|inertial| self.inertial(inertial));
             links.push(Link { name: name.to_owned(), mark, inertials: inertials.into_iter().collect() });
@@ -54,7 +55,11 @@ impl Urdf<'_, '_> {
         let reader = &mut *self.reader;
         let mass = reader.child(node, "mass", "<mass value=\"1.0\"/>")?;
         let value = reader.required(mass, "value")?;
-        let inertia = reader.child(node, "inertia", "<inertia ixx=\"…\" ixy=\"0\" ixz=\"0\" iyy=\"…\" iyz=\"0\" izz=\"…\"/>")?;
+        let inertia = reader.child(
+            node,
+            "inertia",
+            "<inertia ixx=\"…\" ixy=\"0\" ixz=\"0\" iyy=\"…\" iyz=\"0\" izz=\"…\"/>",
+        )?;
         let [xx, yy, zz] = ["ixx", "iyy", "izz"].map(|name| reader.required(inertia, name));
         let [xy, xz, yz] = ["ixy", "ixz", "iyz"].map(|name| reader.number(inertia, name).unwrap_or(0.0));
         let (xx, yy, zz) = (xx?, yy?, zz?);
@@ -108,7 +113,8 @@ impl Urdf<'_, '_> {
         for (joint, node) in mimics {
             joints[joint].mimic = self.mimic(node, &names, &joints);
             if joints[joint].kind.freedom() != 1 {
-                self.reader.problem(node, "only joints that turn or slide can follow another one; remove <mimic>");
+                self.reader
+                    .problem(node, "only joints that turn or slide can follow another one; remove <mimic>");
             }
         }
         self.transmissions(root, &names, &mut joints);
@@ -122,7 +128,8 @@ impl Urdf<'_, '_> {
         let found = self.names.get(name).copied();
         if found.is_none() {
             let near = links::near(name, self.names.keys().map(String::as_str));
-            let text = format!("the {end} `{name}` is no link of the file; write <link name=\"{name}\"/>{near}");
+            let text =
+                format!("the {end} `{name}` is no link of the file; write <link name=\"{name}\"/>{near}");
             self.reader.problem_of(node, "link", text);
         }
         found
@@ -153,7 +160,11 @@ impl Urdf<'_, '_> {
             "floating" => Some(Kind::Free),
             _ => {
                 let near = links::near(kind, KINDS.split(", "));
-                self.reader.problem_of(node, "type", format!("`{kind}` is no type of joint{near}; there are {KINDS}"));
+                self.reader.problem_of(
+                    node,
+                    "type",
+                    format!("`{kind}` is no type of joint{near}; there are {KINDS}"),
+                );
                 None
             }
         }
@@ -167,9 +178,14 @@ impl Urdf<'_, '_> {
         }
         let bounded = matches!(node.attribute("type"), Some("revolute" | "prismatic")) && kind.is_some();
         if let Some(limit) = child(node, "limit").filter(|_| bounded) {
-            let [lower, upper] = ["lower", "upper"].map(|side| self.reader.number(limit, side).unwrap_or(0.0));
+            let [lower, upper] =
+                ["lower", "upper"].map(|side| self.reader.number(limit, side).unwrap_or(0.0));
             if lower > upper {
-                self.reader.problem_of(limit, "lower", format!("{lower} is above upper=\"{upper}\"; exchange the two"));
+                self.reader.problem_of(
+                    limit,
+                    "lower",
+                    format!("{lower} is above upper=\"{upper}\"; exchange the two"),
+                );
             }
             // Files that mean no limits leave both at their default.
             action.limits = (lower < upper).then_some([lower, upper]);
@@ -177,7 +193,12 @@ impl Urdf<'_, '_> {
         action
     }
 
-    fn mimic(&mut self, node: Node<'_, '_>, names: &BTreeMap<String, usize>, joints: &[Joint]) -> Option<Mimic> {
+    fn mimic(
+        &mut self,
+        node: Node<'_, '_>,
+        names: &BTreeMap<String, usize>,
+        joints: &[Joint],
+    ) -> Option<Mimic> {
         let name = self.reader.text(node, "joint", "finger_left")?;
         let multiplier = self.reader.number(node, "multiplier").unwrap_or(1.0);
         let offset = self.reader.number(node, "offset").unwrap_or(0.0);
@@ -187,7 +208,8 @@ impl Urdf<'_, '_> {
             return None;
         };
         if joints[of].kind.freedom() != 1 {
-            let text = format!("`{name}` has no single coordinate to follow; name a joint that turns or slides");
+            let text =
+                format!("`{name}` has no single coordinate to follow; name a joint that turns or slides");
             self.reader.problem_of(node, "joint", text);
             return None;
         }
@@ -206,7 +228,8 @@ impl Urdf<'_, '_> {
                 Some(&joint) => driven[joint] = true,
                 None => {
                     let near = links::near(name, names.keys().map(String::as_str));
-                    self.reader.warning(node, format!("`{name}` is no joint of the file{near}; it is left out"));
+                    self.reader
+                        .warning(node, format!("`{name}` is no joint of the file{near}; it is left out"));
                 }
             }
         }
@@ -228,7 +251,10 @@ impl Urdf<'_, '_> {
             .map(|(kind, count)| format!("{count} <{kind}>"))
             .collect();
         if !found.is_empty() {
-            self.reader.sink.note(format!("shapes and tools have no place in the equations: {} ignored", found.join(", ")));
+            self.reader.sink.note(format!(
+                "shapes and tools have no place in the equations: {} ignored",
+                found.join(", ")
+            ));
         }
     }
 }

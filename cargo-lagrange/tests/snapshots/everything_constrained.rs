@@ -21,12 +21,6 @@ impl Default for Everything {
 
 #[lagrangian(
     coordinates = [
-        x,
-        y,
-        z,
-        roll,
-        pitch,
-        yaw,
         slide_joint,
         type_,
         follower,
@@ -44,24 +38,14 @@ impl Default for Everything {
 )]
 #[allow(dead_code, clippy::approx_constant)]
 impl Everything {
-    /// The orientation of `world`: roll, pitch and yaw about fixed axes.
-    pub fn world_2_orientation(&self, q: &Coordinates) -> Rotation3<f64> {
-        Rotation3::from_euler_angles(q.roll, q.pitch, q.yaw)
-    }
-
-    /// The frame of `world`, which moves freely.
-    pub fn world_2_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
-        Translation3::new(q.x, q.y, q.z) * self.world_2_orientation(q)
-    }
-
-    /// The frame of `base_link`, fixed to `world`.
-    pub fn base_link_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
-        self.world_2_frame(q) * Translation3::new(0.0, 0.0, 1.0)
+    /// The frame of `base_link`, which stands still.
+    pub fn base_link_frame(&self) -> IsometryMatrix3<f64> {
+        Translation3::new(0.0, 0.0, 1.0) * Rotation3::identity()
     }
 
     /// The frame of `Slider`, shifted by `Slide-Joint`.
     pub fn slider_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
-        self.base_link_frame(q)
+        self.base_link_frame()
             * Translation3::new(0.1, 0.0, 0.0)
             * Rotation3::from_euler_angles(FRAC_PI_2, 0.0, -1.5707963)
             * Translation3::new(0.0, -q.slide_joint, 0.0)
@@ -99,7 +83,7 @@ impl Everything {
 
     /// The frame of `puck`, moved by `puck`.
     pub fn puck_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
-        self.base_link_frame(q)
+        self.base_link_frame()
             * Translation3::new(0.0, q.puck_x, q.puck_y)
             * Rotation3::from_axis_angle(&Vector3::x_axis(), q.puck_angle)
     }
@@ -111,9 +95,7 @@ impl Everything {
 
     /// The frame of `drone`, moved by `drone`.
     pub fn drone_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
-        self.world_2_frame(q)
-            * Translation3::new(q.drone_x, q.drone_y, q.drone_z)
-            * self.drone_orientation(q)
+        Translation3::new(q.drone_x, q.drone_y, q.drone_z) * self.drone_orientation(q)
     }
 
     /// The mass of `Slider` with `box` fixed to it.
@@ -179,14 +161,8 @@ impl Everything {
 
     /// The forces and torques of the motors.
     #[force]
-    pub fn motors(&self, u: &Inputs) -> [f64; 18] {
+    pub fn motors(&self, u: &Inputs) -> [f64; 12] {
         [
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
             u.slide_joint_force,
             u.type_torque,
             u.follower_torque,

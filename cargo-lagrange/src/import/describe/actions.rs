@@ -9,13 +9,19 @@ use crate::import::{Following, Options};
 impl<'p> Writer<'p> {
     /// Writes all that acts in the joints.
     pub fn actions(&mut self, options: &Options) {
-        self.quadratic('v', "armature", "kinetic", "The energy of rotors in the joints.", |action| (action.armature, 0.0));
+        self.quadratic('v', "armature", "kinetic", "The energy of rotors in the joints.", |action| {
+            (action.armature, 0.0)
+        });
         self.quadratic('q', "springs", "potential", "The energy of springs in the joints.", |action| {
             (action.stiffness, action.relaxed)
         });
-        self.quadratic('v', "damping", "dissipation", "Viscous damping in the joints: half its power.", |action| {
-            (action.damping, 0.0)
-        });
+        self.quadratic(
+            'v',
+            "damping",
+            "dissipation",
+            "Viscous damping in the joints: half its power.",
+            |action| (action.damping, 0.0),
+        );
         if options.friction {
             self.friction();
         }

@@ -29,8 +29,14 @@ impl Writer<'_> {
         let mut entry = |i: usize, j: usize| {
             let field = || format!("{name}_inertia_{}{}", along[i], along[j]);
             let doc = || match i == j {
-                true => format!("The moment of inertia of `{link}` about {} through its centre [kg·m²].", along[i]),
-                false => format!("The product of inertia of `{link}`, entry {}{} of the tensor [kg·m²].", along[i], along[j]),
+                true => format!(
+                    "The moment of inertia of `{link}` about {} through its centre [kg·m²].",
+                    along[i]
+                ),
+                false => format!(
+                    "The product of inertia of `{link}`, entry {}{} of the tensor [kg·m²].",
+                    along[i], along[j]
+                ),
             };
             self.value(parameters.inertias, inertial.tensor[i][j], field, doc)
         };
@@ -42,7 +48,8 @@ impl Writer<'_> {
         if fixed.len() > 4 {
             fixed = vec![format!("{} links that are", fixed.len())];
         }
-        let with = if fixed.is_empty() { String::new() } else { format!(" with {} fixed to it", fixed.join(", ")) };
+        let with =
+            if fixed.is_empty() { String::new() } else { format!(" with {} fixed to it", fixed.join(", ")) };
         self.out.line(4, &format!("/// The mass of `{link}`{with}."));
         let matrix = [[&xx, &xy, &xz], [&xy, &yy, &yz], [&xz, &yz, &zz]];
         if matrix.as_flattened().iter().all(|entry| **entry == zero) {
@@ -120,7 +127,8 @@ impl Writer<'_> {
     }
 
     fn height(&mut self, up: [f64; 3]) {
-        let terms: Vec<(f64, String)> = up.iter().zip(["x", "y", "z"]).map(|(&up, along)| (up, format!("place.{along}"))).collect();
+        let terms: Vec<(f64, String)> =
+            up.iter().zip(["x", "y", "z"]).map(|(&up, along)| (up, format!("place.{along}"))).collect();
         self.out.line(4, "/// How high a place is, against the direction of gravity [m].");
         self.out.line(4, "fn height(&self, place: &Translation3<f64>) -> f64 {");
         self.out.line(8, &super::text::sum(&terms));

@@ -21,7 +21,9 @@ impl Writer<'_> {
         let frame = &self.plan.frames[joint.child];
         let link = &self.plan.robot.links[joint.child].name;
         let doc = match joint.kind {
-            Kind::Fixed if frame.moves => format!("`{link}`, fixed to `{}`.", self.plan.robot.links[joint.parent].name),
+            Kind::Fixed if frame.moves => {
+                format!("`{link}`, fixed to `{}`.", self.plan.robot.links[joint.parent].name)
+            }
             Kind::Fixed => format!("`{link}`, which stands still."),
             Kind::Turns(_) => format!("`{link}`, turned by `{}`.", joint.name),
             Kind::Slides(_) => format!("`{link}`, shifted by `{}`.", joint.name),
@@ -38,7 +40,11 @@ impl Writer<'_> {
             factors.extend(shift(joint.back.map(number)));
         }
         // A product is a pose only if it has a shift and a rotation.
-        if reference && !factors.iter().any(|factor| factor.starts_with("Rotation3") || factor.ends_with("_orientation(q)")) {
+        if reference
+            && !factors
+                .iter()
+                .any(|factor| factor.starts_with("Rotation3") || factor.ends_with("_orientation(q)"))
+        {
             factors.push("Rotation3::identity()".to_owned());
         }
         if reference && !factors.iter().any(|factor| factor.starts_with("Translation3")) {
@@ -105,7 +111,8 @@ impl Writer<'_> {
     /// The one place that says how an orientation is described.
     fn orientation(&mut self, index: usize, joint: &Joint) {
         let Motion::Own(own) = &self.plan.motions[index] else { return };
-        let angles: Vec<String> = own.iter().skip(own.len() - 3).map(|&own| self.coordinate(own, 'q')).collect();
+        let angles: Vec<String> =
+            own.iter().skip(own.len() - 3).map(|&own| self.coordinate(own, 'q')).collect();
         let link = &self.plan.robot.links[joint.child].name;
         let name = self.orientation_name(joint);
         self.out.line(4, &format!("/// The orientation of `{link}`: roll, pitch and yaw about fixed axes."));
@@ -140,12 +147,17 @@ fn negated(text: &str) -> String {
 /// The entries of Σ direction · amount.
 fn multiples(parts: &[(Vector, String)]) -> [String; 3] {
     std::array::from_fn(|i| {
-        let terms: Vec<(f64, String)> =
-            parts.iter().filter(|(along, _)| along[i] != 0.0).map(|(along, amount)| (along[i], amount.clone())).collect();
+        let terms: Vec<(f64, String)> = parts
+            .iter()
+            .filter(|(along, _)| along[i] != 0.0)
+            .map(|(along, amount)| (along[i], amount.clone()))
+            .collect();
         match terms.as_slice() {
             [(1.0, only)] => only.clone(),
             [(-1.0, only)] => negated(only),
-            _ => sum(&terms.into_iter().map(|(factor, amount)| (factor, grouped(amount))).collect::<Vec<_>>()),
+            _ => {
+                sum(&terms.into_iter().map(|(factor, amount)| (factor, grouped(amount))).collect::<Vec<_>>())
+            }
         }
     })
 }

@@ -11,7 +11,8 @@ use text::{Lines, number, sum};
 
 /// Writes a description.
 pub fn describe(plan: &Plan, options: &Options, file: &str) -> String {
-    let mut writer = Writer { plan, parameters: options.parameters, fields: Vec::new(), out: Lines::default() };
+    let mut writer =
+        Writer { plan, parameters: options.parameters, fields: Vec::new(), out: Lines::default() };
     writer.frames();
     writer.bodies();
     writer.gravity();
@@ -39,7 +40,13 @@ struct Field {
 
 impl Writer<'_> {
     /// A number in the text: a literal, or a field with this value.
-    fn value(&mut self, is_field: bool, value: f64, name: impl FnOnce() -> String, doc: impl FnOnce() -> String) -> String {
+    fn value(
+        &mut self,
+        is_field: bool,
+        value: f64,
+        name: impl FnOnce() -> String,
+        doc: impl FnOnce() -> String,
+    ) -> String {
         if !is_field || value == 0.0 {
             return number(value);
         }
@@ -92,7 +99,10 @@ impl Writer<'_> {
         }
         self.out.line(0, "use lagrangian::prelude::*;");
         self.out.empty();
-        self.out.line(0, &format!("/// The robot `{}`; `{}::default()` is the one of the file.", plan.title, plan.name));
+        self.out.line(
+            0,
+            &format!("/// The robot `{}`; `{}::default()` is the one of the file.", plan.title, plan.name),
+        );
         self.out.line(0, "#[derive(Clone, Copy, Debug)]");
         let fields = std::mem::take(&mut self.fields);
         if fields.is_empty() {

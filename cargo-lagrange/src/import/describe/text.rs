@@ -74,7 +74,13 @@ pub fn number(value: f64) -> String {
 
 /// An angle, by its name if it has one.
 pub fn angle(angle: Angle) -> String {
-    let named = [(PI, "PI"), (FRAC_PI_2, "FRAC_PI_2"), (FRAC_PI_3, "FRAC_PI_3"), (FRAC_PI_4, "FRAC_PI_4"), (FRAC_PI_6, "FRAC_PI_6")];
+    let named = [
+        (PI, "PI"),
+        (FRAC_PI_2, "FRAC_PI_2"),
+        (FRAC_PI_3, "FRAC_PI_3"),
+        (FRAC_PI_4, "FRAC_PI_4"),
+        (FRAC_PI_6, "FRAC_PI_6"),
+    ];
     let radians = match angle {
         Angle::Quarters(quarters) => f64::from(quarters) * FRAC_PI_2,
         Angle::Radians(radians) => radians,

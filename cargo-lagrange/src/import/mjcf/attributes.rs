@@ -6,7 +6,9 @@ use std::f64::consts::PI;
 use roxmltree::Node;
 
 use crate::import::Options;
-use crate::import::geometry::{Angle, Matrix, Pose, Rotation, cross, direction, dot, norm, scaled, sub, transposed};
+use crate::import::geometry::{
+    Angle, Matrix, Pose, Rotation, cross, direction, dot, norm, scaled, sub, transposed,
+};
 use crate::import::links;
 use crate::import::xml::{Reader, children};
 
@@ -40,7 +42,9 @@ impl<'a> Attributes<'a> {
             if let Some(order) = compiler.attribute("eulerseq") {
                 match order.len() == 3 && order.chars().all(|axis| "xyzXYZ".contains(axis)) {
                     true => attributes.euler = order.to_owned(),
-                    false => reader.problem_of(compiler, "eulerseq", "write three of the axes x, y, z, X, Y, Z"),
+                    false => {
+                        reader.problem_of(compiler, "eulerseq", "write three of the axes x, y, z, X, Y, Z")
+                    }
                 }
             }
         }
@@ -110,7 +114,12 @@ impl<'a> Attributes<'a> {
     }
 
     /// Some numbers with their default.
-    pub fn vector<const N: usize>(&self, reader: &mut Reader<'a>, node: Element<'a>, attribute: &str) -> Option<[f64; N]> {
+    pub fn vector<const N: usize>(
+        &self,
+        reader: &mut Reader<'a>,
+        node: Element<'a>,
+        attribute: &str,
+    ) -> Option<[f64; N]> {
         let found = self.find(reader, node, attribute)?;
         reader.vector(found, attribute)
     }
@@ -138,7 +147,11 @@ impl<'a> Attributes<'a> {
     fn turn(&self, reader: &mut Reader<'a>, node: Element<'a>, options: &Options) -> Option<Rotation> {
         let tolerance = options.tolerance;
         let not_zero = |reader: &mut Reader<'a>, attribute: &str| {
-            reader.problem_of(node, attribute, format!("a direction in `{attribute}` is zero; write one that is not"));
+            reader.problem_of(
+                node,
+                attribute,
+                format!("a direction in `{attribute}` is zero; write one that is not"),
+            );
         };
         if let Some([w, x, y, z]) = self.vector(reader, node, "quat") {
             let size = w * w + x * x + y * y + z * z;
@@ -169,7 +182,9 @@ impl<'a> Attributes<'a> {
                 _ => None,
             };
             if let Some(angles) = as_in_urdf {
-                return Some(Rotation::of_angles(angles.map(|angle| self.angle(reader, node, angle, options))));
+                return Some(Rotation::of_angles(
+                    angles.map(|angle| self.angle(reader, node, angle, options)),
+                ));
             }
             let mut whole = Rotation::IDENTITY;
             for (letter, written) in self.euler.chars().zip(angles) {

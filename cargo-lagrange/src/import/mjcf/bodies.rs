@@ -37,7 +37,8 @@ impl<'r, 'a> Bodies<'r, 'a> {
     /// Reads all bodies of a file.
     pub fn world(&mut self, root: Element<'a>) {
         if self.options.floating {
-            self.reader.problem(root, "--floating is for URDF; write <freejoint/> into the body that moves freely");
+            self.reader
+                .problem(root, "--floating is for URDF; write <freejoint/> into the body that moves freely");
         }
         let mark = self.reader.mark(root);
         self.robot.links.push(Link { name: "world".to_owned(), mark, inertials: Vec::new() });
@@ -70,8 +71,10 @@ impl<'r, 'a> Bodies<'r, 'a> {
             self.reader.problem(node, "another body has this name; rename one of them");
         }
         let pose = self.attributes.pose(self.reader, node, self.options);
-        let joints: Vec<Element<'a>> =
-            node.children().filter(|node| node.has_tag_name("joint") || node.has_tag_name("freejoint")).collect();
+        let joints: Vec<Element<'a>> = node
+            .children()
+            .filter(|node| node.has_tag_name("joint") || node.has_tag_name("freejoint"))
+            .collect();
         let inertials = self.inertials(node);
         if joints.is_empty() {
             let link = self.link(&name, &mark, inertials);
@@ -112,10 +115,15 @@ impl<'r, 'a> Bodies<'r, 'a> {
         let mut frame = Pose { shift: pose.compose(&Pose { shift: place, ..Pose::IDENTITY }).shift, ..pose };
         if kind == Kind::Free {
             if ends[0] != 0 {
-                self.reader.problem(node, "only bodies of the world move freely; put the body there, or use other joints");
+                self.reader.problem(
+                    node,
+                    "only bodies of the world move freely; put the body there, or use other joints",
+                );
             }
             let start = pose.shift;
-            let text = format!("`{body}` starts at {start:?} in the file; its coordinates are its place in the world");
+            let text = format!(
+                "`{body}` starts at {start:?} in the file; its coordinates are its place in the world"
+            );
             self.reader.sink.note(text);
             (frame, place, action) = (Pose::IDENTITY, [0.0; 3], Action::default());
             if free == 1 {
@@ -161,21 +169,24 @@ impl<'r, 'a> Bodies<'r, 'a> {
             if turns { attributes.radians(value) } else { value }
         };
         let (reference, relaxed) = (value(self.reader, "ref"), value(self.reader, "springref"));
-        let [damping, friction, armature, stiffness] = ["damping", "frictionloss", "armature", "stiffness"].map(|name| {
-            let found = attributes.find(self.reader, node, name);
-            found.map_or(0.0, |found| self.reader.size(found, name))
-        });
+        let [damping, friction, armature, stiffness] = ["damping", "frictionloss", "armature", "stiffness"]
+            .map(|name| {
+                let found = attributes.find(self.reader, node, name);
+                found.map_or(0.0, |found| self.reader.size(found, name))
+            });
         let range: Option<[f64; 2]> = attributes.vector(self.reader, node, "range");
         let limited = attributes.text(self.reader, node, "limited").unwrap_or("auto");
         let limits = range.filter(|[lower, upper]| limited != "false" && lower < upper);
-        let limits = limits.map(|limits| if turns { limits.map(|limit| attributes.radians(limit)) } else { limits });
+        let limits =
+            limits.map(|limits| if turns { limits.map(|limit| attributes.radians(limit)) } else { limits });
         Action { damping, friction, armature, stiffness, relaxed, reference, limits }
     }
 
     /// The masses of a body: as given, or those of its geoms.
     fn inertials(&mut self, body: Element<'a>) -> Vec<Inertial> {
         let compiler = body.document().root_element().children().filter(|node| node.has_tag_name("compiler"));
-        let from_geoms = compiler.filter_map(|node| node.attribute("inertiafromgeom")).last().unwrap_or("auto");
+        let from_geoms =
+            compiler.filter_map(|node| node.attribute("inertiafromgeom")).last().unwrap_or("auto");
         let given = child(body, "inertial").filter(|_| from_geoms != "true");
         if let Some(node) = given {
             return self.given(node).into_iter().collect();
@@ -206,7 +217,15 @@ impl<'r, 'a> Bodies<'r, 'a> {
     }
 }
 
-fn joint(name: String, mark: Mark, ends: [usize; 2], pose: Pose, back: [f64; 3], kind: Kind, action: Action) -> Joint {
+fn joint(
+    name: String,
+    mark: Mark,
+    ends: [usize; 2],
+    pose: Pose,
+    back: [f64; 3],
+    kind: Kind,
+    action: Action,
+) -> Joint {
     let [parent, child] = ends;
     Joint { name, mark, parent, child, pose, back, kind, action, mimic: None, drives: Vec::new() }
 }

@@ -100,7 +100,9 @@ fn solid(kind: &str, [a, b, c]: Vector) -> Option<(f64, Vector)> {
     let ball = 4.0 / 3.0 * PI;
     Some(match kind {
         "sphere" => (ball * a.powi(3), [0.4 * a * a; 3]),
-        "ellipsoid" => (ball * a * b * c, [(b * b + c * c) / 5.0, (a * a + c * c) / 5.0, (a * a + b * b) / 5.0]),
+        "ellipsoid" => {
+            (ball * a * b * c, [(b * b + c * c) / 5.0, (a * a + c * c) / 5.0, (a * a + b * b) / 5.0])
+        }
         "box" => (8.0 * a * b * c, [(b * b + c * c) / 3.0, (a * a + c * c) / 3.0, (a * a + b * b) / 3.0]),
         "cylinder" => {
             let across = a * a / 4.0 + b * b / 3.0;

@@ -25,13 +25,20 @@ pub fn read<'a>(reader: &mut Reader<'a>, root: Node<'a, 'a>, options: &Options) 
             }
         }
         for medium in ["wind", "density", "viscosity"] {
-            if reader.numbers(option, medium).is_some_and(|numbers| numbers.iter().any(|number| *number != 0.0)) {
+            if reader
+                .numbers(option, medium)
+                .is_some_and(|numbers| numbers.iter().any(|number| *number != 0.0))
+            {
                 reader.warning(option, format!("`{medium}` is left out: nothing resists in the description"));
             }
         }
     }
-    let mut robot =
-        Robot { name: root.attribute("model").map(str::to_owned), links: Vec::new(), joints: Vec::new(), gravity };
+    let mut robot = Robot {
+        name: root.attribute("model").map(str::to_owned),
+        links: Vec::new(),
+        joints: Vec::new(),
+        gravity,
+    };
     let mut bodies = bodies::Bodies::new(reader, &attributes, options, &mut robot);
     bodies.world(root);
     total_mass(reader, root, &mut robot);
@@ -59,12 +66,18 @@ impl<'a> Mjcf<'_, 'a> {
                 continue;
             };
             let Some(joint) = self.joint(node, "joint", name) else { continue };
-            let gear = self.attributes.numbers(self.reader, node, "gear").and_then(|gear| gear.first().copied());
+            let gear =
+                self.attributes.numbers(self.reader, node, "gear").and_then(|gear| gear.first().copied());
             if kind != "motor" {
-                let text = format!("<{kind}> is taken as a motor: its input is a force, and its gains are left out");
+                let text =
+                    format!("<{kind}> is taken as a motor: its input is a force, and its gains are left out");
                 self.reader.warning(node, text);
             }
-            let drive = Drive { name: node.attribute("name").map(str::to_owned), gear: gear.unwrap_or(1.0), order: count };
+            let drive = Drive {
+                name: node.attribute("name").map(str::to_owned),
+                gear: gear.unwrap_or(1.0),
+                order: count,
+            };
             self.robot.joints[joint].drives.push(drive);
         }
         let is_all = options.inputs == super::Inputs::All || count == 0;
@@ -82,17 +95,21 @@ impl<'a> Mjcf<'_, 'a> {
             let polynomial = self.attributes.numbers(self.reader, node, "polycoef").unwrap_or(vec![0.0, 1.0]);
             let is_linear = polynomial.iter().skip(2).all(|factor| *factor == 0.0);
             if kind != "joint" || !is_linear {
-                let what = if kind == "joint" { "a polynomial in <joint>".to_owned() } else { format!("<{kind}>") };
+                let what =
+                    if kind == "joint" { "a polynomial in <joint>".to_owned() } else { format!("<{kind}>") };
                 let text = format!("{what} is left out; write a #[holonomic] function in its place");
                 self.reader.warning(node, text);
                 continue;
             }
-            let Some(first) = self.reader.text(node, "joint1", "finger").and_then(|name| self.joint(node, "joint1", name))
+            let Some(first) =
+                self.reader.text(node, "joint1", "finger").and_then(|name| self.joint(node, "joint1", name))
             else {
                 continue;
             };
-            let Some(second) = node.attribute("joint2").and_then(|name| self.joint(node, "joint2", name)) else {
-                self.reader.warning(node, "a joint that is tied to a value is left out; fix the body instead");
+            let Some(second) = node.attribute("joint2").and_then(|name| self.joint(node, "joint2", name))
+            else {
+                self.reader
+                    .warning(node, "a joint that is tied to a value is left out; fix the body instead");
                 continue;
             };
             let factor = |index: usize| polynomial.get(index).copied().unwrap_or(0.0);
@@ -124,7 +141,9 @@ impl<'a> Mjcf<'_, 'a> {
 fn total_mass(reader: &mut Reader<'_>, root: Node<'_, '_>, robot: &mut Robot) {
     let given = children(root, "compiler").filter_map(|node| reader.number(node, "settotalmass")).last();
     let masses = || robot.links.iter().flat_map(|link| &link.inertials).map(|inertial| inertial.mass);
-    let Some(factor) = given.filter(|given| *given > 0.0).map(|given| given / masses().sum::<f64>()) else { return };
+    let Some(factor) = given.filter(|given| *given > 0.0).map(|given| given / masses().sum::<f64>()) else {
+        return;
+    };
     for inertial in robot.links.iter_mut().flat_map(|link| &mut link.inertials) {
         inertial.mass *= factor;
         inertial.tensor = inertial.tensor.map(|row| row.map(|entry| factor * entry));
@@ -133,7 +152,8 @@ fn total_mass(reader: &mut Reader<'_>, root: Node<'_, '_>, robot: &mut Robot) {
 
 /// Reports what changes the tree or its masses and is not read.
 fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
-    const WHOLE: &str = "MuJoCo writes the whole model with `mj_saveLastXML`, or `compile model.xml whole.xml`";
+    const WHOLE: &str =
+        "MuJoCo writes the whole model with `mj_saveLastXML`, or `compile model.xml whole.xml`";
     for node in root.descendants().filter(Node::is_element) {
         let tag = node.tag_name().name();
         if matches!(tag, "include" | "attach" | "replicate" | "composite" | "flexcomp" | "frame") {
@@ -148,7 +168,11 @@ fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
             }
             for (attribute, value) in [("balanceinertia", "true"), ("coordinate", "global")] {
                 if node.attribute(attribute) == Some(value) {
-                    reader.problem_of(node, attribute, format!("{attribute}=\"{value}\" is not read; {WHOLE}"));
+                    reader.problem_of(
+                        node,
+                        attribute,
+                        format!("{attribute}=\"{value}\" is not read; {WHOLE}"),
+                    );
                 }
             }
         }
@@ -157,7 +181,18 @@ fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
 
 /// Says what the description leaves out.
 fn ignored(reader: &mut Reader<'_>, root: Node<'_, '_>) {
-    let known = ["compiler", "option", "default", "worldbody", "actuator", "equality", "asset", "visual", "size", "statistic"];
+    let known = [
+        "compiler",
+        "option",
+        "default",
+        "worldbody",
+        "actuator",
+        "equality",
+        "asset",
+        "visual",
+        "size",
+        "statistic",
+    ];
     let mut found: Vec<String> = Vec::new();
     for node in root.children().filter(Node::is_element) {
         let tag = format!("<{}>", node.tag_name().name());
