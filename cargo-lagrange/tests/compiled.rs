@@ -169,11 +169,12 @@ fn stops_and_friction_hold() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The energies of a robot by the numbers of its file, body by body: m, centre and tensor in the frame of a link.
-fn energies<const N: usize>(
-    state: &State<f64, N>,
-    parts: &[(f64, Vector3<f64>, Matrix3<f64>, &dyn Fn([f64; N]) -> IsometryMatrix3<f64>)],
-) -> (f64, f64) {
+/// Mass, centre and tensor in a frame, and the frame as a function of the coordinates.
+type Part<'a, const N: usize> =
+    (f64, Vector3<f64>, Matrix3<f64>, &'a dyn Fn([f64; N]) -> IsometryMatrix3<f64>);
+
+/// The energies of a robot by the numbers of its file, body by body.
+fn energies<const N: usize>(state: &State<f64, N>, parts: &[Part<'_, N>]) -> (f64, f64) {
     let (mut kinetic, mut potential) = (0.0, 0.0);
     for (mass, centre, tensor, frame) in parts {
         // Differences of order four along the velocity.
@@ -232,7 +233,9 @@ fn frames_are_those_of_urdf() {
     let pose = |shift: Vector3<f64>, turn: Rotation3<f64>| IsometryMatrix3::from_parts(shift.into(), turn);
     let still = Rotation3::identity();
     let base = pose(z, still);
-    let bent = about(z, -1.5707963) * about(x, std::f64::consts::FRAC_PI_2);
+    // The file has seven digits of this angle.
+    let yaw = "-1.5707963".parse().expect("it is a number");
+    let bent = about(z, yaw) * about(x, std::f64::consts::FRAC_PI_2);
     let slider = base * pose(0.1 * x, bent) * pose(-at.slide_joint * y, still);
     let tip = slider * pose(0.5 * z, about(z, std::f64::consts::PI)) * pose(0.1 * z, about(x, 0.3));
     let follower = -0.5 * at.type_ + 0.1;

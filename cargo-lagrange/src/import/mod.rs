@@ -1,4 +1,4 @@
-//! Robots from files: text → [`robot::Robot`] → a tree → a plan with Rust names → the text of a description.
+//! Robots from files: text → a robot → a tree → a plan with Rust names → the text of a description.
 //!
 //! The formats know nothing of Rust; the description knows nothing of the formats.
 
@@ -41,7 +41,7 @@ pub struct Options {
     pub parameters: Parameters,
     /// Further arguments of the attribute, such as `jacobians`.
     pub with: Vec<String>,
-    /// Angles this close to a right one are right, axes this close to a coordinate axis lie on it [rad].
+    /// Angles this close to a right one are right, axes this close to a coordinate axis lie on it, in rad.
     pub tolerance: f64,
     /// Inertias that no body has are taken with a warning.
     pub unphysical: bool,

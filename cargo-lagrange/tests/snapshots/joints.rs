@@ -97,7 +97,7 @@ impl Joints {
         self.right_frame(q)
     }
 
-    /// How high a place is, against the direction of gravity [m].
+    /// How high a place is, against the direction of gravity, in m.
     fn height(&self, place: &Translation3<f64>) -> f64 {
         -0.6000000000000001 * place.y + 0.8 * place.z
     }

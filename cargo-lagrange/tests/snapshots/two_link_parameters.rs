@@ -9,15 +9,15 @@ use lagrangian::prelude::*;
 pub struct TwoLinkArm {
     /// Gravitational acceleration [m/s²].
     pub gravity: f64,
-    /// How far `upper` is off along z of what it hangs on [m].
+    /// How far `upper` is off along z of what it hangs on, in m.
     pub upper_z: f64,
-    /// How far `lower` is off along y of what it hangs on [m].
+    /// How far `lower` is off along y of what it hangs on, in m.
     pub lower_y: f64,
-    /// How far `lower` is off along z of what it hangs on [m].
+    /// How far `lower` is off along z of what it hangs on, in m.
     pub lower_z: f64,
-    /// The mass of `upper` [kg].
+    /// The mass of `upper`, in kg.
     pub upper_mass: f64,
-    /// The centre of mass of `upper` along z of its frame [m].
+    /// The centre of mass of `upper` along z of its frame, in m.
     pub upper_centre_z: f64,
     /// The moment of inertia of `upper` about x through its centre [kg·m²].
     pub upper_inertia_xx: f64,
@@ -25,9 +25,9 @@ pub struct TwoLinkArm {
     pub upper_inertia_yy: f64,
     /// The moment of inertia of `upper` about z through its centre [kg·m²].
     pub upper_inertia_zz: f64,
-    /// The mass of `lower` [kg].
+    /// The mass of `lower`, in kg.
     pub lower_mass: f64,
-    /// The centre of mass of `lower` along z of its frame [m].
+    /// The centre of mass of `lower` along z of its frame, in m.
     pub lower_centre_z: f64,
     /// The moment of inertia of `lower` about x through its centre [kg·m²].
     pub lower_inertia_xx: f64,

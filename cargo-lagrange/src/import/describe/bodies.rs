@@ -23,7 +23,7 @@ impl Writer<'_> {
         let parameters = self.parameters;
         let centre = std::array::from_fn(|i| {
             let field = || format!("{name}_centre_{}", along[i]);
-            let doc = || format!("The centre of mass of `{link}` along {} of its frame [m].", along[i]);
+            let doc = || format!("The centre of mass of `{link}` along {} of its frame, in m.", along[i]);
             self.value(parameters.centres, inertial.centre[i], field, doc)
         });
         let mut entry = |i: usize, j: usize| {
@@ -84,7 +84,7 @@ impl Writer<'_> {
         let plan = self.plan;
         let name = &plan.frames[body.link].name;
         let field = || format!("{name}_mass");
-        let doc = || format!("The mass of `{}` [kg].", plan.robot.links[body.link].name);
+        let doc = || format!("The mass of `{}`, in kg.", plan.robot.links[body.link].name);
         self.value(self.parameters.masses, body.inertial.mass, field, doc)
     }
 
@@ -129,7 +129,7 @@ impl Writer<'_> {
     fn height(&mut self, up: [f64; 3]) {
         let terms: Vec<(f64, String)> =
             up.iter().zip(["x", "y", "z"]).map(|(&up, along)| (up, format!("place.{along}"))).collect();
-        self.out.line(4, "/// How high a place is, against the direction of gravity [m].");
+        self.out.line(4, "/// How high a place is, against the direction of gravity, in m.");
         self.out.line(4, "fn height(&self, place: &Translation3<f64>) -> f64 {");
         self.out.line(8, &super::text::sum(&terms));
         self.out.line(4, "}");

@@ -74,7 +74,7 @@ impl Writer<'_> {
         let entries = std::array::from_fn(|i| {
             let along = ["x", "y", "z"][i];
             let name = || format!("{link}_{along}");
-            let doc = || format!("How far `{link}` is off along {along} of what it hangs on [m].");
+            let doc = || format!("How far `{link}` is off along {along} of what it hangs on, in m.");
             self.value(is_field, pose.shift[i], name, doc)
         });
         shift(entries).into_iter().chain(turn(&pose.turn)).collect()

@@ -186,7 +186,7 @@ impl<'r, 'a> Bodies<'r, 'a> {
     fn inertials(&mut self, body: Element<'a>) -> Vec<Inertial> {
         let compiler = body.document().root_element().children().filter(|node| node.has_tag_name("compiler"));
         let from_geoms =
-            compiler.filter_map(|node| node.attribute("inertiafromgeom")).last().unwrap_or("auto");
+            compiler.filter_map(|node| node.attribute("inertiafromgeom")).next_back().unwrap_or("auto");
         let given = child(body, "inertial").filter(|_| from_geoms != "true");
         if let Some(node) = given {
             return self.given(node).into_iter().collect();
