@@ -21,28 +21,22 @@ enum Command {
     Import(ImportArguments),
 }
 
-const AFTER_HELP: &str = "\
-Example:
+/// The program in the help is compiled and run by `tests/compiled.rs`.
+const AFTER_HELP: &str = concat!(
+    "Example:
   cargo lagrange import robot.urdf --name Arm --output src/arm.rs
 
 and in src/main.rs, with `lagrangian` among the dependencies:
-  mod arm;
-  use arm::Arm;
-  use lagrangian::prelude::*;
 
-  fn main() -> Result<(), MotionError<f64>> {
-      let arm = Arm::default();
-      println!(\"{:?}\", Arm::COORDINATES);
-      // Accelerations at a state, for inputs in the order of the attribute:
-      let state = State::at_rest([0.1; Arm::COORDINATES.len()]);
-      println!(\"{:?}\", arm.accelerations(&state, &[0.0; INPUTS])?);
-      // A motion under error control, the motors off:
-      let mut motion = arm.simulate(state);
-      println!(\"{:?}\", motion.advance_to(1.0)?);
-      Ok(())
-  }
+mod arm;
+use arm::Arm;
+use lagrangian::prelude::*;
 
-A description is ordinary Rust: change it, add constraints, contacts and forces to it.";
+",
+    include_str!("usage.rs"),
+    "
+A description is ordinary Rust: change it, add constraints, contacts and forces to it."
+);
 
 /// Writes a description of the robot in a URDF or MJCF file.
 ///

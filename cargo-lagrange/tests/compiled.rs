@@ -27,6 +27,19 @@ mod joints {
     include!("snapshots/joints.rs");
 }
 
+/// The program that the help shows.
+mod usage {
+    use super::two_link::TwoLinkArm as Arm;
+    use lagrangian::prelude::*;
+
+    include!("../src/usage.rs");
+
+    #[test]
+    fn the_program_in_the_help_runs() -> Result<(), MotionError<f64>> {
+        main()
+    }
+}
+
 use everything::Everything;
 use everything_constrained::Everything as Constrained;
 use joints::Joints;

@@ -3,8 +3,9 @@
 use roxmltree::Node;
 
 use super::Options;
-use super::geometry::{Angle, Matrix};
-use super::inertia::{Flaw, flaw};
+use super::geometry::Angle;
+use super::inertia::{Flaw, Inertial};
+use super::robot::Doubtful;
 use super::xml::Reader;
 
 /// How far right angles of few digits, such as 1.57 or 3.14, are off.
@@ -23,43 +24,29 @@ pub fn angle(reader: &mut Reader<'_>, node: Node<'_, '_>, radians: f64, options:
     angle
 }
 
-/// Reports what no body can have.
+/// Reports what no body can have. What is fixed to others may have any inertia, as long as all of them together
+/// have a good one: what is doubtful is given back.
 pub fn check_inertia(
     reader: &mut Reader<'_>,
-    mass_node: Node<'_, '_>,
-    mass_attribute: &str,
-    inertia: Node<'_, '_>,
-    mass: f64,
-    tensor: &Matrix,
-    options: &Options,
-) {
-    if mass < 0.0 {
-        reader.problem_of(
-            mass_node,
-            mass_attribute,
-            format!("the mass {mass} is negative; write one from 0 on"),
-        );
+    (mass, attribute): (Node<'_, '_>, &str),
+    node: Node<'_, '_>,
+    inertial: &Inertial,
+) -> Option<Doubtful> {
+    if inertial.mass < 0.0 {
+        let text = format!("the mass {} is negative; write one from 0 on", inertial.mass);
+        reader.problem_of(mass, attribute, text);
     }
-    match flaw(tensor) {
-        Some(Flaw::Negative(moment)) => {
-            let text = format!(
-                "the inertia is not positive definite, a principal moment is {moment:.3e}, which no body's is; write \
-                 moments about the centre of mass, and products of inertia with their signs"
-            );
-            match options.unphysical {
-                true => reader.warning(inertia, text),
-                false => reader.problem(inertia, text + ", or take it as it is with --unphysical"),
-            }
-        }
-        Some(Flaw::Triangle(excess)) => {
+    match inertial.flaw()? {
+        Flaw::Negative(moment) => Some(Doubtful { mark: reader.mark(node), moment }),
+        Flaw::Triangle(excess) => {
             let text = format!(
                 "the largest principal moment of inertia exceeds the sum of the two others by {:.2} %, which no body's \
                  does; it is taken as it is",
                 100.0 * excess
             );
-            reader.warning(inertia, text);
+            reader.warning(node, text);
+            None
         }
-        None => {}
     }
 }
 

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::geometry::Pose;
-use super::inertia::Inertial;
+use super::inertia::{Flaw, Inertial};
 use super::names::{Names, alone, camel, snake};
 use super::report::Sink;
-use super::robot::{Action, Drive, Joint, Kind, Mimic, Robot};
+use super::robot::{Action, Doubtful, Drive, Joint, Kind, Mimic, Robot};
 use super::tree::{Tree, add_floating_base, tree};
 use super::weight::does_work;
 use super::{Following, Inputs, Options};
@@ -111,6 +111,7 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
         return None;
     }
     plan.bodies = bodies(&plan);
+    plan.check_inertias(options, file, sink);
     plan.is_heavy = does_work(&plan);
     if !plan.is_heavy {
         sink.note("gravity does no work: the description has no weight");
@@ -276,6 +277,27 @@ impl Plan {
     /// Whether a joint follows another one.
     pub fn follows(&self, joint: usize) -> bool {
         matches!(self.motions[joint], Motion::Follows { .. })
+    }
+
+    /// Reports inertias that no body has, where what they belong to is none either.
+    fn check_inertias(&self, options: &Options, file: &str, sink: &mut Sink) {
+        for (link, frame) in self.robot.links.iter().zip(&self.frames).filter(|(_, frame)| frame.moves) {
+            let Some(Doubtful { mark, moment }) = &link.doubtful else { continue };
+            let mut text = format!(
+                "the inertia is not positive definite, a principal moment is {moment:.3e}, which no body's is; write \
+                 moments about the centre of mass, and products of inertia with their signs"
+            );
+            let body = self.bodies.iter().find(|body| body.link == frame.carrier.0);
+            let is_bad = body.is_some_and(|body| matches!(body.inertial.flaw(), Some(Flaw::Negative(_))));
+            match (is_bad, options.unphysical) {
+                (true, false) => sink.problem(mark, text + ", or take it as it is with --unphysical"),
+                (true, true) => sink.warning(file, mark, text),
+                (false, _) => {
+                    text.push_str("; that of all that is fixed to each other is");
+                    sink.warning(file, mark, text);
+                }
+            }
+        }
     }
 
     /// Tells what was decided.

@@ -77,7 +77,12 @@ pub fn add_floating_base(robot: &mut Robot, tree: &Tree) {
     use super::geometry::Pose;
     use super::robot::{Action, Link};
     let mark = robot.links[tree.root].mark.clone();
-    robot.links.push(Link { name: "world".to_owned(), mark: mark.clone(), inertials: Vec::new() });
+    robot.links.push(Link {
+        name: "world".to_owned(),
+        mark: mark.clone(),
+        inertials: Vec::new(),
+        doubtful: None,
+    });
     let joint = Joint {
         name: String::new(),
         mark,

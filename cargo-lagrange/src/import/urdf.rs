@@ -7,7 +7,7 @@ use roxmltree::Node;
 use super::geometry::{Pose, Rotation, Vector, direction};
 use super::inertia::Inertial;
 use super::links;
-use super::robot::{Action, Drive, Joint, Kind, Link, Mimic, Robot};
+use super::robot::{Action, Doubtful, Drive, Joint, Kind, Link, Mimic, Robot};
 use super::xml::{Reader, child, children};
 use super::{Inputs, Options};
 
@@ -41,8 +41,10 @@ impl Urdf<'_, '_> {
                 self.reader
                     .problem(node, "another link has this name; rename one, and the joints that mean it");
             }
-            let inertials = child(node, "inertial").and_then(|inertial| self.inertial(inertial));
-            links.push(Link { name: name.to_owned(), mark, inertials: inertials.into_iter().collect() });
+            let inertial = child(node, "inertial").and_then(|inertial| self.inertial(inertial));
+            let doubtful = inertial.as_ref().and_then(|(_, doubtful)| doubtful.clone());
+            let inertials = inertial.into_iter().map(|(inertial, _)| inertial).collect();
+            links.push(Link { name: name.to_owned(), mark, inertials, doubtful });
         }
         if links.is_empty() {
             self.reader.problem(root, "the robot has no links; write a <link name=\"base_link\"/> at least");
@@ -50,7 +52,7 @@ impl Urdf<'_, '_> {
         links
     }
 
-    fn inertial(&mut self, node: Node<'_, '_>) -> Option<Inertial> {
+    fn inertial(&mut self, node: Node<'_, '_>) -> Option<(Inertial, Option<Doubtful>)> {
         let frame = self.origin(node);
         let reader = &mut *self.reader;
         let mass = reader.child(node, "mass", "<mass value=\"1.0\"/>")?;
@@ -64,8 +66,9 @@ impl Urdf<'_, '_> {
         let [xy, xz, yz] = ["ixy", "ixz", "iyz"].map(|name| reader.number(inertia, name).unwrap_or(0.0));
         let (xx, yy, zz) = (xx?, yy?, zz?);
         let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-        links::check_inertia(reader, mass, "value", inertia, value, &tensor, self.options);
-        Some(Inertial::in_frame(&frame, value, &tensor))
+        let inertial = Inertial::in_frame(&frame, value, &tensor);
+        let doubtful = links::check_inertia(reader, (mass, "value"), inertia, &inertial);
+        Some((inertial, doubtful))
     }
 
     fn origin(&mut self, node: Node<'_, '_>) -> Pose {
@@ -90,8 +93,13 @@ impl Urdf<'_, '_> {
             if names.insert(name.to_owned(), joints.len()).is_some() {
                 self.reader.problem(node, "another joint has this name; rename one of them");
             }
-            if let Some(mimic) = child(node, "mimic") {
-                mimics.push((joints.len(), mimic));
+            // What is fixed follows nothing.
+            match child(node, "mimic").filter(|_| kind != Some(Kind::Fixed)) {
+                Some(mimic) if kind.is_some_and(|kind| kind.freedom() != 1) => {
+                    self.reader
+                        .problem(mimic, "only joints that turn or slide can follow another one; remove it");
+                }
+                mimic => mimics.extend(mimic.map(|mimic| (joints.len(), mimic))),
             }
             let mark = self.reader.mark(node);
             // A link that is not there has been reported; the indices are never used.
@@ -112,10 +120,6 @@ impl Urdf<'_, '_> {
         }
         for (joint, node) in mimics {
             joints[joint].mimic = self.mimic(node, &names, &joints);
-            if joints[joint].kind.freedom() != 1 {
-                self.reader
-                    .problem(node, "only joints that turn or slide can follow another one; remove <mimic>");
-            }
         }
         self.transmissions(root, &names, &mut joints);
         joints

@@ -11,7 +11,7 @@ use crate::import::geometry::{Pose, direction, scaled};
 use crate::import::inertia::Inertial;
 use crate::import::links;
 use crate::import::report::Mark;
-use crate::import::robot::{Action, Joint, Kind, Link, Robot};
+use crate::import::robot::{Action, Doubtful, Joint, Kind, Link, Robot};
 use crate::import::xml::{Reader, child, children};
 
 /// Fills a robot with bodies.
@@ -41,7 +41,7 @@ impl<'r, 'a> Bodies<'r, 'a> {
                 .problem(root, "--floating is for URDF; write <freejoint/> into the body that moves freely");
         }
         let mark = self.reader.mark(root);
-        self.robot.links.push(Link { name: "world".to_owned(), mark, inertials: Vec::new() });
+        self.robot.links.push(Link { name: "world".to_owned(), mark, inertials: Vec::new(), doubtful: None });
         let mut open: Vec<(Element<'a>, usize)> = Vec::new();
         let push = |open: &mut Vec<(Element<'a>, usize)>, node: Element<'a>, parent: usize| {
             let first = open.len();
@@ -75,9 +75,10 @@ impl<'r, 'a> Bodies<'r, 'a> {
             .children()
             .filter(|node| node.has_tag_name("joint") || node.has_tag_name("freejoint"))
             .collect();
-        let inertials = self.inertials(node);
+        let (inertials, doubtful) = self.inertials(node);
         if joints.is_empty() {
             let link = self.link(&name, &mark, inertials);
+            self.robot.links[link].doubtful = doubtful;
             let action = Action::default();
             self.robot.joints.push(joint(name, mark, [parent, link], pose, [0.0; 3], Kind::Fixed, action));
             return link;
@@ -91,11 +92,12 @@ impl<'r, 'a> Bodies<'r, 'a> {
             self.joint(joint, &name, [above, link], pose, free);
             (above, pose) = (link, Pose::IDENTITY);
         }
+        self.robot.links[above].doubtful = doubtful;
         above
     }
 
     fn link(&mut self, name: &str, mark: &Mark, inertials: Vec<Inertial>) -> usize {
-        self.robot.links.push(Link { name: name.to_owned(), mark: mark.clone(), inertials });
+        self.robot.links.push(Link { name: name.to_owned(), mark: mark.clone(), inertials, doubtful: None });
         self.robot.links.len() - 1
     }
 
@@ -183,22 +185,24 @@ impl<'r, 'a> Bodies<'r, 'a> {
     }
 
     /// The masses of a body: as given, or those of its geoms.
-    fn inertials(&mut self, body: Element<'a>) -> Vec<Inertial> {
+    fn inertials(&mut self, body: Element<'a>) -> (Vec<Inertial>, Option<Doubtful>) {
         let compiler = body.document().root_element().children().filter(|node| node.has_tag_name("compiler"));
         let from_geoms =
             compiler.filter_map(|node| node.attribute("inertiafromgeom")).next_back().unwrap_or("auto");
         let given = child(body, "inertial").filter(|_| from_geoms != "true");
         if let Some(node) = given {
-            return self.given(node).into_iter().collect();
+            let Some((inertial, doubtful)) = self.given(node) else { return (Vec::new(), None) };
+            return (vec![inertial], doubtful);
         }
         if from_geoms == "false" {
-            return Vec::new();
+            return (Vec::new(), None);
         }
         let (reader, attributes, options) = (&mut *self.reader, self.attributes, self.options);
-        children(body, "geom").filter_map(|node| geom::inertial(reader, attributes, node, options)).collect()
+        let geoms = children(body, "geom");
+        (geoms.filter_map(|node| geom::inertial(reader, attributes, node, options)).collect(), None)
     }
 
-    fn given(&mut self, node: Element<'a>) -> Option<Inertial> {
+    fn given(&mut self, node: Element<'a>) -> Option<(Inertial, Option<Doubtful>)> {
         let frame = self.attributes.pose(self.reader, node, self.options);
         let mass = self.reader.required(node, "mass")?;
         let full: Option<[f64; 6]> = self.reader.vector(node, "fullinertia");
@@ -212,8 +216,9 @@ impl<'r, 'a> Bodies<'r, 'a> {
                 return None;
             }
         };
-        links::check_inertia(self.reader, node, "mass", node, mass, &tensor, self.options);
-        Some(Inertial::in_frame(&frame, mass, &tensor))
+        let inertial = Inertial::in_frame(&frame, mass, &tensor);
+        let doubtful = links::check_inertia(self.reader, (node, "mass"), node, &inertial);
+        Some((inertial, doubtful))
     }
 }
 
