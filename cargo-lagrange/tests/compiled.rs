@@ -23,6 +23,12 @@ mod everything {
 mod everything_constrained {
     include!("snapshots/everything_constrained.rs");
 }
+mod hostile {
+    include!("snapshots/hostile.rs");
+}
+mod hostile_rough {
+    include!("snapshots/hostile_rough.rs");
+}
 mod joints {
     include!("snapshots/joints.rs");
 }
@@ -316,6 +322,20 @@ fn a_floating_base_can_stand_still() {
     lifted.q[2] = 1.0;
     let weight = off.potential_energy(&lifted) - off.potential_energy(&floating);
     close(&[weight], &[9.81 * 2.3], 1e-13);
+}
+
+/// Names that mean something else elsewhere do no harm.
+#[test]
+fn hostile_names_are_names() -> Result<(), Box<dyn std::error::Error>> {
+    assert_eq!(hostile::State::COORDINATES[..3], ["q", "self_", "gravity"]);
+    let system = hostile::State::default();
+    let state = State::new(spread::<9>(1, 1.0), spread::<9>(2, 1.0));
+    let accelerations = system.accelerations(&state, &[0.1, 0.2, 0.3])?;
+    assert!(accelerations.iter().all(|entry| entry.is_finite()));
+    let rough = hostile_rough::State::default();
+    let start = State::at_rest([0.0; 10]);
+    rough.simulate(start).with_inputs([0.1; 4]).advance_to(0.01)?;
+    Ok(())
 }
 
 /// Several joints in a body, a ball, references, a tilted gravity and a follower: energies by MuJoCo 4.0

@@ -67,3 +67,11 @@ fn everything_with_a_constraint() {
 fn joints() {
     holds("joints.xml", "joints", &Options::default());
 }
+
+#[test]
+fn names_with_other_meanings() {
+    let parameters = Parameters { masses: true, centres: true, inertias: true, lengths: true };
+    holds("hostile.urdf", "hostile", &Options { parameters, ..Options::default() });
+    let options = Options { limits: true, friction: true, mimic: Following::Constrain, ..Options::default() };
+    holds("hostile.urdf", "hostile_rough", &options);
+}

@@ -6,6 +6,7 @@ use lagrangian::prelude::*;
 
 /// The robot `two-link arm`; `TwoLinkArm::default()` is the one of the file.
 #[derive(Clone, Copy, Debug)]
+#[allow(dead_code)] // Not every moment of inertia has a say in the equations.
 pub struct TwoLinkArm {
     /// Gravitational acceleration [m/s²].
     pub gravity: f64,

@@ -105,6 +105,10 @@ impl Writer<'_> {
         );
         self.out.line(0, "#[derive(Clone, Copy, Debug)]");
         let fields = std::mem::take(&mut self.fields);
+        if self.parameters != Parameters::default() {
+            self.out
+                .line(0, "#[allow(dead_code)] // Not every moment of inertia has a say in the equations.");
+        }
         if fields.is_empty() {
             self.out.line(0, &format!("pub struct {};", plan.name));
         } else {
