@@ -60,6 +60,7 @@ pub struct State {
     pub vector3_inertia_zz: f64,
 }
 
+#[allow(clippy::approx_constant)]
 impl Default for State {
     fn default() -> Self {
         State {

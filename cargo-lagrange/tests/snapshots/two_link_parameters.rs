@@ -38,6 +38,7 @@ pub struct TwoLinkArm {
     pub lower_inertia_zz: f64,
 }
 
+#[allow(clippy::approx_constant)]
 impl Default for TwoLinkArm {
     fn default() -> Self {
         TwoLinkArm {

@@ -120,6 +120,9 @@ impl Writer<'_> {
             self.out.line(0, "}");
         }
         self.out.empty();
+        if self.parameters != Parameters::default() {
+            self.out.line(0, "#[allow(clippy::approx_constant)]");
+        }
         self.out.line(0, &format!("impl Default for {} {{", plan.name));
         self.out.line(4, "fn default() -> Self {");
         let values: Vec<String> =
