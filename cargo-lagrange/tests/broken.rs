@@ -231,6 +231,15 @@ fn every_mistake_of_mjcf_has_its_place() {
             body("<joint/>") + "<equality><connect body1=\"b\"/></equality>",
             "<connect> is left out; write a #[holonomic]",
         ),
+        (
+            body("<joint springdamper=\"1 1\"/>"),
+            "`springdamper` is not read; write `stiffness` and `damping`",
+        ),
+        (
+            body("<joint/>") + "<compiler inertiagrouprange=\"0 2\"/>",
+            "error: m.xml:3:38: <compiler>: `inertiagrouprange` is not read; MuJoCo writes the whole model",
+        ),
+        (body("<body gravcomp=\"1\"/><joint/>"), "`gravcomp` is left out: the body has its weight"),
         ("<worldbody/>".to_owned(), "the model has no bodies"),
         ("<compiler angle=\"turn\"/>".to_owned(), "write angle=\"degree\" or angle=\"radian\""),
     ] {

@@ -159,14 +159,32 @@ fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
         if matches!(tag, "include" | "attach" | "replicate" | "composite" | "flexcomp" | "frame") {
             reader.problem(node, format!("<{tag}> is not read; {WHOLE}"));
         }
+        if node.has_attribute("springdamper") {
+            reader.problem_of(
+                node,
+                "springdamper",
+                "`springdamper` is not read; write `stiffness` and `damping`",
+            );
+        }
+        if tag == "body" && reader.number(node, "gravcomp").is_some_and(|share| share != 0.0) {
+            reader.warning(node, "`gravcomp` is left out: the body has its weight");
+        }
         if tag == "compiler" {
+            let groups =
+                node.attribute("inertiagrouprange").map(|range| range.split_whitespace().collect::<Vec<_>>());
+            if groups.is_some_and(|groups| groups != ["0", "5"]) {
+                let text = format!("`inertiagrouprange` is not read; {WHOLE}");
+                reader.problem_of(node, "inertiagrouprange", text);
+            }
             for attribute in ["boundmass", "boundinertia"] {
                 let given = reader.number(node, attribute).is_some_and(|number| number > 0.0);
                 if given {
                     reader.problem_of(node, attribute, format!("`{attribute}` is not read; {WHOLE}"));
                 }
             }
-            for (attribute, value) in [("balanceinertia", "true"), ("coordinate", "global")] {
+            for (attribute, value) in
+                [("balanceinertia", "true"), ("coordinate", "global"), ("alignfree", "true")]
+            {
                 if node.attribute(attribute) == Some(value) {
                     reader.problem_of(
                         node,
