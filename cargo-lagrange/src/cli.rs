@@ -33,7 +33,7 @@ use arm::Arm;
 use lagrangian::prelude::*;
 
 ",
-    include_str!("usage.rs"),
+    include_str!("../tests/files/usage.rs"),
     "
 A description is ordinary Rust: change it, add constraints, contacts and forces to it."
 );

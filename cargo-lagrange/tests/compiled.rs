@@ -38,7 +38,7 @@ mod usage {
     use super::two_link::TwoLinkArm as Arm;
     use lagrangian::prelude::*;
 
-    include!("../src/usage.rs");
+    include!("files/usage.rs");
 
     #[test]
     fn the_program_in_the_help_runs() -> Result<(), MotionError<f64>> {
