@@ -1,0 +1,77 @@
+//! What both formats read alike: angles, masses, names that are nearly right.
+
+use roxmltree::Node;
+
+use super::Options;
+use super::geometry::Angle;
+use super::inertia::{Flaw, Inertial};
+use super::robot::Doubtful;
+use super::xml::Reader;
+
+/// How far right angles of few digits, such as 1.57 or 3.14, are off.
+const FEW_DIGITS: f64 = 2e-3;
+
+/// An angle [rad], a right one within the tolerance of the options.
+pub fn angle(reader: &mut Reader<'_>, node: Node<'_, '_>, radians: f64, options: &Options) -> Angle {
+    let angle = Angle::new(radians, options.tolerance);
+    let is_turned = radians.abs() > FEW_DIGITS;
+    if is_turned && angle == Angle::Radians(radians) && Angle::new(radians, FEW_DIGITS) != angle {
+        let text = format!(
+            "{radians} is a right angle of few digits, and is taken as written; --right-angles {FEW_DIGITS} makes it exact"
+        );
+        reader.warning(node, text);
+    }
+    angle
+}
+
+/// Reports what no body can have. What is fixed to others may have any inertia, as long as all of them together
+/// have a good one: what is doubtful is given back.
+pub fn check_inertia(
+    reader: &mut Reader<'_>,
+    (mass, attribute): (Node<'_, '_>, &str),
+    node: Node<'_, '_>,
+    inertial: &Inertial,
+) -> Option<Doubtful> {
+    if inertial.mass < 0.0 {
+        let text = format!("the mass {} is negative; write one from 0 on", inertial.mass);
+        reader.problem_of(mass, attribute, text);
+    }
+    match inertial.flaw()? {
+        Flaw::Negative(moment) => Some(Doubtful { mark: reader.mark(node), moment }),
+        Flaw::Triangle(excess) => {
+            let text = format!(
+                "the largest principal moment of inertia exceeds the sum of the two others by {:.2} %, which no body's \
+                 does; it is taken as it is",
+                100.0 * excess
+            );
+            reader.warning(node, text);
+            None
+        }
+    }
+}
+
+/// A hint at a name that is nearly the one that was written.
+pub fn near<'n>(written: &str, names: impl Iterator<Item = &'n str>) -> String {
+    let nearest = names.map(|name| (distance(written, name), name)).min();
+    let bound = 1 + written.chars().count() / 4;
+    nearest
+        .filter(|(distance, _)| *distance <= bound)
+        .map(|(_, name)| format!(", or did you mean `{name}`?"))
+        .unwrap_or_default()
+}
+
+/// The number of characters to change, insert and remove.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = i;
+        row[0] = i + 1;
+        for (j, &y) in b.iter().enumerate() {
+            let changed = diagonal + usize::from(x != y);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
