@@ -1,6 +1,5 @@
 //! What a system can have beside orientations: other methods, derivatives, lanes of numbers, contacts, forces.
 
-use lagrangian::PoseVelocity;
 use lagrangian::prelude::*;
 
 use crate::support::close::{all_close_on_largest, close, close_on};

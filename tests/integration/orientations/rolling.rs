@@ -1,6 +1,5 @@
 //! Bodies that roll: velocities of poses in constraints, without a formula by hand.
 
-use lagrangian::PoseVelocity;
 use lagrangian::prelude::*;
 
 use crate::support::close::{between, close_on};
