@@ -38,58 +38,97 @@ struct Record {
     benchmark: &'static str,
     system: &'static str,
     subject: &'static str,
+    /// Median time of an evaluation.
     ns: f64,
+    /// Distance from the implementation that differs most, relative to the largest acceleration of a state.
+    apart: f64,
 }
+
+/// How far implementations may be apart, relative to the largest acceleration of a state: all of them solve
+/// positive definite equations, whose condition is below 1e4 at these states.
+const AGREEMENT: f64 = 1e-12;
 
 /// Measures all systems, or the one that is named.
 pub fn run(only: Option<&str>, json: Option<&Path>) -> Result<(), Box<dyn Error>> {
     let mut records = Vec::new();
+    let mut wrong = Vec::new();
     println!(
-        "{:10} {:12} {:>10} {:>8}   recorded: CasADi C, SymForce C",
-        "system", "subject", "ns", "/ hand"
+        "{:10} {:15} {:>10} {:>8} {:>8} {:>8}   recorded: CasADi C, SymForce C",
+        "system", "subject", "ns", "/ hand", "/ O(N)", "apart"
     );
     systems::for_each(&mut |case: &dyn Case| {
         if only.is_some_and(|name| name != case.name()) {
             return;
         }
-        let subjects = case.subjects();
-        case.check();
-        let mut times = vec![Vec::with_capacity(SAMPLES); subjects.len()];
-        let repeats = calibrate(case);
-        for _ in 0..SAMPLES {
-            for (subject, times) in times.iter_mut().enumerate() {
-                let start = Instant::now();
-                for _ in 0..repeats {
-                    black_box(case).run(subject);
-                }
-                times.push(start.elapsed().as_secs_f64() * 1e9 / (repeats * STATES) as f64);
-            }
-        }
-        let medians: Vec<f64> = times.iter_mut().map(|times| median(times)).collect();
-        let hand =
-            subjects.iter().position(|&subject| subject == "hand").map_or(f64::NAN, |place| medians[place]);
-        for (&subject, &ns) in subjects.iter().zip(&medians) {
+        let measured = measure(case);
+        let of = |subject: &str| measured.iter().find(|r| r.subject == subject).map_or(f64::NAN, |r| r.ns);
+        for record in &measured {
             let recorded = match RECORDED.iter().find(|(name, ..)| *name == case.name()) {
-                Some((_, casadi, symforce)) if subject == "generated" => {
+                Some((_, casadi, symforce)) if record.subject == "generated" => {
                     format!("{casadi:.2}, {symforce:.2}")
                 }
                 _ => String::new(),
             };
-            println!("{:10} {:12} {ns:10.2} {:8.2}   {recorded}", case.name(), subject, ns / hand);
-            records.push(Record { benchmark: "rhs", system: case.name(), subject, ns });
+            println!(
+                "{:10} {:15} {:10.2} {:8.2} {:8.2} {:8.0e}   {recorded}",
+                record.system,
+                record.subject,
+                record.ns,
+                record.ns / of("hand"),
+                record.ns / of("hand-recursive"),
+                record.apart
+            );
+            if record.apart.is_nan() || record.apart > AGREEMENT {
+                wrong.push(format!("{} of {}", record.subject, record.system));
+            }
         }
+        records.extend(measured);
     });
     if let Some(path) = json {
         std::fs::write(path, serde_json::to_string_pretty(&records)?)?;
     }
+    if records.is_empty() {
+        return Err("no such system".into());
+    }
+    if !wrong.is_empty() {
+        return Err(
+            format!("more than {AGREEMENT:e} from another implementation: {}", wrong.join(", ")).into()
+        );
+    }
     Ok(())
 }
 
+/// Compares and times all implementations of a system.
+fn measure(case: &dyn Case) -> Vec<Record> {
+    let subjects = case.subjects();
+    let deviations = case.deviations();
+    let repeats: Vec<usize> = (0..subjects.len()).map(|subject| calibrate(case, subject)).collect();
+    let mut times = vec![Vec::with_capacity(SAMPLES); subjects.len()];
+    for _ in 0..SAMPLES {
+        for (subject, (times, &repeats)) in times.iter_mut().zip(&repeats).enumerate() {
+            let start = Instant::now();
+            for _ in 0..repeats {
+                black_box(case).run(subject);
+            }
+            times.push(start.elapsed().as_secs_f64() * 1e9 / (repeats * STATES) as f64);
+        }
+    }
+    let medians = times.iter_mut().map(|times| median(times));
+    let figures = subjects.iter().zip(medians).zip(deviations);
+    figures
+        .map(|((subject, ns), apart)| Record { benchmark: "rhs", system: case.name(), subject, ns, apart })
+        .collect()
+}
+
 /// How often to repeat so that a sample takes about two milliseconds.
-fn calibrate(case: &dyn Case) -> usize {
+fn calibrate(case: &dyn Case, subject: usize) -> usize {
     let start = Instant::now();
-    (0..20).for_each(|_| black_box(case).run(0));
-    let one = start.elapsed().as_secs_f64() / 20.0;
+    let mut runs = 0;
+    while runs < 20 && start.elapsed().as_secs_f64() < 2e-3 {
+        black_box(case).run(subject);
+        runs += 1;
+    }
+    let one = start.elapsed().as_secs_f64() / f64::from(runs);
     ((2e-3 / one) as usize).clamp(1, 10_000)
 }
 
@@ -99,13 +138,18 @@ fn median(times: &mut [f64]) -> f64 {
 }
 
 /// Uniform numbers in (−1, 1), the same in every run.
-pub fn random_states<const N: usize>() -> Vec<([f64; N], [f64; N])> {
+pub fn uniform() -> impl FnMut() -> f64 {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
-    let mut next = move || {
+    move || {
         state ^= state << 13;
         state ^= state >> 7;
         state ^= state << 17;
         (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    };
+    }
+}
+
+/// States of such numbers.
+pub fn random_states<const N: usize>() -> Vec<([f64; N], [f64; N])> {
+    let mut next = uniform();
     (0..STATES).map(|_| (std::array::from_fn(|_| next()), std::array::from_fn(|_| next()))).collect()
 }
