@@ -1,0 +1,145 @@
+//! What acts in the joints: motors, damping, friction, springs, rotors, stops, gears between joints.
+
+use super::Writer;
+use super::bodies::weighted;
+use super::text::{number, sum};
+use crate::import::plan::Motion;
+use crate::import::{Following, Options};
+
+impl<'p> Writer<'p> {
+    /// Writes all that acts in the joints.
+    pub fn actions(&mut self, options: &Options) {
+        self.quadratic('v', "armature", "kinetic", "The energy of rotors in the joints.", |action| (action.armature, 0.0));
+        self.quadratic('q', "springs", "potential", "The energy of springs in the joints.", |action| {
+            (action.stiffness, action.relaxed)
+        });
+        self.quadratic('v', "damping", "dissipation", "Viscous damping in the joints: half its power.", |action| {
+            (action.damping, 0.0)
+        });
+        if options.friction {
+            self.friction();
+        }
+        if options.limits {
+            self.limits();
+        }
+        if options.mimic == Following::Constrain {
+            self.mimics();
+        }
+        self.motors();
+    }
+
+    /// ½ Σ factor · (value − zero)².
+    fn quadratic(
+        &mut self,
+        record: char,
+        name: &str,
+        role: &str,
+        doc: &str,
+        of: impl Fn(&crate::import::robot::Action) -> (f64, f64),
+    ) {
+        let plan = self.plan;
+        let terms: Vec<String> = plan
+            .actions()
+            .map(|(index, _, action)| (index, of(action)))
+            .filter(|(_, (factor, _))| *factor != 0.0)
+            .map(|(index, (factor, zero))| {
+                let value = self.joint_value(index, record);
+                let value = match zero {
+                    0.0 if value.starts_with(record) => value,
+                    0.0 => format!("({value})"),
+                    _ => format!("({})", sum(&[(1.0, value), (-zero, String::new())])),
+                };
+                format!("{} * {value}.powi(2)", number(factor))
+            })
+            .collect();
+        if terms.is_empty() {
+            return;
+        }
+        let ty = if record == 'q' { "Coordinates" } else { "Velocities" };
+        self.out.line(4, &format!("/// {doc}"));
+        self.out.line(4, &format!("#[{role}]"));
+        self.out.line(4, &format!("pub fn {name}(&self, {record}: &{ty}) -> f64 {{"));
+        weighted(&mut self.out, "0.5", &terms);
+        self.out.line(4, "}");
+        self.out.empty();
+    }
+
+    fn friction(&mut self) {
+        for (index, joint, action) in self.plan.actions().filter(|(.., action)| action.friction != 0.0) {
+            let name = self.joint_name(index);
+            let value = self.joint_value(index, 'v');
+            self.out.line(4, &format!("/// Dry friction in `{}`.", joint.name));
+            self.out.line(4, &format!("#[friction(limit = {})]", number(action.friction)));
+            self.out.line(4, &format!("pub fn {name}_friction(&self, v: &Velocities) -> f64 {{"));
+            self.out.line(8, &value);
+            self.out.line(4, "}");
+            self.out.empty();
+        }
+    }
+
+    fn limits(&mut self) {
+        for (index, joint, action) in self.plan.actions() {
+            let Some([lower, upper]) = action.limits else { continue };
+            let name = self.joint_name(index);
+            let value = self.joint_value(index, 'q');
+            let value = if value.starts_with('q') { value } else { format!("({value})") };
+            let below = sum(&[(1.0, value.clone()), (-lower, String::new())]);
+            let above = sum(&[(upper, String::new()), (-1.0, value)]);
+            self.out.line(4, &format!("/// The stops of `{}`, lower and upper.", joint.name));
+            self.out.line(4, "#[unilateral]");
+            self.out.line(4, &format!("pub fn {name}_limits(&self, q: &Coordinates) -> [f64; 2] {{"));
+            self.out.line(8, &format!("[{below}, {above}]"));
+            self.out.line(4, "}");
+            self.out.empty();
+        }
+    }
+
+    fn mimics(&mut self) {
+        for (index, joint, _) in self.plan.actions() {
+            let Some(mimic) = joint.mimic else { continue };
+            let (name, other) = (self.joint_name(index), &self.plan.robot.joints[mimic.of].name);
+            let terms = [
+                (1.0, self.joint_value(index, 'q')),
+                (-mimic.multiplier, self.joint_value(mimic.of, 'q')),
+                (-mimic.offset, String::new()),
+            ];
+            self.out.line(4, &format!("/// `{}` follows `{other}`.", joint.name));
+            self.out.line(4, "#[holonomic]");
+            self.out.line(4, &format!("pub fn {name}_mimic(&self, q: &Coordinates) -> f64 {{"));
+            self.out.line(8, &sum(&terms));
+            self.out.line(4, "}");
+            self.out.empty();
+        }
+    }
+
+    fn motors(&mut self) {
+        let plan = self.plan;
+        if plan.inputs.is_empty() {
+            return;
+        }
+        let mut forces: Vec<Vec<(f64, String)>> = vec![Vec::new(); plan.coordinates.len()];
+        for (input, joint, gear) in &plan.inputs {
+            let (coordinate, factor) = match &plan.motions[*joint] {
+                Motion::Own(own) => (own[0], *gear),
+                Motion::Follows { of, multiplier, .. } => (*of, gear * multiplier),
+            };
+            forces[coordinate].push((factor, format!("u.{input}")));
+        }
+        let forces: Vec<String> = forces.iter().map(|terms| sum(terms)).collect();
+        self.out.line(4, "/// The forces and torques of the motors.");
+        self.out.line(4, "#[force]");
+        self.out.line(4, &format!("pub fn motors(&self, u: &Inputs) -> [f64; {}] {{", forces.len()));
+        self.out.list(8, "[", &forces, "]");
+        self.out.line(4, "}");
+        self.out.empty();
+    }
+
+    /// The identifier of a joint: that of its coordinate, or of the link that it moves.
+    fn joint_name(&self, joint: usize) -> &'p str {
+        let plan = self.plan;
+        match &plan.motions[joint] {
+            Motion::Own(own) => &plan.coordinates[own[0]],
+            Motion::Follows { .. } => &plan.frames[plan.robot.joints[joint].child].name,
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! A function for the frame of each link.
+
+use super::Writer;
+use super::text::{axis, number, shift, sum, turn};
+use crate::import::geometry::{Pose, Vector, add, cross, norm, scaled};
+use crate::import::plan::Motion;
+use crate::import::robot::{Joint, Kind};
+
+impl Writer<'_> {
+    /// Writes all frames, parents first.
+    pub fn frames(&mut self) {
+        for &index in &self.plan.tree.order {
+            let joint = &self.plan.robot.joints[index];
+            if !self.plan.frames[joint.child].is_world {
+                self.frame(index, joint);
+            }
+        }
+    }
+
+    fn frame(&mut self, index: usize, joint: &Joint) {
+        let frame = &self.plan.frames[joint.child];
+        let link = &self.plan.robot.links[joint.child].name;
+        let doc = match joint.kind {
+            Kind::Fixed if frame.moves => format!("`{link}`, fixed to `{}`.", self.plan.robot.links[joint.parent].name),
+            Kind::Fixed => format!("`{link}`, which stands still."),
+            Kind::Turns(_) => format!("`{link}`, turned by `{}`.", joint.name),
+            Kind::Slides(_) => format!("`{link}`, shifted by `{}`.", joint.name),
+            Kind::Free if joint.name.is_empty() => format!("`{link}`, which moves freely."),
+            Kind::Planar(_) | Kind::Ball | Kind::Free => format!("`{link}`, moved by `{}`.", joint.name),
+        };
+        let name = format!("{}_frame", frame.name);
+        let mut factors: Vec<String> = self.parent(joint.parent).into_iter().collect();
+        let reference = factors.is_empty();
+        factors.extend(self.pose(&joint.pose, &frame.name.clone()));
+        let moving = self.moving(index, joint);
+        if !moving.is_empty() {
+            factors.extend(moving);
+            factors.extend(shift(joint.back.map(number)));
+        }
+        // A product is a pose only if it has a shift and a rotation.
+        if reference && !factors.iter().any(|factor| factor.starts_with("Rotation3")) {
+            factors.push("Rotation3::identity()".to_owned());
+        }
+        if reference && !factors.iter().any(|factor| factor.starts_with("Translation3")) {
+            factors.insert(0, "Translation3::identity()".to_owned());
+        }
+        let argument = if self.plan.frames[joint.child].moves { ", q: &Coordinates" } else { "" };
+        if matches!(joint.kind, Kind::Free | Kind::Ball) {
+            self.orientation(index, joint);
+        }
+        self.out.line(4, &format!("/// The frame of {doc}"));
+        self.out.line(4, &format!("pub fn {name}(&self{argument}) -> IsometryMatrix3<f64> {{"));
+        self.out.chain(8, "", '*', &factors, "");
+        self.out.line(4, "}");
+        self.out.empty();
+    }
+
+    /// The call of the frame of a link; none for the world.
+    pub fn parent(&self, link: usize) -> Option<String> {
+        let frame = &self.plan.frames[link];
+        let argument = if frame.moves { "q" } else { "" };
+        (!frame.is_world).then(|| format!("self.{}_frame({argument})", frame.name))
+    }
+
+    /// The factors of a fixed pose.
+    fn pose(&mut self, pose: &Pose, link: &str) -> Vec<String> {
+        let is_field = self.parameters.lengths;
+        let entries = std::array::from_fn(|i| {
+            let along = ["x", "y", "z"][i];
+            let name = || format!("{link}_{along}");
+            let doc = || format!("How far `{link}` is off along {along} of what it hangs on [m].");
+            self.value(is_field, pose.shift[i], name, doc)
+        });
+        shift(entries).into_iter().chain(turn(&pose.turn)).collect()
+    }
+
+    /// The factors of what a joint does.
+    fn moving(&self, index: usize, joint: &Joint) -> Vec<String> {
+        let own = match &self.plan.motions[index] {
+            Motion::Own(own) => own.iter().map(|&own| self.coordinate(own, 'q')).collect(),
+            Motion::Follows { .. } => Vec::new(),
+        };
+        let reference = joint.action.reference;
+        let single = || match reference {
+            0.0 => self.joint_value(index, 'q'),
+            _ => format!("({})", sum(&[(1.0, self.joint_value(index, 'q')), (-reference, String::new())])),
+        };
+        match joint.kind {
+            Kind::Fixed => Vec::new(),
+            Kind::Turns(about) => vec![about_axis(about, single())],
+            Kind::Slides(along) => shift(multiples(&[(along, single())])).into_iter().collect(),
+            Kind::Planar(normal) => {
+                let [first, second] = across(normal);
+                let moved = multiples(&[(first, own[0].clone()), (second, own[1].clone())]);
+                shift(moved).into_iter().chain([about_axis(normal, own[2].clone())]).collect()
+            }
+            Kind::Ball => vec![format!("self.{}(q)", self.orientation_name(joint))],
+            Kind::Free => {
+                let moved = format!("Translation3::new({})", own[..3].join(", "));
+                vec![moved, format!("self.{}(q)", self.orientation_name(joint))]
+            }
+        }
+    }
+
+    /// The one place that says how an orientation is described.
+    fn orientation(&mut self, index: usize, joint: &Joint) {
+        let Motion::Own(own) = &self.plan.motions[index] else { return };
+        let angles: Vec<String> = own.iter().skip(own.len() - 3).map(|&own| self.coordinate(own, 'q')).collect();
+        let link = &self.plan.robot.links[joint.child].name;
+        let name = self.orientation_name(joint);
+        self.out.line(4, &format!("/// The orientation of `{link}`: roll, pitch and yaw about fixed axes."));
+        self.out.line(4, &format!("pub fn {name}(&self, q: &Coordinates) -> Rotation3<f64> {{"));
+        self.out.line(8, &format!("Rotation3::from_euler_angles({})", angles.join(", ")));
+        self.out.line(4, "}");
+        self.out.empty();
+    }
+
+    fn orientation_name(&self, joint: &Joint) -> String {
+        format!("{}_orientation", self.plan.frames[joint.child].name)
+    }
+}
+
+fn about_axis(about: Vector, angle: String) -> String {
+    let (axis, turned) = axis(about);
+    // A minus in front of a sum or a product of its own would be read as part of it.
+    let angle = match (turned, angle.strip_prefix('-')) {
+        (false, _) => angle,
+        (true, Some(positive)) => positive.to_owned(),
+        (true, None) => format!("-{angle}"),
+    };
+    format!("Rotation3::from_axis_angle({axis}, {angle})")
+}
+
+/// The entries of Σ direction · amount.
+fn multiples(parts: &[(Vector, String)]) -> [String; 3] {
+    std::array::from_fn(|i| {
+        let terms: Vec<(f64, String)> = parts.iter().map(|(along, amount)| (along[i], amount.clone())).collect();
+        sum(&terms)
+    })
+}
+
+/// Two unit vectors across a third one, right-handed with it.
+fn across(normal: Vector) -> [Vector; 2] {
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let next = match normal.iter().position(|entry| entry.abs() == 1.0) {
+        Some(main) => axes[(main + 1) % 3],
+        None => {
+            let off = axes.into_iter().find(|axis| norm(cross(*axis, normal)) > 0.5).unwrap_or(axes[0]);
+            let along: f64 = off.iter().zip(normal).map(|(a, b)| a * b).sum();
+            let off = add(off, scaled(-along, normal));
+            scaled(1.0 / norm(off), off)
+        }
+    };
+    [next, cross(normal, next)]
+}

@@ -1,0 +1,327 @@
+//! Robot → [`Plan`]: coordinates, inputs, frames and bodies with their Rust names, fixed parts lumped.
+
+use std::collections::BTreeMap;
+
+use super::geometry::Pose;
+use super::inertia::Inertial;
+use super::names::{Names, camel, snake};
+use super::report::Sink;
+use super::robot::{Action, Joint, Kind, Mimic, Robot};
+use super::tree::{Tree, add_floating_base, tree};
+use super::{Following, Inputs, Options};
+
+/// All that a description says.
+#[derive(Debug)]
+pub struct Plan {
+    /// The name of the struct.
+    pub name: String,
+    /// The name of the robot, for humans.
+    pub title: String,
+    /// The robot.
+    pub robot: Robot,
+    /// How it hangs together.
+    pub tree: Tree,
+    /// Coordinates in order.
+    pub coordinates: Vec<String>,
+    /// What moves each joint.
+    pub motions: Vec<Motion>,
+    /// Inputs in order: name, joint, gear.
+    pub inputs: Vec<(String, usize, f64)>,
+    /// What each link is called, and what it hangs on.
+    pub frames: Vec<Frame>,
+    /// Moving masses.
+    pub bodies: Vec<Body>,
+    /// What the description leaves out.
+    pub left_out: Vec<String>,
+}
+
+/// The coordinates of a joint.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Motion {
+    /// Coordinates of its own.
+    Own(Vec<usize>),
+    /// multiplier · q + offset of the coordinate of another joint.
+    Follows {
+        /// The coordinate.
+        of: usize,
+        /// The factor.
+        multiplier: f64,
+        /// The value where the coordinate is zero.
+        offset: f64,
+    },
+}
+
+/// The frame of a link.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// The name of the link as an identifier.
+    pub name: String,
+    /// The link that it is lumped with, and its pose there.
+    pub carrier: (usize, Pose),
+    /// Whether it moves.
+    pub moves: bool,
+    /// Whether it is the world's.
+    pub is_world: bool,
+}
+
+/// A moving mass.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// The link.
+    pub link: usize,
+    /// All that is fixed to it.
+    pub fixed: Vec<usize>,
+    /// Mass and inertia in the frame of the link.
+    pub inertial: Inertial,
+}
+
+/// Plans a description; what is wrong goes to the sink.
+pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) -> Option<Plan> {
+    let mut found = tree(&robot, sink)?;
+    if options.floating {
+        add_floating_base(&mut robot, &found);
+        found = tree(&robot, sink)?;
+    }
+    let title = robot.name.clone().unwrap_or_else(|| stem(file).to_owned());
+    let name = options.name.clone().unwrap_or_else(|| camel(&title));
+    let mut names = Names::default();
+    let (coordinates, motions) = motions(&robot, &found, options, &mut names, sink)?;
+    let mut plan = Plan {
+        name,
+        title,
+        inputs: inputs(&robot, &found, &motions, options, &mut names, sink),
+        frames: frames(&robot, &found, &motions, sink),
+        robot,
+        tree: found,
+        coordinates,
+        motions,
+        bodies: Vec::new(),
+        left_out: Vec::new(),
+    };
+    if plan.coordinates.is_empty() {
+        let mark = plan.robot.links[plan.tree.root].mark.clone();
+        sink.problem(&mark, "no joint moves; add a joint that is not fixed, or let the root move with --floating");
+        return None;
+    }
+    plan.bodies = bodies(&plan);
+    plan.say(options, sink);
+    Some(plan)
+}
+
+/// The name of a file without folders and endings.
+fn stem(file: &str) -> &str {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    name.split('.').next().unwrap_or(name)
+}
+
+fn motions(
+    robot: &Robot,
+    tree: &Tree,
+    options: &Options,
+    names: &mut Names,
+    sink: &mut Sink,
+) -> Option<(Vec<String>, Vec<Motion>)> {
+    let mut coordinates = Vec::new();
+    let mut motions = vec![Motion::Own(Vec::new()); robot.joints.len()];
+    let follows = |joint: &Joint| joint.mimic.filter(|_| options.mimic == Following::Eliminate);
+    for &index in &tree.order {
+        let joint = &robot.joints[index];
+        if follows(joint).is_some() {
+            continue;
+        }
+        let wanted = snake(&joint.name);
+        let prefix = if joint.name.is_empty() { String::new() } else { format!("{wanted}_") };
+        let parts: &[&str] = match joint.kind {
+            Kind::Fixed => &[],
+            Kind::Turns(_) | Kind::Slides(_) => &[""],
+            Kind::Planar(_) => &["x", "y", "angle"],
+            Kind::Ball => &["roll", "pitch", "yaw"],
+            Kind::Free => &["x", "y", "z", "roll", "pitch", "yaw"],
+        };
+        let mut own = Vec::new();
+        for part in parts {
+            let wanted = if part.is_empty() { wanted.clone() } else { format!("{prefix}{part}") };
+            own.push(coordinates.len());
+            coordinates.push(names.take(&joint.name, &wanted, sink));
+        }
+        motions[index] = Motion::Own(own);
+    }
+    for (index, joint) in robot.joints.iter().enumerate() {
+        let Some(mut mimic) = follows(joint) else { continue };
+        let mut steps = 0;
+        while let Some(next) = robot.joints[mimic.of].mimic {
+            let Mimic { of, multiplier, offset } = next;
+            mimic.offset += mimic.multiplier * offset;
+            mimic.multiplier *= multiplier;
+            mimic.of = of;
+            steps += 1;
+            if steps > robot.joints.len() {
+                sink.problem(&joint.mark, "it follows itself; remove a <mimic> of this circle");
+                return None;
+            }
+        }
+        if let Motion::Own(own) = &motions[mimic.of] {
+            motions[index] =
+                Motion::Follows { of: own[0], multiplier: mimic.multiplier, offset: mimic.offset };
+        }
+    }
+    Some((coordinates, motions))
+}
+
+fn inputs(
+    robot: &Robot,
+    tree: &Tree,
+    motions: &[Motion],
+    options: &Options,
+    names: &mut Names,
+    sink: &mut Sink,
+) -> Vec<(String, usize, f64)> {
+    let mut inputs = Vec::new();
+    for &index in tree.order.iter().filter(|_| options.inputs != Inputs::None) {
+        let joint = &robot.joints[index];
+        let follows = matches!(motions[index], Motion::Follows { .. });
+        if joint.kind.freedom() != 1 || (follows && joint.drives.iter().all(|drive| drive.name.is_none())) {
+            continue;
+        }
+        let unit = if matches!(joint.kind, Kind::Slides(_)) { "force" } else { "torque" };
+        for drive in &joint.drives {
+            let wanted = drive.name.as_deref().map_or_else(|| format!("{}_{unit}", snake(&joint.name)), snake);
+            let written = drive.name.as_deref().unwrap_or(&joint.name);
+            inputs.push((names.take(written, &wanted, sink), index, drive.gear));
+        }
+    }
+    inputs
+}
+
+fn frames(robot: &Robot, tree: &Tree, motions: &[Motion], sink: &mut Sink) -> Vec<Frame> {
+    let mut names = Names::default();
+    let root = Frame {
+        name: String::new(),
+        carrier: (tree.root, Pose::IDENTITY),
+        moves: false,
+        is_world: true,
+    };
+    let mut frames = vec![root; robot.links.len()];
+    frames[tree.root].name = names.take(&robot.links[tree.root].name, &snake(&robot.links[tree.root].name), sink);
+    for &index in &tree.order {
+        let joint = &robot.joints[index];
+        let link = &robot.links[joint.child].name;
+        let parent = frames[joint.parent].clone();
+        let still = joint.kind == Kind::Fixed && motions[index] == Motion::Own(Vec::new());
+        let carrier = match still {
+            true => (parent.carrier.0, parent.carrier.1.compose(&joint.pose)),
+            false => (joint.child, Pose::IDENTITY),
+        };
+        frames[joint.child] = Frame {
+            name: names.take(link, &snake(link), sink),
+            carrier,
+            moves: parent.moves || !still,
+            is_world: parent.is_world && still && joint.pose.is_identity(),
+        };
+    }
+    frames
+}
+
+fn bodies(plan: &Plan) -> Vec<Body> {
+    let mut parts: BTreeMap<usize, (Vec<usize>, Vec<Inertial>)> = BTreeMap::new();
+    let links = std::iter::once(plan.tree.root)
+        .chain(plan.tree.order.iter().map(|&joint| plan.robot.joints[joint].child));
+    let mut order = Vec::new();
+    for link in links.filter(|&link| plan.frames[link].moves) {
+        let (carrier, pose) = &plan.frames[link].carrier;
+        let (fixed, inertials) = parts.entry(*carrier).or_default();
+        if *carrier == link {
+            order.push(link);
+        }
+        let own = plan.robot.links[link].inertials.iter().filter(|inertial| !inertial.is_nothing());
+        let before = inertials.len();
+        inertials.extend(own.map(|inertial| match *carrier == link {
+            true => *inertial,
+            false => inertial.seen_from(pose),
+        }));
+        if *carrier != link && inertials.len() > before {
+            fixed.push(link);
+        }
+    }
+    let body = |link: usize| {
+        let (fixed, inertials) = &parts[&link];
+        Inertial::together(inertials).map(|inertial| Body { link, fixed: fixed.clone(), inertial })
+    };
+    order.into_iter().filter_map(body).collect()
+}
+
+impl Plan {
+    /// The joints whose actions matter, with their actions.
+    pub fn actions(&self) -> impl Iterator<Item = (usize, &Joint, &Action)> {
+        let joints = self.tree.order.iter().map(|&index| (index, &self.robot.joints[index]));
+        joints.filter(|(_, joint)| joint.kind.freedom() == 1).map(|(index, joint)| (index, joint, &joint.action))
+    }
+
+    /// Whether a joint follows another one.
+    pub fn follows(&self, joint: usize) -> bool {
+        matches!(self.motions[joint], Motion::Follows { .. })
+    }
+
+    /// Tells what was decided.
+    fn say(&mut self, options: &Options, sink: &mut Sink) {
+        let list = |names: Vec<&str>| match names.len() {
+            0..=6 => names.join(", "),
+            count => format!("{}, … ({count} of them)", names[..4].join(", ")),
+        };
+        let mut left_out = Vec::new();
+        let of = |filter: &dyn Fn(&Action) -> bool| -> Vec<&str> {
+            self.actions().filter(|(.., action)| filter(action)).map(|(_, joint, _)| &*joint.name).collect()
+        };
+        let limited = of(&|action| action.limits.is_some());
+        if !options.limits && !limited.is_empty() {
+            left_out.push(format!("stops of {} (--limits)", list(limited)));
+        }
+        let rough = of(&|action| action.friction != 0.0);
+        if !options.friction && !rough.is_empty() {
+            left_out.push(format!("dry friction in {} (--friction)", list(rough)));
+        }
+        if options.mimic == Following::Ignore && self.robot.joints.iter().any(|joint| joint.mimic.is_some()) {
+            left_out.push("<mimic>: joints that follow others move by themselves (--mimic eliminate)".to_owned());
+        }
+        let idle: Vec<&str> = self
+            .actions()
+            .filter(|(index, joint, _)| joint.drives.is_empty() && !self.follows(*index))
+            .map(|(_, joint, _)| &*joint.name)
+            .collect();
+        if options.inputs == Inputs::Actuated && !idle.is_empty() {
+            sink.note(format!("no transmission or actuator drives {}: no inputs for them (--inputs all)", list(idle)));
+        }
+        let massless: Vec<&str> = self
+            .tree
+            .order
+            .iter()
+            .map(|&joint| &self.robot.joints[joint])
+            .filter(|joint| {
+                joint.kind.freedom() > 0
+                    && !self.robot.joints.iter().any(|other| other.parent == joint.child)
+                    && !self.bodies.iter().any(|body| body.link == joint.child)
+            })
+            .map(|joint| &*joint.name)
+            .collect();
+        if !massless.is_empty() {
+            sink.note(format!(
+                "warning: nothing with a mass hangs on {}: the mass matrix is singular",
+                list(massless)
+            ));
+        }
+        for joint in &self.robot.joints {
+            let angle = match joint.kind {
+                Kind::Free | Kind::Ball => "pitch",
+                _ => continue,
+            };
+            let name = if joint.name.is_empty() { "the floating base".to_owned() } else { format!("`{}`", joint.name) };
+            sink.note(format!(
+                "{name} has the angles roll, pitch and yaw about fixed axes: the equations are singular at a {angle} of ±90°"
+            ));
+        }
+        for text in &left_out {
+            sink.note(format!("left out: {text}"));
+        }
+        self.left_out = left_out;
+    }
+}

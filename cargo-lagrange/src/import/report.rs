@@ -1,0 +1,78 @@
+//! What an import has to say: mistakes in the file, each with its place, and notes on what was made of it.
+
+use std::fmt;
+
+use roxmltree::TextPos;
+
+/// Something in the file that cannot be taken as it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// The line, from 1.
+    pub line: u32,
+    /// The column, from 1.
+    pub column: u32,
+    /// The element, as a start tag with its name.
+    pub element: String,
+    /// What is wrong, and how to mend it.
+    pub text: String,
+}
+
+/// All problems of a file. Never empty.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Report {
+    /// The file, as it was named.
+    pub file: String,
+    /// The problems in the order in which they were found.
+    pub problems: Vec<Problem>,
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, problem) in self.problems.iter().enumerate() {
+            let Problem { line, column, element, text } = problem;
+            let end = if index + 1 == self.problems.len() { "" } else { "\n" };
+            write!(f, "error: {}:{line}:{column}: {element}: {text}{end}", self.file)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Report {}
+
+/// Collects problems and notes.
+#[derive(Debug, Default)]
+pub struct Sink {
+    /// What forbids a description.
+    pub problems: Vec<Problem>,
+    /// What a user should know of the description.
+    pub notes: Vec<String>,
+}
+
+impl Sink {
+    /// A mistake of the file.
+    pub fn problem(&mut self, at: &Mark, text: impl Into<String>) {
+        let TextPos { row, col } = at.position;
+        let problem = Problem { line: row, column: col, element: at.element.clone(), text: text.into() };
+        self.problems.push(problem);
+    }
+
+    /// Something that may be a mistake.
+    pub fn warning(&mut self, file: &str, at: &Mark, text: impl AsRef<str>) {
+        let TextPos { row, col } = at.position;
+        self.notes.push(format!("warning: {file}:{row}:{col}: {}: {}", at.element, text.as_ref()));
+    }
+
+    /// Something that was decided.
+    pub fn note(&mut self, text: impl AsRef<str>) {
+        self.notes.push(format!("note: {}", text.as_ref()));
+    }
+}
+
+/// An element of the file, for messages.
+#[derive(Clone, Debug)]
+pub struct Mark {
+    /// Where it starts.
+    pub position: TextPos,
+    /// Its start tag, without attributes but its name.
+    pub element: String,
+}

@@ -1,0 +1,207 @@
+//! URDF → [`Robot`].
+
+use std::collections::BTreeMap;
+
+use roxmltree::Node;
+
+use super::Options;
+use super::geometry::{Pose, Rotation, Vector, direction};
+use super::inertia::Inertial;
+use super::links;
+use super::robot::{Action, Drive, Joint, Kind, Link, Mimic, Robot};
+use super::xml::{Reader, child, children};
+
+/// The acceleration of free fall at rest [m/s²], which URDF does not give.
+const GRAVITY: Vector = [0.0, 0.0, -9.81];
+
+/// Reads a `<robot>`; problems are in the reader.
+pub fn read(reader: &mut Reader<'_>, root: Node<'_, '_>, options: &Options) -> Robot {
+    let mut urdf = Urdf { reader, options, names: BTreeMap::new() };
+    let links = urdf.links(root);
+    let joints = urdf.joints(root, &links);
+    urdf.ignored(root, &joints);
+    let name = root.attribute("name").map(str::to_owned);
+    Robot { name, links, joints, gravity: GRAVITY }
+}
+
+struct Urdf<'r, 'a> {
+    reader: &'r mut Reader<'a>,
+    options: &'r Options,
+    /// Links by name.
+    names: BTreeMap<String, usize>,
+}
+
+impl Urdf<'_, '_> {
+    fn links(&mut self, root: Node<'_, '_>) -> Vec<Link> {
+        let mut links = Vec::new();
+        for node in children(root, "link") {
+            let Some(name) = self.reader.text(node, "name", "base_link") else { continue };
+            let mark = self.reader.mark(node);
+            if self.names.insert(name.to_owned(), links.len()).is_some() {
+                self.reader.problem(node, "another link has this name; rename one, and the joints that mean it");
+            }
+            let inertials = child(node, "inertial").and_then(|inertial| self.inertial(inertial));
+            links.push(Link { name: name.to_owned(), mark, inertials: inertials.into_iter().collect() });
+        }
+        if links.is_empty() {
+            self.reader.problem(root, "the robot has no links; write a <link name=\"base_link\"/> at least");
+        }
+        links
+    }
+
+    fn inertial(&mut self, node: Node<'_, '_>) -> Option<Inertial> {
+        let frame = self.origin(node);
+        let reader = &mut *self.reader;
+        let mass = reader.child(node, "mass", "<mass value=\"1.0\"/>")?;
+        let value = reader.required(mass, "value")?;
+        let inertia = reader.child(node, "inertia", "<inertia ixx=\"…\" ixy=\"0\" ixz=\"0\" iyy=\"…\" iyz=\"0\" izz=\"…\"/>")?;
+        let [xx, yy, zz] = ["ixx", "iyy", "izz"].map(|name| reader.required(inertia, name));
+        let [xy, xz, yz] = ["ixy", "ixz", "iyz"].map(|name| reader.number(inertia, name).unwrap_or(0.0));
+        let (xx, yy, zz) = (xx?, yy?, zz?);
+        let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        links::check_inertia(reader, mass, "value", inertia, value, &tensor, self.options);
+        Some(Inertial::in_frame(&frame, value, &tensor))
+    }
+
+    fn origin(&mut self, node: Node<'_, '_>) -> Pose {
+        let Some(origin) = child(node, "origin") else { return Pose::IDENTITY };
+        let shift = self.reader.vector(origin, "xyz").unwrap_or([0.0; 3]);
+        let angles: [f64; 3] = self.reader.vector(origin, "rpy").unwrap_or([0.0; 3]);
+        let angles = angles.map(|angle| links::angle(self.reader, origin, angle, self.options));
+        Pose { shift, turn: Rotation::of_angles(angles) }
+    }
+
+    fn joints(&mut self, root: Node<'_, '_>, links: &[Link]) -> Vec<Joint> {
+        let mut joints: Vec<Joint> = Vec::new();
+        let mut names: BTreeMap<String, usize> = BTreeMap::new();
+        let mut mimics = Vec::new();
+        for node in children(root, "joint") {
+            let Some(name) = self.reader.text(node, "name", "shoulder") else { continue };
+            let parent = self.end(node, "parent");
+            let children = self.end(node, "child");
+            let kind = self.kind(node);
+            let pose = self.origin(node);
+            let action = self.action(node, kind);
+            if names.insert(name.to_owned(), joints.len()).is_some() {
+                self.reader.problem(node, "another joint has this name; rename one of them");
+            }
+            if let Some(mimic) = child(node, "mimic") {
+                mimics.push((joints.len(), mimic));
+            }
+            let mark = self.reader.mark(node);
+            // A link that is not there has been reported; the indices are never used.
+            let (parent, child) = (parent.unwrap_or(links.len()), children.unwrap_or(links.len()));
+            let (back, drives) = ([0.0; 3], vec![Drive { name: None, gear: 1.0 }]);
+            joints.push(Joint {
+                name: name.to_owned(),
+                mark,
+                parent,
+                child,
+                pose,
+                back,
+                kind: kind.unwrap_or(Kind::Fixed),
+                action,
+                mimic: None,
+                drives,
+            });
+        }
+        for (joint, node) in mimics {
+            joints[joint].mimic = self.mimic(node, &names, &joints);
+        }
+        joints
+    }
+
+    /// The link at an end of a joint.
+    fn end(&mut self, joint: Node<'_, '_>, end: &str) -> Option<usize> {
+        let node = self.reader.child(joint, end, &format!("<{end} link=\"…\"/>"))?;
+        let name = self.reader.text(node, "link", "base_link")?;
+        let found = self.names.get(name).copied();
+        if found.is_none() {
+            let near = links::near(name, self.names.keys().map(String::as_str));
+            let text = format!("the {end} `{name}` is no link of the file; write <link name=\"{name}\"/>{near}");
+            self.reader.problem_of(node, "link", text);
+        }
+        found
+    }
+
+    fn kind(&mut self, node: Node<'_, '_>) -> Option<Kind> {
+        const KINDS: &str = "revolute, continuous, prismatic, planar, floating, fixed";
+        let kind = self.reader.text(node, "type", "revolute")?;
+        let axis = |urdf: &mut Self| {
+            let axis = child(node, "axis");
+            let written = match axis {
+                Some(axis) => urdf.reader.vector(axis, "xyz")?,
+                // The default of the format.
+                None => [1.0, 0.0, 0.0],
+            };
+            let unit = direction(written, urdf.options.tolerance);
+            if unit.is_none() {
+                let text = "the axis is zero; write a direction such as xyz=\"0 0 1\"";
+                urdf.reader.problem_of(axis.unwrap_or(node), "xyz", text);
+            }
+            unit
+        };
+        match kind {
+            "fixed" => Some(Kind::Fixed),
+            "revolute" | "continuous" => axis(self).map(Kind::Turns),
+            "prismatic" => axis(self).map(Kind::Slides),
+            "planar" => axis(self).map(Kind::Planar),
+            "floating" => Some(Kind::Free),
+            _ => {
+                let near = links::near(kind, KINDS.split(", "));
+                self.reader.problem_of(node, "type", format!("`{kind}` is no type of joint{near}; there are {KINDS}"));
+                None
+            }
+        }
+    }
+
+    fn action(&mut self, node: Node<'_, '_>, kind: Option<Kind>) -> Action {
+        let mut action = Action::default();
+        if let Some(dynamics) = child(node, "dynamics") {
+            action.damping = self.reader.size(dynamics, "damping");
+            action.friction = self.reader.size(dynamics, "friction");
+        }
+        let bounded = matches!(node.attribute("type"), Some("revolute" | "prismatic")) && kind.is_some();
+        if let Some(limit) = child(node, "limit").filter(|_| bounded) {
+            let [lower, upper] = ["lower", "upper"].map(|side| self.reader.number(limit, side).unwrap_or(0.0));
+            if lower > upper {
+                self.reader.problem_of(limit, "lower", format!("{lower} is above upper=\"{upper}\"; exchange the two"));
+            }
+            // Files that mean no limits leave both at their default.
+            action.limits = (lower < upper).then_some([lower, upper]);
+        }
+        action
+    }
+
+    fn mimic(&mut self, node: Node<'_, '_>, names: &BTreeMap<String, usize>, joints: &[Joint]) -> Option<Mimic> {
+        let name = self.reader.text(node, "joint", "finger_left")?;
+        let multiplier = self.reader.number(node, "multiplier").unwrap_or(1.0);
+        let offset = self.reader.number(node, "offset").unwrap_or(0.0);
+        let Some(&of) = names.get(name) else {
+            let near = links::near(name, names.keys().map(String::as_str));
+            self.reader.problem_of(node, "joint", format!("`{name}` is no joint of the file{near}"));
+            return None;
+        };
+        if joints[of].kind.freedom() != 1 {
+            let text = format!("`{name}` has no single coordinate to follow; name a joint that turns or slides");
+            self.reader.problem_of(node, "joint", text);
+            return None;
+        }
+        Some(Mimic { of, multiplier, offset })
+    }
+
+    /// Says what the description leaves out.
+    fn ignored(&mut self, root: Node<'_, '_>, _joints: &[Joint]) {
+        let count = |name: &str| root.descendants().filter(|node| node.has_tag_name(name)).count();
+        let kinds = ["visual", "collision", "mesh", "sensor", "gazebo", "safety_controller", "calibration"];
+        let found: Vec<String> = kinds
+            .into_iter()
+            .map(|kind| (kind, count(kind)))
+            .filter(|(_, count)| *count > 0)
+            .map(|(kind, count)| format!("{count} <{kind}>"))
+            .collect();
+        if !found.is_empty() {
+            self.reader.sink.note(format!("shapes and tools have no place in the equations: {} ignored", found.join(", ")));
+        }
+    }
+}
