@@ -1,19 +1,20 @@
 //! Time of one evaluation of the accelerations.
 //!
-//! 512 random states, independent calls of a function that is not inlined, results written;
-//! the median of many samples, subjects alternating sample by sample.
+//! Random states, independent calls of a function that is not inlined, results written. Subjects take turns; the figure is
+//! the median over the rounds of the fastest pass over all states, since other processes only ever add to a pass.
 
+use std::convert::Infallible;
 use std::error::Error;
 use std::hint::black_box;
 use std::path::Path;
-use std::time::Instant;
 
 use serde::Serialize;
 
+use crate::precision::subject::{fastest, median};
 use crate::systems::{self, Case};
 
-const STATES: usize = 512;
-const SAMPLES: usize = 41;
+const ROUNDS: usize = 41;
+const SECONDS: f64 = 2e-3;
 
 /// Generated C by peers relative to hand-written dense Rust, in one run on one machine
 /// (CasADi 3.8.2, SymForce 0.12.0, SymPy 1.14.0; gcc 12.2, rustc 1.95).
@@ -44,8 +45,8 @@ struct Record {
     apart: f64,
 }
 
-/// How far implementations may be apart, relative to the largest acceleration of a state: all of them solve
-/// positive definite equations, whose condition is below 1e4 at these states.
+/// How far implementations may be apart, relative to the largest acceleration of a state: some ten thousand
+/// roundings, since the mass matrix of a hundred links has a condition of 1e4.
 const AGREEMENT: f64 = 1e-12;
 
 /// Measures all systems, or the one that is named.
@@ -102,39 +103,24 @@ pub fn run(only: Option<&str>, json: Option<&Path>) -> Result<(), Box<dyn Error>
 fn measure(case: &dyn Case) -> Vec<Record> {
     let subjects = case.subjects();
     let deviations = case.deviations();
-    let repeats: Vec<usize> = (0..subjects.len()).map(|subject| calibrate(case, subject)).collect();
-    let mut times = vec![Vec::with_capacity(SAMPLES); subjects.len()];
-    for _ in 0..SAMPLES {
-        for (subject, (times, &repeats)) in times.iter_mut().zip(&repeats).enumerate() {
-            let start = Instant::now();
-            for _ in 0..repeats {
-                black_box(case).run(subject);
-            }
-            times.push(start.elapsed().as_secs_f64() * 1e9 / (repeats * STATES) as f64);
+    let mut times = vec![Vec::with_capacity(ROUNDS); subjects.len()];
+    for _ in 0..ROUNDS {
+        for (subject, times) in times.iter_mut().enumerate() {
+            let (us, ()) = fastest(SECONDS, || Ok::<_, Infallible>(black_box(case).run(subject)))
+                .unwrap_or_else(|never| match never {});
+            times.push(us * 1e3 / case.states() as f64);
         }
     }
-    let medians = times.iter_mut().map(|times| median(times));
-    let figures = subjects.iter().zip(medians).zip(deviations);
+    let figures = subjects.iter().zip(times).zip(deviations);
     figures
-        .map(|((subject, ns), apart)| Record { benchmark: "rhs", system: case.name(), subject, ns, apart })
+        .map(|((subject, times), apart)| Record {
+            benchmark: "rhs",
+            system: case.name(),
+            subject,
+            ns: median(times),
+            apart,
+        })
         .collect()
-}
-
-/// How often to repeat so that a sample takes about two milliseconds.
-fn calibrate(case: &dyn Case, subject: usize) -> usize {
-    let start = Instant::now();
-    let mut runs = 0;
-    while runs < 20 && start.elapsed().as_secs_f64() < 2e-3 {
-        black_box(case).run(subject);
-        runs += 1;
-    }
-    let one = start.elapsed().as_secs_f64() / f64::from(runs);
-    ((2e-3 / one) as usize).clamp(1, 10_000)
-}
-
-fn median(times: &mut [f64]) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
 }
 
 /// Uniform numbers in (−1, 1), the same in every run.
@@ -149,7 +135,7 @@ pub fn uniform() -> impl FnMut() -> f64 {
 }
 
 /// States of such numbers.
-pub fn random_states<const N: usize>() -> Vec<([f64; N], [f64; N])> {
+pub fn random_states<const N: usize>(count: usize) -> Vec<([f64; N], [f64; N])> {
     let mut next = uniform();
-    (0..STATES).map(|_| (std::array::from_fn(|_| next()), std::array::from_fn(|_| next()))).collect()
+    (0..count).map(|_| (std::array::from_fn(|_| next()), std::array::from_fn(|_| next()))).collect()
 }

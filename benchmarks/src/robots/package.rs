@@ -123,9 +123,10 @@ fn describe(robot: &Robot, derivatives: bool) -> Result<String, Box<dyn Error>> 
     if derivatives {
         command.args(["--with", "jacobians"]);
     }
-    let output = command.arg(&robot.urdf).stderr(Stdio::inherit()).output()?;
+    // Its notes are about what Pinocchio leaves out too.
+    let output = command.arg(&robot.urdf).output()?;
     if !output.status.success() {
-        return Err(format!("{} is not imported", robot.urdf.display()).into());
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned().into());
     }
     Ok(String::from_utf8(output.stdout)?)
 }

@@ -31,6 +31,8 @@ use hand::ByHand as _;
 pub trait Case {
     /// Its name in all reports.
     fn name(&self) -> &'static str;
+    /// How many states one run evaluates.
+    fn states(&self) -> usize;
     /// The names of the implementations.
     fn subjects(&self) -> Vec<&'static str>;
     /// Evaluates one implementation at all states.
@@ -67,6 +69,10 @@ fn generated<S: System<N, Scalar = f64>, const N: usize>(
 impl<S: System<N, Scalar = f64>, const N: usize> Case for Measured<S, N> {
     fn name(&self) -> &'static str {
         self.name
+    }
+
+    fn states(&self) -> usize {
+        self.states.len()
     }
 
     fn subjects(&self) -> Vec<&'static str> {
@@ -113,13 +119,18 @@ impl<S: System<N, Scalar = f64>, const N: usize> Case for Measured<S, N> {
     }
 }
 
+/// Enough states that nothing predicts a call, few enough that other processes interrupt some runs and not all.
+fn states_of(coordinates: usize) -> usize {
+    if coordinates <= 20 { 512 } else { 16 }
+}
+
 fn measured<S: System<N, Scalar = f64>, const N: usize>(
     name: &'static str,
     system: S,
     by_hand: &[(&'static str, Accelerations<N>)],
     shift: impl Fn(usize, f64) -> f64,
 ) -> Measured<S, N> {
-    let mut states = random_states::<N>();
+    let mut states = random_states::<N>(states_of(N));
     for (q, _) in &mut states {
         q.iter_mut().enumerate().for_each(|(i, q)| *q = shift(i, *q));
     }
@@ -201,7 +212,7 @@ pub fn for_each(visit: &mut dyn FnMut(&dyn Case)) {
                     ("hand", r::DenseRods::<$rods>::accelerations),
                     ("hand-recursive", r::Tridiagonal::<$rods>::accelerations),
                 ],
-                random_states::<$rods>().iter().map(hanging).collect(),
+                random_states::<$rods>(states_of($rods)).iter().map(hanging).collect(),
             ));
         };
     }
