@@ -121,7 +121,7 @@ impl<S: System<N, Scalar = f64>, const N: usize> Case for Measured<S, N> {
 
 /// Enough states that nothing predicts a call, few enough that other processes interrupt some runs and not all.
 fn states_of(coordinates: usize) -> usize {
-    if coordinates <= 20 { 512 } else { 16 }
+    if coordinates <= 20 { 512 } else { 4 }
 }
 
 fn measured<S: System<N, Scalar = f64>, const N: usize>(
