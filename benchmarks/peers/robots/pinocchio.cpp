@@ -141,6 +141,11 @@ template <class T> Vector6<T> flying(const Vector3<T> &angles, const Vector6<T> 
   return twist;
 }
 
+/// a × b. That of Eigen conjugates complex numbers.
+template <class T> Vector3<T> crossed(const Vector3<T> &a, const Vector3<T> &b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// The accelerations of shifts and angles for those of a free flyer.
 template <class T>
 Vector6<T> angular(const Vector3<T> &angles, const Vector6<T> &v, const Vector6<T> &accelerations) {
@@ -156,7 +161,7 @@ Vector6<T> angular(const Vector3<T> &angles, const Vector6<T> &v, const Vector6<
   Matrix3<T> inverse;
   inverse << T(0), sr / cp, cr / cp, T(0), cr, -sr, T(1), sr * sp / cp, cr * sp / cp;
   Vector6<T> result;
-  result << rotation(angles) * (accelerations.template head<3>() + turning.cross(moving)),
+  result << rotation(angles) * (accelerations.template head<3>() + crossed<T>(turning, moving)),
       inverse * (accelerations.template tail<3>() - change);
   return result;
 }
