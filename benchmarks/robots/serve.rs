@@ -1,7 +1,7 @@
 //! What the program of a robot does: it answers requests about its states, line by line.
 //!
-//! `names`; `evaluate accelerations`, `evaluate derivatives`; `time SUBJECT SECONDS`. The states stand in the file that
-//! the program is given: a count, then coordinates, velocities and inputs of each.
+//! `names`; `evaluate accelerations`, `evaluate derivatives`; `time SUBJECT SECONDS`. The states stand in the
+//! file that the program is given: a count, then coordinates, velocities and inputs of each.
 
 use std::hint::black_box;
 use std::io::Write as _;
@@ -55,7 +55,9 @@ pub fn derivatives<S: Linearized<N, K, Scalar = f64>, const N: usize, const K: u
             for (state, u) in &states {
                 let jacobians = robot.jacobians(state, u).expect("regular states");
                 for matrix in [jacobians.by_q, jacobians.by_v] {
-                    (0..N).for_each(|i| tell(&mut text, &std::array::from_fn::<f64, N, _>(|j| matrix[(i, j)])));
+                    for i in 0..N {
+                        tell(&mut text, &std::array::from_fn::<f64, N, _>(|j| matrix[(i, j)]));
+                    }
                 }
             }
             text

@@ -1,7 +1,8 @@
 //! Time of one evaluation of the accelerations.
 //!
-//! Random states, independent calls of a function that is not inlined, results written. Subjects take turns; the figure is
-//! the median over the rounds of the fastest pass over all states, since other processes only ever add to a pass.
+//! Random states, independent calls of a function that is not inlined, results written. Subjects take turns;
+//! the figure is the median over the rounds of the fastest pass over all states, since other processes only
+//! ever add to a pass.
 
 use std::convert::Infallible;
 use std::error::Error;
@@ -109,8 +110,11 @@ fn measure(case: &dyn Case) -> Vec<Record> {
     let mut times = vec![Vec::with_capacity(ROUNDS); subjects.len()];
     for _ in 0..ROUNDS {
         for (subject, times) in times.iter_mut().enumerate() {
-            let (us, ()) = fastest(SECONDS, || Ok::<_, Infallible>(black_box(case).run(subject)))
-                .unwrap_or_else(|never| match never {});
+            let pass = || -> Result<(), Infallible> {
+                black_box(case).run(subject);
+                Ok(())
+            };
+            let (us, ()) = fastest(SECONDS, pass).unwrap_or_else(|never| match never {});
             times.push(us * 1e3 / case.states() as f64);
         }
     }

@@ -1,7 +1,7 @@
 //! Robots from URDF files: generated accelerations and their derivatives beside those of Pinocchio.
 //!
-//! `peers/robots/robots.py` brings Pinocchio and the files, `cargo-lagrange import` makes a description of each, and
-//! `package.rs` a package of each description, built apart. All programs answer the same requests
+//! `peers/robots/robots.py` brings Pinocchio and the files, `cargo-lagrange import` makes a description of each,
+//! and `package.rs` a package of each description, built apart. All programs answer the same requests
 //! (`program.rs`), so that they can be compared on the same states and timed in turn.
 
 mod package;
@@ -20,8 +20,8 @@ use package::{Built, Packages};
 use program::Program;
 use states::{Order, States};
 
-/// How far values may be from those of Pinocchio, relative to the largest of a state. Angles in URDF files are
-/// decimals: right ones have eleven digits, which the importer completes and Pinocchio takes as they are.
+/// How far values may be from those of Pinocchio, relative to the largest of a state. Right angles in URDF files
+/// have eleven decimals, which the importer completes and Pinocchio takes as they are.
 const AGREEMENT: f64 = 1e-10;
 /// Coordinates up to which derivatives are built without `--full`.
 const QUICKLY_BUILT: usize = 20;
@@ -53,7 +53,7 @@ struct Record {
     subject: String,
     /// Time of an evaluation.
     ns: f64,
-    /// Largest distance from Pinocchio in extended precision, relative to the largest value of a state.
+    /// Largest distance from Pinocchio, relative to the largest value of a state.
     #[serde(skip_serializing_if = "Option::is_none")]
     apart: Option<f64>,
     /// What expansion and compilation took, if they were done in this run [s].

@@ -110,7 +110,8 @@ impl Packages {
     }
 }
 
-/// A description by the importer, with torques at all joints and fingers that move by themselves, as Pinocchio's do.
+/// A description by the importer, with torques at all joints and fingers that move by themselves, as in
+/// Pinocchio.
 fn describe(robot: &Robot, derivatives: bool) -> Result<String, Box<dyn Error>> {
     let mut command = cargo();
     command

@@ -1,7 +1,7 @@
 //! Chains by hand: dense, with cost N³, and as an expert writes them, with cost N.
 //!
-//! Links are described by absolute angles, rods by the Cartesian coordinates of their ends. All rods have unit
-//! length and carry a unit mass at the far end; the first one hangs from the origin.
+//! Links are described by absolute angles. Each has unit length and carries a unit mass at the far end; the first
+//! one hangs from the origin.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 
@@ -117,9 +117,9 @@ impl<const N: usize> ByHand<N> for Tensions {
 
 /// Links with absolute angles: articulated bodies, from the tip to the base and back.
 ///
-/// Rod i pulls its upper end along itself, with the force γᵢ − αᵢ eᵢ·a, where e is the direction of the rod and a
-/// the acceleration of that end relative to free fall. α is the articulated inertia, a number because a massless rod
-/// with a hinge resists along itself alone.
+/// Rod i pulls its upper end along itself, with the force γᵢ − αᵢ eᵢ·a, where e is the direction of the rod
+/// and a the acceleration of that end relative to free fall. α is the articulated inertia, a number because
+/// a massless rod with a hinge resists along itself alone.
 #[derive(Clone, Copy)]
 pub struct Recursive;
 

@@ -1,4 +1,5 @@
-//! The accelerations as an expert writes them: closed forms for small systems. `chains.rs` has those of chains.
+//! The accelerations as an expert writes them: closed forms for small systems. `chains.rs` and `rods.rs` have
+//! those of chains.
 
 #![cfg_attr(not(feature = "peers"), allow(dead_code, reason = "systems with constraints are for the peers"))]
 

@@ -37,8 +37,8 @@ pub trait Case {
     fn subjects(&self) -> Vec<&'static str>;
     /// Evaluates one implementation at all states.
     fn run(&self, subject: usize);
-    /// For each implementation, how far it is from the one that differs most, relative to the largest acceleration
-    /// of a state.
+    /// For each implementation, how far it is from the one that differs most, relative to the largest
+    /// acceleration of a state.
     fn deviations(&self) -> Vec<f64>;
 }
 
@@ -119,7 +119,7 @@ impl<S: System<N, Scalar = f64>, const N: usize> Case for Measured<S, N> {
     }
 }
 
-/// Enough states that nothing predicts a call, few enough that other processes interrupt some runs and not all.
+/// Enough states that nothing predicts a call, few enough that other processes interrupt some runs, not all.
 fn states_of(coordinates: usize) -> usize {
     if coordinates <= 20 { 512 } else { 4 }
 }

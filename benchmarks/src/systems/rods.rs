@@ -1,7 +1,7 @@
 //! Chains of rods in Cartesian coordinates by hand: multipliers are the tensions of the rods.
 //!
-//! With d the vector along a rod and T its tension over its length, each mass has a = g − Tᵢ dᵢ + Tᵢ₊₁ dᵢ₊₁, and each rod
-//! d·d̈ + ḋ·ḋ = 0: tridiagonal equations for the tensions.
+//! With d the vector along a rod and T its tension over its length, each mass has a = g − Tᵢ dᵢ + Tᵢ₊₁ dᵢ₊₁,
+//! and each rod d·d̈ + ḋ·ḋ = 0: tridiagonal equations for the tensions.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 
@@ -30,10 +30,10 @@ impl<R: Number, const RODS: usize> Rods<R, RODS> {
             let (mut u, mut w) = (v[i], v[RODS + i]);
             (x[i], y[i]) = (q[i], q[RODS + i]);
             if i > 0 {
-                x[i] = x[i] - q[i - 1];
-                y[i] = y[i] - q[RODS + i - 1];
-                u = u - v[i - 1];
-                w = w - v[RODS + i - 1];
+                x[i] -= q[i - 1];
+                y[i] -= q[RODS + i - 1];
+                u -= v[i - 1];
+                w -= v[RODS + i - 1];
             }
             let square = x[i] * x[i] + y[i] * y[i];
             diagonal[i] = if i == 0 { square } else { square * 2.0 };
@@ -94,7 +94,7 @@ impl<const N: usize, const RODS: usize> ByHand<N> for Tridiagonal<RODS> {
         for i in 1..RODS {
             let factor = rods.beside[i - 1] * inverse[i - 1];
             inverse[i] = (rods.diagonal[i] - factor * rods.beside[i - 1]).inverse();
-            tension[i] = tension[i] + factor * tension[i - 1];
+            tension[i] += factor * tension[i - 1];
         }
         tension[RODS - 1] *= inverse[RODS - 1];
         for i in (0..RODS - 1).rev() {
