@@ -3,11 +3,12 @@
 //   pinocchio MODEL STATES
 //
 // MODEL is what `robots.py` writes: the joints of a model of Pinocchio. STATES has a count and coordinates,
-// velocities and torques of each state, in the order of that model; a floating base has x, y, z, yaw, pitch, roll.
-// Requests come line by line: `evaluate accelerations`, `evaluate derivatives`, `time SUBJECT SECONDS`.
+// velocities and torques of each state, in the order of that model; a floating base has x, y, z, yaw, pitch,
+// roll. Requests come line by line: `evaluate accelerations`, `evaluate derivatives`, `time SUBJECT SECONDS`.
 //
-// A floating base is a free flyer with a quaternion, as everybody uses it. Values are converted to those of three shifts
-// and three angles, the coordinates of the description that they are compared with; times are without that.
+// A floating base is a free flyer with a quaternion, as everybody uses it. Values are converted to those of
+// three shifts and three angles, the coordinates of the description that they are compared with; times are
+// without that.
 
 #include <pinocchio/multibody.hpp>
 
@@ -155,7 +156,8 @@ Vector6<T> angular(const Vector3<T> &angles, const Vector6<T> &v, const Vector6<
   const Vector6<T> twist = flying(angles, v);
   const Vector3<T> moving = twist.template head<3>(), turning = twist.template tail<3>();
   // The derivative of `rates` in time, times the rates.
-  const Vector3<T> change(-yaw * pitch * cp, -pitch * roll * sr + yaw * roll * cr * cp - yaw * pitch * sr * sp,
+  const Vector3<T> change(-yaw * pitch * cp,
+                          -pitch * roll * sr + yaw * roll * cr * cp - yaw * pitch * sr * sp,
                           -pitch * roll * cr - yaw * roll * sr * cp - yaw * pitch * cr * sp);
   // Its inverse.
   Matrix3<T> inverse;

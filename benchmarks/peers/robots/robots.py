@@ -2,8 +2,9 @@
 
     python3 benchmarks/peers/robots/robots.py FOLDER
 
-Makes a virtual environment in FOLDER, installs `requirements.txt` into it, writes the models of the robots as
-`pinocchio.cpp` reads them, compiles that program, and prints what there is as JSON. What is there already stays.
+Makes a virtual environment in FOLDER, installs `requirements.txt` into it, writes the models of the robots
+as `pinocchio.cpp` reads them, compiles that program, and prints what there is as JSON. What is there already
+stays.
 """
 
 from __future__ import annotations
