@@ -21,28 +21,22 @@ enum Command {
     Import(ImportArguments),
 }
 
-const AFTER_HELP: &str = "\
-Example:
+/// The program in the help is compiled and run by `tests/compiled.rs`.
+const AFTER_HELP: &str = concat!(
+    "Example:
   cargo lagrange import robot.urdf --name Arm --output src/arm.rs
 
 and in src/main.rs, with `lagrangian` among the dependencies:
-  mod arm;
-  use arm::Arm;
-  use lagrangian::prelude::*;
 
-  fn main() -> Result<(), MotionError<f64>> {
-      let arm = Arm::default();
-      println!(\"{:?}\", Arm::COORDINATES);
-      // Accelerations at a state, for inputs in the order of the attribute:
-      let state = State::at_rest([0.1; Arm::COORDINATES.len()]);
-      println!(\"{:?}\", arm.accelerations(&state, &[0.0; INPUTS])?);
-      // A motion under error control, the motors off:
-      let mut motion = arm.simulate(state);
-      println!(\"{:?}\", motion.advance_to(1.0)?);
-      Ok(())
-  }
+mod arm;
+use arm::Arm;
+use lagrangian::prelude::*;
 
-A description is ordinary Rust: change it, add constraints, contacts and forces to it.";
+",
+    include_str!("../tests/files/usage.rs"),
+    "
+A description is ordinary Rust: change it, add constraints, contacts and forces to it."
+);
 
 /// Writes a description of the robot in a URDF or MJCF file.
 ///
@@ -148,11 +142,19 @@ fn run_import(arguments: &ImportArguments) -> Result<(), String> {
             result => result.map_err(|error| format!("error: standard output: {error}")),
         };
     };
-    let opened = fs::OpenOptions::new().write(true).create(true).truncate(true).create_new(!arguments.force).open(output);
+    let opened = fs::OpenOptions::new()
+        .write(true)
+        .create(true)
+        .truncate(true)
+        .create_new(!arguments.force)
+        .open(output);
     let written = opened.and_then(|mut file| file.write_all(import.text.as_bytes()));
     written.map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => {
-            format!("error: {} is there already; replace it with --force, or name another file", output.display())
+            format!(
+                "error: {} is there already; replace it with --force, or name another file",
+                output.display()
+            )
         }
         _ => format!("error: {}: {error}", output.display()),
     })
@@ -162,7 +164,9 @@ fn options(arguments: &ImportArguments) -> Result<Options, String> {
     if let Some(name) = &arguments.name
         && !cargo_lagrange::import::is_type_name(name)
     {
-        return Err(format!("error: --name {name}: write a name of a type, such as `Ur5`, that the prelude does not have"));
+        return Err(format!(
+            "error: --name {name}: write a name of a type, such as `Ur5`, that the prelude does not have"
+        ));
     }
     if !(0.0..0.1).contains(&arguments.right_angles) {
         return Err("error: --right-angles: write an angle from 0 to 0.1 rad".to_owned());

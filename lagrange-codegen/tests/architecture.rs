@@ -125,6 +125,7 @@ fn the_mathematical_core_knows_no_tokens() {
 fn files_are_read_in_one_sitting() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folders = [
+        "cargo-lagrange/src",
         "lagrange-codegen/src",
         "lagrange-macros/src",
         "lagrange-runtime/src",

@@ -223,7 +223,9 @@ pub fn transposed(a: &Matrix) -> Matrix {
 mod tests {
     use super::*;
 
+    /// As files write them.
     #[test]
+    #[allow(clippy::approx_constant)]
     fn right_angles_are_exact() {
         for (written, quarters) in [(1.57079632679, 1), (-3.14159265359, 2), (4.71238898038, -1), (0.0, 0)] {
             assert_eq!(Angle::new(written, 1e-9), Angle::Quarters(quarters));

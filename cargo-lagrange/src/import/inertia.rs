@@ -51,6 +51,18 @@ impl Inertial {
         Some(Inertial { mass, centre, tensor })
     }
 
+    /// Looks for what no body can have. Roundings of the moments about the origin of the frame are allowed for.
+    pub fn flaw(&self) -> Option<Flaw> {
+        let [least, middle, largest] = principal_moments(&self.tensor);
+        let about_origin = self.mass * dot(self.centre, self.centre);
+        let rounding = 16.0 * f64::EPSILON * (largest.abs().max(least.abs()) + about_origin);
+        if least < -rounding {
+            return Some(Flaw::Negative(least));
+        }
+        let excess = largest - least - middle;
+        (excess > rounding).then(|| Flaw::Triangle(excess / largest))
+    }
+
     /// Whether there is neither mass nor inertia.
     pub fn is_nothing(&self) -> bool {
         self.mass == 0.0 && self.tensor == [[0.0; 3]; 3]
@@ -64,17 +76,6 @@ pub enum Flaw {
     Negative(f64),
     /// The largest principal moment exceeds the sum of the others by this share of it, which no body's can.
     Triangle(f64),
-}
-
-/// Looks for what no body can have. Rounding of the moments themselves is allowed for.
-pub fn flaw(tensor: &Matrix) -> Option<Flaw> {
-    let [least, middle, largest] = principal_moments(tensor);
-    let rounding = 16.0 * f64::EPSILON * largest.abs().max(least.abs());
-    if least < -rounding {
-        return Some(Flaw::Negative(least));
-    }
-    let excess = largest - least - middle;
-    (excess > rounding).then(|| Flaw::Triangle(excess / largest))
 }
 
 /// The eigenvalues of a symmetric matrix in ascending order, by Jacobi's rotations.
@@ -126,8 +127,11 @@ mod tests {
     #[test]
     fn impossible_inertias_are_seen() {
         let diagonal = |a, b, c| [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]];
+        let flaw = |tensor: &Matrix| Inertial { mass: 1.0, centre: [0.0; 3], tensor: *tensor }.flaw();
         assert_eq!(flaw(&IDENTITY), None);
         assert_eq!(flaw(&diagonal(0.0, 1.0, 1.0)), None, "a thin rod");
+        let noise = Inertial { mass: 1.0, centre: [0.1, 0.0, 0.0], tensor: diagonal(-1e-20, 0.0, 0.0) };
+        assert_eq!(noise.flaw(), None, "a point mass, but for roundings");
         assert_eq!(flaw(&diagonal(0.1, 0.2, 0.30000000000000004)), None, "a thin plate");
         assert_eq!(flaw(&diagonal(-1.0, 2.0, 2.0)), Some(Flaw::Negative(-1.0)));
         assert_eq!(flaw(&diagonal(1.0, 1.0, 4.0)), Some(Flaw::Triangle(0.5)));
@@ -142,7 +146,8 @@ mod tests {
             let moment = |a: f64, b: f64| mass / 12.0 * (a * a + b * b);
             [[moment(y, z), 0.0, 0.0], [0.0, moment(x, z), 0.0], [0.0, 0.0, moment(x, y)]]
         };
-        let half = |x| Inertial { mass: 1.5, centre: [x, 0.0, 2.0], tensor: box_tensor(1.5, [1.0, 2.0, 2.0]) };
+        let half =
+            |x| Inertial { mass: 1.5, centre: [x, 0.0, 2.0], tensor: box_tensor(1.5, [1.0, 2.0, 2.0]) };
         let whole = Inertial::together(&[half(-0.5), half(0.5)]).expect("there is mass");
         assert_eq!((whole.mass, whole.centre), (3.0, [0.0, 0.0, 2.0]));
         let expected = box_tensor(3.0, [2.0, 2.0, 2.0]);

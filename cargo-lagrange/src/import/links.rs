@@ -3,56 +3,50 @@
 use roxmltree::Node;
 
 use super::Options;
-use super::geometry::{Angle, Matrix};
-use super::inertia::{Flaw, flaw};
+use super::geometry::Angle;
+use super::inertia::{Flaw, Inertial};
+use super::robot::Doubtful;
 use super::xml::Reader;
 
-/// An angle that nearly is a right one, but not to the tolerance, is worth a word.
-const SUSPICIOUS: f64 = 1e-3;
+/// How far right angles of few digits, such as 1.57 or 3.14, are off.
+const FEW_DIGITS: f64 = 2e-3;
 
 /// An angle [rad], a right one within the tolerance of the options.
 pub fn angle(reader: &mut Reader<'_>, node: Node<'_, '_>, radians: f64, options: &Options) -> Angle {
     let angle = Angle::new(radians, options.tolerance);
-    if matches!(angle, Angle::Radians(_)) && matches!(Angle::new(radians, SUSPICIOUS), Angle::Quarters(_)) {
-        let text = format!("{radians} is nearly a right angle and is taken as written; --right-angles 1e-3 makes it one");
+    let is_turned = radians.abs() > FEW_DIGITS;
+    if is_turned && angle == Angle::Radians(radians) && Angle::new(radians, FEW_DIGITS) != angle {
+        let text = format!(
+            "{radians} is a right angle of few digits, and is taken as written; --right-angles {FEW_DIGITS} makes it exact"
+        );
         reader.warning(node, text);
     }
     angle
 }
 
-/// Reports what no body can have.
+/// Reports what no body can have. What is fixed to others may have any inertia, as long as all of them together
+/// have a good one: what is doubtful is given back.
 pub fn check_inertia(
     reader: &mut Reader<'_>,
-    mass_node: Node<'_, '_>,
-    mass_attribute: &str,
-    inertia: Node<'_, '_>,
-    mass: f64,
-    tensor: &Matrix,
-    options: &Options,
-) {
-    if mass < 0.0 {
-        reader.problem_of(mass_node, mass_attribute, format!("the mass {mass} is negative; write one from 0 on"));
+    (mass, attribute): (Node<'_, '_>, &str),
+    node: Node<'_, '_>,
+    inertial: &Inertial,
+) -> Option<Doubtful> {
+    if inertial.mass < 0.0 {
+        let text = format!("the mass {} is negative; write one from 0 on", inertial.mass);
+        reader.problem_of(mass, attribute, text);
     }
-    match flaw(tensor) {
-        Some(Flaw::Negative(moment)) => {
-            let text = format!(
-                "the inertia is not positive definite, a principal moment is {moment:.3e}, which no body's is; write \
-                 moments about the centre of mass, and products of inertia with their signs"
-            );
-            match options.unphysical {
-                true => reader.warning(inertia, text),
-                false => reader.problem(inertia, text + ", or take it as it is with --unphysical"),
-            }
-        }
-        Some(Flaw::Triangle(excess)) => {
+    match inertial.flaw()? {
+        Flaw::Negative(moment) => Some(Doubtful { mark: reader.mark(node), moment }),
+        Flaw::Triangle(excess) => {
             let text = format!(
                 "the largest principal moment of inertia exceeds the sum of the two others by {:.2} %, which no body's \
                  does; it is taken as it is",
                 100.0 * excess
             );
-            reader.warning(inertia, text);
+            reader.warning(node, text);
+            None
         }
-        None => {}
     }
 }
 
@@ -60,7 +54,10 @@ pub fn check_inertia(
 pub fn near<'n>(written: &str, names: impl Iterator<Item = &'n str>) -> String {
     let nearest = names.map(|name| (distance(written, name), name)).min();
     let bound = 1 + written.chars().count() / 4;
-    nearest.filter(|(distance, _)| *distance <= bound).map(|(_, name)| format!(", or did you mean `{name}`?")).unwrap_or_default()
+    nearest
+        .filter(|(distance, _)| *distance <= bound)
+        .map(|(_, name)| format!(", or did you mean `{name}`?"))
+        .unwrap_or_default()
 }
 
 /// The number of characters to change, insert and remove.

@@ -1,4 +1,4 @@
-//! Robots from files: text → [`robot::Robot`] → a tree → a plan with Rust names → the text of a description.
+//! Robots from files: text → a robot → a tree → a plan with Rust names → the text of a description.
 //!
 //! The formats know nothing of Rust; the description knows nothing of the formats.
 
@@ -6,12 +6,14 @@ mod describe;
 mod geometry;
 mod inertia;
 mod links;
+mod mjcf;
 mod names;
 mod plan;
 mod report;
 mod robot;
 mod tree;
 mod urdf;
+mod weight;
 mod xml;
 
 pub use names::is_type_name;
@@ -39,7 +41,7 @@ pub struct Options {
     pub parameters: Parameters,
     /// Further arguments of the attribute, such as `jacobians`.
     pub with: Vec<String>,
-    /// Angles this close to a right one are right, axes this close to a coordinate axis lie on it [rad].
+    /// Angles this close to a right one are right, axes this close to a coordinate axis lie on it, in rad.
     pub tolerance: f64,
     /// Inertias that no body has are taken with a warning.
     pub unphysical: bool,
@@ -126,16 +128,18 @@ pub fn import(file: &str, text: &str, options: &Options) -> Result<Import, Repor
 }
 
 /// The robot of a file in any format that is known.
-fn read(reader: &mut Reader<'_>, options: &Options) -> Option<Robot> {
+fn read<'a>(reader: &mut Reader<'a>, options: &Options) -> Option<Robot> {
     let root = reader.document.root_element();
     match root.tag_name().name() {
         "robot" => Some(urdf::read(reader, root, options)),
+        "mujoco" => Some(mjcf::read(reader, root, options)),
         "sdf" => {
             reader.problem(root, "SDF is not read; write the model as URDF or MJCF");
             None
         }
         other => {
-            let text = format!("<{other}> is no robot; a URDF file has <robot>, an MJCF file <mujoco> outside");
+            let text =
+                format!("<{other}> is no robot; a URDF file has <robot>, an MJCF file <mujoco> outside");
             reader.problem(root, text);
             None
         }

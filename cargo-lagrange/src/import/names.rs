@@ -6,16 +6,28 @@ use super::report::Sink;
 
 const KEYWORDS: [&str; 52] = [
     "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn",
-    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro",
-    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super",
-    "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized", "use", "virtual", "where", "while",
-    "yield",
+    "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop",
+    "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static",
+    "struct", "super", "trait", "true", "try", "type", "typeof", "union", "unsafe", "unsized", "use",
+    "virtual", "where", "while", "yield",
 ];
 
 /// Types and constants that a description names.
 const TYPES: [&str; 14] = [
-    "Coordinates", "Velocities", "Inputs", "IsometryMatrix3", "Translation3", "Rotation3", "Vector3", "Matrix3",
-    "Unit", "Self", "Default", "Clone", "Copy", "Debug",
+    "Coordinates",
+    "Velocities",
+    "Inputs",
+    "IsometryMatrix3",
+    "Translation3",
+    "Rotation3",
+    "Vector3",
+    "Matrix3",
+    "Unit",
+    "Self",
+    "Default",
+    "Clone",
+    "Copy",
+    "Debug",
 ];
 
 /// A set of names in which each occurs once.
@@ -25,6 +37,11 @@ pub struct Names {
 }
 
 impl Names {
+    /// Whether a name is there already.
+    pub fn has(&self, name: &str) -> bool {
+        self.taken.contains(name)
+    }
+
     /// An identifier for a name of the file; a number makes it another one than those before, which is said.
     pub fn take(&mut self, written: &str, wanted: &str, sink: &mut Sink) -> String {
         let mut name = wanted.to_owned();
@@ -34,7 +51,9 @@ impl Names {
             name = format!("{wanted}_{count}");
         }
         if count > 1 {
-            sink.note(format!("`{written}` is `{name}` in the description, since `{wanted}` is there already"));
+            sink.note(format!(
+                "`{written}` is `{name}` in the description, since `{wanted}` is there already"
+            ));
         }
         name
     }
@@ -58,9 +77,13 @@ pub fn snake(written: &str) -> String {
     match name.chars().next() {
         None => "unnamed".to_owned(),
         Some(first) if first.is_ascii_digit() => format!("n{name}"),
-        _ if KEYWORDS.contains(&name) => format!("{name}_"),
         _ => name.to_owned(),
     }
+}
+
+/// A name of its own: words of the language get an underscore.
+pub fn alone(name: String) -> String {
+    if KEYWORDS.contains(&name.as_str()) { name + "_" } else { name }
 }
 
 /// Words with capitals, as Rust names types.
@@ -69,7 +92,10 @@ pub fn camel(written: &str) -> String {
         .split('_')
         .map(|word| {
             let mut letters = word.chars();
-            letters.next().map(|first| first.to_ascii_uppercase().to_string() + letters.as_str()).unwrap_or_default()
+            letters
+                .next()
+                .map(|first| first.to_ascii_uppercase().to_string() + letters.as_str())
+                .unwrap_or_default()
         })
         .collect();
     if TYPES.contains(&name.as_str()) { format!("{name}Robot") } else { name }
@@ -94,12 +120,12 @@ mod tests {
             ("leftHipYaw", "left_hip_yaw"),
             ("robot/base link", "robot_base_link"),
             ("2nd-axis", "n2nd_axis"),
-            ("type", "type_"),
             ("_", "unnamed"),
             ("Gelenk für Öl", "gelenk_f_r_l"),
         ] {
             assert_eq!(snake(written), name);
         }
+        assert_eq!(alone(snake("type")), "type_");
         assert_eq!(camel("ur5_robot"), "Ur5Robot");
         assert_eq!(camel("vector3"), "Vector3Robot");
     }

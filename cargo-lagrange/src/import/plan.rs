@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use super::geometry::Pose;
-use super::inertia::Inertial;
-use super::names::{Names, camel, snake};
+use super::inertia::{Flaw, Inertial};
+use super::names::{Names, alone, camel, snake};
 use super::report::Sink;
-use super::robot::{Action, Joint, Kind, Mimic, Robot};
+use super::robot::{Action, Doubtful, Drive, Joint, Kind, Mimic, Robot};
 use super::tree::{Tree, add_floating_base, tree};
+use super::weight::does_work;
 use super::{Following, Inputs, Options};
 
 /// All that a description says.
@@ -31,6 +32,8 @@ pub struct Plan {
     pub frames: Vec<Frame>,
     /// Moving masses.
     pub bodies: Vec<Body>,
+    /// Whether gravity does work.
+    pub is_heavy: bool,
     /// What the description leaves out.
     pub left_out: Vec<String>,
 }
@@ -96,14 +99,23 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
         coordinates,
         motions,
         bodies: Vec::new(),
+        is_heavy: false,
         left_out: Vec::new(),
     };
     if plan.coordinates.is_empty() {
         let mark = plan.robot.links[plan.tree.root].mark.clone();
-        sink.problem(&mark, "no joint moves; add a joint that is not fixed, or let the root move with --floating");
+        sink.problem(
+            &mark,
+            "no joint moves; add a joint that is not fixed, or let the root move with --floating",
+        );
         return None;
     }
     plan.bodies = bodies(&plan);
+    plan.check_inertias(options, file, sink);
+    plan.is_heavy = does_work(&plan);
+    if !plan.is_heavy {
+        sink.note("gravity does no work: the description has no weight");
+    }
     plan.say(options, sink);
     Some(plan)
 }
@@ -142,7 +154,7 @@ fn motions(
         for part in parts {
             let wanted = if part.is_empty() { wanted.clone() } else { format!("{prefix}{part}") };
             own.push(coordinates.len());
-            coordinates.push(names.take(&joint.name, &wanted, sink));
+            coordinates.push(names.take(&joint.name, &alone(wanted), sink));
         }
         motions[index] = Motion::Own(own);
     }
@@ -176,33 +188,36 @@ fn inputs(
     names: &mut Names,
     sink: &mut Sink,
 ) -> Vec<(String, usize, f64)> {
-    let mut inputs = Vec::new();
+    let mut drives = Vec::new();
     for &index in tree.order.iter().filter(|_| options.inputs != Inputs::None) {
         let joint = &robot.joints[index];
         let follows = matches!(motions[index], Motion::Follows { .. });
-        if joint.kind.freedom() != 1 || (follows && joint.drives.iter().all(|drive| drive.name.is_none())) {
-            continue;
-        }
-        let unit = if matches!(joint.kind, Kind::Slides(_)) { "force" } else { "torque" };
-        for drive in &joint.drives {
-            let wanted = drive.name.as_deref().map_or_else(|| format!("{}_{unit}", snake(&joint.name)), snake);
-            let written = drive.name.as_deref().unwrap_or(&joint.name);
-            inputs.push((names.take(written, &wanted, sink), index, drive.gear));
+        if joint.kind.freedom() == 1 && !(follows && joint.drives.iter().all(|drive| drive.name.is_none())) {
+            drives.extend(joint.drives.iter().map(|drive| (index, drive)));
         }
     }
-    inputs
+    // Actuators come in the order of the file, other drives in that of the joints.
+    drives.sort_by_key(|(_, drive)| drive.order);
+    let name = |(index, drive): (usize, &Drive)| {
+        let joint = &robot.joints[index];
+        let unit = if matches!(joint.kind, Kind::Slides(_)) { "force" } else { "torque" };
+        let of_joint = || format!("{}_{unit}", snake(&joint.name));
+        // Motors are often named like the joints that they drive.
+        let named = drive.name.as_deref().map(snake).map(alone).filter(|name| !names.has(name));
+        let wanted = named.unwrap_or_else(of_joint);
+        let written = drive.name.as_deref().unwrap_or(&joint.name);
+        (names.take(written, &wanted, sink), index, drive.gear)
+    };
+    drives.into_iter().map(name).collect()
 }
 
 fn frames(robot: &Robot, tree: &Tree, motions: &[Motion], sink: &mut Sink) -> Vec<Frame> {
     let mut names = Names::default();
-    let root = Frame {
-        name: String::new(),
-        carrier: (tree.root, Pose::IDENTITY),
-        moves: false,
-        is_world: true,
-    };
+    let root =
+        Frame { name: String::new(), carrier: (tree.root, Pose::IDENTITY), moves: false, is_world: true };
     let mut frames = vec![root; robot.links.len()];
-    frames[tree.root].name = names.take(&robot.links[tree.root].name, &snake(&robot.links[tree.root].name), sink);
+    frames[tree.root].name =
+        names.take(&robot.links[tree.root].name, &snake(&robot.links[tree.root].name), sink);
     for &index in &tree.order {
         let joint = &robot.joints[index];
         let link = &robot.links[joint.child].name;
@@ -254,12 +269,35 @@ impl Plan {
     /// The joints whose actions matter, with their actions.
     pub fn actions(&self) -> impl Iterator<Item = (usize, &Joint, &Action)> {
         let joints = self.tree.order.iter().map(|&index| (index, &self.robot.joints[index]));
-        joints.filter(|(_, joint)| joint.kind.freedom() == 1).map(|(index, joint)| (index, joint, &joint.action))
+        joints
+            .filter(|(_, joint)| joint.kind.freedom() == 1)
+            .map(|(index, joint)| (index, joint, &joint.action))
     }
 
     /// Whether a joint follows another one.
     pub fn follows(&self, joint: usize) -> bool {
         matches!(self.motions[joint], Motion::Follows { .. })
+    }
+
+    /// Reports inertias that no body has, where what they belong to is none either.
+    fn check_inertias(&self, options: &Options, file: &str, sink: &mut Sink) {
+        for (link, frame) in self.robot.links.iter().zip(&self.frames).filter(|(_, frame)| frame.moves) {
+            let Some(Doubtful { mark, moment }) = &link.doubtful else { continue };
+            let mut text = format!(
+                "the inertia is not positive definite, a principal moment is {moment:.3e}, which no body's is; write \
+                 moments about the centre of mass, and products of inertia with their signs"
+            );
+            let body = self.bodies.iter().find(|body| body.link == frame.carrier.0);
+            let is_bad = body.is_some_and(|body| matches!(body.inertial.flaw(), Some(Flaw::Negative(_))));
+            match (is_bad, options.unphysical) {
+                (true, false) => sink.problem(mark, text + ", or take it as it is with --unphysical"),
+                (true, true) => sink.warning(file, mark, text),
+                (false, _) => {
+                    text.push_str("; that of all that is fixed to each other is");
+                    sink.warning(file, mark, text);
+                }
+            }
+        }
     }
 
     /// Tells what was decided.
@@ -281,7 +319,8 @@ impl Plan {
             left_out.push(format!("dry friction in {} (--friction)", list(rough)));
         }
         if options.mimic == Following::Ignore && self.robot.joints.iter().any(|joint| joint.mimic.is_some()) {
-            left_out.push("<mimic>: joints that follow others move by themselves (--mimic eliminate)".to_owned());
+            left_out
+                .push("<mimic>: joints that follow others move by themselves (--mimic eliminate)".to_owned());
         }
         let idle: Vec<&str> = self
             .actions()
@@ -289,7 +328,10 @@ impl Plan {
             .map(|(_, joint, _)| &*joint.name)
             .collect();
         if options.inputs == Inputs::Actuated && !idle.is_empty() {
-            sink.note(format!("no transmission or actuator drives {}: no inputs for them (--inputs all)", list(idle)));
+            sink.note(format!(
+                "no transmission or actuator drives {}: no inputs for them (--inputs all)",
+                list(idle)
+            ));
         }
         let massless: Vec<&str> = self
             .tree
@@ -314,7 +356,11 @@ impl Plan {
                 Kind::Free | Kind::Ball => "pitch",
                 _ => continue,
             };
-            let name = if joint.name.is_empty() { "the floating base".to_owned() } else { format!("`{}`", joint.name) };
+            let name = if joint.name.is_empty() {
+                "the floating base".to_owned()
+            } else {
+                format!("`{}`", joint.name)
+            };
             sink.note(format!(
                 "{name} has the angles roll, pitch and yaw about fixed axes: the equations are singular at a {angle} of ±90°"
             ));

@@ -26,6 +26,17 @@ pub struct Link {
     pub mark: Mark,
     /// Mass and inertia; several where several parts of the file make one link.
     pub inertials: Vec<Inertial>,
+    /// An inertia of it that no body has.
+    pub doubtful: Option<Doubtful>,
+}
+
+/// An inertia that is not positive definite.
+#[derive(Clone, Debug)]
+pub struct Doubtful {
+    /// Where it stands.
+    pub mark: Mark,
+    /// A principal moment of it, which is negative.
+    pub moment: f64,
 }
 
 /// What connects two links.
@@ -107,6 +118,8 @@ pub struct Drive {
     pub name: Option<String>,
     /// Force in the joint for a unit of the input.
     pub gear: f64,
+    /// Its place among the actuators of the file.
+    pub order: usize,
 }
 
 impl Kind {

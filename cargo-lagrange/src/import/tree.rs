@@ -8,8 +8,6 @@ use super::robot::{Joint, Kind, Robot};
 pub struct Tree {
     /// The link that nothing moves.
     pub root: usize,
-    /// The joint that moves a link.
-    pub above: Vec<Option<usize>>,
     /// All joints, those nearer to the root first, branch by branch.
     pub order: Vec<usize>,
 }
@@ -69,7 +67,7 @@ pub fn tree(robot: &Robot, sink: &mut Sink) -> Option<Tree> {
         sink.problem(&joint.mark, text);
     }
     match roots.first() {
-        Some(&root) if sink.problems.len() == before => Some(Tree { root, above, order }),
+        Some(&root) if sink.problems.len() == before => Some(Tree { root, order }),
         _ => None,
     }
 }
@@ -79,7 +77,12 @@ pub fn add_floating_base(robot: &mut Robot, tree: &Tree) {
     use super::geometry::Pose;
     use super::robot::{Action, Link};
     let mark = robot.links[tree.root].mark.clone();
-    robot.links.push(Link { name: "world".to_owned(), mark: mark.clone(), inertials: Vec::new() });
+    robot.links.push(Link {
+        name: "world".to_owned(),
+        mark: mark.clone(),
+        inertials: Vec::new(),
+        doubtful: None,
+    });
     let joint = Joint {
         name: String::new(),
         mark,

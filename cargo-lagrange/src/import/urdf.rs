@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use roxmltree::Node;
 
-use super::Options;
 use super::geometry::{Pose, Rotation, Vector, direction};
 use super::inertia::Inertial;
 use super::links;
-use super::robot::{Action, Drive, Joint, Kind, Link, Mimic, Robot};
+use super::robot::{Action, Doubtful, Drive, Joint, Kind, Link, Mimic, Robot};
 use super::xml::{Reader, child, children};
+use super::{Inputs, Options};
 
 /// The acceleration of free fall at rest [m/s²], which URDF does not give.
 const GRAVITY: Vector = [0.0, 0.0, -9.81];
@@ -19,7 +19,7 @@ pub fn read(reader: &mut Reader<'_>, root: Node<'_, '_>, options: &Options) -> R
     let mut urdf = Urdf { reader, options, names: BTreeMap::new() };
     let links = urdf.links(root);
     let joints = urdf.joints(root, &links);
-    urdf.ignored(root, &joints);
+    urdf.ignored(root);
     let name = root.attribute("name").map(str::to_owned);
     Robot { name, links, joints, gravity: GRAVITY }
 }
@@ -38,10 +38,13 @@ impl Urdf<'_, '_> {
             let Some(name) = self.reader.text(node, "name", "base_link") else { continue };
             let mark = self.reader.mark(node);
             if self.names.insert(name.to_owned(), links.len()).is_some() {
-                self.reader.problem(node, "another link has this name; rename one, and the joints that mean it");
+                self.reader
+                    .problem(node, "another link has this name; rename one, and the joints that mean it");
             }
-            let inertials = child(node, "inertial").and_then(|inertial| self.inertial(inertial));
-            links.push(Link { name: name.to_owned(), mark, inertials: inertials.into_iter().collect() });
+            let inertial = child(node, "inertial").and_then(|inertial| self.inertial(inertial));
+            let doubtful = inertial.as_ref().and_then(|(_, doubtful)| doubtful.clone());
+            let inertials = inertial.into_iter().map(|(inertial, _)| inertial).collect();
+            links.push(Link { name: name.to_owned(), mark, inertials, doubtful });
         }
         if links.is_empty() {
             self.reader.problem(root, "the robot has no links; write a <link name=\"base_link\"/> at least");
@@ -49,18 +52,23 @@ impl Urdf<'_, '_> {
         links
     }
 
-    fn inertial(&mut self, node: Node<'_, '_>) -> Option<Inertial> {
+    fn inertial(&mut self, node: Node<'_, '_>) -> Option<(Inertial, Option<Doubtful>)> {
         let frame = self.origin(node);
         let reader = &mut *self.reader;
         let mass = reader.child(node, "mass", "<mass value=\"1.0\"/>")?;
         let value = reader.required(mass, "value")?;
-        let inertia = reader.child(node, "inertia", "<inertia ixx=\"…\" ixy=\"0\" ixz=\"0\" iyy=\"…\" iyz=\"0\" izz=\"…\"/>")?;
+        let inertia = reader.child(
+            node,
+            "inertia",
+            "<inertia ixx=\"…\" ixy=\"0\" ixz=\"0\" iyy=\"…\" iyz=\"0\" izz=\"…\"/>",
+        )?;
         let [xx, yy, zz] = ["ixx", "iyy", "izz"].map(|name| reader.required(inertia, name));
         let [xy, xz, yz] = ["ixy", "ixz", "iyz"].map(|name| reader.number(inertia, name).unwrap_or(0.0));
         let (xx, yy, zz) = (xx?, yy?, zz?);
         let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-        links::check_inertia(reader, mass, "value", inertia, value, &tensor, self.options);
-        Some(Inertial::in_frame(&frame, value, &tensor))
+        let inertial = Inertial::in_frame(&frame, value, &tensor);
+        let doubtful = links::check_inertia(reader, (mass, "value"), inertia, &inertial);
+        Some((inertial, doubtful))
     }
 
     fn origin(&mut self, node: Node<'_, '_>) -> Pose {
@@ -85,13 +93,18 @@ impl Urdf<'_, '_> {
             if names.insert(name.to_owned(), joints.len()).is_some() {
                 self.reader.problem(node, "another joint has this name; rename one of them");
             }
-            if let Some(mimic) = child(node, "mimic") {
-                mimics.push((joints.len(), mimic));
+            // What is fixed follows nothing.
+            match child(node, "mimic").filter(|_| kind != Some(Kind::Fixed)) {
+                Some(mimic) if kind.is_some_and(|kind| kind.freedom() != 1) => {
+                    self.reader
+                        .problem(mimic, "only joints that turn or slide can follow another one; remove it");
+                }
+                mimic => mimics.extend(mimic.map(|mimic| (joints.len(), mimic))),
             }
             let mark = self.reader.mark(node);
             // A link that is not there has been reported; the indices are never used.
             let (parent, child) = (parent.unwrap_or(links.len()), children.unwrap_or(links.len()));
-            let (back, drives) = ([0.0; 3], vec![Drive { name: None, gear: 1.0 }]);
+            let (back, drives) = ([0.0; 3], vec![Drive { name: None, gear: 1.0, order: 0 }]);
             joints.push(Joint {
                 name: name.to_owned(),
                 mark,
@@ -108,6 +121,7 @@ impl Urdf<'_, '_> {
         for (joint, node) in mimics {
             joints[joint].mimic = self.mimic(node, &names, &joints);
         }
+        self.transmissions(root, &names, &mut joints);
         joints
     }
 
@@ -118,7 +132,8 @@ impl Urdf<'_, '_> {
         let found = self.names.get(name).copied();
         if found.is_none() {
             let near = links::near(name, self.names.keys().map(String::as_str));
-            let text = format!("the {end} `{name}` is no link of the file; write <link name=\"{name}\"/>{near}");
+            let text =
+                format!("the {end} `{name}` is no link of the file; write <link name=\"{name}\"/>{near}");
             self.reader.problem_of(node, "link", text);
         }
         found
@@ -149,7 +164,11 @@ impl Urdf<'_, '_> {
             "floating" => Some(Kind::Free),
             _ => {
                 let near = links::near(kind, KINDS.split(", "));
-                self.reader.problem_of(node, "type", format!("`{kind}` is no type of joint{near}; there are {KINDS}"));
+                self.reader.problem_of(
+                    node,
+                    "type",
+                    format!("`{kind}` is no type of joint{near}; there are {KINDS}"),
+                );
                 None
             }
         }
@@ -163,9 +182,14 @@ impl Urdf<'_, '_> {
         }
         let bounded = matches!(node.attribute("type"), Some("revolute" | "prismatic")) && kind.is_some();
         if let Some(limit) = child(node, "limit").filter(|_| bounded) {
-            let [lower, upper] = ["lower", "upper"].map(|side| self.reader.number(limit, side).unwrap_or(0.0));
+            let [lower, upper] =
+                ["lower", "upper"].map(|side| self.reader.number(limit, side).unwrap_or(0.0));
             if lower > upper {
-                self.reader.problem_of(limit, "lower", format!("{lower} is above upper=\"{upper}\"; exchange the two"));
+                self.reader.problem_of(
+                    limit,
+                    "lower",
+                    format!("{lower} is above upper=\"{upper}\"; exchange the two"),
+                );
             }
             // Files that mean no limits leave both at their default.
             action.limits = (lower < upper).then_some([lower, upper]);
@@ -173,7 +197,12 @@ impl Urdf<'_, '_> {
         action
     }
 
-    fn mimic(&mut self, node: Node<'_, '_>, names: &BTreeMap<String, usize>, joints: &[Joint]) -> Option<Mimic> {
+    fn mimic(
+        &mut self,
+        node: Node<'_, '_>,
+        names: &BTreeMap<String, usize>,
+        joints: &[Joint],
+    ) -> Option<Mimic> {
         let name = self.reader.text(node, "joint", "finger_left")?;
         let multiplier = self.reader.number(node, "multiplier").unwrap_or(1.0);
         let offset = self.reader.number(node, "offset").unwrap_or(0.0);
@@ -183,15 +212,40 @@ impl Urdf<'_, '_> {
             return None;
         };
         if joints[of].kind.freedom() != 1 {
-            let text = format!("`{name}` has no single coordinate to follow; name a joint that turns or slides");
+            let text =
+                format!("`{name}` has no single coordinate to follow; name a joint that turns or slides");
             self.reader.problem_of(node, "joint", text);
             return None;
         }
         Some(Mimic { of, multiplier, offset })
     }
 
+    /// Where a file has transmissions, other joints are passive.
+    fn transmissions(&mut self, root: Node<'_, '_>, names: &BTreeMap<String, usize>, joints: &mut [Joint]) {
+        let mut driven = vec![false; joints.len()];
+        for node in children(root, "transmission").flat_map(|node| node.children()) {
+            if !node.has_tag_name("joint") && !node.has_tag_name("actuatedJoint") {
+                continue;
+            }
+            let Some(name) = self.reader.text(node, "name", "shoulder") else { continue };
+            match names.get(name) {
+                Some(&joint) => driven[joint] = true,
+                None => {
+                    let near = links::near(name, names.keys().map(String::as_str));
+                    self.reader
+                        .warning(node, format!("`{name}` is no joint of the file{near}; it is left out"));
+                }
+            }
+        }
+        if self.options.inputs == Inputs::Actuated && driven.contains(&true) {
+            for (joint, _) in joints.iter_mut().zip(driven).filter(|(_, driven)| !driven) {
+                joint.drives.clear();
+            }
+        }
+    }
+
     /// Says what the description leaves out.
-    fn ignored(&mut self, root: Node<'_, '_>, _joints: &[Joint]) {
+    fn ignored(&mut self, root: Node<'_, '_>) {
         let count = |name: &str| root.descendants().filter(|node| node.has_tag_name(name)).count();
         let kinds = ["visual", "collision", "mesh", "sensor", "gazebo", "safety_controller", "calibration"];
         let found: Vec<String> = kinds
@@ -201,7 +255,10 @@ impl Urdf<'_, '_> {
             .map(|(kind, count)| format!("{count} <{kind}>"))
             .collect();
         if !found.is_empty() {
-            self.reader.sink.note(format!("shapes and tools have no place in the equations: {} ignored", found.join(", ")));
+            self.reader.sink.note(format!(
+                "shapes and tools have no place in the equations: {} ignored",
+                found.join(", ")
+            ));
         }
     }
 }

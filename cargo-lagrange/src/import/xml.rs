@@ -35,7 +35,8 @@ impl<'a> Reader<'a> {
     /// An element for messages: its start tag, and the nearest one with a name around it.
     pub fn mark(&self, node: Node<'_, '_>) -> Mark {
         let tag = |node: Node<'_, '_>| {
-            let name = ["name", "joint", "class"].into_iter().find_map(|key| Some((key, node.attribute(key)?)));
+            let name =
+                ["name", "joint", "class"].into_iter().find_map(|key| Some((key, node.attribute(key)?)));
             let name = name.map(|(key, value)| format!(" {key}=\"{value}\"")).unwrap_or_default();
             format!("<{}{name}>", node.tag_name().name())
         };
@@ -110,7 +111,9 @@ impl<'a> Reader<'a> {
                 }
                 Err(_) => {
                     let hint = match word {
-                        _ if word.contains("${") => ": this is a xacro file; run `xacro FILE.xacro > robot.urdf` first",
+                        _ if word.contains("${") => {
+                            ": this is a xacro file; run `xacro FILE.xacro > robot.urdf` first"
+                        }
                         _ if word.contains(',') => ": write a decimal point, and spaces between numbers",
                         _ => "; write digits such as 0.25 or 1e-3",
                     };

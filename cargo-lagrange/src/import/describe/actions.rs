@@ -2,20 +2,26 @@
 
 use super::Writer;
 use super::bodies::weighted;
-use super::text::{number, sum};
+use super::text::{grouped, number, sum};
 use crate::import::plan::Motion;
 use crate::import::{Following, Options};
 
 impl<'p> Writer<'p> {
     /// Writes all that acts in the joints.
     pub fn actions(&mut self, options: &Options) {
-        self.quadratic('v', "armature", "kinetic", "The energy of rotors in the joints.", |action| (action.armature, 0.0));
+        self.quadratic('v', "armature", "kinetic", "The energy of rotors in the joints.", |action| {
+            (action.armature, 0.0)
+        });
         self.quadratic('q', "springs", "potential", "The energy of springs in the joints.", |action| {
             (action.stiffness, action.relaxed)
         });
-        self.quadratic('v', "damping", "dissipation", "Viscous damping in the joints: half its power.", |action| {
-            (action.damping, 0.0)
-        });
+        self.quadratic(
+            'v',
+            "damping",
+            "dissipation",
+            "Viscous damping in the joints: half its power.",
+            |action| (action.damping, 0.0),
+        );
         if options.friction {
             self.friction();
         }
@@ -45,9 +51,8 @@ impl<'p> Writer<'p> {
             .map(|(index, (factor, zero))| {
                 let value = self.joint_value(index, record);
                 let value = match zero {
-                    0.0 if value.starts_with(record) => value,
-                    0.0 => format!("({value})"),
-                    _ => format!("({})", sum(&[(1.0, value), (-zero, String::new())])),
+                    0.0 => grouped(value),
+                    _ => format!("({})", sum(&[(1.0, grouped(value)), (-zero, String::new())])),
                 };
                 format!("{} * {value}.powi(2)", number(factor))
             })
@@ -82,7 +87,7 @@ impl<'p> Writer<'p> {
             let Some([lower, upper]) = action.limits else { continue };
             let name = self.joint_name(index);
             let value = self.joint_value(index, 'q');
-            let value = if value.starts_with('q') { value } else { format!("({value})") };
+            let value = grouped(value);
             let below = sum(&[(1.0, value.clone()), (-lower, String::new())]);
             let above = sum(&[(upper, String::new()), (-1.0, value)]);
             self.out.line(4, &format!("/// The stops of `{}`, lower and upper.", joint.name));
@@ -100,7 +105,7 @@ impl<'p> Writer<'p> {
             let (name, other) = (self.joint_name(index), &self.plan.robot.joints[mimic.of].name);
             let terms = [
                 (1.0, self.joint_value(index, 'q')),
-                (-mimic.multiplier, self.joint_value(mimic.of, 'q')),
+                (-mimic.multiplier, grouped(self.joint_value(mimic.of, 'q'))),
                 (-mimic.offset, String::new()),
             ];
             self.out.line(4, &format!("/// `{}` follows `{other}`.", joint.name));
@@ -138,7 +143,7 @@ impl<'p> Writer<'p> {
     fn joint_name(&self, joint: usize) -> &'p str {
         let plan = self.plan;
         match &plan.motions[joint] {
-            Motion::Own(own) => &plan.coordinates[own[0]],
+            Motion::Own(own) => plan.coordinates[own[0]].trim_end_matches('_'),
             Motion::Follows { .. } => &plan.frames[plan.robot.joints[joint].child].name,
         }
     }

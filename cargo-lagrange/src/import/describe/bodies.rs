@@ -23,14 +23,20 @@ impl Writer<'_> {
         let parameters = self.parameters;
         let centre = std::array::from_fn(|i| {
             let field = || format!("{name}_centre_{}", along[i]);
-            let doc = || format!("The centre of mass of `{link}` along {} of its frame [m].", along[i]);
+            let doc = || format!("The centre of mass of `{link}` along {} of its frame, in m.", along[i]);
             self.value(parameters.centres, inertial.centre[i], field, doc)
         });
         let mut entry = |i: usize, j: usize| {
             let field = || format!("{name}_inertia_{}{}", along[i], along[j]);
             let doc = || match i == j {
-                true => format!("The moment of inertia of `{link}` about {} through its centre [kg·m²].", along[i]),
-                false => format!("The product of inertia of `{link}`, entry {}{} of the tensor [kg·m²].", along[i], along[j]),
+                true => format!(
+                    "The moment of inertia of `{link}` about {} through its centre [kg·m²].",
+                    along[i]
+                ),
+                false => format!(
+                    "The product of inertia of `{link}`, entry {}{} of the tensor [kg·m²].",
+                    along[i], along[j]
+                ),
             };
             self.value(parameters.inertias, inertial.tensor[i][j], field, doc)
         };
@@ -42,7 +48,8 @@ impl Writer<'_> {
         if fixed.len() > 4 {
             fixed = vec![format!("{} links that are", fixed.len())];
         }
-        let with = if fixed.is_empty() { String::new() } else { format!(" with {} fixed to it", fixed.join(", ")) };
+        let with =
+            if fixed.is_empty() { String::new() } else { format!(" with {} fixed to it", fixed.join(", ")) };
         self.out.line(4, &format!("/// The mass of `{link}`{with}."));
         let matrix = [[&xx, &xy, &xz], [&xy, &yy, &yz], [&xz, &yz, &zz]];
         if matrix.as_flattened().iter().all(|entry| **entry == zero) {
@@ -77,7 +84,7 @@ impl Writer<'_> {
         let plan = self.plan;
         let name = &plan.frames[body.link].name;
         let field = || format!("{name}_mass");
-        let doc = || format!("The mass of `{}` [kg].", plan.robot.links[body.link].name);
+        let doc = || format!("The mass of `{}`, in kg.", plan.robot.links[body.link].name);
         self.value(self.parameters.masses, body.inertial.mass, field, doc)
     }
 
@@ -86,7 +93,7 @@ impl Writer<'_> {
         let plan = self.plan;
         let size = norm(plan.robot.gravity);
         let heavy: Vec<&Body> = plan.bodies.iter().filter(|body| body.inertial.mass != 0.0).collect();
-        if size == 0.0 || heavy.is_empty() {
+        if !plan.is_heavy {
             return;
         }
         let doc = "Gravitational acceleration [m/s²].".to_owned();
@@ -120,8 +127,9 @@ impl Writer<'_> {
     }
 
     fn height(&mut self, up: [f64; 3]) {
-        let terms: Vec<(f64, String)> = up.iter().zip(["x", "y", "z"]).map(|(&up, along)| (up, format!("place.{along}"))).collect();
-        self.out.line(4, "/// How high a place is, against the direction of gravity [m].");
+        let terms: Vec<(f64, String)> =
+            up.iter().zip(["x", "y", "z"]).map(|(&up, along)| (up, format!("place.{along}"))).collect();
+        self.out.line(4, "/// How high a place is, against the direction of gravity, in m.");
         self.out.line(4, "fn height(&self, place: &Translation3<f64>) -> f64 {");
         self.out.line(8, &super::text::sum(&terms));
         self.out.line(4, "}");

@@ -1,7 +1,7 @@
 //! A function for the frame of each link.
 
 use super::Writer;
-use super::text::{axis, number, shift, sum, turn};
+use super::text::{axis, grouped, number, shift, sum, turn};
 use crate::import::geometry::{Pose, Vector, add, cross, norm, scaled};
 use crate::import::plan::Motion;
 use crate::import::robot::{Joint, Kind};
@@ -21,7 +21,9 @@ impl Writer<'_> {
         let frame = &self.plan.frames[joint.child];
         let link = &self.plan.robot.links[joint.child].name;
         let doc = match joint.kind {
-            Kind::Fixed if frame.moves => format!("`{link}`, fixed to `{}`.", self.plan.robot.links[joint.parent].name),
+            Kind::Fixed if frame.moves => {
+                format!("`{link}`, fixed to `{}`.", self.plan.robot.links[joint.parent].name)
+            }
             Kind::Fixed => format!("`{link}`, which stands still."),
             Kind::Turns(_) => format!("`{link}`, turned by `{}`.", joint.name),
             Kind::Slides(_) => format!("`{link}`, shifted by `{}`.", joint.name),
@@ -38,7 +40,11 @@ impl Writer<'_> {
             factors.extend(shift(joint.back.map(number)));
         }
         // A product is a pose only if it has a shift and a rotation.
-        if reference && !factors.iter().any(|factor| factor.starts_with("Rotation3")) {
+        if reference
+            && !factors
+                .iter()
+                .any(|factor| factor.starts_with("Rotation3") || factor.ends_with("_orientation(q)"))
+        {
             factors.push("Rotation3::identity()".to_owned());
         }
         if reference && !factors.iter().any(|factor| factor.starts_with("Translation3")) {
@@ -68,7 +74,7 @@ impl Writer<'_> {
         let entries = std::array::from_fn(|i| {
             let along = ["x", "y", "z"][i];
             let name = || format!("{link}_{along}");
-            let doc = || format!("How far `{link}` is off along {along} of what it hangs on [m].");
+            let doc = || format!("How far `{link}` is off along {along} of what it hangs on, in m.");
             self.value(is_field, pose.shift[i], name, doc)
         });
         shift(entries).into_iter().chain(turn(&pose.turn)).collect()
@@ -83,7 +89,7 @@ impl Writer<'_> {
         let reference = joint.action.reference;
         let single = || match reference {
             0.0 => self.joint_value(index, 'q'),
-            _ => format!("({})", sum(&[(1.0, self.joint_value(index, 'q')), (-reference, String::new())])),
+            _ => sum(&[(1.0, grouped(self.joint_value(index, 'q'))), (-reference, String::new())]),
         };
         match joint.kind {
             Kind::Fixed => Vec::new(),
@@ -105,7 +111,8 @@ impl Writer<'_> {
     /// The one place that says how an orientation is described.
     fn orientation(&mut self, index: usize, joint: &Joint) {
         let Motion::Own(own) = &self.plan.motions[index] else { return };
-        let angles: Vec<String> = own.iter().skip(own.len() - 3).map(|&own| self.coordinate(own, 'q')).collect();
+        let angles: Vec<String> =
+            own.iter().skip(own.len() - 3).map(|&own| self.coordinate(own, 'q')).collect();
         let link = &self.plan.robot.links[joint.child].name;
         let name = self.orientation_name(joint);
         self.out.line(4, &format!("/// The orientation of `{link}`: roll, pitch and yaw about fixed axes."));
@@ -122,20 +129,36 @@ impl Writer<'_> {
 
 fn about_axis(about: Vector, angle: String) -> String {
     let (axis, turned) = axis(about);
-    // A minus in front of a sum or a product of its own would be read as part of it.
-    let angle = match (turned, angle.strip_prefix('-')) {
-        (false, _) => angle,
-        (true, Some(positive)) => positive.to_owned(),
-        (true, None) => format!("-{angle}"),
-    };
-    format!("Rotation3::from_axis_angle({axis}, {angle})")
+    let angle = if turned { negated(&angle) } else { angle };
+    match axis.len() + angle.len() {
+        0..=70 => format!("Rotation3::from_axis_angle({axis}, {angle})"),
+        _ => format!("Rotation3::from_axis_angle(\n{axis},\n{angle},\n)"),
+    }
+}
+
+/// The opposite.
+fn negated(text: &str) -> String {
+    match text.strip_prefix('-') {
+        Some(name) if !name.contains(' ') => name.to_owned(),
+        _ => format!("-{}", grouped(text.to_owned())),
+    }
 }
 
 /// The entries of Σ direction · amount.
 fn multiples(parts: &[(Vector, String)]) -> [String; 3] {
     std::array::from_fn(|i| {
-        let terms: Vec<(f64, String)> = parts.iter().map(|(along, amount)| (along[i], amount.clone())).collect();
-        sum(&terms)
+        let terms: Vec<(f64, String)> = parts
+            .iter()
+            .filter(|(along, _)| along[i] != 0.0)
+            .map(|(along, amount)| (along[i], amount.clone()))
+            .collect();
+        match terms.as_slice() {
+            [(1.0, only)] => only.clone(),
+            [(-1.0, only)] => negated(only),
+            _ => {
+                sum(&terms.into_iter().map(|(factor, amount)| (factor, grouped(amount))).collect::<Vec<_>>())
+            }
+        }
     })
 }
 

@@ -11,12 +11,13 @@ use text::{Lines, number, sum};
 
 /// Writes a description.
 pub fn describe(plan: &Plan, options: &Options, file: &str) -> String {
-    let mut writer = Writer { plan, parameters: options.parameters, fields: Vec::new(), out: Lines::default() };
+    let mut writer =
+        Writer { plan, parameters: options.parameters, fields: Vec::new(), out: Lines::default() };
     writer.frames();
     writer.bodies();
     writer.gravity();
     writer.actions(options);
-    let body = writer.out.finish();
+    let body = writer.out.finish().trim_end().to_owned() + "\n";
     writer.out = Lines::default();
     writer.head(options, file, &body);
     writer.out.finish() + &body + "}\n"
@@ -39,7 +40,13 @@ struct Field {
 
 impl Writer<'_> {
     /// A number in the text: a literal, or a field with this value.
-    fn value(&mut self, is_field: bool, value: f64, name: impl FnOnce() -> String, doc: impl FnOnce() -> String) -> String {
+    fn value(
+        &mut self,
+        is_field: bool,
+        value: f64,
+        name: impl FnOnce() -> String,
+        doc: impl FnOnce() -> String,
+    ) -> String {
         if !is_field || value == 0.0 {
             return number(value);
         }
@@ -59,7 +66,7 @@ impl Writer<'_> {
                     (1.0, 0.0) => of,
                     (-1.0, 0.0) => format!("-{of}"),
                     (multiplier, 0.0) => format!("{} * {of}", number(multiplier)),
-                    _ => format!("({})", sum(&[(*multiplier, of), (offset, String::new())])),
+                    _ => sum(&[(*multiplier, of), (offset, String::new())]),
                 }
             }
         }
@@ -92,9 +99,16 @@ impl Writer<'_> {
         }
         self.out.line(0, "use lagrangian::prelude::*;");
         self.out.empty();
-        self.out.line(0, &format!("/// The robot `{}`; `{}::default()` is the one of the file.", plan.title, plan.name));
+        self.out.line(
+            0,
+            &format!("/// The robot `{}`; `{}::default()` is the one of the file.", plan.title, plan.name),
+        );
         self.out.line(0, "#[derive(Clone, Copy, Debug)]");
         let fields = std::mem::take(&mut self.fields);
+        if self.parameters != Parameters::default() {
+            self.out
+                .line(0, "#[allow(dead_code)] // Not every moment of inertia has a say in the equations.");
+        }
         if fields.is_empty() {
             self.out.line(0, &format!("pub struct {};", plan.name));
         } else {
@@ -106,6 +120,9 @@ impl Writer<'_> {
             self.out.line(0, "}");
         }
         self.out.empty();
+        if self.parameters != Parameters::default() {
+            self.out.line(0, "#[allow(clippy::approx_constant)]");
+        }
         self.out.line(0, &format!("impl Default for {} {{", plan.name));
         self.out.line(4, "fn default() -> Self {");
         let values: Vec<String> =

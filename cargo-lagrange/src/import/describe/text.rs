@@ -30,15 +30,18 @@ impl Lines {
     /// Adds operands joined by an operator, on lines of their own where they do not fit on one.
     pub fn chain(&mut self, indent: usize, start: &str, operator: char, operands: &[String], end: &str) {
         let whole = format!("{start}{}{end}", operands.join(&format!(" {operator} ")));
-        if indent + whole.chars().count() <= WIDTH {
+        if indent + whole.chars().count() <= WIDTH && !whole.contains('\n') {
             return self.line(indent, &whole);
         }
         let last = operands.len().saturating_sub(1);
         for (index, operand) in operands.iter().enumerate() {
             let tail = if index == last { end } else { "" };
-            match index {
-                0 => self.line(indent, &format!("{start}{operand}{tail}")),
-                _ => self.line(indent + 4, &format!("{operator} {operand}{tail}")),
+            let (indent, front) = match index {
+                0 => (indent, start.to_owned()),
+                _ => (indent + 4, format!("{operator} ")),
+            };
+            for (row, line) in format!("{front}{operand}{tail}").lines().enumerate() {
+                self.line(if row == 0 || line.starts_with(')') { indent } else { indent + 4 }, line);
             }
         }
     }
@@ -71,7 +74,13 @@ pub fn number(value: f64) -> String {
 
 /// An angle, by its name if it has one.
 pub fn angle(angle: Angle) -> String {
-    let named = [(PI, "PI"), (FRAC_PI_2, "FRAC_PI_2"), (FRAC_PI_3, "FRAC_PI_3"), (FRAC_PI_4, "FRAC_PI_4"), (FRAC_PI_6, "FRAC_PI_6")];
+    let named = [
+        (PI, "PI"),
+        (FRAC_PI_2, "FRAC_PI_2"),
+        (FRAC_PI_3, "FRAC_PI_3"),
+        (FRAC_PI_4, "FRAC_PI_4"),
+        (FRAC_PI_6, "FRAC_PI_6"),
+    ];
     let radians = match angle {
         Angle::Quarters(quarters) => f64::from(quarters) * FRAC_PI_2,
         Angle::Radians(radians) => radians,
@@ -90,7 +99,7 @@ pub fn shift(vector: [String; 3]) -> Option<String> {
     (vector.iter().any(|entry| *entry != zero)).then(|| format!("Translation3::new({})", vector.join(", ")))
 }
 
-/// The factors of a rotation: none for the identity.
+/// The factors of a rotation, on several lines where it is a matrix: none for the identity.
 pub fn turn(rotation: &Rotation) -> Option<String> {
     if rotation.is_identity() {
         return None;
@@ -98,8 +107,8 @@ pub fn turn(rotation: &Rotation) -> Option<String> {
     Some(match rotation.angles {
         Some(angles) => format!("Rotation3::from_euler_angles({})", angles.map(angle).join(", ")),
         None => {
-            let entries: Vec<String> = rotation.matrix.as_flattened().iter().map(|&entry| number(entry)).collect();
-            format!("Rotation3::from_matrix_unchecked(Matrix3::new({}))", entries.join(", "))
+            let rows = rotation.matrix.map(|row| row.map(number).join(", ") + ",\n").concat();
+            format!("Rotation3::from_matrix_unchecked(Matrix3::new(\n{rows}))")
         }
     })
 }
@@ -110,6 +119,11 @@ pub fn axis(axis: Vector) -> (String, bool) {
         Some(main) => (format!("&Vector3::{}_axis()", ["x", "y", "z"][main]), axis[main] < 0.0),
         None => (format!("&Unit::new_unchecked(Vector3::new({}))", axis.map(number).join(", ")), false),
     }
+}
+
+/// In parentheses where it is more than a name.
+pub fn grouped(text: String) -> String {
+    if text.contains(' ') || text.starts_with('-') { format!("({text})") } else { text }
 }
 
 /// A sum of multiples; an empty text stands for the factor alone.

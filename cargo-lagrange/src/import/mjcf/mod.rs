@@ -1,0 +1,229 @@
+//! MJCF → [`Robot`]: bodies, their joints and inertias, actuators, joints tied to each other.
+
+mod attributes;
+mod bodies;
+mod geom;
+
+use roxmltree::Node;
+
+use super::Options;
+use super::links;
+use super::robot::{Drive, Kind, Mimic, Robot};
+use super::xml::{Reader, children};
+use attributes::{Attributes, Element};
+
+/// Reads a `<mujoco>`; problems are in the reader.
+pub fn read<'a>(reader: &mut Reader<'a>, root: Node<'a, 'a>, options: &Options) -> Robot {
+    let attributes = Attributes::read(reader, root);
+    refused(reader, root);
+    let mut gravity = [0.0, 0.0, -9.81];
+    for option in children(root, "option") {
+        gravity = reader.vector(option, "gravity").unwrap_or(gravity);
+        for flag in children(option, "flag") {
+            if flag.attribute("gravity") == Some("disable") {
+                gravity = [0.0; 3];
+            }
+        }
+        for medium in ["wind", "density", "viscosity"] {
+            if reader
+                .numbers(option, medium)
+                .is_some_and(|numbers| numbers.iter().any(|number| *number != 0.0))
+            {
+                reader.warning(option, format!("`{medium}` is left out: nothing resists in the description"));
+            }
+        }
+    }
+    let mut robot = Robot {
+        name: root.attribute("model").map(str::to_owned),
+        links: Vec::new(),
+        joints: Vec::new(),
+        gravity,
+    };
+    let mut bodies = bodies::Bodies::new(reader, &attributes, options, &mut robot);
+    bodies.world(root);
+    total_mass(reader, root, &mut robot);
+    let mut mjcf = Mjcf { reader, attributes: &attributes, robot: &mut robot };
+    mjcf.actuators(root, options);
+    mjcf.equalities(root);
+    ignored(reader, root);
+    robot
+}
+
+struct Mjcf<'r, 'a> {
+    reader: &'r mut Reader<'a>,
+    attributes: &'r Attributes<'a>,
+    robot: &'r mut Robot,
+}
+
+impl<'a> Mjcf<'_, 'a> {
+    fn actuators(&mut self, root: Element<'a>, options: &Options) {
+        let mut count = 0;
+        for node in children(root, "actuator").flat_map(|list| list.children().filter(Node::is_element)) {
+            count += 1;
+            let kind = node.tag_name().name();
+            let Some(name) = self.attributes.text(self.reader, node, "joint") else {
+                self.reader.warning(node, "an actuator without a `joint` is left out");
+                continue;
+            };
+            let Some(joint) = self.joint(node, "joint", name) else { continue };
+            let gear =
+                self.attributes.numbers(self.reader, node, "gear").and_then(|gear| gear.first().copied());
+            if kind != "motor" {
+                let text =
+                    format!("<{kind}> is taken as a motor: its input is a force, and its gains are left out");
+                self.reader.warning(node, text);
+            }
+            let drive = Drive {
+                name: node.attribute("name").map(str::to_owned),
+                gear: gear.unwrap_or(1.0),
+                order: count,
+            };
+            self.robot.joints[joint].drives.push(drive);
+        }
+        let is_all = options.inputs == super::Inputs::All || count == 0;
+        for joint in self.robot.joints.iter_mut().filter(|joint| is_all && joint.drives.is_empty()) {
+            joint.drives.push(Drive { name: None, gear: 1.0, order: usize::MAX });
+        }
+    }
+
+    fn equalities(&mut self, root: Element<'a>) {
+        for node in children(root, "equality").flat_map(|list| list.children().filter(Node::is_element)) {
+            if node.attribute("active") == Some("false") {
+                continue;
+            }
+            let kind = node.tag_name().name();
+            let polynomial = self.attributes.numbers(self.reader, node, "polycoef").unwrap_or(vec![0.0, 1.0]);
+            let is_linear = polynomial.iter().skip(2).all(|factor| *factor == 0.0);
+            if kind != "joint" || !is_linear {
+                let what =
+                    if kind == "joint" { "a polynomial in <joint>".to_owned() } else { format!("<{kind}>") };
+                let text = format!("{what} is left out; write a #[holonomic] function in its place");
+                self.reader.warning(node, text);
+                continue;
+            }
+            let Some(first) =
+                self.reader.text(node, "joint1", "finger").and_then(|name| self.joint(node, "joint1", name))
+            else {
+                continue;
+            };
+            let Some(second) = node.attribute("joint2").and_then(|name| self.joint(node, "joint2", name))
+            else {
+                self.reader
+                    .warning(node, "a joint that is tied to a value is left out; fix the body instead");
+                continue;
+            };
+            let factor = |index: usize| polynomial.get(index).copied().unwrap_or(0.0);
+            let reference = |joint: usize| self.robot.joints[joint].action.reference;
+            let (multiplier, constant) = (factor(1), factor(0));
+            let offset = constant + reference(first) - multiplier * reference(second);
+            self.robot.joints[first].mimic = Some(Mimic { of: second, multiplier, offset });
+        }
+    }
+
+    /// A joint with one coordinate by its name.
+    fn joint(&mut self, node: Element<'a>, attribute: &str, name: &str) -> Option<usize> {
+        let joints = &self.robot.joints;
+        let found = joints.iter().position(|joint| joint.name == name && joint.kind != Kind::Fixed);
+        let text = match found {
+            Some(joint) if joints[joint].kind.freedom() == 1 => return found,
+            Some(_) => format!("`{name}` is neither a hinge nor a slide; name a joint of one coordinate"),
+            None => {
+                let near = links::near(name, joints.iter().map(|joint| joint.name.as_str()));
+                format!("`{name}` is no joint of the file{near}")
+            }
+        };
+        self.reader.problem_of(node, attribute, text);
+        None
+    }
+}
+
+/// Scales all masses where the file gives their sum.
+fn total_mass(reader: &mut Reader<'_>, root: Node<'_, '_>, robot: &mut Robot) {
+    let given = children(root, "compiler").filter_map(|node| reader.number(node, "settotalmass")).last();
+    let masses = || robot.links.iter().flat_map(|link| &link.inertials).map(|inertial| inertial.mass);
+    let Some(factor) = given.filter(|given| *given > 0.0).map(|given| given / masses().sum::<f64>()) else {
+        return;
+    };
+    for inertial in robot.links.iter_mut().flat_map(|link| &mut link.inertials) {
+        inertial.mass *= factor;
+        inertial.tensor = inertial.tensor.map(|row| row.map(|entry| factor * entry));
+    }
+}
+
+/// Reports what changes the tree or its masses and is not read.
+fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
+    const WHOLE: &str =
+        "MuJoCo writes the whole model with `mj_saveLastXML`, or `compile model.xml whole.xml`";
+    for node in root.descendants().filter(Node::is_element) {
+        let tag = node.tag_name().name();
+        if matches!(tag, "include" | "attach" | "replicate" | "composite" | "flexcomp" | "frame") {
+            reader.problem(node, format!("<{tag}> is not read; {WHOLE}"));
+        }
+        if node.has_attribute("springdamper") {
+            reader.problem_of(
+                node,
+                "springdamper",
+                "`springdamper` is not read; write `stiffness` and `damping`",
+            );
+        }
+        if tag == "body" && reader.number(node, "gravcomp").is_some_and(|share| share != 0.0) {
+            reader.warning(node, "`gravcomp` is left out: the body has its weight");
+        }
+        if tag == "compiler" {
+            let groups =
+                node.attribute("inertiagrouprange").map(|range| range.split_whitespace().collect::<Vec<_>>());
+            if groups.is_some_and(|groups| groups != ["0", "5"]) {
+                let text = format!("`inertiagrouprange` is not read; {WHOLE}");
+                reader.problem_of(node, "inertiagrouprange", text);
+            }
+            for attribute in ["boundmass", "boundinertia"] {
+                let given = reader.number(node, attribute).is_some_and(|number| number > 0.0);
+                if given {
+                    reader.problem_of(node, attribute, format!("`{attribute}` is not read; {WHOLE}"));
+                }
+            }
+            for (attribute, value) in
+                [("balanceinertia", "true"), ("coordinate", "global"), ("alignfree", "true")]
+            {
+                if node.attribute(attribute) == Some(value) {
+                    reader.problem_of(
+                        node,
+                        attribute,
+                        format!("{attribute}=\"{value}\" is not read; {WHOLE}"),
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Says what the description leaves out.
+fn ignored(reader: &mut Reader<'_>, root: Node<'_, '_>) {
+    let known = [
+        "compiler",
+        "option",
+        "default",
+        "worldbody",
+        "actuator",
+        "equality",
+        "asset",
+        "visual",
+        "size",
+        "statistic",
+    ];
+    let mut found: Vec<String> = Vec::new();
+    for node in root.children().filter(Node::is_element) {
+        let tag = format!("<{}>", node.tag_name().name());
+        if !known.contains(&node.tag_name().name()) && !found.contains(&tag) {
+            found.push(tag);
+        }
+    }
+    for tag in ["site", "camera", "light"] {
+        if root.descendants().any(|node| node.has_tag_name(tag)) {
+            found.push(format!("<{tag}>"));
+        }
+    }
+    if !found.is_empty() {
+        reader.sink.note(format!("left out: {}", found.join(", ")));
+    }
+}
