@@ -1,4 +1,4 @@
-//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report | stability`.
+//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report | stability | robots`.
 //!
 //! A figure counts only as a ratio within one run: all subjects of a system are timed in turn,
 //! on the same states, and absolute times drift between machines.
@@ -10,6 +10,7 @@ mod problem;
 mod record;
 mod report;
 mod rhs;
+mod robots;
 mod stability;
 mod systems;
 
@@ -89,6 +90,17 @@ enum Benchmark {
         #[command(flatten)]
         runs: Runs,
     },
+    /// Robots from URDF files: accelerations and their derivatives beside those of Pinocchio.
+    Robots {
+        #[command(flatten)]
+        common: Common,
+        /// Builds the derivatives of large robots too, which takes minutes.
+        #[arg(long)]
+        full: bool,
+        /// Repeats less: for a look, not for figures to keep.
+        #[arg(long)]
+        quick: bool,
+    },
     /// All integrators on what is hard for integrators, into STABILITY.md and its picture.
     Stability {
         #[command(flatten)]
@@ -110,6 +122,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         Benchmark::Report { common: Common { system, json }, runs } => {
             report::run(system.as_deref(), json.as_deref(), runs.prepare()?)
+        }
+        Benchmark::Robots { common: Common { system, json }, full, quick } => {
+            robots::run(system.as_deref(), json.as_deref(), robots::Extent { full, quick })
         }
         Benchmark::Stability { common: Common { system, json }, full } => {
             native::pin();

@@ -19,8 +19,8 @@ pub fn enter(portable: bool) -> Result<(), Box<dyn Error>> {
         Some(target) => return Err(format!("this program is built for {target}").into()),
         None => {}
     }
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    let root = root();
+    let target = target();
     let mut flags = std::env::var("RUSTFLAGS").unwrap_or_default();
     if !portable {
         flags += " -C target-cpu=native";
@@ -47,6 +47,16 @@ pub fn enter(portable: bool) -> Result<(), Box<dyn Error>> {
         .env("BENCHMARKS_BUILT_FOR", wanted)
         .status()?;
     exit(status.code().unwrap_or(1))
+}
+
+/// The folder of the workspace.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The folder of everything that is built.
+pub fn target() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
 }
 
 /// Whether this build would run on other processors.

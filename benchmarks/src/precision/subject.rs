@@ -48,7 +48,7 @@ impl<F: Fn(f64) -> Result<Outcome, String>> Subject for Function<F> {
 }
 
 /// Runs for `seconds`, at least once: the time of the fastest run [µs], and what came of the last one.
-pub fn fastest<T>(seconds: f64, run: impl Fn() -> Result<T, String>) -> Result<(f64, T), String> {
+pub fn fastest<T, E>(seconds: f64, run: impl Fn() -> Result<T, E>) -> Result<(f64, T), E> {
     let begin = Instant::now();
     let mut fastest = f64::INFINITY;
     loop {

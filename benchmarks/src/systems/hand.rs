@@ -1,7 +1,6 @@
-//! The accelerations as an expert writes them: closed forms for small systems; for chains a
-//! dense mass matrix with LDLᵀ, and the tridiagonal equations for the rod tensions.
+//! The accelerations as an expert writes them: closed forms for small systems. `chains.rs` and `rods.rs` have
+//! those of chains.
 
-#![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 #![cfg_attr(not(feature = "peers"), allow(dead_code, reason = "systems with constraints are for the peers"))]
 
 use super::number::Number;
@@ -180,106 +179,5 @@ impl ByHand<2> for SliderCrank {
         let force = bias[0] + m12 * rest + ratio * (bias[1] + m22 * rest);
         let first = -force / (m11 + ratio * (m12 * 2.0 + ratio * m22));
         *a = [first, ratio * first + rest];
-    }
-}
-
-/// Chain: dense mass matrix, LDLᵀ by rows.
-#[derive(Clone, Copy)]
-pub struct Dense;
-
-impl<const N: usize> ByHand<N> for Dense {
-    #[inline]
-    fn accelerations<R: Number>(_t: f64, q: &[R; N], v: &[R; N], a: &mut [R; N]) {
-        let zero = R::default();
-        let (mut s, mut c, mut b, mut w2) = ([zero; N], [zero; N], [zero; N], [zero; N]);
-        let mut m = [[zero; N]; N];
-        for i in 0..N {
-            (s[i], c[i]) = q[i].sin_cos();
-            b[i] = -(s[i] * (G * (N - i) as f64));
-            w2[i] = v[i] * v[i];
-        }
-        for i in 0..N {
-            let weight = (N - i) as f64;
-            m[i][i] = R::from(weight);
-            for j in 0..i {
-                m[i][j] = (c[i] * c[j] + s[i] * s[j]) * weight;
-                let sine = (s[i] * c[j] - c[i] * s[j]) * weight;
-                b[i] -= sine * w2[j];
-                b[j] += sine * w2[i];
-            }
-        }
-        let mut inverse = [zero; N];
-        for i in 0..N {
-            let mut pivot = m[i][i];
-            for j in 0..i {
-                let mut entry = m[i][j];
-                for k in 0..j {
-                    entry -= m[i][k] * m[j][k];
-                }
-                m[i][j] = entry;
-            }
-            for j in 0..i {
-                let scaled = m[i][j];
-                let factor = scaled * inverse[j];
-                pivot -= scaled * factor;
-                m[i][j] = factor;
-            }
-            // Row i keeps the unit factors; the inner products above pair them with scaled rows.
-            inverse[i] = pivot.inverse();
-            for j in 0..i {
-                m[j][i] = m[i][j] / inverse[j];
-            }
-        }
-        for i in 0..N {
-            for k in 0..i {
-                let known = b[k];
-                b[i] -= m[i][k] * known;
-            }
-        }
-        for i in 0..N {
-            b[i] *= inverse[i];
-        }
-        for i in (0..N).rev() {
-            let known = b[i];
-            for k in 0..i {
-                b[k] -= m[i][k] * known;
-            }
-        }
-        *a = b;
-    }
-}
-
-/// Chain: tridiagonal equations for the rod tensions.
-#[derive(Clone, Copy)]
-pub struct Linear;
-
-impl<const N: usize> ByHand<N> for Linear {
-    #[inline]
-    fn accelerations<R: Number>(_t: f64, q: &[R; N], v: &[R; N], a: &mut [R; N]) {
-        let zero = R::default();
-        let (mut s, mut c, mut tension) = ([zero; N], [zero; N], [zero; N]);
-        let (mut cd, mut sd, mut inverse) = ([zero; N], [zero; N], [zero; N]);
-        for i in 0..N {
-            (s[i], c[i]) = q[i].sin_cos();
-        }
-        for i in 0..N - 1 {
-            cd[i] = c[i] * c[i + 1] + s[i] * s[i + 1];
-            sd[i] = s[i + 1] * c[i] - c[i + 1] * s[i];
-        }
-        inverse[0] = R::from(1.0);
-        tension[0] = v[0] * v[0] + c[0] * G;
-        for i in 1..N {
-            let factor = cd[i - 1] * inverse[i - 1];
-            inverse[i] = (-(cd[i - 1] * factor) + 2.0).inverse();
-            tension[i] = v[i] * v[i] + factor * tension[i - 1];
-        }
-        tension[N - 1] *= inverse[N - 1];
-        for i in (0..N - 1).rev() {
-            tension[i] = (tension[i] + cd[i] * tension[i + 1]) * inverse[i];
-        }
-        for i in 0..N {
-            let above = if i == 0 { -(s[0] * G) } else { -(sd[i - 1] * tension[i - 1]) };
-            a[i] = if i + 1 < N { above + sd[i] * tension[i + 1] } else { above };
-        }
     }
 }

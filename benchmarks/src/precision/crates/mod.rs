@@ -9,6 +9,7 @@ use super::subject::{Function, Outcome, Subject};
 use crate::problem::Problem;
 use crate::systems::andrews::{AndrewsMultipliers, AndrewsReduced};
 use crate::systems::car_axis::{CarAxisMultipliers, CarAxisReduced};
+use crate::systems::chains as c;
 use crate::systems::first_order::{Explicit, FirstOrder};
 use crate::systems::hand::{self as h, ByHand};
 use crate::systems::multipliers::{PendulumMultiplier, SliderCrankMultiplier};
@@ -61,10 +62,10 @@ pub fn subjects(problem: &Problem) -> Vec<Box<dyn Subject>> {
         "slider" => both::<Explicit<_, 2>, _, 4, 5>(Explicit(h::SliderCrank), SliderCrankMultiplier, problem),
         "andrews" => both(AndrewsReduced, AndrewsMultipliers, problem),
         "caraxis" => both(CarAxisReduced, CarAxisMultipliers, problem),
-        "nlink3" => explicit::<_, 3, 6>(h::Linear, problem),
-        "nlink5" => explicit::<_, 5, 10>(h::Linear, problem),
-        "nlink10" => explicit::<_, 10, 20>(h::Linear, problem),
-        "nlink20" => explicit::<_, 20, 40>(h::Linear, problem),
+        "nlink3" => explicit::<_, 3, 6>(c::Tensions, problem),
+        "nlink5" => explicit::<_, 5, 10>(c::Tensions, problem),
+        "nlink10" => explicit::<_, 10, 20>(c::Tensions, problem),
+        "nlink20" => explicit::<_, 20, 40>(c::Tensions, problem),
         _ => Vec::new(),
     }
 }

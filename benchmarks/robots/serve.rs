@@ -1,0 +1,120 @@
+//! What the program of a robot does: it answers requests about its states, line by line.
+//!
+//! `names`; `evaluate accelerations`, `evaluate derivatives`; `time SUBJECT SECONDS`. The states stand in the
+//! file that the program is given: a count, then coordinates, velocities and inputs of each.
+
+use std::hint::black_box;
+use std::io::Write as _;
+use std::time::Instant;
+
+use lagrangian::{Linearized, State, System};
+
+/// What a request is about.
+type Answer<'a> = dyn Fn(&str, Option<f64>) -> String + 'a;
+
+/// Serves accelerations.
+pub fn accelerations<S: System<N, K, Scalar = f64>, const N: usize, const K: usize>(
+    robot: &S,
+    names: &[&str; N],
+) {
+    let states = states::<N, K>();
+    let constants = robot.constants();
+    let evaluate = |(state, u): &(State<f64, N>, [f64; K]), out: &mut [f64; N]| {
+        *out = robot.accelerations_at(&constants, state.t, &state.q, &state.v, u);
+    };
+    serve(names, &|what, seconds| match (what, seconds) {
+        ("accelerations", None) => {
+            let mut text = String::new();
+            for state in &states {
+                let mut out = [0.0; N];
+                evaluate(state, &mut out);
+                tell(&mut text, &out);
+            }
+            text
+        }
+        ("generated", Some(seconds)) => {
+            let mut out = [0.0; N];
+            fastest(&states, seconds, |state| {
+                evaluate(black_box(state), &mut out);
+                black_box(&mut out);
+            })
+        }
+        _ => panic!("unknown request {what}"),
+    });
+}
+
+/// Serves derivatives of accelerations.
+pub fn derivatives<S: Linearized<N, K, Scalar = f64>, const N: usize, const K: usize>(
+    robot: &S,
+    names: &[&str; N],
+) {
+    let states = states::<N, K>();
+    serve(names, &|what, seconds| match (what, seconds) {
+        ("derivatives", None) => {
+            let mut text = String::new();
+            for (state, u) in &states {
+                let jacobians = robot.jacobians(state, u).expect("regular states");
+                for matrix in [jacobians.by_q, jacobians.by_v] {
+                    for i in 0..N {
+                        tell(&mut text, &std::array::from_fn::<f64, N, _>(|j| matrix[(i, j)]));
+                    }
+                }
+            }
+            text
+        }
+        ("generated-derivatives", Some(seconds)) => fastest(&states, seconds, |(state, u)| {
+            let _ = black_box(robot.jacobians(black_box(state), u));
+        }),
+        _ => panic!("unknown request {what}"),
+    });
+}
+
+fn serve<const N: usize>(names: &[&str; N], answer: &Answer) {
+    for line in std::io::stdin().lines() {
+        let line = line.expect("a line of text");
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let text = match words[..] {
+            ["names"] => names.join(" "),
+            ["evaluate", what] => answer(what, None),
+            ["time", what, seconds] => answer(what, Some(seconds.parse().expect("a number of seconds"))),
+            _ => panic!("unknown request {line}"),
+        };
+        println!("{text}");
+        std::io::stdout().flush().expect("an open pipe");
+    }
+}
+
+fn states<const N: usize, const K: usize>() -> Vec<(State<f64, N>, [f64; K])> {
+    let path = std::env::args().nth(1).expect("a file of states");
+    let text = std::fs::read_to_string(path).expect("a readable file");
+    let mut words = text.split_whitespace();
+    let count: usize = words.next().and_then(|word| word.parse().ok()).expect("a count");
+    let mut number = || words.next().and_then(|word| word.parse().ok()).expect("a number");
+    let mut states = Vec::new();
+    for _ in 0..count {
+        let (q, v) = (std::array::from_fn(|_| number()), std::array::from_fn(|_| number()));
+        states.push((State { t: 0.0, q, v }, std::array::from_fn(|_| number())));
+    }
+    assert!(words.next().is_none(), "the states are those of another robot");
+    states
+}
+
+/// The fastest of many passes over all states, for one of them [ns].
+fn fastest<T>(states: &[T], seconds: f64, mut evaluate: impl FnMut(&T)) -> String {
+    let begin = Instant::now();
+    let mut fastest = f64::INFINITY;
+    loop {
+        let start = Instant::now();
+        states.iter().for_each(&mut evaluate);
+        fastest = fastest.min(start.elapsed().as_secs_f64());
+        if begin.elapsed().as_secs_f64() >= seconds {
+            return format!("{:?}", fastest * 1e9 / states.len() as f64);
+        }
+    }
+}
+
+fn tell(text: &mut String, row: &[f64]) {
+    for number in row {
+        text.push_str(&format!("{number:?} "));
+    }
+}
