@@ -85,7 +85,7 @@ impl Inertia {
                 Method::Lu => "Lu",
                 Method::WrittenOut { .. } if emission.equations.definite => "Ldlt",
                 Method::WrittenOut { .. } => "Lu",
-                Method::Ldlt => "Ldlt",
+                Method::Ldlt | Method::Recursive { .. } => "Ldlt",
             };
             let lower: Vec<NodeId> = (0..coordinates.len())
                 .flat_map(|row| (0..=row).map(move |column| (row, column)))
