@@ -240,7 +240,8 @@ fn recursive(graph: &mut Graph, equations: &Equations, block: &[usize]) -> Optio
     let mut formed: Vec<NodeId> =
         entries.map(|(row, column)| equations.mass[block[row]][block[column]]).collect();
     formed.extend(&right);
-    let factored = size * size * (size + 1) / 6 + size * size;
+    // The operations of an LDLᵀ and of one solution.
+    let factored = size * (size * size - 1) / 3 + size * (size - 1) / 2 + 2 * size * size;
     if cost(&trial, &solution) >= cost(&trial, &formed) + factored as u32 {
         return None;
     }

@@ -1,6 +1,7 @@
 //! The mass matrix at the point of expansion: one factorisation a step, or a run where it is constant.
 
 use super::saddle::{SaddlePoint, SaddleStart};
+use super::recursion::{self, Named};
 use super::start::Start;
 use super::{bare, binding};
 use crate::emit::Emission;
@@ -12,7 +13,7 @@ use crate::jets::Jets;
 use crate::model::Model;
 use crate::number::Number;
 use crate::schedule::{Instruction, Program, Slot, plan};
-use crate::structure::Method;
+use crate::structure::{Method, Recursion};
 use crate::syntax::Scalar;
 
 /// How each block is solved in every order.
@@ -38,6 +39,8 @@ enum Entries {
     Number(Number),
     /// This many outputs of the constant program, or of the moving one.
     Outputs { constant: bool, count: usize },
+    /// The factors of a matrix that is not formed, outputs of the moving program.
+    Recursion(Recursion),
 }
 
 /// What the body needs of it.
@@ -69,6 +72,8 @@ pub(super) enum By {
     Inverse(String),
     /// This factorisation.
     Factor(String),
+    /// These steps.
+    Recursion(Named),
 }
 
 impl Inertia {
@@ -81,6 +86,12 @@ impl Inertia {
         let mut blocks = Vec::with_capacity(emission.solution.blocks.len());
         for block in &emission.solution.blocks {
             let coordinates = block.coordinates.clone();
+            if let Method::Recursive { recursion, .. } = &block.method {
+                moving.extend(recursion::nodes(recursion));
+                let entries = Entries::Recursion(recursion.clone());
+                blocks.push(Part { coordinates, factor: "", entries });
+                continue;
+            }
             let factor = match block.method {
                 Method::Lu => "Lu",
                 Method::WrittenOut { .. } if emission.equations.definite => "Ldlt",
@@ -209,11 +220,16 @@ impl Inertia {
         for part in &self.blocks {
             let label =
                 |suffix: &str| Some(format!("{}_{suffix}", model.coordinates[part.coordinates[0]].label()));
-            let by = match part.entries {
+            let by = match &part.entries {
+                Entries::Recursion(recursion) => {
+                    let (text, named) = recursion::at_start(model, scalar, recursion, &mut outputs, names);
+                    statements.push_str(&text);
+                    By::Recursion(named)
+                }
                 Entries::Number(number) if number.is_one() => By::Nothing,
                 Entries::Number(number) => match number.recip() {
                     Some(inverse) => By::Inverse(super::number(scalar, inverse)),
-                    None => By::Inverse(format!("Real::recip({})", super::number(scalar, number))),
+                    None => By::Inverse(format!("Real::recip({})", super::number(scalar, *number))),
                 },
                 Entries::Outputs { constant: true, count: 1 } => {
                     let name = names.claim(label("inverse_mass"));
@@ -236,7 +252,7 @@ impl Inertia {
                 }
                 Entries::Outputs { constant: false, count } => {
                     let size = part.coordinates.len();
-                    let entries: Vec<String> = outputs.by_ref().take(count).collect();
+                    let entries: Vec<String> = outputs.by_ref().take(*count).collect();
                     let name = names.claim(label("factors"));
                     statements.push_str(&body::lower_triangle(scalar, size, &entries));
                     statements.push_str(&format!(

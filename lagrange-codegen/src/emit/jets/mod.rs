@@ -8,6 +8,7 @@
 mod convolutions;
 mod inertia;
 mod order;
+mod recursion;
 mod saddle;
 mod start;
 mod terms;

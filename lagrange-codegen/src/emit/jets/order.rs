@@ -346,6 +346,7 @@ impl Writer<'_, '_> {
                     let text = format!("{} * {inverse}", right[0]);
                     self.bind(&velocities[solver.coordinates[0]].1, &text);
                 }
+                By::Recursion(named) => self.solve_by_recursion(named, &solver.coordinates, &right, velocities),
                 By::Factor(factor) => {
                     let names: Vec<&str> =
                         solver.coordinates.iter().map(|&i| velocities[i].1.as_str()).collect();
