@@ -17,6 +17,8 @@ use crate::number::Number;
 pub struct Recursion {
     /// In the order in which a load is taken back through them.
     pub steps: Vec<Step>,
+    /// The number of velocities, which are the first unknowns.
+    pub velocities: usize,
     /// The number of velocities and definitions.
     pub unknowns: usize,
 }
@@ -96,7 +98,7 @@ impl Recursion {
             system.substitute(graph, velocities + place, definition);
             system.eliminate_free(graph, &mut left)?;
         }
-        Some((Recursion { steps: system.steps, unknowns }, system.pivots))
+        Some((Recursion { steps: asked_for(system.steps, unknowns), velocities, unknowns }, system.pivots))
     }
 
     /// The solution for one right-hand side, on the graph.
@@ -131,14 +133,86 @@ impl Recursion {
         values
     }
 
-    /// Multiplications and additions of one solution.
-    pub fn operations(&self) -> usize {
-        let of = |step: &Step| match step {
-            Step::Substitute { terms, .. } => 2 * terms.len(),
-            Step::Eliminate { terms, .. } => 2 * terms.len() + 1,
-        };
-        self.steps.iter().map(of).sum()
+    /// A place for each unknown: velocities have their own, the others share those behind them, since few
+    /// are in use at a time. With the number of all places.
+    pub fn places(&self) -> (Vec<usize>, usize) {
+        let mut places: Vec<usize> = (0..self.unknowns).collect();
+        let (mut free, mut count) = (Vec::new(), self.velocities);
+        let mut placed = vec![false; self.unknowns];
+        placed[..self.velocities].fill(true);
+        for step in &self.steps {
+            for &(x, _) in step.terms() {
+                if !std::mem::replace(&mut placed[x], true) {
+                    places[x] = free.pop().unwrap_or_else(|| {
+                        count += 1;
+                        count - 1
+                    });
+                }
+            }
+            if step.unknown() >= self.velocities {
+                free.push(places[step.unknown()]);
+            }
+        }
+        (places, count)
     }
+
+    /// Whether a product with the inverse, made by this recursion once a step, takes less time an order than
+    /// the recursion, in which one operation waits for another.
+    pub fn waits(&self) -> bool {
+        /// Cycles from one operation to another that needs its result.
+        const LATENCY: usize = 4;
+        /// Multiply–adds of a product in one cycle.
+        const WIDTH: usize = 4;
+        /// Orders of a step, among which the making of the inverse is shared.
+        const ORDERS: usize = 12;
+        let depth_of = |depths: &[usize], start: usize, terms: &[(usize, NodeId)]| {
+            terms.iter().fold(start, |depth, &(x, _)| depth.max(depths[x]) + 1)
+        };
+        let mut depths = vec![0; self.unknowns];
+        let mut values = vec![0; self.unknowns];
+        let mut terms = 0;
+        for step in &self.steps {
+            let load = depths[step.unknown()];
+            step.terms().iter().for_each(|&(x, _)| depths[x] = depths[x].max(load) + 1);
+            terms += step.terms().len();
+        }
+        for step in self.steps.iter().rev() {
+            let start = if step.unknown() < self.velocities { depths[step.unknown()] + 1 } else { 0 };
+            values[step.unknown()] = depth_of(&values, start, step.terms());
+        }
+        let depth = values.iter().max().copied().unwrap_or(0);
+        let product = self.velocities * (self.velocities + 2 * terms / ORDERS) / WIDTH;
+        product < LATENCY * depth
+    }
+}
+
+impl Step {
+    /// Whose step it is.
+    pub fn unknown(&self) -> usize {
+        match self {
+            Step::Substitute { unknown, .. } | Step::Eliminate { unknown, .. } => *unknown,
+        }
+    }
+
+    /// Other unknowns with their factors.
+    pub fn terms(&self) -> &[(usize, NodeId)] {
+        match self {
+            Step::Substitute { terms, .. } | Step::Eliminate { terms, .. } => terms,
+        }
+    }
+}
+
+/// The steps without definitions that no load reaches: what is defined there has inertia, and nothing else.
+fn asked_for(mut steps: Vec<Step>, unknowns: usize) -> Vec<Step> {
+    let mut reached = vec![false; unknowns];
+    steps.retain(|step| {
+        let is_kept = matches!(step, Step::Eliminate { .. }) || reached[step.unknown()];
+        if is_kept {
+            step.terms().iter().for_each(|&(x, _)| reached[x] = true);
+        }
+        is_kept
+    });
+    steps
 }
 
 impl Elimination {
@@ -245,3 +319,6 @@ impl Elimination {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -39,8 +39,8 @@ enum Entries {
     Number(Number),
     /// This many outputs of the constant program, or of the moving one.
     Outputs { constant: bool, count: usize },
-    /// The factors of a matrix that is not formed, outputs of the moving program.
-    Recursion(Recursion),
+    /// The factors of a matrix that is not formed, outputs of the moving program; whether its inverse solves.
+    Recursion { recursion: Recursion, inverse: bool },
 }
 
 /// What the body needs of it.
@@ -88,7 +88,9 @@ impl Inertia {
             let coordinates = block.coordinates.clone();
             if let Method::Recursive { recursion, .. } = &block.method {
                 moving.extend(recursion::nodes(recursion));
-                let entries = Entries::Recursion(recursion.clone());
+                // Numbers that carry others with them have enough to do while one waits.
+                let inverse = recursion.waits() && emission.scalar == emission.item.scalar;
+                let entries = Entries::Recursion { recursion: recursion.clone(), inverse };
                 blocks.push(Part { coordinates, factor: "", entries });
                 continue;
             }
@@ -221,8 +223,13 @@ impl Inertia {
             let label =
                 |suffix: &str| Some(format!("{}_{suffix}", model.coordinates[part.coordinates[0]].label()));
             let by = match &part.entries {
-                Entries::Recursion(recursion) => {
-                    let (text, named) = recursion::at_start(model, scalar, recursion, &mut outputs, names);
+                Entries::Recursion { recursion, inverse: true } => {
+                    let name = names.claim(label("inverse"));
+                    statements.push_str(&recursion::inverse(scalar, recursion, &mut outputs, &name));
+                    By::Factor(name)
+                }
+                Entries::Recursion { recursion, inverse: false } => {
+                    let (text, named) = recursion::named(model, scalar, recursion, &mut outputs, names);
                     statements.push_str(&text);
                     By::Recursion(named)
                 }

@@ -36,22 +36,45 @@ struct Product {
     value: String,
 }
 
-/// All factors, in a fixed order.
+/// All factors, in a fixed order: of a velocity 1 / pivot first.
 pub(super) fn nodes(recursion: &Recursion) -> Vec<NodeId> {
     let mut nodes = Vec::new();
     for step in &recursion.steps {
-        let (inverse, terms) = match step {
-            Step::Substitute { terms, .. } => (None, terms),
-            Step::Eliminate { inverse, terms, .. } => (Some(*inverse), terms),
-        };
-        nodes.extend(inverse);
-        nodes.extend(terms.iter().map(|&(_, factor)| factor));
+        if let Step::Eliminate { inverse, .. } = step {
+            nodes.push(*inverse);
+        }
+        nodes.extend(step.terms().iter().map(|&(_, factor)| factor));
     }
     nodes
 }
 
+/// Statements that make the inverse of the matrix under a name, from the texts of [`nodes`].
+pub(super) fn inverse(
+    scalar: &Scalar,
+    recursion: &Recursion,
+    outputs: &mut impl Iterator<Item = String>,
+    name: &str,
+) -> String {
+    let (places, count) = recursion.places();
+    let (mut steps, mut factors) = (Vec::new(), 0);
+    for step in &recursion.steps {
+        let others: Vec<String> = step.terms().iter().map(|&(x, _)| places[x].to_string()).collect();
+        factors += others.len() + usize::from(matches!(step, Step::Eliminate { .. }));
+        let (place, others) = (places[step.unknown()], others.join(", "));
+        steps.push(format!("lagrange::RecursionStep {{ place: {place}, others: &[{others}] }}"));
+    }
+    let (size, between) = (recursion.velocities, count - recursion.velocities);
+    let factors: Vec<String> = outputs.take(factors).collect();
+    format!(
+        "let {name} = lagrange::Inverse::<{scalar}, {size}>::of::<{between}>(&[{}], &[{}]);\n\
+         if !{name}.is_finite() {{ return false; }}\n",
+        steps.join(", "),
+        factors.join(", ")
+    )
+}
+
 /// Statements that name the factors, from the texts of [`nodes`].
-pub(super) fn at_start(
+pub(super) fn named(
     model: &Model,
     scalar: &Scalar,
     recursion: &Recursion,
@@ -59,8 +82,9 @@ pub(super) fn at_start(
     names: &mut Names,
 ) -> (String, Named) {
     let mut text = String::new();
-    let mut next = || outputs.next().expect("jets: as many texts as factors");
-    let mut bind = |value: String, wish: &str| {
+    let mut inverses = Vec::new();
+    let mut next = |wish: &str| {
+        let value = outputs.next().expect("jets: as many texts as factors");
         if value.chars().all(|c| c == '_' || c == '.' || c.is_alphanumeric()) {
             return value;
         }
@@ -68,26 +92,15 @@ pub(super) fn at_start(
         text.push_str(&super::binding(scalar, &name, &value));
         name
     };
-    let mut inverses = Vec::new();
     let steps = recursion
         .steps
         .iter()
         .map(|step| {
-            let (unknown, is_eliminated, terms) = match step {
-                Step::Substitute { unknown, terms } => (*unknown, false, terms),
-                Step::Eliminate { unknown, terms, .. } => (*unknown, true, terms),
-            };
-            let label = model.coordinates.get(unknown).map(|quantity| quantity.label()).unwrap_or_default();
-            let inverse = is_eliminated.then(|| bind(next(), &format!("{label}_inverse")));
+            let inverse = matches!(step, Step::Eliminate { .. }).then(|| next("inverse"));
             inverses.extend(inverse.clone());
-            let terms = terms
-                .iter()
-                .map(|&(x, node)| {
-                    let factor = bind(next(), "factor");
-                    (x, (!model.graph.as_constant(node).is_some_and(Number::is_one)).then_some(factor))
-                })
-                .collect();
-            NamedStep { unknown, inverse, terms }
+            let is_one = |node: NodeId| model.graph.as_constant(node).is_some_and(Number::is_one);
+            let factor = |&(x, node): &(usize, NodeId)| (x, Some(next("factor")).filter(|_| !is_one(node)));
+            NamedStep { unknown: step.unknown(), inverse, terms: step.terms().iter().map(factor).collect() }
         })
         .collect();
     text.push_str(&format!(
@@ -126,20 +139,10 @@ impl Writer<'_, '_> {
             own[step.unknown] = Some(load);
         }
         let mut values: Vec<Option<String>> = vec![None; named.unknowns];
-        let mut asked = vec![false; named.unknowns];
-        for step in named.steps.iter().filter(|step| step.inverse.is_some()) {
-            step.terms.iter().for_each(|&(x, _)| asked[x] = true);
-        }
-        for step in &named.steps {
-            if asked[step.unknown] {
-                step.terms.iter().for_each(|&(x, _)| asked[x] = true);
-            }
-        }
         for step in named.steps.iter().rev() {
             let start = match (&step.inverse, &own[step.unknown]) {
                 (Some(inverse), Some(load)) => Some(format!("({inverse} * {load})")),
                 (Some(_), None) => None,
-                (None, _) if !asked[step.unknown] => continue,
                 (None, _) => None,
             };
             let terms: Vec<Product> = step
