@@ -125,7 +125,8 @@ impl Recursion {
                     (*unknown, Some(graph.mul(loads[*unknown], *inverse)), Number::MINUS_ONE, terms)
                 }
             };
-            let mut summands: Vec<(NodeId, Number)> = start.map(|own| (own, Number::ONE)).into_iter().collect();
+            let mut summands: Vec<(NodeId, Number)> =
+                start.map(|own| (own, Number::ONE)).into_iter().collect();
             summands.extend(terms.iter().map(|&(x, factor)| (graph.mul(factor, values[x]), sign)));
             values[unknown] = graph.sum(Number::ZERO, &summands);
         }
@@ -161,8 +162,8 @@ impl Recursion {
     pub fn waits(&self) -> bool {
         /// Cycles from one operation to another that needs its result.
         const LATENCY: usize = 4;
-        /// Multiply–adds of a product in one cycle.
-        const WIDTH: usize = 4;
+        /// Multiply–adds of rows in one cycle, with what they load and store, on vectors of two.
+        const WIDTH: usize = 1;
         /// Orders of a step, among which the making of the inverse is shared.
         const ORDERS: usize = 12;
         let depth_of = |depths: &[usize], start: usize, terms: &[(usize, NodeId)]| {
@@ -220,7 +221,8 @@ impl Elimination {
     fn eliminate_free(&mut self, graph: &mut Graph, left: &mut Vec<Unknown>) -> Option<()> {
         loop {
             let free = left.iter().enumerate().filter(|&(_, &v)| self.users[v] == 0);
-            let Some((place, _)) = free.min_by_key(|&(_, &v)| (self.rows[v].len(), std::cmp::Reverse(v))) else {
+            let Some((place, _)) = free.min_by_key(|&(_, &v)| (self.rows[v].len(), std::cmp::Reverse(v)))
+            else {
                 return Some(());
             };
             let velocity = left.remove(place);

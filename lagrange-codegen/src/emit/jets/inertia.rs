@@ -1,7 +1,7 @@
 //! The mass matrix at the point of expansion: one factorisation a step, or a run where it is constant.
 
 use super::saddle::{SaddlePoint, SaddleStart};
-use super::recursion::{self, Named};
+use super::solution::{self, Named};
 use super::start::Start;
 use super::{bare, binding};
 use crate::emit::Emission;
@@ -87,7 +87,7 @@ impl Inertia {
         for block in &emission.solution.blocks {
             let coordinates = block.coordinates.clone();
             if let Method::Recursive { recursion, .. } = &block.method {
-                moving.extend(recursion::nodes(recursion));
+                moving.extend(solution::nodes(recursion));
                 // Numbers that carry others with them have enough to do while one waits.
                 let inverse = recursion.waits() && emission.scalar == emission.item.scalar;
                 let entries = Entries::Recursion { recursion: recursion.clone(), inverse };
@@ -225,11 +225,11 @@ impl Inertia {
             let by = match &part.entries {
                 Entries::Recursion { recursion, inverse: true } => {
                     let name = names.claim(label("inverse"));
-                    statements.push_str(&recursion::inverse(scalar, recursion, &mut outputs, &name));
+                    statements.push_str(&solution::inverse(scalar, recursion, &mut outputs, &name));
                     By::Factor(name)
                 }
                 Entries::Recursion { recursion, inverse: false } => {
-                    let (text, named) = recursion::named(model, scalar, recursion, &mut outputs, names);
+                    let (text, named) = solution::named(model, scalar, recursion, &mut outputs, names);
                     statements.push_str(&text);
                     By::Recursion(named)
                 }

@@ -8,8 +8,8 @@
 mod convolutions;
 mod inertia;
 mod order;
-mod recursion;
 mod saddle;
+mod solution;
 mod start;
 mod terms;
 mod wide;

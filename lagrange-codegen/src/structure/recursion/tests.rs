@@ -1,3 +1,5 @@
+//! Recursions against dense matrices, in exact rationals.
+
 use std::collections::BTreeMap;
 
 use super::*;

@@ -1,7 +1,9 @@
-//! The solution of an order by the factors of a mass matrix that is not formed.
+//! The solution of an order: by factorisations of blocks, or by the factors of a mass matrix that is not formed.
 
 use super::bare;
+use super::inertia::{AtStart, By};
 use super::order::Writer;
+use super::terms::chain;
 use crate::emit::names::Names;
 use crate::expr::NodeId;
 use crate::model::Model;
@@ -111,8 +113,44 @@ pub(super) fn named(
 }
 
 impl Writer<'_, '_> {
+    /// The velocities of an order, block by block.
+    pub(super) fn solve(&mut self, mass: &AtStart, velocities: &[(String, String)]) {
+        for solver in &mass.solvers {
+            let mut right = Vec::with_capacity(solver.coordinates.len());
+            for &i in &solver.coordinates {
+                let mut momentum = self.sorted(self.context.read(self.jets.momenta[i]));
+                momentum.iter_mut().for_each(|term| term.negative = !term.negative);
+                let partial = chain(None, &momentum, |operand| self.partial_text(operand));
+                right.push(match partial {
+                    Some(partial) => format!("Real::mul_add(rate, {}, {partial})", self.forces[i]),
+                    None => format!("(rate * {})", self.forces[i]),
+                });
+            }
+            match &solver.by {
+                By::Nothing => self.bind(&velocities[solver.coordinates[0]].1, &right[0]),
+                By::Inverse(inverse) => {
+                    let text = format!("{} * {inverse}", right[0]);
+                    self.bind(&velocities[solver.coordinates[0]].1, &text);
+                }
+                By::Recursion(named) => {
+                    self.solve_by_recursion(named, &solver.coordinates, &right, velocities)
+                }
+                By::Factor(factor) => {
+                    let names: Vec<&str> =
+                        solver.coordinates.iter().map(|&i| velocities[i].1.as_str()).collect();
+                    let right: Vec<&str> = right.iter().map(|text| bare(text)).collect();
+                    self.body.push_str(&format!(
+                        "let [{}] = {factor}.solve([{}]);\n",
+                        names.join(", "),
+                        right.join(", ")
+                    ));
+                }
+            }
+        }
+    }
+
     /// Loads through the steps, and the solution back through them.
-    pub(super) fn solve_by_recursion(
+    fn solve_by_recursion(
         &mut self,
         named: &Named,
         coordinates: &[usize],
@@ -168,7 +206,9 @@ impl Writer<'_, '_> {
                 (None, None) => format!("{sign}{value}"),
                 (None, Some(factor)) => format!("({sign}{factor} * {value})"),
                 (Some(sum), None) => format!("({sum} {} {value})", if *negative { "-" } else { "+" }),
-                (Some(sum), Some(factor)) => format!("Real::mul_add({sign}{factor}, {value}, {})", bare(&sum)),
+                (Some(sum), Some(factor)) => {
+                    format!("Real::mul_add({sign}{factor}, {value}, {})", bare(&sum))
+                }
             })
         })
     }
