@@ -128,7 +128,7 @@ pub fn role(quadratic: bool) -> BoxedStrategy<Role> {
         3 => point(),
         2 => planar(),
         2 => spatial(),
-        1 => index().prop_flat_map(chain),
+        1 => chain(),
         3 => kinetic,
         5 => potential,
         2 => dissipation,
@@ -216,9 +216,8 @@ fn rotation() -> BoxedStrategy<Rotation> {
     .boxed()
 }
 
-/// A chain on one of the arrays of coordinates.
-pub fn chain(which: usize) -> BoxedStrategy<Role> {
-    (any::<bool>(), fixed(), fixed())
-        .prop_map(move |(relative, mass, length)| Role::Chain { which, relative, mass, length })
+pub fn chain() -> BoxedStrategy<Role> {
+    (index(), any::<bool>(), fixed(), fixed())
+        .prop_map(|(which, relative, mass, length)| Role::Chain { which, relative, mass, length })
         .boxed()
 }

@@ -35,7 +35,7 @@ pub fn chained() -> BoxedStrategy<System> {
         1 => (10_usize..=12).prop_map(|links| vec![None, Some(links)]),
         1 => (9_usize..=11, 9_usize..=11).prop_map(|(first, second)| vec![Some(first), Some(second)]),
     ];
-    let chains = (chain(0), chain(1));
+    let chains = (chain(), chain());
     (scalar_type, arrays, inputs(), helpers, chains, role(true), base(true), any::<bool>())
         .prop_map(|(scalar, lengths, inputs, helpers, (first, second), extra, base, has_more)| {
             let coordinates = named(&lengths, &COORDINATES, 0);
@@ -44,9 +44,12 @@ pub fn chained() -> BoxedStrategy<System> {
             if lengths[0].is_none() {
                 system.roles.push(base.role(0));
             }
-            system.roles.push(first);
-            if lengths.len() == 2 && lengths[0].is_some() {
-                system.roles.push(second);
+            let arrays = lengths.iter().filter(|length| length.is_some()).count();
+            for (array, mut role) in [first, second].into_iter().take(arrays).enumerate() {
+                if let Role::Chain { which, .. } = &mut role {
+                    *which = array;
+                }
+                system.roles.push(role);
             }
             let fits = !matches!(extra, Role::Wrench(..) | Role::Spatial { .. } | Role::Planar { .. });
             if has_more && fits {
