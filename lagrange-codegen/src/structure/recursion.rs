@@ -67,11 +67,18 @@ struct Elimination {
     depths: Vec<u32>,
     steps: Vec<Step>,
     pivots: Vec<Articulated>,
+    /// How many more products may be made.
+    budget: usize,
 }
 
 impl Recursion {
-    /// Eliminates; `None` where a velocity has no inertia.
-    pub(super) fn of(graph: &mut Graph, form: Quadratic) -> Option<(Recursion, Vec<Articulated>)> {
+    /// Eliminates; `None` where a velocity has no inertia, or with more than so many products: no more of the
+    /// graph is made than what is worth it.
+    pub(super) fn of(
+        graph: &mut Graph,
+        form: Quadratic,
+        budget: usize,
+    ) -> Option<(Recursion, Vec<Articulated>)> {
         let Quadratic { velocities, definitions, entries } = form;
         let unknowns = velocities + definitions.len();
         let mut system = Elimination {
@@ -81,6 +88,7 @@ impl Recursion {
             depths: vec![0; unknowns],
             steps: Vec::with_capacity(unknowns),
             pivots: Vec::with_capacity(velocities),
+            budget,
         };
         for (&(a, b), &entry) in &entries {
             system.rows[a].insert(b, entry);
@@ -95,7 +103,7 @@ impl Recursion {
         let mut left: Vec<Unknown> = (0..velocities).collect();
         system.eliminate_free(graph, &mut left)?;
         for (place, definition) in definitions.into_iter().enumerate().rev() {
-            system.substitute(graph, velocities + place, definition);
+            system.substitute(graph, velocities + place, definition)?;
             system.eliminate_free(graph, &mut left)?;
         }
         Some((Recursion { steps: asked_for(system.steps, unknowns), velocities, unknowns }, system.pivots))
@@ -231,8 +239,9 @@ impl Elimination {
     }
 
     /// w = Σ c x in the form.
-    fn substitute(&mut self, graph: &mut Graph, unknown: Unknown, terms: Linear) {
+    fn substitute(&mut self, graph: &mut Graph, unknown: Unknown, terms: Linear) -> Option<()> {
         let row = std::mem::take(&mut self.rows[unknown]);
+        self.budget = self.budget.checked_sub(row.len() * terms.len())?;
         for (&other, &entry) in &row {
             if other == unknown {
                 continue;
@@ -269,11 +278,13 @@ impl Elimination {
             }
         }
         self.steps.push(Step::Substitute { unknown, terms });
+        Some(())
     }
 
     fn eliminate(&mut self, graph: &mut Graph, unknown: Unknown) -> Option<()> {
         let row = std::mem::take(&mut self.rows[unknown]);
         let pivot = *row.get(&unknown)?;
+        self.budget = self.budget.checked_sub(row.len() * (row.len() + 1) / 2)?;
         if graph.is_zero(pivot) {
             return None;
         }

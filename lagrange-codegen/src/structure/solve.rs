@@ -230,11 +230,7 @@ fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
 
 /// A recursion for a block, where that takes fewer operations than to form the block and factor it.
 fn recursive(graph: &mut Graph, equations: &Equations, block: &[usize]) -> Option<Method> {
-    let mut trial = graph.clone();
-    let form = Quadratic::of(&mut trial, equations.inertia, block)?;
-    let (recursion, pivots) = Recursion::of(&mut trial, form)?;
     let right: Vec<NodeId> = block.iter().map(|&i| equations.force[i]).collect();
-    let solution = recursion.solve(&mut trial, &right);
     let size = block.len();
     let entries = (0..size).flat_map(|row| (0..=row).map(move |column| (row, column)));
     let mut formed: Vec<NodeId> =
@@ -242,7 +238,12 @@ fn recursive(graph: &mut Graph, equations: &Equations, block: &[usize]) -> Optio
     formed.extend(&right);
     // The operations of an LDLᵀ and of one solution.
     let factored = size * (size * size - 1) / 3 + size * (size - 1) / 2 + 2 * size * size;
-    if cost(&trial, &solution) >= cost(&trial, &formed) + factored as u32 {
+    let dense = cost(graph, &formed) + factored as u32;
+    let mut trial = graph.clone();
+    let form = Quadratic::of(&mut trial, equations.inertia, block)?;
+    let (recursion, pivots) = Recursion::of(&mut trial, form, dense as usize)?;
+    let solution = recursion.solve(&mut trial, &right);
+    if cost(&trial, &solution) >= dense {
         return None;
     }
     *graph = trial;

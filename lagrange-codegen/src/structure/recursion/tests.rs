@@ -97,7 +97,8 @@ fn a_recursion_solves_what_a_dense_matrix_does_in_exact_rationals() {
         let mass = formed(&graph, &form);
         let right: Vec<Number> = (0..velocities).map(|_| noise.whole()).collect();
         let nodes: Vec<NodeId> = right.iter().map(|&number| graph.constant(number)).collect();
-        let (recursion, pivots) = Recursion::of(&mut graph, form).expect("every velocity has inertia");
+        let (recursion, pivots) =
+            Recursion::of(&mut graph, form, usize::MAX).expect("every velocity has inertia");
         assert_eq!(pivots.len(), velocities);
         let solution: Vec<Number> = recursion
             .solve(&mut graph, &nodes)
@@ -125,7 +126,7 @@ fn places_are_shared_and_never_overwritten() {
     for _ in 0..200 {
         let mut graph = Graph::new();
         let form = form(&mut graph, &mut noise, 4, 8);
-        let (recursion, _) = Recursion::of(&mut graph, form).expect("every velocity has inertia");
+        let (recursion, _) = Recursion::of(&mut graph, form, usize::MAX).expect("every velocity has inertia");
         let (places, count) = recursion.places();
         let mut owner: Vec<Option<usize>> = vec![None; count];
         for step in &recursion.steps {
@@ -166,7 +167,7 @@ fn a_chain_costs_in_proportion_to_its_links() {
         let block: Vec<usize> = (0..links).collect();
         let form = Quadratic::of(&mut graph, energy, &block).expect("it is quadratic");
         assert_eq!(form.definitions.len(), 2 * (links - 1));
-        let (recursion, _) = Recursion::of(&mut graph, form).expect("every velocity has inertia");
+        let (recursion, _) = Recursion::of(&mut graph, form, usize::MAX).expect("every velocity has inertia");
         // Both components of the joint before are all that a link depends on.
         assert!(recursion.steps.iter().all(|step| step.terms().len() <= 2));
         // Between the velocities two numbers are in use, and two that follow them.
@@ -180,7 +181,7 @@ fn a_chain_costs_in_proportion_to_its_links() {
 }
 
 #[test]
-fn energies_of_other_degrees_have_no_form() {
+fn energies_without_a_recursion_have_none() {
     let mut graph = Graph::new();
     let [v, w] = [0, 1].map(|i| graph.variable(Variable::Velocity(i)));
     let cube = graph.powi(v, 3);
@@ -189,5 +190,8 @@ fn energies_of_other_degrees_have_no_form() {
     assert!(Quadratic::of(&mut graph, root, &[0]).is_none());
     let product = graph.mul(v, w);
     let form = Quadratic::of(&mut graph, product, &[0, 1]).expect("it is quadratic");
-    assert!(Recursion::of(&mut graph, form).is_none(), "no velocity has inertia of its own");
+    assert!(Recursion::of(&mut graph, form, usize::MAX).is_none(), "no velocity has inertia of its own");
+    let energy = chain(&mut graph, 4);
+    let form = Quadratic::of(&mut graph, energy, &[0, 1, 2, 3]).expect("it is quadratic");
+    assert!(Recursion::of(&mut graph, form, 8).is_none(), "more products than are worth it");
 }
