@@ -128,7 +128,7 @@ pub mod __private {
     pub use crate::attitude;
     pub use crate::error::{Cause, Function, MotionError};
     pub use crate::events::Guard;
-    pub use crate::linear::{Independence, Ldlt, Lu};
+    pub use crate::linear::{Independence, Inverse, Ldlt, Lu, RecursionStep};
     pub use crate::linearized::{Linearization, Linearized};
     pub use crate::name::Names;
     pub use crate::proved::{

@@ -58,7 +58,7 @@ impl Part<NodeId> {
         let coordinates = block.coordinates.clone();
         let constant = block.constant;
         let factor = match &block.method {
-            Method::WrittenOut { solution, .. } => {
+            Method::WrittenOut { solution, .. } | Method::Recursive { solution, .. } => {
                 let results = solution.clone();
                 return Part { coordinates, kind: Kind::WrittenOut, entries: Vec::new(), results };
             }

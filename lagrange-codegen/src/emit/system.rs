@@ -174,7 +174,7 @@ fn check(emission: &mut Emission<'_>) -> Option<String> {
     let count = emission.count();
     for block in &emission.solution.blocks {
         let factor = match &block.method {
-            Method::WrittenOut { pivots, .. } => {
+            Method::WrittenOut { pivots, .. } | Method::Recursive { pivots, .. } => {
                 nodes.extend(pivots.iter().flat_map(|pivot| [pivot.value, pivot.scale]));
                 continue;
             }
@@ -200,7 +200,9 @@ fn check(emission: &mut Emission<'_>) -> Option<String> {
         .blocks
         .iter()
         .filter_map(|block| match &block.method {
-            Method::WrittenOut { pivots, .. } => Some(pivots.iter().map(|pivot| pivot.coordinate)),
+            Method::WrittenOut { pivots, .. } | Method::Recursive { pivots, .. } => {
+                Some(pivots.iter().map(|pivot| pivot.coordinate))
+            }
             Method::Ldlt | Method::Lu => None,
         })
         .flatten()

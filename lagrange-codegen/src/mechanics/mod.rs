@@ -41,6 +41,8 @@ pub struct Equations {
     pub momentum_rates: Vec<NodeId>,
     /// T.
     pub kinetic_energy: NodeId,
+    /// T as it was derived: sums of velocities stand in it as the user nested the positions.
+    pub inertia: NodeId,
     /// V.
     pub potential_energy: NodeId,
     /// The sum of the Lagrangians that are given whole.
@@ -128,6 +130,7 @@ pub fn derive(
         momenta,
         momentum_rates,
         kinetic_energy: energies.kinetic,
+        inertia: energies.kinetic,
         potential_energy: energies.potential,
         whole: energies.whole,
         energy: energies.total,

@@ -117,7 +117,7 @@ pub(super) fn eliminate(
 
 /// The pivot, or NaN where subtractions left nothing but roundings of the diagonal entry. The guard
 /// stands around the sum in it alone, so that the factors beside that can still cancel.
-fn guarded(graph: &mut Graph, pivot: NodeId, diagonal: NodeId) -> NodeId {
+pub(super) fn guarded(graph: &mut Graph, pivot: NodeId, diagonal: NodeId) -> NodeId {
     if pivot == diagonal || graph.is_zero(pivot) {
         return pivot;
     }

@@ -5,7 +5,10 @@
 
 mod elimination;
 pub mod facts;
+mod quadratic;
+mod recursion;
 pub mod solve;
 
 pub use facts::Facts;
+pub use recursion::{Recursion, Step};
 pub use solve::{Block, Method, Saddle, Solution};

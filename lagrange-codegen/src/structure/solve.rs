@@ -2,11 +2,14 @@
 
 use super::elimination::{self, eliminate};
 use super::facts::Facts;
+use super::quadratic::Quadratic;
+use super::recursion::{Articulated, Recursion};
 use crate::diagnostics::{Diagnostics, physics};
 use crate::expr::{Graph, NodeId, Unary};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::number::Number;
+use crate::simplify::cost::cost;
 
 /// A factorisation written out costs at most about this many operations; a larger one is a
 /// loop of the runtime, which compiles faster and runs on vectors.
@@ -17,6 +20,15 @@ const WRITTEN_OUT: usize = 30;
 pub enum Method {
     /// Written out: pivots, to find the singular one, and the accelerations.
     WrittenOut {
+        /// Pivots that are not known to be positive.
+        pivots: Vec<Pivot>,
+        /// Accelerations, in the order of the block.
+        solution: Vec<NodeId>,
+    },
+    /// Written out without the matrix itself, on the velocities that the kinetic energy is made of.
+    Recursive {
+        /// The factors.
+        recursion: Recursion,
         /// Pivots that are not known to be positive.
         pivots: Vec<Pivot>,
         /// Accelerations, in the order of the block.
@@ -117,7 +129,8 @@ impl Solution {
                     }
                     Method::WrittenOut { pivots, solution: result.solution }
                 }
-                (true, false) => Method::Ldlt,
+                (true, false) if constant => Method::Ldlt,
+                (true, false) => recursive(graph, equations, coordinates).unwrap_or(Method::Ldlt),
                 (false, _) if coordinates.len() == 2 => {
                     let method = cramer(graph, coordinates, &entry, &equations.force);
                     if let Method::WrittenOut { pivots, .. } = &method
@@ -144,7 +157,9 @@ impl Solution {
         let mut roots = Vec::new();
         for block in &self.blocks {
             match &block.method {
-                Method::WrittenOut { solution, .. } => roots.extend(solution),
+                Method::WrittenOut { solution, .. } | Method::Recursive { solution, .. } => {
+                    roots.extend(solution);
+                }
                 Method::Ldlt | Method::Lu => {
                     for (place, &i) in block.coordinates.iter().enumerate() {
                         roots.extend(block.coordinates[..=place].iter().map(|&j| equations.mass[i][j]));
@@ -185,6 +200,9 @@ impl Solution {
             Some(size) => parts.push(format!("a factorisation written out ({size} × {size})")),
             None => {}
         }
+        if let Some(size) = sized(|m| matches!(m, Method::Recursive { .. })) {
+            parts.push(format!("a recursion that does not form it ({size} × {size})"));
+        }
         if let Some(size) = sized(|m| matches!(m, Method::Ldlt)) {
             parts.push(format!("LDLᵀ ({size} × {size})"));
         }
@@ -208,6 +226,30 @@ fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
         true => Saddle::Diagonal,
         false => Saddle::Whole { definite: equations.definite },
     }
+}
+
+/// A recursion for a block, where that takes fewer operations than to form the block and factor it.
+fn recursive(graph: &mut Graph, equations: &Equations, block: &[usize]) -> Option<Method> {
+    let right: Vec<NodeId> = block.iter().map(|&i| equations.force[i]).collect();
+    let size = block.len();
+    let entries = (0..size).flat_map(|row| (0..=row).map(move |column| (row, column)));
+    let mut formed: Vec<NodeId> =
+        entries.map(|(row, column)| equations.mass[block[row]][block[column]]).collect();
+    formed.extend(&right);
+    // The operations of an LDLᵀ and of one solution.
+    let factored = size * (size * size - 1) / 3 + size * (size - 1) / 2 + 2 * size * size;
+    let dense = cost(graph, &formed) + factored as u32;
+    let mut trial = graph.clone();
+    let form = Quadratic::of(&mut trial, equations.inertia, block)?;
+    let (recursion, pivots) = Recursion::of(&mut trial, form, dense as usize)?;
+    let solution = recursion.solve(&mut trial, &right);
+    if cost(&trial, &solution) >= dense {
+        return None;
+    }
+    *graph = trial;
+    let pivots: Vec<_> =
+        pivots.into_iter().map(|Articulated { place, pivot, scale }| (block[place], pivot, scale)).collect();
+    Some(Method::Recursive { recursion, pivots: unknown(graph, &pivots), solution })
 }
 
 /// The pivots that are not constants.

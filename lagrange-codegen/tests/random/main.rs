@@ -81,6 +81,24 @@ fn every_emitted_quantity_agrees_with_dual_numbers() {
 }
 
 #[test]
+fn systems_that_recur_agree_with_dual_numbers() {
+    let report = Mutex::new((Report::default(), [0_usize; 2]));
+    let cases = || (strategy::chained(), [strategy::sample(), strategy::sample()]).boxed();
+    runner::run(runner::cases(QUICK) / 8, cases, |(system, samples)| {
+        let outcomes = agrees(system, samples)?;
+        let recurs = tokens(&Source::of(system))?.to_string().contains("a recursion that does not form it");
+        let mut report = report.lock().map_err(|error| error.to_string())?;
+        report.0.add(outcomes);
+        report.1[usize::from(recurs)] += 1;
+        Ok(())
+    });
+    let (report, [formed, recurring]) = report.into_inner().expect("a worker has failed");
+    println!("{recurring} of {} recur\n{report}", formed + recurring);
+    report.assert_but_for(60);
+    assert!(recurring > formed, "{recurring} of {} recur", formed + recurring);
+}
+
+#[test]
 fn what_analysis_derives_obeys_identities() {
     let total: Mutex<analysis::Counts> = Mutex::default();
     runner::run(runner::cases(QUICK) / 8, cases, |(system, samples)| {

@@ -2,12 +2,14 @@
 //!
 //! [`Ldlt`] is for symmetric positive definite matrices (the mass matrix of any T), [`Lu`] for the rest (a
 //! user's own L may have an indefinite ∂²L/∂v²). Both report the index of the pivot at which they stop.
+//! [`Inverse`] is made from the factors of a matrix that is not formed.
 //! [`Saddle`] and [`Diagonal`] solve for velocities and multipliers of a constrained system together,
 //! redundant constraints included; [`Schur`] is what is left of such a system once the velocities are
 //! eliminated.
 
 pub(crate) mod complex;
 mod independence;
+mod inverse;
 mod ldlt;
 mod lu;
 mod saddle;
@@ -17,6 +19,7 @@ mod symmetric;
 
 pub use independence::Independence;
 pub(crate) use independence::determined;
+pub use inverse::{Inverse, RecursionStep};
 pub use ldlt::Ldlt;
 pub use lu::Lu;
 pub(crate) use saddle::TangentSpace;

@@ -1,6 +1,7 @@
 //! The mass matrix at the point of expansion: one factorisation a step, or a run where it is constant.
 
 use super::saddle::{SaddlePoint, SaddleStart};
+use super::solution::{self, Named};
 use super::start::Start;
 use super::{bare, binding};
 use crate::emit::Emission;
@@ -12,7 +13,7 @@ use crate::jets::Jets;
 use crate::model::Model;
 use crate::number::Number;
 use crate::schedule::{Instruction, Program, Slot, plan};
-use crate::structure::Method;
+use crate::structure::{Method, Recursion};
 use crate::syntax::Scalar;
 
 /// How each block is solved in every order.
@@ -38,6 +39,8 @@ enum Entries {
     Number(Number),
     /// This many outputs of the constant program, or of the moving one.
     Outputs { constant: bool, count: usize },
+    /// The factors of a matrix that is not formed, outputs of the moving program; whether its inverse solves.
+    Recursion { recursion: Recursion, inverse: bool },
 }
 
 /// What the body needs of it.
@@ -69,6 +72,8 @@ pub(super) enum By {
     Inverse(String),
     /// This factorisation.
     Factor(String),
+    /// These steps.
+    Recursion(Named),
 }
 
 impl Inertia {
@@ -81,11 +86,19 @@ impl Inertia {
         let mut blocks = Vec::with_capacity(emission.solution.blocks.len());
         for block in &emission.solution.blocks {
             let coordinates = block.coordinates.clone();
+            if let Method::Recursive { recursion, .. } = &block.method {
+                moving.extend(solution::nodes(recursion));
+                // Numbers that carry others with them have enough to do while one waits.
+                let inverse = recursion.waits() && emission.scalar == emission.item.scalar;
+                let entries = Entries::Recursion { recursion: recursion.clone(), inverse };
+                blocks.push(Part { coordinates, factor: "", entries });
+                continue;
+            }
             let factor = match block.method {
                 Method::Lu => "Lu",
                 Method::WrittenOut { .. } if emission.equations.definite => "Ldlt",
                 Method::WrittenOut { .. } => "Lu",
-                Method::Ldlt => "Ldlt",
+                Method::Ldlt | Method::Recursive { .. } => "Ldlt",
             };
             let lower: Vec<NodeId> = (0..coordinates.len())
                 .flat_map(|row| (0..=row).map(move |column| (row, column)))
@@ -209,11 +222,21 @@ impl Inertia {
         for part in &self.blocks {
             let label =
                 |suffix: &str| Some(format!("{}_{suffix}", model.coordinates[part.coordinates[0]].label()));
-            let by = match part.entries {
+            let by = match &part.entries {
+                Entries::Recursion { recursion, inverse: true } => {
+                    let name = names.claim(label("inverse"));
+                    statements.push_str(&solution::inverse(scalar, recursion, &mut outputs, &name));
+                    By::Factor(name)
+                }
+                Entries::Recursion { recursion, inverse: false } => {
+                    let (text, named) = solution::named(model, scalar, recursion, &mut outputs, names);
+                    statements.push_str(&text);
+                    By::Recursion(named)
+                }
                 Entries::Number(number) if number.is_one() => By::Nothing,
                 Entries::Number(number) => match number.recip() {
                     Some(inverse) => By::Inverse(super::number(scalar, inverse)),
-                    None => By::Inverse(format!("Real::recip({})", super::number(scalar, number))),
+                    None => By::Inverse(format!("Real::recip({})", super::number(scalar, *number))),
                 },
                 Entries::Outputs { constant: true, count: 1 } => {
                     let name = names.claim(label("inverse_mass"));
@@ -236,7 +259,7 @@ impl Inertia {
                 }
                 Entries::Outputs { constant: false, count } => {
                     let size = part.coordinates.len();
-                    let entries: Vec<String> = outputs.by_ref().take(count).collect();
+                    let entries: Vec<String> = outputs.by_ref().take(*count).collect();
                     let name = names.claim(label("factors"));
                     statements.push_str(&body::lower_triangle(scalar, size, &entries));
                     statements.push_str(&format!(

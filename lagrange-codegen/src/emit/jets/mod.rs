@@ -9,6 +9,7 @@ mod convolutions;
 mod inertia;
 mod order;
 mod saddle;
+mod solution;
 mod start;
 mod terms;
 mod wide;

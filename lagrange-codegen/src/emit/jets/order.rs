@@ -3,7 +3,7 @@
 //! An order starts with what lower orders determine (coordinates, then functions of them), evaluates the
 //! momenta with the new velocity coefficients at zero, solves for these, and completes what depends on them.
 
-use super::inertia::{AtStart, By};
+use super::inertia::AtStart;
 use super::start::Start;
 use super::terms::{Context, Operand, PowerNames, Term, chain};
 use super::wide::Wide;
@@ -326,38 +326,6 @@ impl Writer<'_, '_> {
     fn split(&self, slot: Slot) -> (Vec<Term>, Vec<Term>) {
         let terms = self.sorted(self.context.terms(slot));
         terms.into_iter().partition(|term| self.context.coefficient(term.value) != Coefficient::Late)
-    }
-
-    fn solve(&mut self, mass: &AtStart, velocities: &[(String, String)]) {
-        for solver in &mass.solvers {
-            let mut right = Vec::with_capacity(solver.coordinates.len());
-            for &i in &solver.coordinates {
-                let mut momentum = self.sorted(self.context.read(self.jets.momenta[i]));
-                momentum.iter_mut().for_each(|term| term.negative = !term.negative);
-                let partial = chain(None, &momentum, |operand| self.partial_text(operand));
-                right.push(match partial {
-                    Some(partial) => format!("Real::mul_add(rate, {}, {partial})", self.forces[i]),
-                    None => format!("(rate * {})", self.forces[i]),
-                });
-            }
-            match &solver.by {
-                By::Nothing => self.bind(&velocities[solver.coordinates[0]].1, &right[0]),
-                By::Inverse(inverse) => {
-                    let text = format!("{} * {inverse}", right[0]);
-                    self.bind(&velocities[solver.coordinates[0]].1, &text);
-                }
-                By::Factor(factor) => {
-                    let names: Vec<&str> =
-                        solver.coordinates.iter().map(|&i| velocities[i].1.as_str()).collect();
-                    let right: Vec<&str> = right.iter().map(|text| bare(text)).collect();
-                    self.body.push_str(&format!(
-                        "let [{}] = {factor}.solve([{}]);\n",
-                        names.join(", "),
-                        right.join(", ")
-                    ));
-                }
-            }
-        }
     }
 
     /// What depends on the new velocity coefficients.

@@ -216,7 +216,7 @@ fn rotation() -> BoxedStrategy<Rotation> {
     .boxed()
 }
 
-fn chain() -> BoxedStrategy<Role> {
+pub fn chain() -> BoxedStrategy<Role> {
     (index(), any::<bool>(), fixed(), fixed())
         .prop_map(|(which, relative, mass, length)| Role::Chain { which, relative, mass, length })
         .boxed()

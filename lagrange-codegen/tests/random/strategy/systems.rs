@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::constraints::{Carrier, Restraint, restraints};
 use super::expressions::{Reach, body, fixed, index, scalar};
-use super::roles::{Base, base, role};
+use super::roles::{Base, base, chain, role};
 use crate::check::Sample;
 use crate::source::PARAMETERS;
 use crate::system::{Group, Role, Scalar, System};
@@ -23,6 +23,41 @@ const LARGE: usize = 33;
 /// A system with everything on it.
 pub fn system() -> BoxedStrategy<System> {
     prop_oneof![5 => of_inertia(true), 2 => of_inertia(false)].boxed()
+}
+
+/// Chains of particles, one or two on a common support that may move, with little else: systems whose mass
+/// matrix is not formed.
+pub fn chained() -> BoxedStrategy<System> {
+    let scalar_type = prop_oneof![3 => Just(Scalar::F64), 1 => Just(Scalar::Generic)];
+    let helpers = prop::collection::vec(body(Reach::Helper, scalar(Reach::Helper)), 1);
+    let arrays = prop_oneof![
+        2 => (10_usize..=14).prop_map(|links| vec![Some(links)]),
+        1 => (10_usize..=12).prop_map(|links| vec![None, Some(links)]),
+        1 => (9_usize..=11, 9_usize..=11).prop_map(|(first, second)| vec![Some(first), Some(second)]),
+    ];
+    let chains = (chain(), chain());
+    (scalar_type, arrays, inputs(), helpers, chains, role(true), base(true), any::<bool>())
+        .prop_map(|(scalar, lengths, inputs, helpers, (first, second), extra, base, has_more)| {
+            let coordinates = named(&lengths, &COORDINATES, 0);
+            let mut system =
+                System { scalar, coordinates, inputs, helpers, roles: Vec::new(), baumgarte: None };
+            if lengths[0].is_none() {
+                system.roles.push(base.role(0));
+            }
+            let arrays = lengths.iter().filter(|length| length.is_some()).count();
+            for (array, mut role) in [first, second].into_iter().take(arrays).enumerate() {
+                if let Role::Chain { which, .. } = &mut role {
+                    *which = array;
+                }
+                system.roles.push(role);
+            }
+            let fits = !matches!(extra, Role::Wrench(..) | Role::Spatial { .. } | Role::Planar { .. });
+            if has_more && fits {
+                system.roles.push(extra);
+            }
+            system
+        })
+        .boxed()
 }
 
 fn of_inertia(quadratic: bool) -> BoxedStrategy<System> {

@@ -1,0 +1,337 @@
+//! M a = f solved on the extended system of the kinetic energy: recursion as a matter of order.
+//!
+//! The definitions of [`Quadratic`] are taken from the last to the first and substituted, and each velocity is
+//! eliminated as soon as no definition that is left names it: its pivot is then positive, an articulated
+//! inertia. For a chain or a tree of bodies that is the articulated-body recursion (Featherstone, *Rigid Body
+//! Dynamics Algorithms*, chapter 7), and nothing here knows of joints. M is never formed.
+
+use std::collections::BTreeMap;
+
+use super::elimination::guarded;
+use super::quadratic::{Linear, Quadratic, Unknown};
+use crate::expr::{Graph, NodeId};
+use crate::number::Number;
+
+/// The factors of a mass matrix that is not formed.
+#[derive(Clone, Debug)]
+pub struct Recursion {
+    /// In the order in which a load is taken back through them.
+    pub steps: Vec<Step>,
+    /// The number of velocities, which are the first unknowns.
+    pub velocities: usize,
+    /// The number of velocities and definitions.
+    pub unknowns: usize,
+}
+
+/// One step of the factorisation.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// An unknown is Σ c x: its load adds to those of x, and its value follows from theirs.
+    Substitute {
+        /// The unknown.
+        unknown: usize,
+        /// x and c.
+        terms: Vec<(usize, NodeId)>,
+    },
+    /// An unknown is its load / pivot − Σ l x.
+    Eliminate {
+        /// The unknown, a velocity: its place in the block.
+        unknown: usize,
+        /// 1 / pivot.
+        inverse: NodeId,
+        /// x and l.
+        terms: Vec<(usize, NodeId)>,
+    },
+}
+
+/// A pivot with the size of what it was subtracted from: the same node where nothing was.
+#[derive(Clone, Copy, Debug)]
+pub struct Articulated {
+    /// The place in the block.
+    pub place: usize,
+    /// Its value.
+    pub pivot: NodeId,
+    /// Its scale.
+    pub scale: NodeId,
+}
+
+/// The system while it is eliminated.
+struct Elimination {
+    /// Rows of the symmetric matrix, whole.
+    rows: Vec<BTreeMap<Unknown, NodeId>>,
+    /// How many definitions that are left name an unknown.
+    users: Vec<usize>,
+    /// The diagonal with nothing subtracted, up to a factor that counts terms: what roundings are measured by.
+    sizes: Vec<Option<NodeId>>,
+    /// How many eliminations in a row have reached an unknown.
+    depths: Vec<u32>,
+    steps: Vec<Step>,
+    pivots: Vec<Articulated>,
+    /// How many more products may be made.
+    budget: usize,
+}
+
+impl Recursion {
+    /// Eliminates; `None` where a velocity has no inertia, or with more than so many products: no more of the
+    /// graph is made than what is worth it.
+    pub(super) fn of(
+        graph: &mut Graph,
+        form: Quadratic,
+        budget: usize,
+    ) -> Option<(Recursion, Vec<Articulated>)> {
+        let Quadratic { velocities, definitions, entries } = form;
+        let unknowns = velocities + definitions.len();
+        let mut system = Elimination {
+            rows: vec![BTreeMap::new(); unknowns],
+            users: vec![0; unknowns],
+            sizes: vec![None; unknowns],
+            depths: vec![0; unknowns],
+            steps: Vec::with_capacity(unknowns),
+            pivots: Vec::with_capacity(velocities),
+            budget,
+        };
+        for (&(a, b), &entry) in &entries {
+            system.rows[a].insert(b, entry);
+            system.rows[b].insert(a, entry);
+            if a == b {
+                system.sizes[a] = Some(entry);
+            }
+        }
+        for definition in &definitions {
+            definition.iter().for_each(|&(x, _)| system.users[x] += 1);
+        }
+        let mut left: Vec<Unknown> = (0..velocities).collect();
+        system.eliminate_free(graph, &mut left)?;
+        for (place, definition) in definitions.into_iter().enumerate().rev() {
+            system.substitute(graph, velocities + place, definition)?;
+            system.eliminate_free(graph, &mut left)?;
+        }
+        Some((Recursion { steps: asked_for(system.steps, unknowns), velocities, unknowns }, system.pivots))
+    }
+
+    /// The solution for one right-hand side, on the graph.
+    pub fn solve(&self, graph: &mut Graph, right: &[NodeId]) -> Vec<NodeId> {
+        let zero = graph.zero();
+        let mut loads = right.to_vec();
+        loads.resize(self.unknowns, zero);
+        for step in &self.steps {
+            let (unknown, sign, terms) = match step {
+                Step::Substitute { unknown, terms } => (unknown, Number::ONE, terms),
+                Step::Eliminate { unknown, terms, .. } => (unknown, Number::MINUS_ONE, terms),
+            };
+            let load = loads[*unknown];
+            for &(x, factor) in terms {
+                let share = graph.mul(factor, load);
+                loads[x] = graph.sum(Number::ZERO, &[(loads[x], Number::ONE), (share, sign)]);
+            }
+        }
+        let mut values = vec![zero; self.unknowns];
+        for step in self.steps.iter().rev() {
+            let (unknown, start, sign, terms) = match step {
+                Step::Substitute { unknown, terms } => (*unknown, None, Number::ONE, terms),
+                Step::Eliminate { unknown, inverse, terms } => {
+                    (*unknown, Some(graph.mul(loads[*unknown], *inverse)), Number::MINUS_ONE, terms)
+                }
+            };
+            let mut summands: Vec<(NodeId, Number)> =
+                start.map(|own| (own, Number::ONE)).into_iter().collect();
+            summands.extend(terms.iter().map(|&(x, factor)| (graph.mul(factor, values[x]), sign)));
+            values[unknown] = graph.sum(Number::ZERO, &summands);
+        }
+        values.truncate(right.len());
+        values
+    }
+
+    /// A place for each unknown: velocities have their own, the others share those behind them, since few
+    /// are in use at a time. With the number of all places.
+    pub fn places(&self) -> (Vec<usize>, usize) {
+        let mut places: Vec<usize> = (0..self.unknowns).collect();
+        let (mut free, mut count) = (Vec::new(), self.velocities);
+        let mut placed = vec![false; self.unknowns];
+        placed[..self.velocities].fill(true);
+        for step in &self.steps {
+            for &(x, _) in step.terms() {
+                if !std::mem::replace(&mut placed[x], true) {
+                    places[x] = free.pop().unwrap_or_else(|| {
+                        count += 1;
+                        count - 1
+                    });
+                }
+            }
+            if step.unknown() >= self.velocities {
+                free.push(places[step.unknown()]);
+            }
+        }
+        (places, count)
+    }
+
+    /// Whether a product with the inverse, made by this recursion once a step, takes less time an order than
+    /// the recursion, in which one operation waits for another.
+    pub fn waits(&self) -> bool {
+        /// Cycles from one operation to another that needs its result.
+        const LATENCY: usize = 4;
+        /// Multiply–adds of rows in one cycle, with what they load and store, on vectors of two.
+        const WIDTH: usize = 1;
+        /// Orders of a step, among which the making of the inverse is shared.
+        const ORDERS: usize = 12;
+        let depth_of = |depths: &[usize], start: usize, terms: &[(usize, NodeId)]| {
+            terms.iter().fold(start, |depth, &(x, _)| depth.max(depths[x]) + 1)
+        };
+        let mut depths = vec![0; self.unknowns];
+        let mut values = vec![0; self.unknowns];
+        let mut terms = 0;
+        for step in &self.steps {
+            let load = depths[step.unknown()];
+            step.terms().iter().for_each(|&(x, _)| depths[x] = depths[x].max(load) + 1);
+            terms += step.terms().len();
+        }
+        for step in self.steps.iter().rev() {
+            let start = if step.unknown() < self.velocities { depths[step.unknown()] + 1 } else { 0 };
+            values[step.unknown()] = depth_of(&values, start, step.terms());
+        }
+        let depth = values.iter().max().copied().unwrap_or(0);
+        let product = self.velocities * (self.velocities + 2 * terms / ORDERS) / WIDTH;
+        product < LATENCY * depth
+    }
+}
+
+impl Step {
+    /// Whose step it is.
+    pub fn unknown(&self) -> usize {
+        match self {
+            Step::Substitute { unknown, .. } | Step::Eliminate { unknown, .. } => *unknown,
+        }
+    }
+
+    /// Other unknowns with their factors.
+    pub fn terms(&self) -> &[(usize, NodeId)] {
+        match self {
+            Step::Substitute { terms, .. } | Step::Eliminate { terms, .. } => terms,
+        }
+    }
+}
+
+/// The steps without definitions that no load reaches: what is defined there has inertia, and nothing else.
+fn asked_for(mut steps: Vec<Step>, unknowns: usize) -> Vec<Step> {
+    let mut reached = vec![false; unknowns];
+    steps.retain(|step| {
+        let is_kept = matches!(step, Step::Eliminate { .. }) || reached[step.unknown()];
+        if is_kept {
+            step.terms().iter().for_each(|&(x, _)| reached[x] = true);
+        }
+        is_kept
+    });
+    steps
+}
+
+impl Elimination {
+    /// Eliminates every velocity that no definition names, those with the fewest neighbours first.
+    fn eliminate_free(&mut self, graph: &mut Graph, left: &mut Vec<Unknown>) -> Option<()> {
+        loop {
+            let free = left.iter().enumerate().filter(|&(_, &v)| self.users[v] == 0);
+            let Some((place, _)) = free.min_by_key(|&(_, &v)| (self.rows[v].len(), std::cmp::Reverse(v)))
+            else {
+                return Some(());
+            };
+            let velocity = left.remove(place);
+            self.eliminate(graph, velocity)?;
+        }
+    }
+
+    /// w = Σ c x in the form.
+    fn substitute(&mut self, graph: &mut Graph, unknown: Unknown, terms: Linear) -> Option<()> {
+        let row = std::mem::take(&mut self.rows[unknown]);
+        self.budget = self.budget.checked_sub(row.len() * terms.len())?;
+        for (&other, &entry) in &row {
+            if other == unknown {
+                continue;
+            }
+            self.rows[other].remove(&unknown);
+            for &(x, c) in &terms {
+                let share = graph.mul(entry, c);
+                if x == other {
+                    // Q w x with w = c x + …: c Q x², of which the diagonal has twice as much.
+                    let share = graph.scale(share, Number::integer(2));
+                    self.add(graph, x, x, share);
+                } else {
+                    self.add(graph, x, other, share);
+                }
+            }
+        }
+        if let Some(&own) = row.get(&unknown) {
+            for (place, &(x, c)) in terms.iter().enumerate() {
+                let scaled = graph.mul(own, c);
+                for &(y, d) in &terms[..=place] {
+                    let share = graph.mul(scaled, d);
+                    self.add(graph, x, y, share);
+                }
+            }
+        }
+        for &(x, c) in &terms {
+            self.users[x] -= 1;
+            self.depths[x] = self.depths[x].max(self.depths[unknown]);
+            if let Some(size) = self.sizes[unknown] {
+                let square = graph.powi(c, 2);
+                let share = graph.mul(square, size);
+                let zero = graph.zero();
+                self.sizes[x] = Some(graph.add(self.sizes[x].unwrap_or(zero), share));
+            }
+        }
+        self.steps.push(Step::Substitute { unknown, terms });
+        Some(())
+    }
+
+    fn eliminate(&mut self, graph: &mut Graph, unknown: Unknown) -> Option<()> {
+        let row = std::mem::take(&mut self.rows[unknown]);
+        let pivot = *row.get(&unknown)?;
+        self.budget = self.budget.checked_sub(row.len() * (row.len() + 1) / 2)?;
+        if graph.is_zero(pivot) {
+            return None;
+        }
+        let depth = self.depths[unknown];
+        let scale = if depth == 0 { pivot } else { self.scale(graph, unknown, depth)? };
+        self.pivots.push(Articulated { place: unknown, pivot, scale });
+        let divisor = guarded(graph, pivot, scale);
+        let one = graph.one();
+        let inverse = graph.div(one, divisor);
+        let others: Linear = row.into_iter().filter(|&(other, _)| other != unknown).collect();
+        let mut terms = Vec::with_capacity(others.len());
+        for (place, &(x, entry)) in others.iter().enumerate() {
+            self.rows[x].remove(&unknown);
+            let factor = graph.div(entry, divisor);
+            for &(y, other) in &others[..=place] {
+                let share = graph.mul(factor, other);
+                let share = graph.neg(share);
+                self.add(graph, x, y, share);
+            }
+            self.depths[x] = self.depths[x].max(depth + 1);
+            terms.push((x, factor));
+        }
+        self.steps.push(Step::Eliminate { unknown, inverse, terms });
+        Some(())
+    }
+
+    /// What a pivot is compared with: `solve::carries` of the runtime asks for eight roundings, and the
+    /// subtractions of k eliminations leave 2 (k + 1) of them, as in its LDLᵀ.
+    fn scale(&self, graph: &mut Graph, unknown: Unknown, depth: u32) -> Option<NodeId> {
+        let size = self.sizes[unknown]?;
+        Some(graph.scale(size, Number::integer(i128::from(depth.max(3)) + 1) * Number::Ratio(1, 4)))
+    }
+
+    fn add(&mut self, graph: &mut Graph, a: Unknown, b: Unknown, share: NodeId) {
+        let entry = match self.rows[a].get(&b) {
+            Some(&entry) => graph.add(entry, share),
+            None => share,
+        };
+        for (row, column) in [(a, b), (b, a)] {
+            if graph.is_zero(entry) {
+                self.rows[row].remove(&column);
+            } else {
+                self.rows[row].insert(column, entry);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
