@@ -134,7 +134,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
             [(PI, 0.6), (PI, 1.8), (PI, 3.5), (2.2, 0.0), (2.0 * PI - 2.2, 0.0), (FRAC_PI_2, 0.0), (1.0, 0.0)]
         {
             let mut motion = hoop.simulate(hoop.at_angle(phi, phi_dot));
-            let states = motion.every(0.01).take(500).collect::<Result<Vec<_>, _>>()?;
+            let states = motion.every(0.02).take(250).collect::<Result<Vec<_>, _>>()?;
             chart = chart.line("", states.iter().map(|state| hoop.angle(state)));
         }
         let rests = [0.3, 2.2, PI].map(|guess| InHoop(hoop).rest(guess));
