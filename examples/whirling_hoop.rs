@@ -98,7 +98,7 @@ impl InHoop {
     }
 }
 
-/// Sideways force and books of energy, then phase portraits on both sides of the bifurcation.
+/// Sideways force and energy balance, then phase portraits on both sides of the bifurcation.
 pub fn main() -> Result<(), Box<dyn Error>> {
     println!("{}\n", WhirlingHoop::STRUCTURE);
     let hoop = WhirlingHoop { mass: 1.0, radius: 0.5, rate: 6.0, g: 9.81 };
@@ -176,7 +176,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     plot::save("whirling_hoop", &charts)?;
 
     assert!(off < 1e-14, "relative equilibria are off by {off:e}");
-    assert!(worst < 1e-11, "books of energy or constraints are off by {worst:e}");
+    assert!(worst < 1e-11, "the energy balance or the constraints are off by {worst:e}");
     assert!((phi - exact.0).abs() < 1e-11 && (phi_dot - exact.1).abs() < 1e-10, "{phi}, {phi_dot}");
     Ok(())
 }

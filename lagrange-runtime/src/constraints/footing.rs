@@ -9,8 +9,8 @@ use crate::linear::{Independence, SaddlePoint};
 use crate::real::Real;
 use crate::state::{State, difference};
 
-/// Rows that are apart by so many times the way to the constraints, relative to the coordinates, or less may
-/// depend on each other there.
+/// Rows may depend on each other on the constraints if their distance is at most this many times the way to
+/// the constraints, relative to the coordinates.
 const BESIDE: f64 = 16.0;
 
 /// What is known of a state on the constraints.
@@ -22,7 +22,7 @@ pub struct Footing<R, const N: usize> {
     /// that was asked for, and if the constraints are clearly independent there.
     pub accelerations: Option<[R; N]>,
     /// An ulp of the largest coordinate in the kinetic metric, in the unit of each: constraints couple them,
-    /// so none is known better than that.
+    /// so no coordinate is known better than that.
     pub ulps_q: [R; N],
     /// The same of the velocities.
     pub ulps_v: [R; N],

@@ -39,11 +39,11 @@ const NEAR: usize = 16;
 /// Corrections of a rough start.
 const FAR: usize = 60;
 
-/// A correction of a rough start is halved at most so often.
+/// The largest number of halvings of a correction of a rough start.
 const HALVINGS: usize = 12;
 
-/// A correction of a rough start is no longer than so many distances from the constraints: where these nearly
-/// depend on each other, Newton's corrections lead far away.
+/// The longest correction of a rough start, in units of its distance from the constraints. Where constraints
+/// nearly depend on each other, Newton's corrections lead far away.
 const REACH: f64 = 4.0;
 
 /// With a contraction worse than this the factors are made anew.

@@ -101,7 +101,7 @@ fn grows<R: Real, const N: usize, const P: usize>(series: &Series<R, N, P>, from
     })
 }
 
-/// One step by stages stands for so many orders of a series. The method by stages has order 8, so its error is
+/// Orders of a series that one step by stages replaces. The method by stages has order 8, so its error is
 /// smaller than that of the series.
 const ORDERS: usize = 4;
 

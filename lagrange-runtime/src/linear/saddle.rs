@@ -89,7 +89,7 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
 
-    /// Units of the coordinates in which none is larger than another: 1/√M\[i]\[i], or what A makes of them
+    /// Column scaling of the coordinates, which makes them comparable: 1/√M\[i]\[i], or what A makes of them
     /// where that does not exist; zero for a coordinate that nothing moves.
     fn units(&self) -> [R; N];
 }

@@ -23,8 +23,8 @@ const LEAST: f64 = 1.0 / 1024.0;
 /// Up to this size the inverse is formed: one product instead of two substitutions.
 pub(super) const SMALL: usize = 6;
 
-/// So many orders of a Taylor series are refined: the terms of those after them are smaller by two powers of
-/// ten.
+/// Orders of a Taylor series whose solutions are refined. The terms of later orders are smaller by two powers
+/// of ten.
 const REFINED: usize = 4;
 
 /// A factored Schur complement.
