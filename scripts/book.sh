@@ -52,7 +52,7 @@ build() {
     } >>"$staged/src/SUMMARY.md"
     grep -ohE '\]\(\.\./\.\./[^)#]+' book/src/*.md | sed 's#](\.\./\.\./##' | sort -u | while read -r file; do
         mkdir -p "$staged/src/$(dirname "$file")"
-        cp "$file" "$staged/src/$file"
+        sed 's#](book/src/#](#g' "$file" >"$staged/src/$file"
     done
     cp -r benchmarks/plots "$staged/src/benchmarks/"
     mdbook build "$staged" -d "$PWD/$built"
