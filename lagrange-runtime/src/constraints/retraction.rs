@@ -10,12 +10,11 @@
 //! iterative refinement of generalized eigenvalue problems", SIAM J. Matrix Anal. 22, 2001). So a state is
 //! accepted where
 //!
-//! 1. residuals are rounding errors of their own summands, or 2. the next correction would be below an ulp of
-//! the state (it is smaller than the last one by the ratio of the
-//!    residuals after and before that), or
+//! 1. residuals are rounding errors of their own summands, or
+//! 2. the next correction would be below an ulp of the state (it is smaller than the last one by the ratio of
+//!    the residuals after and before that), or
 //! 3. corrections no longer help, and the residual is below √ε of the summands and of the state: it is then
-//! the
-//!    rounding error of inner operations, which the summands do not show.
+//!    the rounding error of inner operations, which the summands do not show.
 //!
 //! Everything else is an error. The second rule accounts for the condition of the constraints: where the
 //! smallest singular value of the scaled gradients is σ, an ulp of f corresponds to a correction of ε/σ.
