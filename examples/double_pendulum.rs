@@ -1,9 +1,11 @@
-//! A double pendulum that swings over: table, paths of both masses, and how well the energy is kept.
+//! A double pendulum that swings over: table, paths of both masses, a film, and how well the energy is kept.
 
 use std::error::Error;
 
 use lagrangian::prelude::*;
 
+#[path = "support/film.rs"]
+mod film;
 #[path = "support/plot.rs"]
 mod plot;
 
@@ -75,6 +77,15 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         .line("upper mass", path(DoublePendulum::upper))
         .dots(path(DoublePendulum::upper).take(1));
     plot::save("double_pendulum_paths", &[paths])?;
+
+    // Ten seconds in 25 frames each; the path is drawn twice as fine.
+    let every = |count: usize| states.iter().take(1001).step_by(count).map(|state| state.q.into());
+    let joints =
+        |q: DoublePendulumCoordinates| vec![[0.0; 2], pendulum.upper(&q).into(), pendulum.lower(&q).into()];
+    let moving = film::Film::new(10.0)
+        .trail(every(2).map(|q| pendulum.lower(&q).into()))
+        .linkage(every(4).map(joints));
+    film::save("double_pendulum", &moving)?;
     let errors = plot::Chart::new("Relative energy error at tolerance 10⁻¹²", "time [s]", "|E − E₀| / |E₀|")
         .logarithmic()
         .line("", states.iter().map(|state| (state.t, error(state))));

@@ -48,7 +48,7 @@ impl RotatingFrame {
     }
 }
 
-/// Books of energy without damping, then the damped motion against its exact solution.
+/// Energy balance without damping, then the damped motion against its exact solution.
 pub fn main() -> Result<(), Box<dyn Error>> {
     println!("{}\n", RotatingFrame::STRUCTURE);
     let free = RotatingFrame { mass: 1.0, stiffness: [20.0, 30.0], damping: 0.0, rate: 2.0 };

@@ -70,7 +70,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         ("sticking", State::new([0.0], [belt.speed])),
     ] {
         let mut motion = belt.simulate(start).with_tolerance(1e-12);
-        let states = motion.every(0.005).take(2400).collect::<Result<Vec<_>, _>>()?;
+        let states = motion.every(0.02).take(600).collect::<Result<Vec<_>, _>>()?;
         phases = phases.line(label, states.iter().map(|state| (state.q[0], state.v[0])));
         places = places.line(label, states.iter().map(|state| (state.t, state.q[0])));
     }

@@ -98,7 +98,7 @@ impl InHoop {
     }
 }
 
-/// Sideways force and books of energy, then phase portraits on both sides of the bifurcation.
+/// Sideways force and energy balance, then phase portraits on both sides of the bifurcation.
 pub fn main() -> Result<(), Box<dyn Error>> {
     println!("{}\n", WhirlingHoop::STRUCTURE);
     let hoop = WhirlingHoop { mass: 1.0, radius: 0.5, rate: 6.0, g: 9.81 };
@@ -134,7 +134,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
             [(PI, 0.6), (PI, 1.8), (PI, 3.5), (2.2, 0.0), (2.0 * PI - 2.2, 0.0), (FRAC_PI_2, 0.0), (1.0, 0.0)]
         {
             let mut motion = hoop.simulate(hoop.at_angle(phi, phi_dot));
-            let states = motion.every(0.01).take(500).collect::<Result<Vec<_>, _>>()?;
+            let states = motion.every(0.02).take(250).collect::<Result<Vec<_>, _>>()?;
             chart = chart.line("", states.iter().map(|state| hoop.angle(state)));
         }
         let rests = [0.3, 2.2, PI].map(|guess| InHoop(hoop).rest(guess));
@@ -176,7 +176,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     plot::save("whirling_hoop", &charts)?;
 
     assert!(off < 1e-14, "relative equilibria are off by {off:e}");
-    assert!(worst < 1e-11, "books of energy or constraints are off by {worst:e}");
+    assert!(worst < 1e-11, "the energy balance or the constraints are off by {worst:e}");
     assert!((phi - exact.0).abs() < 1e-11 && (phi_dot - exact.1).abs() < 1e-10, "{phi}, {phi_dot}");
     Ok(())
 }

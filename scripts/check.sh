@@ -9,6 +9,8 @@ usage: scripts/check.sh NAME …
   fmt         formatting
   clippy      lints, warnings denied, with and without the standard library's math
   docs        rustdoc, warnings denied
+  book        its programs with all features; its pictures are what the examples draw; where mdbook is there, it builds
+              and its links resolve
   random      10 000 random systems (or CASES of them) against dual numbers
   benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
   lanes       several motions in the lanes of SIMD vectors
@@ -34,6 +36,12 @@ clippy() {
 
 docs() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --exclude benchmarks --features lagrangian/double-double; }
 
+# `cargo test` runs its programs but for those that need a feature.
+book() {
+    cargo test --features wide,double-double --doc book/src/
+    scripts/book.sh check
+}
+
 random() { PROPTEST_CASES=${CASES:-10000} cargo test --release -p lagrange-codegen --test random; }
 
 benchmarks() { cargo build --release -p benchmarks; }
@@ -58,9 +66,9 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
-        fmt | clippy | docs | random | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
-        all) fmt; clippy; docs; random; benchmarks; lanes; digits; long; drift; firmware ;;
-        ci) fmt; clippy; docs; random; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
+        fmt | clippy | docs | book | random | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
+        all) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; firmware ;;
+        ci) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
 done

@@ -15,7 +15,7 @@ usage: scripts/firmware.sh NAME …
   unused        what a program does not call is not in it
   size          flash and RAM of a program for each system and method
   instructions  instructions and stack of a step, counted and painted in QEMU
-  figures       writes both, with the errors of the steps, into firmware/README.md and README.md
+  figures       writes both, with the errors of the steps, into firmware/README.md and book/src/bare-metal.md
   example       the cart-pole balances, with the gains that its equations give
   features      a crate without math does not build and says why
   lint          formatting and lints of the programs
@@ -242,8 +242,8 @@ instructions() {
 }
 
 figures() {
-    { size; instructions; } | cargo run -q --release -p host figures README.md ../README.md
-    echo "figures: written into firmware/README.md and README.md"
+    { size; instructions; } | cargo run -q --release -p host figures README.md ../book/src/bare-metal.md
+    echo "figures: written into firmware/README.md and book/src/bare-metal.md"
 }
 
 example() {

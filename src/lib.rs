@@ -127,7 +127,30 @@ pub mod prelude {
     };
 }
 
-/// The programs of the README are compiled and run as tests.
+/// The programs of the README and of the book are compiled and run as tests. `tests/book.rs` sees to it that no
+/// chapter is left out.
 #[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+mod documents {
+    macro_rules! tested {
+        ($($name:ident $file:literal)*) => {$(
+            #[doc = include_str!($file)]
+            struct $name;
+        )*};
+    }
+
+    tested! {
+        Readme "../README.md"
+        FirstSteps "../book/src/first-steps.md"
+        Language "../book/src/language.md"
+        Constraints "../book/src/constraints.md"
+        Contacts "../book/src/contacts.md"
+        Bodies "../book/src/bodies.md"
+        Analysis "../book/src/analysis.md"
+        Integrators "../book/src/integrators.md"
+        Accuracy "../book/src/accuracy.md"
+        Errors "../book/src/errors.md"
+        ManyMotions "../book/src/many-motions.md"
+        BareMetal "../book/src/bare-metal.md"
+        HowItWorks "../book/src/how-it-works.md"
+    }
+}

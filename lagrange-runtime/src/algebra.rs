@@ -26,7 +26,7 @@ pub fn norm<R: Real, D: Dim, S: RawStorage<R, D, U1>>(column: &Matrix<R, D, U1, 
     norm_squared(column).sqrt()
 }
 
-/// A column divided by its length; not finite for the zero column.
+/// A column divided by its length; NaN for the zero column.
 #[inline]
 pub fn normalize<R: Real, D: Dim, S: RawStorage<R, D, U1>>(column: &Matrix<R, D, U1, S>) -> OMatrix<R, D, U1>
 where

@@ -10,7 +10,7 @@ use crate::linear::Lu;
 use crate::name::Name;
 use crate::real::Real;
 
-/// Generalized inertia forces −(d/dt ∂T/∂v − ∂T/∂q), apart by their origin: T = T₂ + T₁ + T₀ with T₂ = ½ vᵀM
+/// Generalized inertia forces −(d/dt ∂T/∂v − ∂T/∂q), by their origin: T = T₂ + T₁ + T₀ with T₂ = ½ vᵀM
 /// v and T₁ = g·v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InertiaForces<R, const N: usize> {
@@ -65,10 +65,10 @@ pub fn second_kind<R: Real, const N: usize>(
     Ok(second)
 }
 
-/// More corrections than any regular Legendre transformation takes.
+/// The largest number of corrections. No regular Legendre transformation takes as many.
 const CORRECTIONS: usize = 60;
 
-/// Halvings of a correction that goes too far.
+/// The largest number of halvings of a correction that goes too far.
 const HALVINGS: usize = 40;
 
 /// The velocities at which momenta have the values `p`; `at` gives ∂p/∂v (its lower triangle) and p. Newton's

@@ -13,8 +13,8 @@ use crate::real::Real;
 use crate::smooth::{Series, Smooth};
 use crate::state::State;
 
-/// Fewer than for a single motion: where lanes fill the vectors, the work of a step does grow with the square
-/// of the order.
+/// Orders of the series for each natural digit of the tolerance. There are fewer than for a single motion,
+/// because the work of a step grows with the square of the order once the lanes fill the vectors.
 const ORDERS_PER_DIGIT: f64 = 0.7;
 
 /// exp(−1 / `ORDERS_PER_DIGIT`).

@@ -63,8 +63,8 @@ pub enum Cause {
         /// Its name.
         name: Name,
     },
-    /// A function of the description returns something else than what the macro read of it: a name in it
-    /// means something else than usual. Found in builds with `debug_assertions` alone.
+    /// A function of the description returns something else than the macro read: a name in it means something
+    /// else than usual. Only builds with `debug_assertions` look for this.
     Misread {
         /// The function, or the argument of its role.
         function: Function,
@@ -88,8 +88,8 @@ pub enum Cause {
         /// How far, in the unit of its gap.
         by: Magnitude,
     },
-    /// A coefficient of restitution is not between zero and one, or one of friction is negative, no number, or
-    /// smaller while sticking than while slipping.
+    /// A coefficient of restitution is not between zero and one, or one of friction is negative or NaN, or
+    /// the static one is smaller than the kinetic one.
     InvalidContact {
         /// Index of the contact or friction.
         constraint: usize,
@@ -117,8 +117,8 @@ pub enum Cause {
         /// Its name.
         name: Name,
     },
-    /// The motion is pushed back to a kink or jump of the description from both sides, as by `signum` of a
-    /// velocity at rest.
+    /// The motion is pushed from both sides to a kink or jump of the description, for example by `signum` of
+    /// a velocity at rest.
     HeldAtKink {
         /// Index of the kink, in the order of the description.
         kink: usize,
@@ -131,14 +131,14 @@ pub enum Cause {
     },
     /// Impacts and friction cannot be followed backward in time.
     Irreversible,
-    /// A step in fixed steps is too long for its constraints: bringing its end back onto them would change
-    /// the state by more than the step itself did.
+    /// A fixed step is too long for the constraints: bringing its end back onto them would change the state
+    /// by more than the step itself did.
     StepTooLong,
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
     /// The equations of an implicit step were not solved: it is too long for the motion.
     NotConverged,
-    /// The eigenvalues of `modes` were not found, or are further apart than numbers reach.
+    /// `modes` found no eigenvalues, or they differ by more than the range of numbers.
     NoEigenvalues,
     /// No velocities with the given momenta were found.
     NoVelocities,
@@ -166,18 +166,18 @@ impl fmt::Display for Cause {
             Self::PositionViolated { constraint, name, by } => write!(
                 out,
                 "the coordinates violate constraint {constraint} by {by}: start from `system.consistent(state)?`, which \
-                 projects a state onto the constraints; in the course of a motion take shorter steps",
+                 projects a state onto the constraints; during a motion, take shorter steps",
                 constraint = Part(*constraint, *name)
             ),
             Self::VelocityViolated { constraint, name, by } => write!(
                 out,
                 "the velocities violate constraint {constraint} by {by}: start from `system.consistent(state)?`, which \
-                 projects a state onto the constraints; in the course of a motion take shorter steps",
+                 projects a state onto the constraints; during a motion, take shorter steps",
                 constraint = Part(*constraint, *name)
             ),
             Self::NoConsistentState { constraint, name, by } => write!(
                 out,
-                "no consistent state was found: where the search ended, constraint {constraint} is violated by {by}; start it \
+                "no consistent state was found: where the search ended, constraint {constraint} is violated by {by}; start \
                  nearer to a state that satisfies all constraints, or check that the parameters allow one",
                 constraint = Part(*constraint, *name)
             ),
@@ -188,8 +188,8 @@ impl fmt::Display for Cause {
             ),
             Self::VanishingGradient { constraint, name } => write!(
                 out,
-                "the gradient of constraint {constraint} vanishes: where it is a square, give what is squared; else keep away \
-                 from this configuration",
+                "the gradient of constraint {constraint} is zero here: if the function is a square, write its base instead; otherwise \
+                 stay away from this configuration",
                 constraint = Part(*constraint, *name)
             ),
             // The text comes with the name, so that it is in no program that cannot need it.
@@ -207,8 +207,8 @@ impl fmt::Display for Cause {
             ),
             Self::InvalidContact { constraint, name } => write!(
                 out,
-                "a coefficient of contact {constraint} is invalid: restitution lies between 0 and 1, friction is not negative, \
-                 and sticking takes no less than slipping",
+                "a coefficient of contact {constraint} is invalid: restitution must lie between 0 and 1, friction must not be negative, \
+                 and the static value must not be below the kinetic one",
                 constraint = Part(*constraint, *name)
             ),
             Self::NoReaction { constraint, name } => write!(
@@ -231,13 +231,13 @@ impl fmt::Display for Cause {
             ),
             Self::EnergyJumps { kink } => write!(
                 out,
-                "the energy jumps at the zero of switching function {kink} (`if`, `signum`, … of the description, in its order): \
-                 let both sides of an energy have the same value there, or give the force by `#[force]`"
+                "the energy jumps where switching function {kink} is zero (`if`, `signum`, … counted in the order of the description): \
+                 make both sides of the energy equal there, or give the force by `#[force]`"
             ),
             Self::HeldAtKink { kink } => write!(
                 out,
-                "the motion is pushed back from both sides to the zero of switching function {kink} (`abs`, `signum`, `max`, … of \
-                 the description, in its order): dry friction is declared by `#[friction]`, which can stick"
+                "the motion is pushed from both sides to where switching function {kink} is zero (`abs`, `signum`, `max`, … counted in \
+                 the order of the description): for dry friction use `#[friction]`, which can stick"
             ),
             Self::Irreversible => out.write_str(
                 "impacts and dry friction cannot be followed backward in time: choose a time after the present one",

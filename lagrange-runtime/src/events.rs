@@ -7,15 +7,14 @@
 //! are left, and the zeros of the interpolant are isolated (see the module `roots`). So two zeros within one
 //! step are two events, a guard that touches zero is seen, and no step is ever shortened for an event.
 //!
-//! *What counts.* Zero means zero within the roundings of the guard: those of its value, of the state it is
-//! evaluated at and of the time itself. A zero at the state where a search begins is not reported: the motion
-//! starts there, and the event that led there has been reported before. It may still be the start of a
-//! crossing or a flight that ends in the next zero. A zero exactly at the end of a search is reported. A
-//! guard that is zero throughout has no events.
+//! *What counts.* Zero means zero within the rounding errors of the guard: those of its value, of the state
+//! at which it is evaluated and of the time itself. A zero where a search begins is not reported, because the
+//! event that led there has been reported before. A zero exactly at the end of a search is reported. A guard
+//! that is zero throughout has no events.
 //!
-//! *Kinks and jumps.* A guard need not be smooth. Where no polynomial fits it, ever shorter parts of the step
-//! are looked at, down to the resolution of time; a jump across zero is a crossing there, also one of the
-//! motion itself, as by an impact. The tip of a kink that touches zero and no more need not be seen.
+//! *Kinks and jumps.* A guard need not be smooth. Where no polynomial fits it, the search takes ever shorter
+//! parts of the step, down to the resolution of time. A jump across zero counts as a crossing, also if the
+//! motion itself jumps, as in an impact. The tip of a kink that only touches zero may be missed.
 
 use crate::error::MotionError;
 use crate::integrator::Adaptive;
@@ -83,8 +82,10 @@ where
     C: Control<S::Scalar, N, K>,
     M: Adaptive<S, C, N, K>,
 {
-    /// Moves to the next zero of `guard`, or to time `until` \[s] if there is none before: then `None`.
-    /// Backward if `until` lies before the present time.
+    /// Moves to the next zero of `guard`. If none comes before time `until` \[s], moves there and returns
+    /// `None`.
+    ///
+    /// Searches backward if `until` lies before the present time.
     ///
     /// # Errors
     /// As [`Simulation::advance_to`], and [`Cause::NotFinite`](crate::Cause) with the time where the guard is
@@ -102,9 +103,10 @@ where
         self.events(guard, until).next().transpose()
     }
 
-    /// Moves to the next zero of any of several guards; see [`Simulation::advance_to_event`]. Of guards that
-    /// are zero at the same time only the first is reported, which is why a search for all of them is better
-    /// one of [`Simulation::events_of`].
+    /// Moves to the next zero of any of several guards; see [`Simulation::advance_to_event`].
+    ///
+    /// Of several guards that are zero at the same time only the first is reported. To see all of them, use
+    /// [`Simulation::events_of`].
     ///
     /// # Errors
     /// As [`Simulation::advance_to_event`].
@@ -120,8 +122,9 @@ where
         self.events_of(guards, until).next().transpose()
     }
 
-    /// The zeros of `guard` up to time `until` \[s], one after the other. The state of the motion is that of
-    /// the last event, and in the end that at `until`.
+    /// An iterator over the zeros of `guard` up to time `until` \[s].
+    ///
+    /// It moves the motion: to each event as that is returned, and to `until` at the end.
     #[inline]
     pub fn events<G>(&mut self, guard: G, until: S::Scalar) -> Events<'_, Self, G, S::Scalar, N, 1>
     where
@@ -130,8 +133,9 @@ where
         self.events_of([guard], until)
     }
 
-    /// The zeros of several guards in the order of time up to `until` \[s]. Simultaneous ones are reported
-    /// one after the other, in the order of the guards.
+    /// An iterator over the zeros of several guards up to time `until` \[s], in the order of time.
+    ///
+    /// Simultaneous zeros come one after the other, in the order of the guards.
     #[inline]
     pub fn events_of<G, const E: usize>(
         &mut self,

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-/// The name of a coordinate or of a constraint, as the system's `COORDINATES` and `CONSTRAINTS` have it. Small,
-/// because errors are; empty where nobody knows it.
+/// The name of a coordinate or constraint, as in `COORDINATES` and `CONSTRAINTS` of the system. One pointer
+/// in size, so that errors stay small. Empty where the name is not known.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Name(&'static &'static str);
 

@@ -36,8 +36,8 @@ pub trait Separable<const N: usize, const K: usize = 0>: ConstantMass<N, K> {}
 )]
 pub trait Autonomous<const N: usize, const K: usize = 0>: System<N, K> {}
 
-/// Autonomous, with neither applied forces nor dissipation, and a Lagrangian without time: the Jacobi
-/// integral v·∂L/∂v − L is conserved, which is the energy where T + V is.
+/// Autonomous, with neither applied forces nor dissipation, and a Lagrangian without time. The Jacobi
+/// integral v·∂L/∂v − L is conserved. Where T is a quadratic form in the velocities, it is T + V.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not conservative",
     label = "this needs a conservative system",
@@ -45,8 +45,8 @@ pub trait Autonomous<const N: usize, const K: usize = 0>: System<N, K> {}
 )]
 pub trait Conservative<const N: usize, const K: usize = 0>: Autonomous<N, K> {}
 
-/// No constraint on velocities that is not one on positions: every position that the constraints allow can be
-/// reached.
+/// Every constraint restricts positions. A constraint on velocities is allowed only if it follows from one on
+/// positions.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not holonomic",
     label = "this needs a holonomic system",

@@ -3,7 +3,7 @@
 //!
 //! The functions of a description stay ordinary functions. In builds with `debug_assertions` the first use of
 //! a system evaluates each of them, and what was read of it, at its start and at a second state where nothing
-//! is zero. Builds without contain none of this.
+//! is zero. Other builds contain none of this.
 
 use nalgebra::{
     Isometry, OPoint, Quaternion, Rotation, SMatrix, Translation, Unit, UnitComplex, UnitQuaternion,
@@ -15,7 +15,7 @@ use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
 
-/// What a role can return, as numbers in a fixed order.
+/// What a function with a role can return, as numbers in a fixed order.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no value that a description is made of",
     note = "positions, poses and forces are numbers, arrays, tuples and types of the nalgebra that `lagrangian::nalgebra` is"

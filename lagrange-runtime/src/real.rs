@@ -1,9 +1,9 @@
 //! [`Real`]: the scalar that equations of motion are evaluated in.
 //!
-//! The trait is open. `f32`, `f64` and [`Dual`] implement it here; implement it for fixed point, SIMD lanes
-//! or a hardware CORDIC and every generated method works with them. Thirteen functions have to be written,
-//! the others have defaults by identities; a default names its weakness, and an implementor with a better
-//! routine overrides it. The supertraits are what nalgebra asks for sums, products, `dot` and `cross`.
+//! The trait is open. `f32`, `f64` and [`Dual`] implement it here. Implement it for fixed point, SIMD lanes
+//! or a hardware CORDIC, and every generated method works with them. Thirteen functions are required; the
+//! others have defaults. Where a default is weak its documentation says so, and an implementor with a better
+//! routine overrides it. The supertraits are what nalgebra needs for sums, products, `dot` and `cross`.
 
 use core::fmt::Debug;
 use core::iter::Sum;
@@ -85,10 +85,10 @@ pub trait Real:
     /// Whether every lane is strictly above zero; false for NaN.
     fn is_positive(self) -> bool;
 
-    /// How many numbers this is to the control of errors: one, or a number and its derivatives.
+    /// The number of parts that error control weighs separately: one, or a number and its derivatives.
     const PARTS: usize = 1;
 
-    /// How often derivatives are taken of derivatives: 0 for plain numbers.
+    /// The order of the derivatives that a number carries: 0 for plain numbers.
     const DEPTH: usize = 0;
 
     /// One of the [`Real::PARTS`] as a number of its own, whose derivatives are zero: the value first.
@@ -98,9 +98,9 @@ pub trait Real:
         self
     }
 
-    /// The nearest value to a constant that is no double, such as a tenth or ln 2: `high` is the double
-    /// nearest to it, `low` the one nearest to the rest. The default leaves the rest away, which is right
-    /// where a scalar has no more digits than `f64`.
+    /// The nearest value to a constant that is not a double, such as a tenth or ln 2. `high` is the double
+    /// nearest to it, `low` the one nearest to the difference. The default ignores `low`, which is right for
+    /// scalars with no more digits than `f64`.
     #[inline]
     fn from_parts(high: f64, low: f64) -> Self {
         let _ = low;
@@ -198,7 +198,7 @@ pub trait Real:
         self.exp() - Self::one()
     }
 
-    /// Natural logarithm of 1 + `self`. The default makes good what rounding 1 + `self` loses.
+    /// Natural logarithm of 1 + `self`. The default compensates for the rounding of 1 + `self`.
     #[inline]
     fn ln_1p(self) -> Self {
         let sum = Self::one() + self;
@@ -235,13 +235,13 @@ pub trait Real:
         if exponent < 0 { product.recip() } else { product }
     }
 
-    /// The larger of two, lane by lane. The default rounds.
+    /// The larger of two, lane by lane. The default has a rounding error.
     #[inline]
     fn max(self, other: Self) -> Self {
         (self + other + (self - other).abs()) / Self::from_f64(2.0)
     }
 
-    /// The smaller of two, lane by lane. The default rounds.
+    /// The smaller of two, lane by lane. The default has a rounding error.
     #[inline]
     fn min(self, other: Self) -> Self {
         (self + other - (self - other).abs()) / Self::from_f64(2.0)
@@ -259,14 +259,14 @@ pub trait Real:
         self.max(low).min(high)
     }
 
-    /// √(`self`² + `other`²). The default overflows where a square does.
+    /// √(`self`² + `other`²). The default overflows if a square does.
     #[inline]
     fn hypot(self, other: Self) -> Self {
         (self * self + other * other).sqrt()
     }
 
-    /// `self` · `factor` + `summand`. One rounding where the target has the instruction and the math is the
-    /// standard library's, else two: what is fast on the target, never a call.
+    /// `self` · `factor` + `summand`, in the way that is fast on the target and never a call. It is rounded
+    /// once where the target has the instruction and the math is the standard library's, otherwise twice.
     #[inline(always)]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         self * factor + summand
@@ -279,8 +279,8 @@ pub trait Real:
     }
 }
 
-/// A scalar with an order, and so with one lane: what a motion under error control is made of. Implemented
-/// for every [`Real`] that can be compared.
+/// A scalar with an order, and so with one lane. Motions under error control need it. It is implemented for
+/// every [`Real`] that can be compared.
 pub trait Ordered: Real + PartialOrd {}
 
 impl<R: Real + PartialOrd> Ordered for R {}

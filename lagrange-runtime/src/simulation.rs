@@ -18,8 +18,8 @@ use crate::system::System;
 
 /// Where the inputs of a system come from.
 pub trait Control<R, const N: usize, const K: usize> {
-    /// The inputs at a state. Called several times a step, also at trial states: it must depend on nothing
-    /// else.
+    /// The inputs at a state. It is called several times per step, also at trial states, so the result must
+    /// depend on the state alone.
     fn inputs(&self, state: &State<R, N>) -> [R; K];
 }
 
@@ -59,7 +59,7 @@ where
     pub(crate) memory: M::Memory,
     /// What the caller sees: the end of the step, or a sample inside it.
     pub(crate) state: State<S::Scalar, N>,
-    /// Whether the state that the motion started from has been found to be one.
+    /// Whether the state that the motion started from has been checked.
     begun: bool,
     /// The time of the last event, and how well it is known \[s].
     pub(crate) event: Option<[S::Scalar; 2]>,
@@ -138,7 +138,8 @@ where
         self
     }
 
-    /// Longest step \[s], for systems with short events that a long step might jump over.
+    /// Longest step \[s]. Set it for systems in which something short happens that a long step might jump
+    /// over.
     #[inline]
     #[must_use]
     pub fn with_step_limit(mut self, longest: S::Scalar) -> Self {
@@ -146,8 +147,8 @@ where
         self
     }
 
-    /// Steps, rejected ones included, that one call of `advance_to` or one sample may take. Default 10
-    /// million.
+    /// The largest number of steps, rejected ones included, for one call of `advance_to` or one sample.
+    /// Default 10 million.
     #[inline]
     #[must_use]
     pub fn with_max_steps(mut self, steps: u64) -> Self {
@@ -167,8 +168,8 @@ where
         &self.state
     }
 
-    /// Goes on from another state: a thrust, a reset, a bounce. It is checked as the start of a motion is, when
-    /// the motion goes on. The inputs and the length of the steps stay what they are.
+    /// Goes on from another state: a thrust, a reset, a bounce. It is checked as the start of a motion is,
+    /// when the motion goes on. The inputs and the length of the steps stay what they are.
     #[inline]
     pub fn set_state(&mut self, state: State<S::Scalar, N>) {
         self.state = state;
@@ -240,8 +241,8 @@ where
 
     /// States at t + k·`dt` for k = 0, 1, 2, … from the present t on, backward if `dt` \[s] is negative.
     ///
-    /// The iterator has no end of its own; after an error it gives the error once and then `None`. The state
-    /// of the motion is that of the last sample.
+    /// The iterator does not end by itself. After an error it returns the error once and then `None`. The
+    /// state of the motion is that of the last sample.
     #[inline]
     pub fn every(&mut self, dt: S::Scalar) -> Samples<'_, Self, S::Scalar> {
         let start = self.state.t;
@@ -268,8 +269,8 @@ where
         M::sample(memory, *system, constants, control, limits, t, &mut limits.attempts.clone())
     }
 
-    /// Refuses a start that is no state, masses that are not positive there, and a start that violates
-    /// constraints, and takes the roundings from one that does not.
+    /// Checks the start: the state must be finite, masses positive and constraints satisfied. Removes
+    /// rounding errors from a start on constraints.
     #[inline]
     pub(crate) fn begin(&mut self) -> Result<(), MotionError<S::Scalar>> {
         if self.begun {

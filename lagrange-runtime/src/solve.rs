@@ -14,7 +14,7 @@ use crate::real::Real;
 use crate::state::State;
 use crate::system::System;
 
-/// A pivot below this many roundings of its scale carries no digit.
+/// A pivot below this many ulps of its scale carries no digit.
 const ROUNDINGS: f64 = 8.0;
 
 /// Whether a pivot is positive, and above the rounding errors of `scale`.
@@ -160,7 +160,7 @@ pub fn check_block<F: Factor<R, B>, R: Real, const N: usize, const B: usize>(
     F::factor(lower).map(|_| ()).map_err(cause)
 }
 
-/// What no bound is known of.
+/// A size of which no bound is known.
 #[must_use]
 pub fn unbounded<R: Real>() -> R {
     R::from_f64(f64::INFINITY)

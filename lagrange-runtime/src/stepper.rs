@@ -1,8 +1,8 @@
 //! [`Stepper`]: a motion in steps that the caller chooses, as a control loop does.
 //!
-//! No error control: the accuracy is the method's order and the caller's step. A method demands of the system
-//! what it needs, so one that would go wrong does not compile. Time is summed with compensation,
-//! so a million steps of 1 ms end within a rounding of 1000 s.
+//! There is no error control: the accuracy follows from the order of the method and the step of the caller. A
+//! method that would go wrong on a system does not compile. Time is summed with compensation, so a million
+//! steps of 1 ms end within one ulp of 1000 s.
 
 use crate::attitude;
 use crate::constraints::{Constrained, Reactions};

@@ -32,7 +32,7 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Evaluates [`System::Constants`].
     fn constants(&self) -> Self::Constants;
 
-    /// Accelerations that solve M a = f; not finite where M has no inverse.
+    /// Accelerations that solve M a = f. NaN or infinite where M has no inverse.
     ///
     /// No branch leaves this function early, so that sines and cosines stay together and loops over it
     /// vectorise; [`System::check_at`] tells what was wrong.
@@ -45,8 +45,8 @@ pub trait System<const N: usize, const K: usize = 0> {
         u: &[Self::Scalar; K],
     ) -> [Self::Scalar; N];
 
-    /// The same of a state on the constraints. Those of other states, as the stages of a method, may be
-    /// better taken from states on them.
+    /// The same for a state that is known to be on the constraints. For other states, such as the stages of a
+    /// method, [`System::accelerations_at`] may move them there first.
     #[inline(always)]
     fn accelerations_on_at(
         &self,
@@ -77,15 +77,15 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Whether constraints restrict the states.
     const CONSTRAINED: bool = false;
 
-    /// Whether contacts or dry friction switch the equations: a motion then needs a method that sees that, and
-    /// accelerations alone do not tell how it goes on.
+    /// Whether contacts or dry friction switch the equations. A motion then needs a method that follows the
+    /// switches: accelerations alone do not tell how it goes on.
     const SWITCHED: bool = false;
 
     /// Whether there are several constraints, which may come to depend on each other.
     const COUPLED: bool = false;
 
-    /// Begins a motion at a state: refuses one that violates constraints by more than the last digits of
-    /// nine-digit numbers, and takes roundings from one that does not.
+    /// Begins a motion at a state. Refuses a state that violates constraints in its first nine digits, and
+    /// removes the rounding errors of any other.
     ///
     /// # Errors
     /// [`Cause::PositionViolated`] or [`Cause::VelocityViolated`], and what is wrong with the constraints
@@ -118,8 +118,8 @@ pub trait System<const N: usize, const K: usize = 0> {
         Ok(())
     }
 
-    /// The same for the end of a step under error control, which is to be looked at: returns how well the
-    /// constraints determine the state, and with inputs what the equations say of it.
+    /// The same for the end of a step under error control. Also returns how well the constraints determine
+    /// the state and, if inputs are given, the accelerations there.
     ///
     /// # Errors
     /// As [`System::project_at`].

@@ -7,7 +7,7 @@
 
 use crate::real::Real;
 
-/// So many lanes are summed in the middle of the code that uses them.
+/// The largest number of lanes whose sums are written out in the code that uses them.
 const INLINE: usize = 12;
 
 /// Expansions to no higher order, those of fixed steps, are written out order by order.

@@ -1,4 +1,5 @@
-//! [`Tangent`]: the derivatives of the equations of motion with their constraints, and what follows from them.
+//! [`Tangent`]: the derivatives of the equations of motion with their constraints, and what follows from
+//! them.
 //!
 //! With r = f + Aᵀλ − M a the equations of motion are r = 0 and A a − γ = 0. Generated code has the
 //! derivatives of both at any given accelerations and multipliers, so that no inverse is differentiated;
@@ -127,7 +128,7 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// Which constraints are holonomic.
     const HOLONOMIC: [bool; C];
 
-    /// Accelerations and multipliers; not finite where there are none.
+    /// Accelerations and multipliers. NaN or infinite where the equations have no solution.
     fn balanced_at(
         &self,
         constants: &Self::Constants,
@@ -187,10 +188,10 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// * Steps of trust regions lead down along forces and along negative curvature, and cross no hill; the
     ///   last digits are those of Newton's method (Nocedal and Wright, *Numerical Optimization*, 2nd ed.,
     ///   chapter 4).
-    /// * A guess that is an equilibrium up to roundings is the answer, whatever its stability: who writes π
-    ///   for the angle of a pendulum means the top. From 3.14 it falls.
-    ///   [`stationary_point`](Self::stationary_point) finds the top from there as well, and with it what only
-    ///   gyroscopic forces hold, like the triangular points of Lagrange.
+    /// * A guess that is an equilibrium up to rounding is the answer, whatever its stability: π for the angle
+    ///   of a pendulum means the top. From 3.14 it falls. [`stationary_point`](Self::stationary_point) finds
+    ///   the top from there as well, and with it what only gyroscopic forces hold, like the triangular points
+    ///   of Lagrange.
     /// * Where forces have no potential (followers, circulation), and under nonholonomic constraints, it is
     ///   the same as [`stationary_point`](Self::stationary_point); [`Equilibrium::found_by`] tells.
     ///
@@ -199,8 +200,8 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// do no harm.
     ///
     /// # Errors
-    /// [`EquilibriumError`]: constraints that cannot be met or that move, energy that falls without end, or no equilibrium in
-    /// reach.
+    /// [`EquilibriumError`]: constraints that cannot be met or that move, energy that falls without end, or
+    /// no equilibrium in reach.
     #[inline]
     fn equilibrium(
         &self,
@@ -261,22 +262,22 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// Natural frequencies, damping ratios and shapes of small oscillations about a state, in the order of
     /// frequencies.
     ///
-    /// Of a conjugate pair of eigenvalues λ \[1/s] one mode is given, and others as often as they are roots,
-    /// so that critical damping gives two equal modes. λ = 0 is different: a free motion that nothing
-    /// restores counts once for each independent shape, though place and velocity make it two roots.
-    /// Zeros are exact: what a rounding of the entries could make of zero is zero. Parts of the system
-    /// that do not act on each other are found separately, each to its own precision.
+    /// A conjugate pair of eigenvalues λ \[1/s] gives one mode. A real eigenvalue gives as many modes as its
+    /// multiplicity, so critical damping gives two equal modes. λ = 0 is different: a free motion that
+    /// nothing restores gives one mode for each independent shape, although it is a double root. Zeros are
+    /// exact: an eigenvalue that rounding of the entries could have made of zero is zero. Parts of the system
+    /// that do not act on each other are treated separately, each to its own precision.
     ///
     /// Where forces have a potential or do no work (no damping, symmetric stiffness, any gyroscopic forces),
-    /// eigenvalues lie symmetrically about both axes, and a real part that is smaller than its own error
-    /// is exactly zero: there the state is stable, as far as linear equations tell, where `eigenvalue.re
-    /// <= 0.0` for all modes.
+    /// eigenvalues lie symmetrically about both axes. There a real part smaller than its own error is set to
+    /// zero, so the state is stable, as far as linear equations tell, if `eigenvalue.re <= 0.0` for all
+    /// modes.
     ///
-    /// About a state that moves under constraints these are the eigenvalues of the momentary linear
-    /// equations, frozen and in the momentary basis, and in general no frequencies of a motion. A
-    /// relative equilibrium in Cartesian coordinates, like a bead on a whirling hoop, has other ones than
-    /// by its angle in the turning frame: describe it by coordinates that are at rest there. The same
-    /// holds without constraints where the linear equations change along the motion.
+    /// About a state that moves under constraints these are the eigenvalues of the linear equations frozen at
+    /// that moment. In general they are not frequencies of a motion. For example, a bead at rest in a
+    /// whirling hoop has other eigenvalues in Cartesian coordinates than by its angle in the turning frame:
+    /// describe such a state by coordinates in which it is at rest. The same holds without constraints where
+    /// the linear equations change along the motion.
     ///
     /// Golub and Van Loan, *Matrix Computations*, 4th ed., chapters 7 and 8.
     ///

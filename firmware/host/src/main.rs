@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             table::write(all, &measurements.whole()?)?;
             table::write(summary, &measurements.summary())?;
         }
-        _ => return Err("usage: host bits | host errors | host figures README SUMMARY < MEASUREMENTS".into()),
+        _ => return Err("usage: host bits | host errors | host figures README CHAPTER < MEASUREMENTS".into()),
     }
     Ok(())
 }

@@ -7,8 +7,8 @@ use crate::collections::Lookup;
 use crate::expr::{Exponent, Graph, Node, NodeId, Unary};
 use crate::number::Number;
 
-/// For each node the sum of the sizes of what it is added up from, each with the condition of the functions
-/// it went through.
+/// For each node, a bound of its rounding error in units of ε: the sum of the sizes of all summands that it
+/// is made of, each times the condition numbers of the functions through which it has passed.
 pub fn sizes(graph: &mut Graph, nodes: &[NodeId]) -> Vec<NodeId> {
     let mut known: Lookup<NodeId, NodeId> = Lookup::default();
     for id in graph.cone(nodes.iter().copied()) {
@@ -27,8 +27,8 @@ fn size(graph: &mut Graph, id: NodeId, of: &dyn Fn(NodeId) -> NodeId) -> NodeId 
                 terms.iter().map(|&(term, coefficient)| (of(term), coefficient.abs())).collect();
             graph.sum(offset.abs(), &terms)
         }
-        // A size exceeds the value, so its powers bound those of the value and, but for a factor, their
-        // condition.
+        // A size is at least the value. So powers of the size bound those of the value and, up to a factor,
+        // their condition numbers.
         Node::Product(factors) => {
             let mut sizes = Vec::with_capacity(factors.len());
             for (factor, exponent) in factors {

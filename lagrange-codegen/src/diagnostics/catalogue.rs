@@ -21,7 +21,7 @@ fn suggestion(near: Option<String>) -> String {
     near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
 }
 
-/// What follows a question is a sentence of its own.
+/// Makes what follows a question a sentence of its own.
 fn sentences(message: String) -> String {
     let Some((question, rest)) = message.split_once("`?; ") else { return message };
     let mut letters = rest.chars();

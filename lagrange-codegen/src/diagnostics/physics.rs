@@ -11,8 +11,8 @@ pub fn kinetic_not_quadratic(function: &str) -> String {
 /// Derivatives or analyses of a system with contacts.
 pub fn beside_contacts(argument: &str) -> String {
     format!(
-        "`{argument}` needs equations without contacts and dry friction; leave it out here, and give a second type without \
-         the functions that are `unilateral` or `friction` what you want to analyse"
+        "`{argument}` needs equations without contacts and dry friction; leave it out here, and analyse a \
+         second type that has no `unilateral` or `friction` functions"
     )
 }
 

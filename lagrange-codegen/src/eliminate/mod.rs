@@ -23,7 +23,8 @@ struct Solved {
 
 /// Carries out the eliminations of a model, or reports why they cannot be.
 pub fn eliminate(model: &mut Model, diagnostics: &mut Diagnostics) {
-    // As written: what a constraint is solved for cancels in it from here on, but not in the user's function.
+    // Sizes are those of the functions as written: from here on the eliminated coordinate cancels in its
+    // constraint, but not in the user's function.
     for reading in &mut model.readings {
         reading.sizes = sizes(&mut model.graph, &reading.nodes);
     }

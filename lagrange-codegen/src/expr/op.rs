@@ -56,7 +56,7 @@ pub enum Binary {
     Atan2,
     /// A power with an exponent that is not a half-integer constant.
     Powf,
-    /// A pivot, the first argument, or NaN where it is lost in the roundings of the second.
+    /// A pivot: the first argument, or NaN where it is below the rounding errors of the second.
     Pivot,
 }
 

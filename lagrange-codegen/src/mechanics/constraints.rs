@@ -227,9 +227,9 @@ fn size_of(
     graph.sum(Number::ZERO, &terms)
 }
 
-/// Of which size the roundings are that a value has: the sum of the absolute values of its summands. A sum
-/// within a product passes on its own by what it is multiplied with, as a small change of it would be: of (a
-/// − b)², where a and b are large and their difference is small, 2 |a − b| (|a| + |b|).
+/// The scale of the rounding error of a value: the sum of the absolute values of its summands. The rounding
+/// error of a sum within a product is multiplied by the other factors, as a small change of that sum would
+/// be. For example, (a − b)² with large a and b and a small difference has the scale 2 |a − b| (|a| + |b|).
 fn size(graph: &mut Graph, value: NodeId) -> NodeId {
     match graph.node(value).clone() {
         Node::Sum { offset, terms } => summed(graph, offset, terms, size),

@@ -93,7 +93,7 @@ impl Equations {
     }
 }
 
-/// Derives the equations of motion, or reports why there are none.
+/// Derives the equations of motion, or reports why that is impossible.
 pub fn derive(
     model: &mut Model,
     allows: &dyn Fn(&str) -> bool,

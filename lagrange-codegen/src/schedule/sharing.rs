@@ -40,7 +40,7 @@ pub(super) enum Factor {
     Power(NodeId, Exponent),
     /// The reciprocal of a divisor.
     Reciprocal(Divisor),
-    /// The reciprocal of a power (in halves) of a node, to a power of its own.
+    /// The reciprocal of a power (in halves) of a node, raised to a second power.
     BaseReciprocal(NodeId, u32, u32),
 }
 

@@ -2,18 +2,18 @@
 //!
 //! Multiplied out, (a − b)² is a sum whose terms cancel where a is near b, and no way to evaluate it is as
 //! accurate as the square. Every value is computed with the rounding errors that it gathers (Higham,
-//! "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 3.3); variables and functions, which
-//! rewriting leaves alone, are exact but for one. Near a cancellation the loss is unbounded, but it shows at
-//! ordinary points too.
+//! "Accuracy and Stability of Numerical Algorithms", 2nd ed., section 3.3). Variables and functions, which
+//! rewriting does not touch, count as exact up to one rounding error. Near a cancellation the loss of digits
+//! is unbounded, but it shows at ordinary points too.
 
 use crate::expr::{Graph, Node, NodeId, Variable};
 
 const POINTS: u32 = 8;
 
-/// More rounding errors than this many times those before are too many.
+/// The largest acceptable growth of the rounding errors by a rewriting.
 const MOST_LOSS: f64 = 4.0;
 
-/// Whether `after` gathers about as few rounding errors as `before`, its equal.
+/// Whether `after`, which equals `before`, gathers about as few rounding errors.
 pub(super) fn keeps_digits(graph: &Graph, before: NodeId, after: NodeId) -> bool {
     let ratio = |point| {
         let [old, new] = roundings(graph, [before, after], point);

@@ -1,4 +1,5 @@
-//! What the constraints determine of a state: how independent they are there, and how well it is known.
+//! How well the constraints determine a state: how independent they are there, and how well the state is
+//! known.
 
 use super::metric::Metric;
 use super::residuals::Level;
@@ -9,20 +10,20 @@ use crate::linear::{Independence, SaddlePoint};
 use crate::real::Real;
 use crate::state::{State, difference};
 
-/// Rows that are apart by so many times the way to the constraints, relative to the coordinates, or less may
-/// depend on each other there.
+/// Rows may depend on each other on the constraints if their distance is at most this many times the way to
+/// the constraints, relative to the coordinates.
 const BESIDE: f64 = 16.0;
 
-/// What is known of a state on the constraints.
+/// How well a state on the constraints is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Footing<R, const N: usize> {
     /// How well the constraints determine it.
     pub independence: Independence<R>,
-    /// What the equations give at the state that was reached, before it was moved onto the constraints: if
-    /// that was asked for, and if the constraints are clearly independent there.
+    /// The accelerations at the state that was reached, before it was moved onto the constraints. Present if
+    /// they were asked for and the constraints are clearly independent there.
     pub accelerations: Option<[R; N]>,
     /// An ulp of the largest coordinate in the kinetic metric, in the unit of each: constraints couple them,
-    /// so none is known better than that.
+    /// so no coordinate is known better than that.
     pub ulps_q: [R; N],
     /// The same of the velocities.
     pub ulps_v: [R; N],
@@ -120,7 +121,7 @@ where
         independence
     }
 
-    /// Corrects the independence by what roundings of the constraint functions do.
+    /// Corrects the independence by the effect of rounding errors of the constraint functions.
     #[cold]
     #[inline(never)]
     fn measure(&self, system: &S, independence: &mut Independence<S::Scalar>) {

@@ -45,7 +45,7 @@ pub trait Constrained<const N: usize, const K: usize = 0>: System<N, K> {
     /// The multipliers, a field for each constraint.
     type Reactions: Copy + core::fmt::Debug;
 
-    /// The multipliers at a state under the inputs `u`; not finite where the equations have no solution.
+    /// The multipliers at a state under the inputs `u`; NaN or infinite where the equations have no solution.
     fn reactions_at(
         &self,
         constants: &Self::Constants,
@@ -56,8 +56,8 @@ pub trait Constrained<const N: usize, const K: usize = 0>: System<N, K> {
     ) -> Reactions<Self::Reactions>;
 }
 
-/// Multipliers λ of all constraints, by the names of the constraints, in the sense that the generalized force
-/// of a constraint f is λ ∂f/∂q with f as it is written.
+/// Multipliers λ of all constraints, by name. The generalized force of a constraint f is λ ∂f/∂q, with f as
+/// it is written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reactions<T> {
     multipliers: T,
@@ -71,8 +71,8 @@ impl<T> Reactions<T> {
         Self { multipliers, unique }
     }
 
-    /// Whether the motion determines each multiplier. Where constraints are redundant it does not: the total
-    /// force is certain, and the multipliers given are those of least Σ λ².
+    /// Whether the motion determines each multiplier. Where constraints are redundant it does not: it
+    /// determines the total force alone, and the multipliers are those of least Σ λ².
     #[inline]
     pub fn are_unique(&self) -> bool {
         self.unique
@@ -106,14 +106,14 @@ pub struct Equations<P, R, const N: usize, const C: usize> {
     pub saddle: P,
     /// A, rows by constraint.
     pub gradients: [[R; N]; C],
-    /// All forces but those of constraints, less the bias.
+    /// All forces except those of constraints, minus the bias.
     pub forces: [R; N],
-    /// γ: what A a has to be so that the second derivatives of the constraints vanish.
+    /// γ: the value of A a for which the second derivatives of the constraints vanish.
     pub gamma: [R; C],
 }
 
 impl<P: SaddlePoint<R, N, C>, R: Real, const N: usize, const C: usize> Equations<P, R, N, C> {
-    /// Their solution; NaN where there is none.
+    /// The solution of the equations; NaN if they have none.
     #[inline(always)]
     pub fn balance(&self) -> Balance<R, N, C> {
         let (mut accelerations, multipliers) = self.saddle.solve_motion(&self.forces, &self.gamma);
@@ -192,7 +192,7 @@ pub(crate) fn magnitude<R: Ordered>(value: R) -> Magnitude {
     Magnitude(sum)
 }
 
-/// 2¹²⁷.
+/// 2¹²⁷, the largest power of two in `f32`.
 const LARGEST_DIGIT: f32 = f32::from_bits(0x7f00_0000);
 
 /// The largest entry of an array, and where it is.

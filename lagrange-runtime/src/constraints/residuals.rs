@@ -5,8 +5,8 @@ use crate::error::{Cause, Magnitude};
 use crate::name::Name;
 use crate::real::Real;
 
-/// A residual counts as zero up to so many ulps of the magnitudes of its summands: there are a few, and each is
-/// rounded once or twice.
+/// Residuals up to this many ulps of the magnitudes of their summands count as zero. There are a few
+/// summands, and each is rounded once or twice.
 pub(super) const ULPS: f64 = 4.0;
 
 /// How far a state is off its constraints.

@@ -1,27 +1,27 @@
 //! The retraction onto the constraints: Newton's method in the metric of the mass matrix, first for the
 //! coordinates, then for the velocities.
 //!
-//! A correction is the shortest that meets the linearised constraints. Near the constraints the factors of
-//! one place serve all corrections; far from them (a rough start) they are made anew for each, and a
-//! correction is halved until it helps.
+//! A correction is the shortest one that satisfies the linearised constraints. Near the constraints one
+//! factorisation serves all corrections. Far from them (a rough start) each correction has its own, and is
+//! halved until it helps.
 //!
 //! **When a state is on the constraints.** Newton's method in floating-point arithmetic converges until the
-//! roundings of the residual stop it (Tisseur, "Newton's method in floating point arithmetic and iterative
-//! refinement of generalized eigenvalue problems", SIAM J. Matrix Anal. 22, 2001). So a state is accepted
-//! where
+//! rounding errors of the residual stop it (Tisseur, "Newton's method in floating point arithmetic and
+//! iterative refinement of generalized eigenvalue problems", SIAM J. Matrix Anal. 22, 2001). So a state is
+//! accepted where
 //!
-//! 1. residuals are roundings of their own summands, or
-//! 2. the correction that would follow, which is smaller than the last one by the ratio of the residuals
-//!    after and before it, is below an ulp of the state, or
-//! 3. corrections make nothing better any more, and what is left is below √ε of the summands and of the
-//!    state: roundings of inner operations, which the summands do not show.
+//! 1. residuals are rounding errors of their own summands, or
+//! 2. the next correction would be below an ulp of the state (it is smaller than the last one by the ratio of
+//!    the residuals after and before that), or
+//! 3. corrections no longer help, and the residual is below √ε of the summands and of the state: it is then
+//!    the rounding error of inner operations, which the summands do not show.
 //!
-//! Everything else is an error. By the second rule the condition of the constraints is in the bound: where
-//! singular values of the scaled gradients are σ, an ulp of f is a correction of ε/σ, and so much is left.
+//! Everything else is an error. The second rule accounts for the condition of the constraints: where the
+//! smallest singular value of the scaled gradients is σ, an ulp of f corresponds to a correction of ε/σ.
 //!
-//! Corrections meet as many rows as are independent. What dependent rows demand beside that shows in no
-//! correction, so where there are such rows a state is held against what a start may violate as well: more
-//! than that is a contradiction.
+//! Corrections satisfy the independent rows only. A demand of dependent rows that contradicts them shows in
+//! no correction. So where rows are dependent, the state must also satisfy the bound for starts, and a larger
+//! residual is a contradiction.
 
 use super::metric::Metric;
 use super::residuals::Level;
@@ -39,11 +39,11 @@ const NEAR: usize = 16;
 /// Corrections of a rough start.
 const FAR: usize = 60;
 
-/// A correction of a rough start is halved at most so often.
+/// The largest number of halvings of a correction of a rough start.
 const HALVINGS: usize = 12;
 
-/// A correction of a rough start is no longer than so many distances from the constraints: where these nearly
-/// depend on each other, Newton's corrections lead far away.
+/// The longest correction of a rough start, in units of its distance from the constraints. Where constraints
+/// nearly depend on each other, Newton's corrections lead far away.
 const REACH: f64 = 4.0;
 
 /// With a contraction worse than this the factors are made anew.
@@ -172,7 +172,7 @@ where
         Self { is_fresh: false, ..Self::with(state, residuals, factors) }
     }
 
-    /// Takes other factors, which are those of the state itself or not.
+    /// Replaces the factors. They may or may not be those of the state itself.
     fn take(&mut self, (saddle, gradients): (S::Saddle, [[S::Scalar; N]; C]), is_fresh: bool) {
         (self.saddle, self.gradients, self.is_fresh) = (saddle, gradients, is_fresh);
         self.metric = Metric::of(&self.saddle);
@@ -182,8 +182,8 @@ where
     /// Newton's corrections of one level.
     ///
     /// # Errors
-    /// The constraint that stays violated or contradicts others, and what is wrong with the factors of a
-    /// rough start.
+    /// The constraint that stays violated or contradicts others; at a rough start also the defect of the
+    /// factors.
     pub(crate) fn level(&mut self, system: &S, level: Level, from: From) -> Result<(), Cause> {
         let begun = self.extent(level);
         self.is_stuck = false;
@@ -239,9 +239,9 @@ where
         Err(self.failure(system, level).named(&S::NAMES))
     }
 
-    /// Why constraints stay violated. Where rows that depend on each other leave what no correction makes
-    /// better, they contradict each other if they depend on each other beside that state as well; if not, the
-    /// configuration is singular.
+    /// Why constraints stay violated. Where no correction reduces the residual of dependent rows, there are
+    /// two cases: if the rows depend on each other beside that state as well, they contradict each other;
+    /// otherwise the configuration is singular.
     #[cold]
     #[inline(never)]
     fn failure(&mut self, system: &S, level: Level) -> Cause {
@@ -266,7 +266,7 @@ where
         }
     }
 
-    /// Whether the next correction would leave less, as far as the gradients tell.
+    /// Whether the next correction would reduce the residual, according to the gradients.
     fn corrects(&self, level: Level) -> bool {
         let lack = self.residuals.values(level).map(|value| -value);
         let (change, _) = self.saddle.solve(&[num_traits::Zero::zero(); N], &lack);
@@ -352,12 +352,12 @@ where
         one.min(far / metric.extent(change))
     }
 
-    /// Whether what is left are roundings of inner operations, or of the state.
+    /// Whether the residual is the rounding error of inner operations or of the state.
     fn is_rounding(&self, level: Level, begun: S::Scalar) -> bool {
         self.is_within(level, begun, S::Scalar::epsilon().sqrt())
     }
 
-    /// Whether what is left is below a part of the summands and of the state.
+    /// Whether the residual is below a share of the summands and of the state.
     #[cold]
     #[inline(never)]
     fn is_within(&self, level: Level, begun: S::Scalar, part: S::Scalar) -> bool {
@@ -378,7 +378,7 @@ where
         })
     }
 
-    /// The size of what is corrected.
+    /// The scale of the residuals that are corrected.
     pub(super) fn extent(&self, level: Level) -> S::Scalar {
         self.metric.extent(if level == Level::Positions { &self.state.q } else { &self.state.v })
     }

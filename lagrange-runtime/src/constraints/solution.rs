@@ -1,4 +1,4 @@
-//! What is asked of the factors of M and A. Reached through generated code only.
+//! Queries of the factors of M and A. Only generated code calls them.
 
 use nalgebra::SMatrix;
 
@@ -10,7 +10,7 @@ use crate::name::Name;
 use crate::real::Real;
 use crate::state::State;
 
-/// Whether there are no accelerations.
+/// Whether the equations have no solution.
 #[inline(always)]
 pub fn is_singular<R: Real, const N: usize, const C: usize>(saddle: &impl SaddlePoint<R, N, C>) -> bool {
     saddle.defect().is_some() || saddle.vanishing().is_some()
@@ -24,7 +24,7 @@ pub fn independence<R: Real, const N: usize, const C: usize>(
     saddle.independence()
 }
 
-/// What is wrong with the factors, if anything.
+/// Checks the factors.
 ///
 /// # Errors
 /// [`Cause::VanishingGradient`], [`Cause::SingularMassMatrix`], [`Cause::NotFinite`].

@@ -85,7 +85,7 @@ where
     Some((near, equations))
 }
 
-/// The first neighbours are so many times ∜ε of the time in which coordinates change by their size away.
+/// Distance of the first neighbours, in units of ∜ε times the time in which coordinates change by their size.
 const CLOSE: f64 = 0.125;
 
 /// How often neighbours may be moved further away, by the factor [`WIDER`], until they are well determined.

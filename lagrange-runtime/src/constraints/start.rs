@@ -9,16 +9,15 @@ use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 
-/// A start is good where what it violates is below this share of √ε of its numbers: as good as numbers
-/// written with nine digits, or with five in single precision.
+/// The largest violation of a start, as a share of √ε of its numbers. It accepts numbers that are written
+/// with nine digits, or with five in single precision.
 pub(super) const SHARE: f64 = 1.0 / 16.0;
 
-/// Begins a motion at a state: refuses one that violates constraints, and takes the roundings from one that
-/// does not.
+/// Begins a motion at a state. Refuses a state that violates constraints, and removes rounding errors from
+/// any other.
 ///
-/// A state is as good as its numbers. What it violates by no more than their last digits stays as it is:
-/// beside a configuration in which constraints depend on each other a retraction would make large changes of
-/// these digits.
+/// A violation within the last digit of the coordinates is left alone: beside a configuration in which
+/// constraints depend on each other, a retraction would turn such a digit into a large change.
 ///
 /// # Errors
 /// The constraint that is violated, and constraints without a gradient.
@@ -58,7 +57,7 @@ where
     Ok(())
 }
 
-/// Whether there is a state on the constraints near another one, as far as their dependence goes.
+/// Checks that dependent constraints do not rule out a state on them near this one.
 ///
 /// # Errors
 /// [`Cause::Contradictory`].
@@ -104,7 +103,7 @@ where
     found.map_err(|cause| MotionError { cause, t: state.t })
 }
 
-/// Whether a state is as near the constraints as a start has to be.
+/// Checks that a state is near enough to the constraints for a start.
 ///
 /// # Errors
 /// The constraint that is violated.
@@ -138,7 +137,7 @@ where
     Err(residuals.cause(level, slopes).named(&S::NAMES))
 }
 
-/// What the last digits of the coordinates make of the residuals, as sizes of which an ulp is that.
+/// The effect of the last digits of the coordinates on the residuals, as scales whose ulp is that effect.
 fn last_digits<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,

@@ -10,8 +10,8 @@ use crate::simulation::{Control, Simulation};
 use crate::state::State;
 use crate::system::System;
 
-/// How many times larger than those of other motions the roundings of a state under constraints are: it is
-/// the result of an iteration.
+/// Rounding errors of a state under constraints, relative to those of a free motion. They are larger because
+/// the state is the result of an iteration.
 const PROJECTED: f64 = 16.0;
 
 /// A part of the last step of a motion, from `from` on in the direction of the search.
@@ -36,13 +36,13 @@ impl<R: Ordered> Interval<R> {
     }
 }
 
-/// A part of a coordinate over which a guard shows what it is made of.
+/// The change of a coordinate, as a part of it, over which the sensitivity of a guard is measured.
 const WIDE: f64 = 1.0 / 16.0;
 
-/// States at which an interval is looked at first: its ends and between them.
+/// The number of states at which an interval is first sampled, its ends included.
 pub(super) const POINTS: usize = 5;
 
-/// What the roundings of a guard on an interval are relative to.
+/// The scales of the rounding errors of a guard on an interval.
 pub(super) struct Sizes<R> {
     /// At the state where it starts, as a state by itself.
     pub start: R,
@@ -89,11 +89,11 @@ where
         }
     }
 
-    /// What the roundings of the guard are relative to.
+    /// The scales of the rounding errors of the guard.
     ///
-    /// A state is known up to roundings of its components. What they do to the guard is measured, since a
-    /// function that is given as such does not tell. A time is a rounded number as well. A jump counts for
-    /// nothing in either.
+    /// A state is known up to the rounding errors of its components. Their effect on the guard is measured,
+    /// since it cannot be read off a function. Times are rounded numbers as well. A jump of the guard does
+    /// not count in either.
     pub fn sizes(&self, states: &[State<S::Scalar, N>; POINTS]) -> Sizes<S::Scalar> {
         let (zero, factor) =
             (S::Scalar::zero(), S::Scalar::from_f64(if S::CONSTRAINED { PROJECTED } else { 1.0 }));

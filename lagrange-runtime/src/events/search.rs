@@ -12,7 +12,7 @@ use crate::simulation::{Control, Simulation};
 use crate::state::State;
 use crate::system::System;
 
-/// By how much an interval grows after one that had to be shortened.
+/// Growth factor of the interval that follows one that had to be shortened.
 const GROWTH: f64 = 4.0;
 
 /// How much shorter than the step an interval may become only because its start drowns in its end.
@@ -22,7 +22,8 @@ const SHORTEST: f64 = 1e-13;
 /// which are finer than the states are.
 const FAR: f64 = 1e-9;
 
-/// So many intervals of the resolution of time in a row are more than a kink or a jump.
+/// The largest number of consecutive intervals as short as the resolution of time. A kink or a jump takes
+/// fewer; more mean that the guard cannot be resolved.
 const BLIND: u8 = 16;
 
 /// A search for the zeros of `E` guards up to a time.

@@ -10,19 +10,20 @@ use crate::simulation::Control;
 use crate::state::State;
 use crate::system::System;
 
-/// A guard whose roundings on an interval are so many times those at its start is looked at on a shorter one:
-/// what is far away, as the end of a long free fall, must not hide what is near.
+/// Where the rounding errors of a guard on an interval exceed those at its start by this factor, a shorter
+/// interval is taken: what is far away, such as the end of a long free fall, must not hide what is near.
 const DROWNED: f64 = 256.0;
 
-/// A guard below so many roundings is zero where a search begins. Fewer than those in the noise of an
-/// interval, so that what has not been zero at the end of a search is not zero at the start of the next.
+/// Where a search begins, a guard counts as zero below this many of its rounding errors. They are fewer than
+/// in the noise of an interval, so that what was not zero at the end of one search is not zero at the start
+/// of the next.
 const AT_START: f64 = 4.0;
 
 /// A part of an interval to take the slope over. Polynomials of degree 64 grow little beyond their interval
 /// by it.
 const PART: f64 = 1.0 / 4096.0;
 
-/// A guard that was zero and is so many times its noise away from it has jumped.
+/// A guard that was zero has jumped if it is now more than this many times its noise away from zero.
 const JUMPED: f64 = 16.0;
 
 /// The resolution of time, in roundings, where no polynomial fits a guard; what is zero there is known no

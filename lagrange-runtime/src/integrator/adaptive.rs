@@ -64,8 +64,8 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// What the motion has cost.
     fn counts(memory: &Self::Memory) -> Steps;
 
-    /// How far coordinates and velocities can be from those at the start of the last step in the course of it;
-    /// `None` where that is not known.
+    /// Bounds of how far coordinates and velocities move from their values at the start of the last step
+    /// during that step; `None` where no bound is known.
     fn spread(_memory: &Self::Memory) -> Option<[[S::Scalar; N]; 2]>
     where
         S::Scalar: Ordered,
@@ -73,7 +73,8 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
         None
     }
 
-    /// The state at a part of the last step, from 0 to 1, which a time of finite resolution cannot tell as well.
+    /// The state at a part of the last step, from 0 to 1. A time could not name it as exactly, because times
+    /// have finite resolution.
     ///
     /// # Errors
     /// As [`Adaptive::advance`].

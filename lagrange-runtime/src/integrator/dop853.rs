@@ -5,7 +5,7 @@
 //! drift linear in time remains at the finest tolerance (relative energy: 1e-15 a Kepler period at e = 0.1).
 //! A stage that fails, or a result that is not finite, is a rejection: the step shrinks until it succeeds or
 //! falls below the resolution of time. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.5, II.10.
-//! Explicit: on stiff systems the steps stay short whatever the tolerance.
+//! The method is explicit: on stiff systems the steps stay short whatever the tolerance.
 
 use core::cmp::Ordering;
 
@@ -30,12 +30,12 @@ pub(crate) struct Point<R, const N: usize> {
     residue: State<R, N>,
 }
 
-/// What constraints determine where a motion stands.
+/// How well the constraints determine a motion at its present state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ground<R> {
     /// How independent they are there.
     pub here: Independence<R>,
-    /// What they have determined so far.
+    /// How well they have determined it so far.
     pub determined: Determined<R>,
 }
 
@@ -288,7 +288,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         Ok(error)
     }
 
-    /// Why a step of `h` gave no number: the cause at its first stage without finite accelerations.
+    /// Why a step of `h` was not finite: the cause at its first stage without finite accelerations.
     #[cold]
     fn failed_stage<F: Field<R, N>>(&self, f: &F, h: R) -> Cause {
         let from = &self.start.state;

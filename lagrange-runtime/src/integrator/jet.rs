@@ -1,8 +1,8 @@
 //! Fixed steps of a Taylor series: one `sin_cos` per angle and one factorisation a step, whatever the order.
 //!
-//! Beside a configuration in which constraints depend on each other the coefficients of higher orders are
-//! made of roundings, and grow. A step whose last terms grow is taken by four steps of Runge and Kutta
-//! instead, whose stages lie where the accelerations are known.
+//! Beside a configuration in which constraints depend on each other, the coefficients of higher orders
+//! consist of rounding errors, and grow. A step whose last terms grow is replaced by Runge–Kutta stages,
+//! which lie where the accelerations are known.
 //!
 //! The series is that of time in units of the step, so the state after it is the plain sum of the
 //! coefficients, added to the state with compensation.
@@ -26,7 +26,7 @@ pub struct JetMemory<C, T, R, const N: usize, const ORDER: usize> {
     constants: C,
     tables: T,
     series: Series<R, N, ORDER>,
-    /// What rounding took from the coordinates and the velocities.
+    /// The compensation of coordinates and velocities: what rounding has taken from them.
     residue: ([R; N], [R; N]),
     /// The largest number of independent constraints that a step has started with.
     rank_so_far: Option<usize>,
@@ -88,8 +88,8 @@ where
     }
 }
 
-/// Whether the last terms of a series are larger than those before them, and above the roundings of the
-/// state.
+/// Whether the last terms of a series are larger than those before them, and larger than the rounding errors
+/// of the state.
 fn grows<R: Real, const N: usize, const P: usize>(series: &Series<R, N, P>, from: &State<R, N>) -> bool {
     let largest = |row: &[R; N]| row.iter().fold(R::zero(), |all, x| all.max(x.abs()));
     [(&series.q, &from.q), (&series.v, &from.v)].into_iter().any(|(rows, start)| {
@@ -101,7 +101,7 @@ fn grows<R: Real, const N: usize, const P: usize>(series: &Series<R, N, P>, from
     })
 }
 
-/// One step by stages stands for so many orders of a series. The method by stages has order 8, so its error is
+/// Orders of a series that one step by stages replaces. The method by stages has order 8, so its error is
 /// smaller than that of the series.
 const ORDERS: usize = 4;
 

@@ -17,19 +17,19 @@ use crate::real::{Ordered, Real, larger, smaller};
 use crate::state::{State, difference};
 use crate::system::System;
 
-/// Corrections and defects are at most so many times the tolerance: the derivative of the last terms of a
-/// series is the order times larger than they are, a fifth of the tolerance.
+/// Largest corrections and defects, in tolerances. The last terms of a series are a fifth of the tolerance,
+/// and their derivative is larger by the order.
 const MARGIN: f64 = 16.0;
 
-/// Accelerations are known to so many ulps of the largest term, and no error is held against a tolerance
-/// below that.
+/// Uncertainty of accelerations, in ulps of their largest term. No error is compared with a tolerance below
+/// that.
 const NOISE: f64 = 256.0;
 
 /// How far [`Check::leaves`] looks ahead, in parts of the distance from a configuration in which constraints
 /// depend on each other, and of the step.
 const AHEAD: f64 = 1.0 / 64.0;
 
-/// What constraints have determined in a motion so far.
+/// How well the constraints have determined the motion so far.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Determined<R> {
     rank: usize,
@@ -43,7 +43,7 @@ impl<R: Ordered> Determined<R> {
         Self { rank: here.rank, least: smaller(determined(), R::from_f64(0.25) * here.least) }
     }
 
-    /// Whether no less is determined.
+    /// Whether a state is determined at least as well.
     pub(crate) fn accepts(&self, here: &Independence<R>) -> bool {
         here.rank >= self.rank && here.least >= self.least
     }
@@ -59,7 +59,7 @@ impl<R: Ordered> Determined<R> {
     }
 }
 
-/// The relative tolerance, or what roundings make of it.
+/// The relative tolerance, but not below the rounding errors.
 fn relative<R: Ordered>(limits: &Limits<R>) -> R {
     larger(limits.relative, R::from_f64(NOISE) * R::epsilon())
 }
@@ -184,8 +184,8 @@ where
     }
 
     /// Whether the correction is within the tolerance. Constraints couple the coordinates, so differences and
-    /// sizes are those of whole states in the kinetic metric: a coordinate that is zero but for roundings
-    /// has none of its own.
+    /// sizes are those of whole states in the kinetic metric: a coordinate that is zero up to rounding has no
+    /// scale of its own.
     fn is_near(&self, reached: &State<S::Scalar, N>, landing: &Landing<S::Scalar, N>) -> bool {
         let Landing { end, footing, sizes, .. } = landing;
         is_within(&apart(reached, end), footing, self.bounds(sizes))
@@ -279,7 +279,7 @@ where
         S::Scalar::from_f64(MARGIN) * largest
     }
 
-    /// Whether what is beyond the tolerance is no error of the motion. Two things are none.
+    /// Whether a difference beyond the tolerance is harmless. Two kinds are:
     ///
     /// * Roundings of forces that keep a balance.
     /// * Errors across the constraints, beside a configuration in which these depend on each other: there,

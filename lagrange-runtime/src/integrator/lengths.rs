@@ -1,4 +1,4 @@
-//! Which lengths of a step are tried until one ends well.
+//! The lengths of a step, in the order in which they are tried.
 
 use super::landing::{Check, Determined, Landing};
 use crate::error::Cause;
@@ -20,17 +20,17 @@ const HALF: f64 = 0.5;
 pub(crate) enum Verdict<R, const N: usize> {
     /// It ends here; what the constraints have determined so far goes on with the motion.
     Take(Landing<R, N>, Determined<R>),
-    /// It is tried with another length; the cause is that of an error where time does not resolve that.
+    /// It is tried with another length. The cause is that of the error if time does not resolve that length.
     Try { length: R, cause: Cause },
     /// No length ends where the state is determined.
     GiveUp(Cause),
 }
 
-/// What came of a length.
+/// The outcome of trying a length.
 enum Outcome<R> {
     /// The end is not right.
     Wrong,
-    /// The end is right, and constraints are so independent there.
+    /// The end is right; this is how independent the constraints are there.
     Right(Independence<R>),
 }
 

@@ -37,8 +37,8 @@ use crate::system::System;
 
 /// A method that takes steps of a size chosen by the caller.
 pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
-    /// What it remembers between steps. It belongs to one system with its constants, but outlives steps that
-    /// fail and inputs that change: a method asks whether it still fits.
+    /// What the method remembers between steps. It belongs to one system with its constants. It survives
+    /// failed steps and changes of the inputs, so a method checks whether it still applies.
     type Memory: Copy + core::fmt::Debug;
 
     /// The memory before the first step.
@@ -48,7 +48,7 @@ pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
     /// + h`. A result that is not finite is left to the caller.
     ///
     /// # Errors
-    /// What kept a method that solves equations from solving them.
+    /// Why the equations of an implicit method could not be solved.
     fn step(
         memory: &mut Self::Memory,
         system: &S,
@@ -61,7 +61,7 @@ pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
 
 /// The right-hand side of q″ = a(t, q, v).
 pub(crate) trait Field<R, const N: usize> {
-    /// a(t, q, v); not finite where there is none.
+    /// a(t, q, v). NaN or infinite where the equations have no solution.
     fn accelerations(&self, t: R, q: &[R; N], v: &[R; N]) -> [R; N];
     /// Why it is not finite there.
     fn cause(&self, t: R, q: &[R; N], v: &[R; N]) -> Cause;

@@ -18,22 +18,22 @@
 
 use crate::real::Real;
 
-/// What is known of the rows of A at a state.
+/// How independent the rows of A are at a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Independence<R> {
-    /// How many rows there are.
+    /// The number of rows.
     pub rows: usize,
-    /// How many of them are independent.
+    /// The number of independent rows.
     pub rank: usize,
-    /// About the smallest distance of one of these from the span of those before it, relative to its size;
-    /// one of a single row.
+    /// About the smallest distance of an independent row from the span of those before it, relative to its
+    /// size; 1 for a single row.
     pub least: R,
-    /// The row that is closest to depending on the others, or does.
+    /// The row that depends on the others, or is closest to doing so.
     pub weakest: usize,
 }
 
 impl<R: Real> Independence<R> {
-    /// That of rows that are orthogonal to each other.
+    /// The independence of rows that are orthogonal to each other.
     #[inline(always)]
     pub fn clear(rows: usize) -> Self {
         Self { rows, rank: rows, least: R::one(), weakest: 0 }
@@ -57,7 +57,7 @@ impl<R: Real> Independence<R> {
         (distance - self.least).largest() <= R::zero().largest()
     }
 
-    /// Takes in a row at this distance from those before it.
+    /// Adds a row at this distance from those before it.
     #[inline(always)]
     pub(crate) fn take(&mut self, row: usize, distance: R) {
         if (self.least - distance).largest() > R::zero().largest() {
@@ -71,8 +71,8 @@ impl<R: Real> Independence<R> {
         self.rank == self.rows && (self.least - determined()).is_positive()
     }
 
-    /// Whether more is determined than in `other`: more rows are independent, or as many and now by more than
-    /// `least`.
+    /// Whether more is determined than in `other`: more rows are independent, or as many rows are and their
+    /// distance is larger by more than `least`.
     pub(crate) fn improves(&self, other: &Self, least: R) -> bool {
         let well = |this: &Self| (this.least - least).is_positive();
         self.rank > other.rank || self.rank == other.rank && well(self) && !well(other)

@@ -22,9 +22,9 @@
 //! ```
 //!
 //! so that a solution is one product of a matrix and a vector, without divisions and without substitutions
-//! that wait for each other. Solutions are as accurate as those of the factors; residuals are a few roundings
-//! where the scaled A and Zᵀ M Z are well conditioned, and grow with their condition, which those of factors
-//! would not.
+//! that wait for each other. Solutions are as accurate as those by substitution. Residuals are a few ulps
+//! where the scaled A and Zᵀ M Z are well conditioned. Unlike those of substitution, they grow with the
+//! condition number.
 
 use super::Independence;
 use crate::real::Real;
@@ -65,8 +65,8 @@ pub enum Defect {
 pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// (v, κ) with M v − Aᵀ κ = `r` and A v = `y`; NaN where there is a [`defect`](Self::defect).
     ///
-    /// Of dependent rows of A as many as are independent have a say in v, and κ is the shortest of all that
-    /// give the same Aᵀ κ.
+    /// If rows of A are dependent, v follows from a largest set of independent rows, and κ is the shortest of
+    /// all that give the same Aᵀ κ.
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]);
 
     /// The same with the friction that multipliers drive, which is no part of a projection.
@@ -78,7 +78,7 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// How independent the rows of A are.
     fn independence(&self) -> Independence<R>;
 
-    /// How many rows of A are independent.
+    /// The number of independent rows of A.
     fn rank(&self) -> usize {
         self.independence().rank
     }
@@ -89,16 +89,16 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
 
-    /// Units of the coordinates in which none is larger than another: 1/√M\[i]\[i], or what A makes of them
+    /// Column scaling of the coordinates, which makes them comparable: 1/√M\[i]\[i], or what A makes of them
     /// where that does not exist; zero for a coordinate that nothing moves.
     fn units(&self) -> [R; N];
 }
 
 /// The inverse of a saddle-point system with any symmetric M.
 ///
-/// With several lanes the order of the pivots and the rank are common to all of them. A lane that has a
-/// smaller rank than another, or other dependent rows, or a singular Zᵀ M Z where another has none, gives
-/// NaN; the other lanes are right. A defect of some lanes is [`Defect::NotFinite`].
+/// With several lanes the order of the pivots and the rank are common to all of them. A lane with a smaller
+/// rank than another, with other dependent rows, or with a singular Zᵀ M Z where another lane has a regular
+/// one gives NaN; the other lanes are right. A defect of some lanes is [`Defect::NotFinite`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saddle<R, const N: usize, const C: usize> {
     /// P, symmetric up to rounding: the row of a component of r.
@@ -118,7 +118,8 @@ pub struct Saddle<R, const N: usize, const C: usize> {
 impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     /// Factors the system of a mass matrix that is positive definite on the null space of `a`.
     ///
-    /// Only the lower triangle of `mass` is read. What cannot be solved is left to [`SaddlePoint::defect`].
+    /// Only the lower triangle of `mass` is read. If the system cannot be solved, [`SaddlePoint::defect`]
+    /// says why.
     #[inline]
     #[must_use]
     pub fn factor(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
@@ -128,7 +129,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
     /// Factors the system of a symmetric matrix of any signature, by partial pivoting in the null space of
     /// `a`.
     ///
-    /// Only the lower triangle of `mass` is read. What cannot be solved is left to [`SaddlePoint::defect`].
+    /// Only the lower triangle of `mass` is read. If the system cannot be solved, [`SaddlePoint::defect`]
+    /// says why.
     #[inline]
     #[must_use]
     pub fn factor_indefinite(mass: &[[R; N]; N], a: &[[R; N]; C]) -> Self {
@@ -159,8 +161,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         Self::carefully::<DEFINITE>(mass, a)
     }
 
-    /// A single row whose largest entry is none: one row depends on no other, and a program that has no more
-    /// links none of what decides about them.
+    /// A single row without a nonzero entry. One row cannot depend on others, so a program with one
+    /// constraint does not link the code that decides about rank.
     #[cold]
     #[inline(never)]
     fn without_gradient(a: &[[R; N]; C]) -> Self {

@@ -17,14 +17,14 @@ use super::saddle::vectors::{add_product, add_scaled, multiply, poison, scale, u
 /// A pivot below this part of its diagonal is left to the careful way.
 ///
 /// A pivot is the squared sine of the angle between a row of A and those before it, in the metric of the
-/// kinetic energy, and S is known to some Cε, so what is above has lost three digits at most.
+/// kinetic energy, and S is known to about Cε. So a pivot above this bound has lost three digits at most.
 const LEAST: f64 = 1.0 / 1024.0;
 
 /// Up to this size the inverse is formed: one product instead of two substitutions.
 pub(super) const SMALL: usize = 6;
 
-/// So many orders of a Taylor series are refined: the terms of those after them are smaller by two powers of
-/// ten.
+/// Orders of a Taylor series whose solutions are refined. The terms of later orders are smaller by two powers
+/// of ten.
 const REFINED: usize = 4;
 
 /// A factored Schur complement.
@@ -115,8 +115,8 @@ impl<R: Real, const C: usize> Schur<R, C> {
         Some(Self { factor, inverse, inverted: false, independence, vanishing: None })
     }
 
-    /// A single row whose square is not positive: it depends on no other, and a program that has no more rows
-    /// links nothing of what decides about them.
+    /// A single row whose square is not positive. One row cannot depend on others, so a program with one
+    /// constraint does not link the code that decides about rank.
     #[cold]
     #[inline(never)]
     fn single(lower: &[[R; C]; C]) -> Self {
@@ -184,8 +184,8 @@ impl<R: Real, const C: usize> Schur<R, C> {
         }
     }
 
-    /// κ with S κ = `y`. Where S is singular: on the rows that are independent, and the shortest of
-    /// such κ that differ by a null vector of S.
+    /// κ with S κ = `y`. Where S is singular, it satisfies the independent rows and is the shortest of all
+    /// solutions that differ by null vectors of S.
     #[inline]
     #[must_use]
     pub fn solve(&self, y: [R; C]) -> [R; C] {
@@ -214,9 +214,9 @@ impl<R: Real, const C: usize> Schur<R, C> {
 
     /// κ for the Taylor coefficients of an order, with S given again.
     ///
-    /// Where a constraint keeps S what it is, as a rod does, the rounding errors of the factors are the same
-    /// in every step, and energy would drift with the number of steps instead of its root. So the first
-    /// orders, which carry most of a step, are refined (Higham, chapter 12).
+    /// Where a constraint keeps S constant, as a rod does, the factors have the same rounding errors in every
+    /// step, and the energy error would grow with the number of steps instead of its square root. So the
+    /// first orders, which make up most of a step, are refined (Higham, chapter 12).
     #[inline]
     #[must_use]
     pub fn solve_order(&self, order: usize, lower: &[[R; C]; C], y: [R; C]) -> [R; C] {

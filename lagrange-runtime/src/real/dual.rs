@@ -10,12 +10,12 @@ use super::Real;
 /// A number with its derivatives in `D` directions: value + Σ slopeᵢ εᵢ with εᵢ εⱼ = 0 (forward accumulation;
 /// Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 3).
 ///
-/// Every function of the library takes it for a scalar. A motion of a system of such numbers is the motion of
-/// the values and its derivatives by whatever the slopes of start and parameters say, and the step follows
-/// the errors of both ([`Real::part`]). The order is that of the values, among equal ones that of the slopes
-/// one by one, as for infinitesimals. `Dual<Dual<f64, A>, B>` has second derivatives.
+/// Every function of the library takes it for a scalar. A motion of a system over such numbers has the values
+/// and their derivatives, in the directions that the slopes of start and parameters name. The steps follow
+/// the errors of both ([`Real::part`]). Numbers are ordered by their values, and equal values by their slopes
+/// one after the other, as infinitesimals are. `Dual<Dual<f64, A>, B>` has second derivatives.
 ///
-/// A number whose slopes are zero has functions whose slopes are zero, also where the function has no
+/// A function of a number whose slopes are zero has slopes of zero, also where the function has no
 /// derivative.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Dual<R, const D: usize> {
@@ -71,7 +71,7 @@ fn each<R: Real, const D: usize>(slope: impl Fn(usize) -> R) -> [R; D] {
     slopes
 }
 
-/// `slope` · `factor`, which is zero where the slope is: also beside an infinite factor.
+/// `slope` · `factor`. It is zero where the slope is, even if the factor is infinite.
 #[inline(always)]
 fn scaled<R: Real>(slope: R, factor: R) -> R {
     if slope.is_zero() { slope } else { slope * factor }

@@ -46,7 +46,7 @@ impl<R: Ordered> Pieces<R> {
         self.sign(self.polynomial.value(theta), R::one())
     }
 
-    /// The side of a value, if it is beyond so many times the noise.
+    /// The side of a value, if its size exceeds the noise by the factor `times`.
     pub(super) fn sign(&self, value: R, times: R) -> Option<Side> {
         let bound = self.polynomial.noise() * times;
         if value > bound {

@@ -27,7 +27,7 @@ where
     scene.choose(&open, None).ok()
 }
 
-/// Accelerations at a state; not finite where there are none.
+/// Accelerations at a state; NaN where the laws of contact have no solution.
 #[doc(hidden)]
 #[must_use]
 pub fn accelerations<S, const N: usize, const K: usize, const C: usize, const W: usize>(
@@ -51,8 +51,8 @@ where
     at_state(system, t, q, v, u).map_or_else(none, |choice| choice.accelerations)
 }
 
-/// The multipliers of all rows at a state, and whether the motion determines each; not finite where there are
-/// none.
+/// The multipliers of all rows at a state, and whether the motion determines each; NaN where the laws of
+/// contact have no solution.
 #[doc(hidden)]
 #[must_use]
 pub fn multipliers<S, const N: usize, const K: usize, const C: usize, const W: usize>(

@@ -47,7 +47,7 @@ where
         Ok(())
     }
 
-    /// Refuses coefficients that are none.
+    /// Checks that the coefficients of restitution and friction are valid.
     fn check(&self, laws: &Laws<S::Scalar, C, W>) -> Result<(), Cause> {
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         for (row, kind) in S::ROWS.iter().enumerate() {
@@ -67,8 +67,8 @@ where
         if rows.copied().all(Real::is_finite) { Ok(()) } else { Err(Cause::NotFinite) }
     }
 
-    /// Refuses a start that penetrates by more than the last digits of nine-digit numbers; gaps within that are
-    /// closed.
+    /// Refuses a start that penetrates by more than the last digits of nine-digit numbers; gaps within that
+    /// are closed.
     fn penetrating(
         &self,
         state: &State<S::Scalar, N>,

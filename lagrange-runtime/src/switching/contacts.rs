@@ -7,12 +7,12 @@ use crate::real::Ordered;
 use crate::simulation::{Held, Simulation};
 use crate::state::State;
 
-/// What a row does at present.
+/// What a constraint, contact or friction does at present.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contact {
     /// A constraint that always holds.
     Holds,
-    /// A contact with a gap, or one about to lift off.
+    /// A contact that has a gap, or is about to lift off.
     Open,
     /// A contact that is closed.
     Closed,
@@ -46,9 +46,10 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
-    /// What each contact, friction and constraint does, by name: `motion.contacts().floor`. Known from the first
-    /// step on, and at the end of what the integrator has done, which may be ahead of [`Simulation::state`]
-    /// where that is a sample.
+    /// What each contact, friction and constraint does, by name: `motion.contacts().floor`.
+    ///
+    /// It is known from the first step on. It belongs to the end of the integrator's last step, which is
+    /// ahead of [`Simulation::state`] if that is a sample.
     pub fn contacts(&self) -> S::Rows<Contact> {
         let regime = self.memory.regime();
         let is_active = |row: usize| regime.active.get(row).copied().unwrap_or(false);
@@ -65,7 +66,8 @@ where
         .into()
     }
 
-    /// Moves to the next change of the regime, or to `until` if there is none before; `None` then.
+    /// Moves to the next change of the regime. If none comes before time `until` \[s], moves there and
+    /// returns `None`.
     ///
     /// # Errors
     /// As [`Simulation::advance_to`].

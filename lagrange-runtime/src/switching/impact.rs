@@ -1,16 +1,17 @@
 //! Impacts: complementarity on the level of velocities.
 //!
-//! Bodies are rigid, so an impact takes no time and forces of a given size have no part in it: dry joints with a
-//! given limit turn freely, bilateral constraints keep their velocities. Over all contacts that touch at the
-//! moment Newton's law with the coefficient e of each is u⁺ + e u⁻ ≥ 0 ⟂ Λ ≥ 0, friction is Coulomb's law for
-//! impulses: it sticks while |Λₜ| ≤ μ Λₙ, else |Λₜ| = μ Λₙ against the slip after the impact (Pfeiffer and
-//! Glocker, *Multibody Dynamics with Unilateral Contacts*, chapter 8; Brogliato, *Nonsmooth Mechanics*, 4.3).
+//! Bodies are rigid, so an impact takes no time and forces of a given size have no part in it: dry joints
+//! with a given limit turn freely, bilateral constraints keep their velocities. Over all contacts that touch
+//! at the moment Newton's law with the coefficient e of each is u⁺ + e u⁻ ≥ 0 ⟂ Λ ≥ 0, friction is Coulomb's
+//! law for impulses: it sticks while |Λₜ| ≤ μ Λₙ, else |Λₜ| = μ Λₙ against the slip after the impact
+//! (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapter 8; Brogliato, *Nonsmooth
+//! Mechanics*, 4.3).
 //!
-//! With friction, or with several contacts of different coefficients, Newton's law can create energy, or have no
-//! solution. Where that is so, the impulses are (1 + e) times those of a plastic impact instead, e the least of the coefficients: a
-//! plastic impact takes energy away, and along the line from the velocities before it to twice as far behind it
-//! the kinetic energy is a parabola with equal values at equal distances from its lowest point, which is not
-//! nearer than the plastic one.
+//! With friction, or with several contacts of different coefficients, Newton's law can create energy, or have
+//! no solution. Where that is so, the impulses are (1 + e) times those of a plastic impact instead, e the
+//! least of the coefficients: a plastic impact takes energy away, and along the line from the velocities
+//! before it to twice as far behind it the kinetic energy is a parabola with equal values at equal distances
+//! from its lowest point, which is not nearer than the plastic one.
 
 use super::Row;
 use super::Switching;
@@ -137,7 +138,7 @@ where
         }
     }
 
-    /// The impulses of a combination; `None` where there are none.
+    /// The impulses of a combination; `None` where it has no solution.
     fn impulses(
         &self,
         parts: &[Part; C],

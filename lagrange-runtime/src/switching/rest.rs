@@ -1,9 +1,10 @@
 //! Infinitely many impacts in finite time.
 //!
 //! The impacts of a ball that bounces come ever faster, and so do those of a block that rocks from corner to
-//! corner. Their times are geometric, so that what is left of the motion after an impact is about as short as it
-//! is low. Where a contact opens more slowly than the tolerance allows to tell, although forces close it again,
-//! all impacts that would follow are taken together with this one and it stays closed. Rest is rest then.
+//! corner. Their times are geometric, so that what is left of the motion after an impact is about as short as
+//! it is low. Where a contact opens more slowly than the tolerance allows to tell, although forces close it
+//! again, all impacts that would follow are taken together with this one and it stays closed. Rest is rest
+//! then.
 
 use super::scene::{Scales, Scene, Status, above, most};
 use super::{Regime, Row, Switching};
@@ -12,15 +13,15 @@ use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 
-/// Of so many roundings of gaps and times a flight has to consist.
+/// The shortest flight that counts, in rounding errors of gaps and of times.
 const RESOLVED: f64 = 64.0;
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
 {
-    /// The velocities with all contacts closed that open after an impact for no time that counts; `None` where
-    /// there are none. The scene is one without an impact.
+    /// The velocities with those contacts closed that an impact would open for a negligible time only; `None`
+    /// where no contact is of this kind. The scene is one without an impact.
     pub(super) fn gathered(
         &self,
         present: &Regime<S::Scalar, C, W>,

@@ -5,8 +5,8 @@ use crate::linear::SaddlePoint;
 use crate::real::Real;
 use crate::state::State;
 
-/// What is below so many roundings of its size counts as zero: gaps where contacts touch, slip velocities that
-/// rest, reactions and accelerations where one regime ends and another begins.
+/// Values below this many rounding errors of their scale count as zero: gaps where contacts touch, slip
+/// velocities of friction at rest, reactions and accelerations where one regime ends and another begins.
 const ROUNDINGS: f64 = 256.0;
 
 /// The part of a size that counts as zero.
@@ -34,7 +34,7 @@ pub(super) fn extent<R: Real, const N: usize>(a: &[R; N], x: &[R; N]) -> R {
     a.iter().zip(x).fold(R::zero(), |sum, (&a, &x)| sum + (a * x).abs())
 }
 
-/// Sizes that a motion has shown so far, since a number that is zero has none of its own.
+/// The scales that a motion has shown so far, since a number that is zero has no scale of its own.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales<R, const C: usize> {
     /// The largest summands of gaps.
@@ -215,8 +215,8 @@ where
         }
     }
 
-    /// Takes away what is left of velocities that contacts have stopped: it has no digits, and a series none by
-    /// which to find its scale.
+    /// Takes away what is left of velocities that contacts have stopped: it has no digits, and a series none
+    /// by which to find its scale.
     pub(super) fn still(&self, v: &mut [S::Scalar; N]) {
         let zero: S::Scalar = num_traits::Zero::zero();
         let fastest = self.units.iter().zip(&self.state.v).fold(zero, |fastest, (&unit, &v)| {

@@ -28,10 +28,10 @@ use newton::Search;
 pub use stability::Stability;
 use statics::{Rest, Statics};
 
-/// Forces have faded that fell to this share of what they were.
+/// Forces that have fallen to this share of their first value count as faded.
 const FADED: f64 = 1e-3;
 
-/// Descents from saddles at which the one before has ended: each is lower than the last.
+/// The largest number of descents. Each begins at the saddle where the one before has ended, and ends lower.
 const DESCENTS: usize = 16;
 
 /// An equilibrium.

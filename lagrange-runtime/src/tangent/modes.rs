@@ -24,14 +24,14 @@ use vectors::{eigenvector, null_vectors};
 /// Iterations for each eigenvalue of a symmetric matrix before the search is given up.
 const ITERATIONS: usize = 100;
 
-/// The least scale of an eigenvalue beside entries of size one: its pivots are roundings of it, and their
-/// squares must be numbers.
+/// The smallest scale of an eigenvalue of a matrix with entries of size one. Pivots are rounding errors of
+/// the eigenvalue, and their squares must not underflow.
 const SOFTEST: f64 = 1e-120;
 
 const ZERO: Complex<f64> = Complex::new(0.0, 0.0);
 
-/// The share of the largest entry of a matrix below which an eigenvalue is rounding, if the entries err by
-/// `unit`.
+/// The share of the largest entry of a matrix below which an eigenvalue is rounding error, if the entries
+/// have the relative error `unit`.
 fn rounding(order: usize, unit: f64) -> f64 {
     16.0 * order as f64 * unit
 }
@@ -106,8 +106,8 @@ pub(super) struct Growth {
     pub still: usize,
 }
 
-/// Counts eigenvalues by the signs of their real parts; `None` where the iteration fails. The numbers err by
-/// `unit`.
+/// Counts eigenvalues by the signs of their real parts; `None` where the iteration fails. The numbers have
+/// the relative error `unit`.
 pub(super) fn growth<const N: usize, const K: usize>(
     model: &LinearModel<f64, N, K>,
     unit: f64,
@@ -174,7 +174,7 @@ struct SecondOrder<const N: usize> {
     damping: DMatrix<f64>,
     gyroscopic: DMatrix<f64>,
     stiffness: DMatrix<f64>,
-    /// The sums of K̃ without their signs: what its entries are rounded relative to.
+    /// The sums of the magnitudes in K̃: the scale of the rounding errors of its entries.
     sizes: DMatrix<f64>,
 }
 

@@ -1,7 +1,7 @@
 //! Floquet multipliers of periodic motions, on hosts with a standard library.
 //!
 //! The state-transition matrix over one period, the monodromy matrix, maps a deviation from a periodic motion
-//! to what has become of it a period later; its eigenvalues, the multipliers, say whether it grows
+//! to that deviation a period later. Its eigenvalues, the multipliers, say whether deviations grow
 //! (Yakubovich and Starzhinskii, *Linear Differential Equations with Periodic Coefficients*, chapter II;
 //! Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, § I.16).
 
@@ -15,7 +15,7 @@ use crate::error::{Cause, MotionError};
 use crate::real::{Ordered, Real};
 use crate::state::State;
 
-/// What a period makes of deviations from a motion.
+/// How deviations from a motion develop over a period.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Monodromy<R, const N: usize, const P: usize = 0> {
     /// The state after the period with its derivatives by the start. Where the motion is periodic it is the

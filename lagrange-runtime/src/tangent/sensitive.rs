@@ -46,8 +46,8 @@ pub struct Sensitivities<R, const N: usize, const C: usize, const P: usize> {
     pub multipliers: SMatrix<R, C, P>,
 }
 
-/// A system with derivatives by the `P` parameters that its attribute lists as `sensitivities`, none if it
-/// lists none, and by its start, in `D` directions at once.
+/// A system with derivatives by its start and by the `P` parameters that its attribute lists as
+/// `sensitivities` (`P` may be zero), in `D` directions at once.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the equations of `{Self}` are not generated",
     label = "this needs `jacobians`, and `sensitivities = […]` for derivatives by parameters",

@@ -7,8 +7,8 @@
 //! multipliers, of projections. Steps follow the errors of the derivatives as they follow those of the
 //! motion.
 //!
-//! Of many directions some go at once, and the motion is passed through again for the others, so that the
-//! memory is that of a few motions whatever the size of the system.
+//! A few directions are carried at once, and the motion is repeated for the others. So the memory is that of
+//! a few motions, whatever the size of the system.
 
 use nalgebra::SMatrix;
 
@@ -43,8 +43,8 @@ type Varied<S, const N: usize, const K: usize, const C: usize, const P: usize, c
 type Pass<'a, T, const N: usize, const K: usize> =
     Simulation<'a, T, Held<<T as System<N, K>>::Scalar, K>, <T as System<N, K>>::Method, N, K>;
 
-/// On the heap where there is one: the tables of a Taylor series are as many times as large as those of the
-/// motion as it has directions, and one more.
+/// On the heap where there is one. With D directions the tables of a Taylor series are D + 1 times as large
+/// as those of the motion alone.
 #[cfg(feature = "std")]
 type Place<T> = std::boxed::Box<T>;
 #[cfg(not(feature = "std"))]
@@ -75,7 +75,7 @@ pub struct VariationalMotion<
     /// The first pass. The others start anew in each call.
     simulation: Place<Pass<'a, Varied<S, N, K, C, P, D>, N, K>>,
     transition: Transition<S::Scalar, N, P>,
-    /// Of the other passes.
+    /// The counts of the other passes.
     counts: Steps,
 }
 

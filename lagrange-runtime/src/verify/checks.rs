@@ -14,7 +14,7 @@ struct Judge {
 }
 
 impl Judge {
-    /// Whether two numbers agree to half the digits of what was added up for them, and to the uncertainty of
+    /// Whether two numbers agree to half of the digits of their summands, and to within the uncertainty of
     /// differences.
     fn compare<R: Real>(
         &mut self,

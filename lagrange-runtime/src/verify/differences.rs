@@ -2,10 +2,10 @@
 
 use crate::real::Real;
 
-/// Each step is so many times the one before.
+/// Ratio of each step to the one before.
 const GROWTH: f64 = 4.0;
 
-/// Differences that are so many times as uncertain as the best ones are beyond the scale of the function.
+/// Differences this many times as uncertain as the best one have steps beyond the scale of the function.
 const BEYOND: f64 = 1e3;
 
 /// df/dx at 0 by differences of order four, f′ ≈ (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h, and by how much

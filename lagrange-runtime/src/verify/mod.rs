@@ -101,11 +101,11 @@ impl fmt::Display for Certificate {
 /// A failed verification.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation {
-    /// What does not hold.
+    /// The identity that does not hold.
     pub identity: Identity,
     /// By how much, in the unit of the identity.
     pub by: f64,
-    /// What rounding and differences account for.
+    /// The deviation that rounding and the uncertainty of differences can explain.
     pub allowed: f64,
 }
 
@@ -186,12 +186,11 @@ pub trait Verifiable<const N: usize, const K: usize = 0>: System<N, K> {
     fn described_at(&self, state: &State<Self::Scalar, N>, time: Self::Scalar) -> Described<Self::Scalar>;
 }
 
-/// How many states are drawn where none are given.
+/// The number of states that are drawn if the caller gives none.
 const STATES: usize = 12;
 
-/// Checks all identities at states with coordinates and velocities between −1 and 1. Where the scales of a
-/// model are far from one, nothing happens at such states, or too much: [`verify_at`] takes states at which
-/// it moves.
+/// Checks all identities at states with coordinates and velocities between −1 and 1. Such states say little
+/// about a model whose scales are far from one: pass states of your own to [`verify_at`].
 ///
 /// # Errors
 /// The first identity that does not hold.

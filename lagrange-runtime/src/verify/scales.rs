@@ -1,8 +1,8 @@
 //! How far a state may be changed for differences: the scales of a motion at that state.
 //!
-//! Molecules and moons move on scales of their own, which only the state tells: the distance of a coordinate
-//! from its origin, and the time in which its velocity or acceleration would bring it as far. A scale too
-//! large does no harm, because differences look for better steps below it.
+//! Molecules and moons move on very different scales, and only the state tells which: the distance of a
+//! coordinate from its origin, and the time in which its velocity or acceleration would cover that distance.
+//! A scale that is too large does no harm, because differences look for better steps below it.
 
 use crate::real::Real;
 use crate::state::State;
@@ -16,7 +16,7 @@ pub(super) struct Scales<R, const N: usize> {
     pub time: R,
     /// Of the coordinates.
     pub places: [R; N],
-    /// Σ |v| / places: in a unit of time the coordinates change so many times by their scales.
+    /// Σ |v| / scale: how many times its scale a coordinate changes in a unit of time.
     pub pace: R,
 }
 
@@ -49,8 +49,8 @@ impl<R: Real, const N: usize> Scales<R, N> {
         Scales { time, places, pace }
     }
 
-    /// What the rates of some quantities along a motion are added up from, Σ |∂f/∂q v| + Σ |∂f/∂v a|,
-    /// roughly.
+    /// About the sum of the magnitudes that the rates of some quantities along a motion are made of,
+    /// Σ |∂f/∂q v| + Σ |∂f/∂v a|.
     pub fn terms<const M: usize>(
         &self,
         state: &State<R, N>,

@@ -1,9 +1,9 @@
 //! The equations as a linear function of lumped parameters: M a + b = Y(q, v, a, t) π.
 //!
 //! L = Σ πₖ Lₖ with monomials πₖ of the parameters and Lₖ without any, so the columns of Y are Lagrange's
-//! expressions of the Lₖ. Monomials that multiply the same Lₖ are one lumped parameter, those that do not
-//! enter the equations are none (Siciliano et al., *Robotics*, section 7.2.2; Khalil and Dombre, *Modeling,
-//! Identification and Control of Robots*, section 9.4).
+//! expressions of the Lₖ. Monomials that multiply the same Lₖ form one lumped parameter. Those that do not
+//! enter the equations are left out (Siciliano et al., *Robotics*, section 7.2.2; Khalil and Dombre,
+//! *Modeling, Identification and Control of Robots*, section 9.4).
 
 use super::monomials::polynomial;
 use crate::calculus::{pullback, pushforward};

@@ -4,10 +4,10 @@
 //! plus λᵀ A ξ where there are constraints. Both must vanish for all q, v, t, u and all values of the
 //! parameters (Arnold, *Mathematical Methods of Classical Mechanics*, section 20). They are linear in S and
 //! s: random samples give a linear system, its null space the candidates, and each candidate is then
-//! confirmed at points of its own, near and far, up to the roundings of what is evaluated there and nothing
-//! beyond: a small force is a force. Kinks are put out of the way: a limit that no sample comes near would
-//! look like no force at all, so each sample goes on as on one side of every kink, by chance. Integrals that
-//! are not linear in the momenta, or whose ξ depends on parameters, are not found.
+//! confirmed at points of its own, near and far, to within the rounding errors of the evaluation: a small
+//! force is a force. A kink far from all samples would look like no force at all. So each sample takes one
+//! side of every kink at random, whatever the arguments are. Integrals that are not linear in the momenta, or
+//! whose ξ depends on parameters, are not found.
 
 use super::nullspace::{Noise, null_space};
 use crate::expr::{Graph, NodeId, Rounded, Variable};
@@ -24,7 +24,7 @@ const SPARE: usize = 16;
 /// Points at which a candidate is confirmed.
 const CONFIRMED: usize = 40;
 
-/// dI/dt may be as many times what bounds its roundings to first order.
+/// The largest dI/dt that counts as zero, in units of the first-order bound of its rounding errors.
 const ROUNDINGS: f64 = 8.0;
 
 /// Points of confirmation have coordinates of up to this power of ten.
@@ -256,7 +256,8 @@ impl Sample {
     }
 }
 
-/// So many points at which everything is a number; `None` where there are hardly any.
+/// `wanted` points at which every value is finite; `None` if fewer than one in four of the points drawn is
+/// one.
 fn samples(wanted: usize, draw: impl FnMut(usize) -> Sample) -> Option<Vec<Sample>> {
     let samples: Vec<Sample> = (0..4 * wanted).map(draw).filter(Sample::is_finite).take(wanted).collect();
     (samples.len() == wanted).then_some(samples)

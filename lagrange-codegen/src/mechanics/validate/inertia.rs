@@ -6,9 +6,9 @@ use crate::diagnostics::{Diagnostics, physics};
 use crate::expr::{NodeId, Variable};
 use crate::model::Model;
 
-/// Coordinates that no inertia belongs to, unless a constraint of its own determines each, and coordinates
-/// whose inertia depends on that of the others. `rows` are the patterns of the constraints' gradients: what
-/// must be regular is the matrix (M Aᵀ; A 0).
+/// Reports coordinates without inertia, unless a constraint of its own determines each, and coordinates whose
+/// inertia depends on that of the others. `rows` are the patterns of the gradients of the constraints. The
+/// matrix (M Aᵀ; A 0) must be regular.
 pub(in crate::mechanics) fn inertia(
     model: &Model,
     mass: &[Vec<NodeId>],

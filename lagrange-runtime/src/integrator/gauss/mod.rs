@@ -2,11 +2,11 @@
 //!
 //! A step finds accelerations at 2, 3 or 4 stages such that the equations of motion hold at the states which
 //! follow from them by quadrature. The methods are symplectic and reversible on every mechanical system, and
-//! A-stable: fast and stable oscillations far above 1/h do not blow up (nor are they damped or resolved). E.
-//! Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", 2nd ed., II.1.3 and VIII.6.
+//! A-stable: stable oscillations far faster than 1/h do not blow up. They are neither damped nor resolved.
+//! E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", 2nd ed., II.1.3 and VIII.6.
 //!
-//! The equations are solved to rounding and the sums are compensated, so that the energy does a random walk
-//! of roundings instead of drifting (E. Hairer, R. I. McLachlan, A. Razakarivony, BIT 48 (2008) 231).
+//! The equations are solved to rounding error and the sums are compensated, so that the energy error is a
+//! random walk instead of a drift (E. Hairer, R. I. McLachlan, A. Razakarivony, BIT 48 (2008) 231).
 
 mod frozen;
 mod full;
@@ -25,8 +25,8 @@ use stages::{Stages, Start};
 ///
 /// For systems with generated derivatives ([`Linearized`]). A step costs one evaluation of the derivatives, a
 /// complex factorisation of size N for each pair of stages, and `STAGES` evaluations of the accelerations in
-/// each of two to eight corrections, more where a step is long against the motion. A step that cannot be
-/// solved is [`Cause::NotConverged`]; the motion may go on with a shorter one.
+/// each of two to eight corrections, or more where a step is long compared with the motion. A step whose
+/// equations cannot be solved is [`Cause::NotConverged`]; the motion may go on with a shorter one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const STAGES: usize>;
 

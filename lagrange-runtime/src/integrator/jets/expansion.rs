@@ -9,7 +9,8 @@ use crate::simulation::Held;
 use crate::smooth::Smooth;
 use crate::state::State;
 
-/// Coefficients at a state in the unit of the memory; false where there are none.
+/// Computes the coefficients at a state in the unit of the memory. False where the equations have no
+/// solution.
 #[inline(always)]
 fn at<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,

@@ -48,23 +48,23 @@ const ORDERS_PER_DIGIT: f64 = 0.8;
 /// length.
 const DECAY: f64 = 0.29;
 
-/// The last term of a series falls to this part of the tolerance: all terms after it together are then
-/// smaller still.
+/// Safety factor: the last term of a series falls to this part of the tolerance. The sum of all terms after
+/// it is then smaller still.
 const SAFETY: f64 = 0.2;
 
-/// A tolerance of so many roundings, or fewer, means rounding.
+/// Tolerances of at most this many ulps ask for the accuracy of rounding.
 const AT_ROUNDING: f64 = 8.0;
 
-/// The last term of a series in units of rounding, where the tolerance means rounding: the error of a series
-/// is systematic, that of rounding a random walk, so over millions of steps the first must be smaller by far.
-/// Sums are compensated and carry the digits.
+/// The last term of a series, in ulps, where the tolerance asks for the accuracy of rounding. Truncation
+/// errors add up systematically and rounding errors as a random walk, so over millions of steps truncation
+/// must be the smaller one by far. The compensated sums of the state carry the additional digits.
 const FINEST: f64 = 1e-3;
 
 /// What is asked of the last term for a tolerance on a component's size, relative to that size.
 #[inline]
 pub(crate) fn last_term<R: Ordered>(tolerance: R) -> R {
     let rounding = R::epsilon();
-    // Who asks for rounding wants no more than rounding.
+    // A tolerance near rounding asks for the accuracy of rounding.
     if tolerance > R::from_f64(AT_ROUNDING) * rounding {
         R::from_f64(SAFETY) * tolerance
     } else {
@@ -75,9 +75,9 @@ pub(crate) fn last_term<R: Ordered>(tolerance: R) -> R {
 /// Terms of a series decay by less than this from order to order, at a step that follows from the last two.
 pub(crate) const STEEPEST: f64 = 6.0;
 
-/// The same where [`HIGHEST`] leaves fewer orders for a digit than [`ORDERS_PER_DIGIT`], as scalars of more
-/// digits than `f64` do: half as much again as the decay that tolerance and order demand, a factor that
-/// [`STEEPEST`] leaves as well.
+/// The same where [`HIGHEST`] leaves fewer orders per digit than [`ORDERS_PER_DIGIT`], as happens for scalars
+/// with more digits than `f64`: 1.5 times the decay that tolerance and order demand. [`STEEPEST`] leaves the
+/// same factor.
 #[inline]
 fn steepest<R: Ordered>(relative: R, orders: usize) -> R {
     let demanded = (-last_term(relative).ln() / R::from_f64(orders as f64)).exp();

@@ -8,23 +8,24 @@ use crate::real::Real;
 use crate::smooth::{Series, Smooth};
 use crate::state::State;
 
-/// A step is looked at in so many places, the last one its end.
+/// Places of a step at which the series is compared with the equations. The last one is the end of the step.
 pub(super) const PLACES: usize = 7;
 
-/// A step is at most so many times as long as the one before it.
+/// The largest ratio of a step to the one before it.
 const GROWTH: f64 = 2.0;
 
-/// The first step is at most this part of the way.
+/// The largest first step, as a part of the way to go.
 const FIRST: f64 = 1.0 / 16.0;
 
-/// The truncated series differs from the motion by a few times the tolerance in the accelerations at its end.
+/// Allowed difference of the accelerations, in tolerances. At the end of a step the truncated series differs
+/// from the motion by a few of them.
 const MARGIN: f64 = 16.0;
 
-/// Accelerations are known to so many roundings of the largest.
+/// Uncertainty of accelerations, in ulps of the largest one.
 const NOISE: f64 = 256.0;
 
-/// The `length` of a step that grows with restraint: what is far away is not jumped over. `last` is the
-/// length of the step before it, or zero; `left` the way to go.
+/// Limits the growth of a step of this `length`, so that it does not jump over what is far away. `last` is
+/// the length of the step before it, or zero; `left` the way to go.
 pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
     length.min(if last.is_positive() { R::from_f64(GROWTH) * last } else { R::from_f64(FIRST) * left })
 }

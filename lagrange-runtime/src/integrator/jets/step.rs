@@ -13,9 +13,9 @@ use crate::real::{Ordered, Real, smaller};
 use crate::simulation::Held;
 use crate::smooth::Smooth;
 
-/// A step of a constrained motion is at most so many times as long as the one before it. Its end is checked,
-/// so the bound only keeps the check within reach of a polynomial that exact cancellations have robbed of its
-/// coefficients.
+/// The largest ratio of a step of a constrained motion to the one before it. The end of every step is checked
+/// anyway. This bound serves polynomials whose high coefficients cancel exactly and would allow any length:
+/// it keeps the end within reach of the check.
 const LONGER: f64 = 32.0;
 
 /// One step from the end of the last one towards `target`.

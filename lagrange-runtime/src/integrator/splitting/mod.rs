@@ -1,13 +1,13 @@
 //! Symplectic splitting methods for separable systems: the motion as a palindrome of drifts and kicks.
 //!
-//! A drift moves q by the velocity and time with it, a kick changes v by the accelerations at that q and t.
-//! Each is the exact motion of a Hamiltonian, so a step is symplectic and reversible: no energy is gained or
-//! lost over long runs, its error stays bounded at the size of one step's. Forces may depend on time and on
-//! inputs that are held.
+//! A drift moves q by the velocity, and time with it. A kick changes v by the accelerations at that q and t.
+//! Each is the exact motion of a Hamiltonian, so a step is symplectic and reversible: over long runs the
+//! energy error stays bounded at the size of one step's. Forces may depend on time and on inputs that are
+//! held.
 //!
 //! Where the last stage is a kick, its accelerations serve the first kick of the next step, if that starts at
-//! the same q and t with the same inputs. The sums of all but the leapfrog are compensated, so that roundings
-//! do not add up over long runs.
+//! the same q and t with the same inputs. The sums of all methods but the leapfrog are compensated, so that
+//! rounding errors do not add up over long runs.
 
 use num_traits::Zero;
 
@@ -32,7 +32,7 @@ pub struct LastSplit<R, const N: usize, const K: usize> {
 
 impl<R: Real, const N: usize, const K: usize> LastSplit<R, N, K> {
     /// The accelerations at `from` with the inputs `u`, if they are known. The time that a stepper sums with
-    /// compensation may be a few roundings off the one that a step ended at.
+    /// compensation may differ by a few ulps from the time at which the step ended.
     #[inline]
     fn accelerations(&self, from: &State<R, N>, u: &[R; K]) -> Option<[R; N]> {
         let apart = (self.end.t - from.t).abs();
@@ -44,8 +44,8 @@ impl<R: Real, const N: usize, const K: usize> LastSplit<R, N, K> {
 
 /// Störmer–Verlet in its velocity form: symplectic, order 2, one evaluation a step.
 ///
-/// Stable below h·ω = 2 for the fastest frequency ω. The method of molecular dynamics, where one evaluation
-/// is all that a step may cost.
+/// Stable below h·ω = 2 for the fastest frequency ω. It is the usual method of molecular dynamics, where a
+/// step may cost one evaluation only.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Leapfrog;
 
@@ -55,7 +55,7 @@ pub struct Yoshida<const ORDER: usize>;
 
 /// Yoshida's composition of three leapfrogs: symplectic, order 4, three evaluations a step.
 ///
-/// The familiar one; [`BlanesMoan4`] is a thousand times more accurate for the same cost.
+/// The best known of them. [`BlanesMoan4`] is a thousand times more accurate for the same cost.
 pub type Yoshida4 = Yoshida<4>;
 
 /// Yoshida's composition of seven leapfrogs: symplectic, order 6, seven evaluations a step.
@@ -89,8 +89,8 @@ trait Splitting {
     const KICKS: &'static [f64];
     /// Drifts.
     const DRIFTS: &'static [f64];
-    /// Whether sums are compensated: not where the error of the method is above rounding at any step worth
-    /// taking.
+    /// Whether sums are compensated. They are not where the error of the method exceeds rounding at every
+    /// step worth taking.
     const COMPENSATED: bool;
 }
 

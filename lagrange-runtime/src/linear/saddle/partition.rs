@@ -13,12 +13,12 @@ use super::Split;
 use super::scaled::Scaled;
 use super::vectors::{add_scaled, pick, put, scale, smallest};
 
-/// In a row of so many entries or fewer the largest is above [`CLEAR`], for their sum is one.
+/// The longest row whose largest entry is certain to be above [`CLEAR`], because the entries add up to one.
 pub(super) const WIDEST: usize = 128;
 
-/// Fills `split` from the active rows that are clearly independent, and says how much they are. `None`, with `split` in
-/// disorder, if a pivot is a smaller part of its row than [`CLEAR`], in any lane, for the coordinates are
-/// common to all.
+/// Fills `split` from the active rows that are clearly independent, and says how much they are. `None`, with
+/// `split` in disorder, if a pivot is a smaller part of its row than [`CLEAR`], in any lane, for the
+/// coordinates are common to all.
 #[inline(always)]
 pub(super) fn partition<R: Real, const N: usize, const C: usize>(
     scaled: &Scaled<R, N, C>,

@@ -39,7 +39,8 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
     /// X.
     ///
     /// # Errors
-    /// The index of the first pivot without a digit, in every lane. Lanes that alone have none become NaN.
+    /// The index of the first pivot that carries no digit in any lane. If only some lanes lack digits, these
+    /// become NaN.
     #[inline(always)]
     pub(super) fn factor<const DEFINITE: bool>(&mut self, rank: usize) -> Result<(), usize> {
         if DEFINITE { self.definite(rank) } else { self.indefinite(rank) }

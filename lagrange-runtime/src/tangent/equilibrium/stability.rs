@@ -22,25 +22,26 @@ pub enum Stability {
     /// They stay small: the potential energy (of a moving system V − T₀) has a strict minimum on the
     /// constraints, or all deviations decay.
     Stable,
-    /// To first order nothing drives the system back along so many independent directions, and nothing away
-    /// in any: it has a symmetry, or a minimum flatter than a parabola.
+    /// To first order nothing drives the system away, and along some directions nothing drives it back: it
+    /// has a symmetry, or a minimum flatter than a parabola.
     Neutral {
-        /// How many.
+        /// The number of independent directions.
         directions: usize,
     },
-    /// Gyroscopic forces hold the system where its potential energy falls along so many directions: to first
+    /// Gyroscopic forces hold the system although its potential energy falls along some directions: to first
     /// order deviations stay small, but the least damping lets them grow.
     Gyroscopic {
-        /// How many.
+        /// The number of independent directions.
         directions: usize,
     },
-    /// The number of independent motions that grow: without gyroscopic forces these are the directions in
-    /// which the potential energy falls, one for a saddle between two valleys.
+    /// Some motions grow. Without gyroscopic forces these are the directions in which the potential energy
+    /// falls, one for a saddle between two valleys.
     Unstable {
-        /// How many.
+        /// The number of independent directions.
         directions: usize,
     },
-    /// The linear equations do not tell; without feature `std`, all that needs their eigenvalues.
+    /// The linear equations do not decide. Without feature `std`, also wherever their eigenvalues would be
+    /// needed.
     Undecided,
 }
 
