@@ -31,6 +31,11 @@ impl<S, R, const N: usize, E: Into<Failure>> Start<S, R, N> for Result<(S, State
     }
 }
 
+/// What makes the row of an index.
+pub trait Row<T>: Fn(u64) -> Result<T, Failure> + Sync {}
+
+impl<T, F: Fn(u64) -> Result<T, Failure> + Sync> Row<T> for F {}
+
 /// Many motions: how each starts, as a function of its index, and how it is integrated.
 #[derive(Clone, Copy, Debug)]
 pub struct Ensemble<F> {
@@ -84,7 +89,7 @@ impl<F> Ensemble<F> {
         self,
         name: &str,
         reduce: impl Fn(&mut Motion<'_, S, N, K>) -> Result<T, Failure> + Sync,
-    ) -> Study<impl Fn(u64) -> Result<T, Failure> + Sync, T>
+    ) -> Study<impl Row<T>, T>
     where
         F: Fn(u64) -> B + Sync,
         B: Start<S, S::Scalar, N>,
@@ -122,7 +127,7 @@ impl<F> Ensemble<F> {
         self,
         name: &str,
         t: f64,
-    ) -> Study<impl Fn(u64) -> Result<State<S::Scalar, N>, Failure> + Sync, State<S::Scalar, N>>
+    ) -> Study<impl Row<State<S::Scalar, N>>, State<S::Scalar, N>>
     where
         F: Fn(u64) -> B + Sync,
         B: Start<S, S::Scalar, N>,
@@ -140,10 +145,7 @@ impl<F> Ensemble<F> {
         self,
         name: &str,
         dt: f64,
-    ) -> Study<
-        impl Fn(u64) -> Result<[State<S::Scalar, N>; COUNT], Failure> + Sync,
-        [State<S::Scalar, N>; COUNT],
-    >
+    ) -> Study<impl Row<[State<S::Scalar, N>; COUNT]>, [State<S::Scalar, N>; COUNT]>
     where
         F: Fn(u64) -> B + Sync,
         B: Start<S, S::Scalar, N>,
@@ -167,7 +169,7 @@ impl<F> Ensemble<F> {
         name: &str,
         guard: G,
         until: f64,
-    ) -> Study<impl Fn(u64) -> Result<[Option<f64>; COUNT], Failure> + Sync, [Option<f64>; COUNT]>
+    ) -> Study<impl Row<[Option<f64>; COUNT]>, [Option<f64>; COUNT]>
     where
         F: Fn(u64) -> B + Sync,
         B: Start<S, S::Scalar, N>,
