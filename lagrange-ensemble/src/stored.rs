@@ -124,7 +124,7 @@ where
     /// As [`StoredStudy::run`].
     pub fn compute(&self, dispatch: &dyn Dispatch, progress: &Progress) -> Result<(), Error> {
         let Self { study, store, .. } = self;
-        let motion = |index, row: &mut Vec<u8>| study.row(&store.layout, index, row);
+        let motion = |index, row: &mut Vec<u8>| study.append(&store.layout, index, row);
         work::compute(&study.pool()?, store.parts, dispatch, &motion, progress, |block| store.write(block))?;
         store.flush()
     }
@@ -179,7 +179,7 @@ where
         // Any motion of it, another one in each part.
         let index = first + scattered(part) % count.max(1);
         let (mut row, mut failure) = (Vec::new(), None);
-        work::guarded(index, || failure = study.row(&store.layout, index, &mut row))?;
+        work::guarded(index, || failure = study.append(&store.layout, index, &mut row))?;
         let start = (index - first) as usize * store.layout.row();
         let found = block.failures.binary_search_by_key(&index, |(failed, _)| *failed);
         let found = found.ok().and_then(|place| block.failures.get(place)).map(|(_, failure)| failure);

@@ -134,7 +134,7 @@ where
             &pool,
             parts,
             &all,
-            &|index, row| self.row(&layout, index, row),
+            &|index, row| self.append(&layout, index, row),
             &progress,
             |block| {
                 work::locked(&blocks).push(block);
@@ -146,10 +146,18 @@ where
         Ok(Table::in_memory(self.count, layout, blocks.into_inner().unwrap_or_default()))
     }
 
+    /// The result of one index.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn row(&self, index: u64) -> Result<T, Failure> {
+        (self.row)(index)
+    }
+
     /// Appends the row of an index.
-    pub(crate) fn row(&self, layout: &Layout, index: u64, row: &mut Vec<u8>) -> Option<Failure> {
+    pub(crate) fn append(&self, layout: &Layout, index: u64, row: &mut Vec<u8>) -> Option<Failure> {
         let start = row.len();
-        let failure = (self.row)(index).map(|record| record.store(row)).err();
+        let failure = self.row(index).map(|record| record.store(row)).err();
         layout.close(row, start, failure.is_some());
         failure
     }
