@@ -88,6 +88,16 @@ where
         Ok(OpenStudy { study: &self.study, store, job: self.job, missing: Vec::new() })
     }
 
+    /// The number of motions.
+    pub fn count(&self) -> u64 {
+        self.study.count()
+    }
+
+    /// No bar: for a rank that is not the first.
+    pub fn silent(&self) -> Progress {
+        Progress::new(self.study.name(), self.study.count(), 0, false)
+    }
+
     /// A bar for this study, of which `done` motions need not be computed.
     pub fn progress(&self, done: u64) -> Progress {
         Progress::new(self.study.name(), self.study.count(), done, self.study.shown)
