@@ -161,24 +161,31 @@ fn shares_in_any_order_give_the_same_bytes() {
 #[test]
 fn damaged_parts_are_computed_again() {
     let folder = tempfile::tempdir().expect("a folder");
-    let expected = bytes(folder.path());
-    let parts = parts(folder.path());
-    let content = fs::read(&parts[7]).expect("a part");
+    let numbers = || {
+        let number = |index| if index == 7 { Err(Failure::new("seven")) } else { Ok(index as f64) };
+        Study::new("pendulums", 12, number).with_part_size(3).with_threads(1).in_folder(folder.path())
+    };
+    numbers().run().expect("the study runs");
+    let paths = parts(folder.path());
+    let content = fs::read(&paths[2]).expect("a part");
     // Cut off at all lengths, then one byte changed at all places.
-    for length in 0..content.len() {
-        fs::write(&parts[7], &content[..length]).expect("written");
-        let missing = study(folder.path(), 0).open().expect("the folder opens").missing().to_vec();
-        assert_eq!(missing, [7], "cut off at {length}");
-    }
     for place in 0..content.len() {
         let mut changed = content.clone();
         changed[place] ^= 0x10;
-        fs::write(&parts[7], &changed).expect("written");
-        let missing = study(folder.path(), 0).open().expect("the folder opens").missing().to_vec();
-        assert_eq!(missing, [7], "changed at {place}");
+        for spoiled in [&content[..place], &changed] {
+            fs::write(&paths[2], spoiled).expect("written");
+            let missing = numbers().open().expect("the folder opens").missing().to_vec();
+            assert_eq!(missing, [2], "{} bytes, {place}", spoiled.len());
+        }
     }
-    fs::copy(&parts[6], &parts[7]).expect("copied");
-    assert!(bytes(folder.path()) == expected, "another part in its place");
+    fs::copy(&paths[1], &paths[2]).expect("copied");
+    assert_eq!(numbers().open().expect("the folder opens").missing(), [2], "another part in its place");
+    assert!(numbers().run().expect("the study runs").is_some());
+    assert!(fs::read(&paths[2]).expect("a part") == content);
+
+    let folder = tempfile::tempdir().expect("a folder");
+    bytes(folder.path());
+    let (parts, content) = (parts(folder.path()), &content);
     // Damage between the last run and the table.
     let table = study(folder.path(), 0).run().expect("the study runs").expect("the study is complete");
     fs::write(&parts[7], &content[..100]).expect("written");
