@@ -10,6 +10,9 @@ use crate::study::Study;
 pub type Motion<'a, S, const N: usize, const K: usize> =
     Simulation<'a, S, Held<<S as System<N, K>>::Scalar, K>, <S as System<N, K>>::Method, N, K>;
 
+/// `COUNT` states of a motion.
+pub type States<R, const N: usize, const COUNT: usize> = [State<R, N>; COUNT];
+
 /// Where a motion starts: a system with its parameters and a state, or why there is none.
 pub trait Start<S, R, const N: usize> {
     /// The system and the state.
@@ -145,7 +148,7 @@ impl<F> Ensemble<F> {
         self,
         name: &str,
         dt: f64,
-    ) -> Study<impl Row<[State<S::Scalar, N>; COUNT]>, [State<S::Scalar, N>; COUNT]>
+    ) -> Study<impl Row<States<S::Scalar, N, COUNT>>, States<S::Scalar, N, COUNT>>
     where
         F: Fn(u64) -> B + Sync,
         B: Start<S, S::Scalar, N>,

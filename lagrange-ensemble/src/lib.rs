@@ -86,7 +86,7 @@ mod table;
 mod whole;
 mod work;
 
-pub use ensemble::{Ensemble, Motion, Row, Start};
+pub use ensemble::{Ensemble, Motion, Row, Start, States};
 pub use error::Error;
 pub use failure::Failure;
 pub use grid::Grid;
