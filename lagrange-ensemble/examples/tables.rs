@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             -(index as i64),
             index as i32,
             index as u8,
-            index % 2 == 0,
+            index.is_multiple_of(2),
         )),
     };
     let study = Study::new("mixed", 20, mixed);

@@ -6,7 +6,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-use lagrange_ensemble::{Error, Failure, StoredStudy, Study};
+use lagrange_ensemble::{Error, Failure, Row, StoredStudy, Study};
 use lagrangian::prelude::*;
 
 /// A pendulum.
@@ -37,13 +37,10 @@ fn row(index: u64, pause: Duration) -> Result<(f64, bool), Failure> {
     }
     let pendulum = Pendulum { rate: 1.0 + index as f64 };
     let mut motion = pendulum.simulate(State::at_rest([2.0]));
-    Ok((motion.advance_to(1.0)?.q[0], index % 2 == 0))
+    Ok((motion.advance_to(1.0)?.q[0], index.is_multiple_of(2)))
 }
 
-fn study(
-    folder: &Path,
-    pause: u64,
-) -> StoredStudy<impl Fn(u64) -> Result<(f64, bool), Failure> + Sync, (f64, bool)> {
+fn study(folder: &Path, pause: u64) -> StoredStudy<impl Row<(f64, bool)>, (f64, bool)> {
     let pause = Duration::from_micros(pause);
     Study::new("pendulums", COUNT, move |index| row(index, pause))
         .with_columns(["angle", "even"])

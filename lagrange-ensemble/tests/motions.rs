@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use lagrange_ensemble::{Ensemble, Error, Failure, Kind, Record, Study, Table};
+use lagrange_ensemble::{Ensemble, Error, Failure, Kind, Record, Row, Study, Table};
 use lagrangian::prelude::*;
 
 /// A pendulum on a spring.
@@ -187,11 +187,11 @@ fn a_panic_is_an_error_with_the_index() {
 
 /// A study by reference with other threads.
 trait CloneWith<T> {
-    fn clone_with(&self, threads: usize) -> Study<impl Fn(u64) -> Result<T, Failure> + Sync, T>;
+    fn clone_with(&self, threads: usize) -> Study<impl Row<T>, T>;
 }
 
 impl<F: Fn(u64) -> Result<T, Failure> + Sync, T: Record> CloneWith<T> for Study<F, T> {
-    fn clone_with(&self, threads: usize) -> Study<impl Fn(u64) -> Result<T, Failure> + Sync, T> {
+    fn clone_with(&self, threads: usize) -> Study<impl Row<T>, T> {
         Study::new(self.name(), self.count(), |index| self.row(index)).with_threads(threads)
     }
 }
@@ -201,7 +201,7 @@ fn records_are_read_as_they_were_stored() {
     type Mixed = ((f64, f32), i64, i32, bool, [Option<f64>; 2]);
     let value = |index: u64| {
         let x = index as f64;
-        let mixed: Mixed = ((x, 0.5), -(index as i64), 7, index % 2 == 0, [None, Some(x)]);
+        let mixed: Mixed = ((x, 0.5), -(index as i64), 7, index.is_multiple_of(2), [None, Some(x)]);
         if index == 5 { Err(Failure::at(0.5, "five")) } else { Ok(mixed) }
     };
     let table = Study::new("mixed", 300, value).run().expect("the study runs");
