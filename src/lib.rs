@@ -105,6 +105,9 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+/// Many motions: threads, files that survive a kill, array jobs.
+#[cfg(feature = "ensemble")]
+pub use lagrange_ensemble as ensemble;
 pub use lagrange_macros::lagrangian_facade as lagrangian;
 pub use lagrange_runtime::*;
 

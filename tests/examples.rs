@@ -24,7 +24,9 @@ run! {
     chain_modes,
     charge_in_magnetic_field,
     double_pendulum,
+    flip_times,
     heavy_top,
+    magnetic_basins,
     own_math,
     pleiades,
     rocking_block,
@@ -47,8 +49,12 @@ mod chain_modes;
 mod charge_in_magnetic_field;
 #[path = "../examples/double_pendulum.rs"]
 mod double_pendulum;
+#[path = "../examples/flip_times.rs"]
+mod flip_times;
 #[path = "../examples/heavy_top.rs"]
 mod heavy_top;
+#[path = "../examples/magnetic_basins.rs"]
+mod magnetic_basins;
 #[path = "../examples/own_math.rs"]
 mod own_math;
 #[path = "../examples/pleiades.rs"]

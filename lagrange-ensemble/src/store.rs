@@ -1,0 +1,90 @@
+//! [`Store`]: the folder of a study, with its manifest and its parts.
+
+use std::collections::HashSet;
+use std::fs;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use crate::block::{Block, Layout};
+use crate::error::Error;
+use crate::fingerprint::Fingerprint;
+use crate::part;
+use crate::whole;
+use crate::work::Parts;
+
+/// `NAME.json`, the manifest, and `NAME.parts/`, the parts by number.
+#[derive(Clone, Debug)]
+pub(crate) struct Store {
+    folder: PathBuf,
+    fingerprint: Fingerprint,
+    pub(crate) layout: Layout,
+    pub(crate) parts: Parts,
+}
+
+impl Store {
+    /// Opens the folder for a study; makes it, and its manifest, if they are not there.
+    pub(crate) fn open(
+        parent: &Path,
+        fingerprint: Fingerprint,
+        layout: Layout,
+        parts: Parts,
+    ) -> Result<Self, Error> {
+        let name = &fingerprint.name;
+        let folder = parent.join(format!("{name}.parts"));
+        let manifest = parent.join(format!("{name}.json"));
+        fs::create_dir_all(&folder).map_err(Error::io("make", &folder))?;
+        if !manifest.try_exists().map_err(Error::io("read", &manifest))? {
+            let text = fingerprint.text().map_err(Error::io("describe", &manifest))?;
+            whole::write(&manifest, |out| out.write_all(&text))?;
+            whole::flush(parent)?;
+        }
+        // Read in any case: another study may have come first.
+        let text = fs::read(&manifest).map_err(Error::io("read", &manifest))?;
+        fingerprint.confirm(&manifest, &text)?;
+        Ok(Self { folder, fingerprint, layout, parts })
+    }
+
+    pub(crate) fn path(&self, part: u64) -> PathBuf {
+        self.folder.join(format!("{part:010}.npy"))
+    }
+
+    pub(crate) fn read(&self, part: u64) -> Result<Option<Block>, Error> {
+        part::read(&self.path(part), &self.fingerprint, &self.layout, part, self.parts.part(part))
+    }
+
+    pub(crate) fn write(&self, block: Block) -> Result<(), Error> {
+        let path = self.path(block.number);
+        match part::write(&path, &self.fingerprint, &self.layout, block) {
+            // Whoever found the study complete swept up, so this part was there.
+            Err(Error::Io { source, .. }) if source.kind() == ErrorKind::NotFound && path.exists() => Ok(()),
+            verdict => verdict,
+        }
+    }
+
+    /// Why a table has no such part.
+    pub(crate) fn missing(&self, part: u64) -> Error {
+        Error::Damaged { path: self.path(part), why: "it is not there any more" }
+    }
+
+    /// Flushes the names of the parts to the disk.
+    pub(crate) fn flush(&self) -> Result<(), Error> {
+        whole::flush(&self.folder)
+    }
+
+    /// Whether all parts are there; then files that a killed run has left are swept up.
+    pub(crate) fn is_complete(&self) -> Result<bool, Error> {
+        let mut names = HashSet::new();
+        for entry in fs::read_dir(&self.folder).map_err(Error::io("read", &self.folder))? {
+            let entry = entry.map_err(Error::io("read", &self.folder))?;
+            names.insert(entry.file_name().to_string_lossy().into_owned());
+        }
+        if !(0..self.parts.number()).all(|part| names.contains(&format!("{part:010}.npy"))) {
+            return Ok(false);
+        }
+        for name in names.iter().filter(|name| whole::is_unfinished(name)) {
+            // Another run that is complete may be first.
+            let _ = fs::remove_file(self.folder.join(name));
+        }
+        Ok(true)
+    }
+}
