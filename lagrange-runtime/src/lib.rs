@@ -72,6 +72,7 @@ pub mod switching;
 pub mod system;
 mod tables;
 pub mod tangent;
+mod taylor;
 pub mod verify;
 
 pub use algebra::PrincipalMoments;
@@ -100,7 +101,7 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use stored::Stored;
 pub use structure::{Cost, Costs, Structure};
-pub use switching::{Contact, Hybrid, Laws, NamedRows, Reach, Regime, Row, Switch, Switching};
+pub use switching::{Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
 pub use system::System;
 pub use tangent::{
     Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel,
@@ -155,7 +156,7 @@ pub mod __private {
         };
     }
     pub use crate::structure::{Cost, Costs, Structure};
-    pub use crate::switching::{self, Hybrid, Laws, NamedRows, Reach, Regime, Row, Switching};
+    pub use crate::switching::{self, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching};
     pub use crate::system::System;
     pub use crate::verify::{self, Certificate, Verifiable, Violation};
     pub use nalgebra;

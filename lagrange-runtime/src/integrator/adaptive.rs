@@ -22,6 +22,21 @@ pub struct Steps {
     pub evaluations: u64,
 }
 
+/// The polynomial of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms<'a, R, const N: usize> {
+    /// Terms of the coordinates, from the first order on, in a unit of time of the method.
+    pub q: &'a [[R; N]],
+    /// Those of the velocities.
+    pub v: &'a [[R; N]],
+    /// The length of the step in that unit.
+    pub length: R,
+    /// The unit \[s].
+    pub unit: R,
+    /// What rounding took from the time of the start \[s].
+    pub residue: R,
+}
+
 /// A method under error control, for motions with inputs from `C`. It may be ahead of the state that its
 /// caller sees, and goes on from the ends of its own steps.
 pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> {
@@ -63,9 +78,17 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// What the motion has cost.
     fn counts(memory: &Self::Memory) -> Steps;
 
-    /// How far coordinates and velocities can be from those at the start of the last step in the course of it;
-    /// `None` where that is not known.
-    fn spread(_memory: &Self::Memory) -> Option<[[S::Scalar; N]; 2]>
+    /// The memory of a motion that goes on from a state by the equations of another system of the same kind, which
+    /// knows about how long its steps are.
+    fn go_on(memory: &mut Self::Memory, system: &S, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered,
+    {
+        *memory = Self::begin(system, state);
+    }
+
+    /// The polynomial of the last step; `None` of a method that has none.
+    fn terms(_memory: &Self::Memory) -> Option<Terms<'_, S::Scalar, N>>
     where
         S::Scalar: Ordered,
     {

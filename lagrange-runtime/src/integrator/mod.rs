@@ -20,7 +20,7 @@ mod stages;
 pub(crate) mod step_size;
 mod tableau;
 
-pub use adaptive::{Adaptive, Dop853};
+pub use adaptive::{Adaptive, Dop853, Terms};
 pub use gauss::{Gauss, Gauss4, Gauss6, Gauss8, LastStep};
 pub use jet::Jet;
 pub use jets::Jets;
