@@ -8,7 +8,7 @@
 //! of magnitudes bounds all that is added on the way (R. T. Farouki, "The Bernstein polynomial basis: a centennial
 //! retrospective", Computer Aided Geometric Design 29, 2012).
 
-use crate::real::Ordered;
+use crate::real::{Ordered, Real, larger};
 use crate::taylor::{TERMS, Taylor, shift};
 
 /// How often the interval is halved at most: where it is that short, two roots count as none.
@@ -16,6 +16,10 @@ const LEVELS: usize = 26;
 
 /// Rounds that find the reach of a series; what they leave is found by the next series.
 const AGREED: usize = 6;
+
+/// A guard may have so many times the size that it has where it starts: what is far away, as the end of a long free
+/// fall, must not hide what is near.
+const DROWNED: f64 = 16.0;
 
 /// What is known of a guard where the polynomial starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,8 +46,8 @@ pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<R> 
     let mut powers = guard.coefficients;
     let starts_at_zero = match before {
         Before::Unknown if *first < -noise => return Some(zero),
-        Before::Unknown => first.abs() <= noise,
-        Before::Zero => true,
+        // What is above zero there falls through it as the polynomial does.
+        Before::Unknown | Before::Zero => *first <= zero,
     };
     let polynomial = powers.get_mut(..=guard.degree)?;
     let start = polynomial[0];
@@ -228,26 +232,21 @@ fn slope<R: Ordered>(polynomial: &[R], theta: R) -> R {
 
 /// The part of the interval on which what has been left away of a guard is less than its roundings.
 pub(crate) fn reach<R: Ordered>(guard: &Taylor<R>) -> R {
-    let (one, mut reach) = (R::one(), R::one());
+    let mut reach = R::one();
     if guard.is_whole || guard.degree == 0 {
         return reach;
     }
     // Every other term of an even or odd function is zero.
     let last = [guard.degree, guard.degree - 1].map(|order| {
-        let term = guard.coefficients.get(order).copied().unwrap_or(one).abs();
-        (term, order)
+        let term = guard.coefficients.get(order).copied().unwrap_or(R::zero()).abs();
+        (term, order.max(1) as i32)
     });
     // On a shorter part the function is smaller as well: from above, until both agree.
     for _ in 0..AGREED {
-        let mut size = R::zero();
-        for term in guard.terms().iter().rev() {
-            size = R::mul_add(size, reach, term.abs());
-        }
-        let before = reach;
+        let (size, before) = (size(guard, reach), reach);
         for (term, order) in last {
-            let order = order.max(1);
-            if term * reach.powi(order as i32) > R::epsilon() * size {
-                reach = (R::epsilon() * size / term).powf(R::from_f64(order as f64).recip());
+            if term * reach.powi(order) > R::epsilon() * size {
+                reach = (R::epsilon() * size / term).powf(R::from_f64(f64::from(order)).recip());
             }
         }
         if reach >= before {
@@ -255,6 +254,24 @@ pub(crate) fn reach<R: Ordered>(guard: &Taylor<R>) -> R {
         }
     }
     reach
+}
+
+/// The part of the interval on which a guard has roundings like those where it starts, by factors of four.
+pub(crate) fn clear<R: Ordered>(guard: &Taylor<R>) -> R {
+    let mut clear = R::one();
+    let [first, second, ..] = guard.coefficients.map(Real::abs);
+    for _ in 0..AGREED {
+        if size(guard, clear) <= R::from_f64(DROWNED) * larger(first, second * clear) {
+            break;
+        }
+        clear *= R::from_f64(0.25);
+    }
+    clear
+}
+
+/// A bound of a guard on a part of the interval.
+fn size<R: Ordered>(guard: &Taylor<R>, part: R) -> R {
+    guard.terms().iter().rev().fold(R::zero(), |size, term| R::mul_add(size, part, term.abs()))
 }
 
 #[cfg(test)]
@@ -332,7 +349,6 @@ mod tests {
 
     #[test]
     fn a_truncated_series_reaches_as_far_as_it_converges() {
-        use crate::real::Real;
         let turns = Taylor::variable(0.0, [30.0].into_iter(), 1.0_f64).sin();
         let reach = reach(&turns);
         assert!(reach > 0.1 && reach < 0.6, "{reach}");

@@ -8,12 +8,16 @@ use super::guards::{Guard, Guards};
 use super::{Functions, Switching};
 use crate::integrator::Terms;
 use crate::real::{Ordered, Real, larger, smaller};
-use crate::roots::{Before, Unresolved, falls, reach};
+use crate::roots::{Before, Unresolved, clear, falls, reach};
 use crate::state::State;
 use crate::taylor::Taylor;
 
 /// A part of the step is halved so often at most where a guard has no series on it.
 const HALVINGS: i32 = 40;
+
+/// A part of the step is halved so often at most for the sake of roundings alone: what starts near zero and slowly
+/// has few where it starts.
+const CLEAREST: i32 = 20;
 
 /// A part on which a series does not converge becomes shorter by factors between these.
 const NEARER: f64 = 0.9;
@@ -71,6 +75,7 @@ where
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         let half = S::Scalar::from_f64(0.5);
         let shortest = half.powi(HALVINGS);
+        let clearest = half.powi(CLEAREST);
         let path = Path::new(start, terms);
         let (mut from, mut width) = (zero, one);
         loop {
@@ -86,7 +91,8 @@ where
             if converged < one {
                 if width > shortest {
                     // Never by so little that the roundings of the next series ask for more.
-                    width *= larger(smaller(converged, S::Scalar::from_f64(NEARER)), S::Scalar::from_f64(FURTHER));
+                    width *=
+                        larger(smaller(converged, S::Scalar::from_f64(NEARER)), S::Scalar::from_f64(FURTHER));
                     continue;
                 }
                 from = self.beyond(&path, from, shortest).ok_or(Unresolved::NotFinite)?;
@@ -96,10 +102,19 @@ where
                 }
                 continue;
             }
+            if width > clearest {
+                let parts = self.along().map(|guard| clear(&self.guard(guard, &functions, number)));
+                let part = parts.fold(one, smaller);
+                if part < one {
+                    width *= part;
+                    continue;
+                }
+            }
             let mut earliest: Option<(S::Scalar, Guard)> = None;
             for guard in self.along() {
                 let series = self.guard(guard, &functions, number);
-                let begins = from == zero && (fired == Some(guard) || self.is_gap(guard) && is_below(&series));
+                let begins =
+                    from == zero && (fired == Some(guard) || self.is_gap(guard) && is_below(&series));
                 let before = if begins { Before::Zero } else { Before::Unknown };
                 if let Some(place) = falls(&series, before)
                     && earliest.is_none_or(|(other, _)| place < other)

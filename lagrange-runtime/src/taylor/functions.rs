@@ -26,7 +26,8 @@ impl<R: Ordered> Taylor<R> {
     /// carried on, of sums with as many terms as the order, and of the function itself.
     fn following(&self, mut series: Self, slope: R) -> Self {
         let summed = R::from_f64(series.degree as f64 + 1.0) * R::epsilon();
-        series.error = slope * (self.error + summed * self.extent()) + summed * series.extent();
+        let moved = self.extent() - self.start().abs();
+        series.error = slope * (self.error + summed * moved) + summed * series.extent();
         series
     }
 

@@ -52,7 +52,11 @@ fn functions_of_polynomials_have_the_values_of_functions() {
         let series = series(x, y);
         for theta in [0.0, 0.2, 0.7, 1.0] {
             let (mine, other) = (value(&series, theta), function(value(&x, theta), value(&y, theta)));
-            assert!((mine - other).abs() <= series.error, "{name} at {theta}: {mine} {other} {}", series.error);
+            assert!(
+                (mine - other).abs() <= series.error,
+                "{name} at {theta}: {mine} {other} {}",
+                series.error
+            );
         }
         assert!(series.error < 2e-12, "{name}: {}", series.error);
     }
