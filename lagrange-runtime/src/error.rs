@@ -122,12 +122,16 @@ pub enum Cause {
     HeldAtKink {
         /// Index of the kink, in the order of the description.
         kink: usize,
+        /// The function that it stands in.
+        name: Name,
     },
     /// The energy has two values where a switching function is zero: an `if` on coordinates joins parts of a
     /// potential or kinetic energy that do not meet there.
     EnergyJumps {
         /// Index of the kink, in the order of the description.
         kink: usize,
+        /// The function that it stands in.
+        name: Name,
     },
     /// Impacts and friction cannot be followed backward in time.
     Irreversible,
@@ -229,15 +233,17 @@ impl fmt::Display for Cause {
                  the contacts contradict each other",
                 constraint = Part(*constraint, *name)
             ),
-            Self::EnergyJumps { kink } => write!(
+            Self::EnergyJumps { kink, name } => write!(
                 out,
-                "the energy jumps at the zero of switching function {kink} (`if`, `signum`, … of the description, in its order): \
-                 let both sides of an energy have the same value there, or give the force by `#[force]`"
+                "the energy jumps at a zero of what is switched (`if`, `signum`, …) in {function}: let both sides of an energy have the \
+                 same value there, or give the force by `#[force]`",
+                function = Part(*kink, *name)
             ),
-            Self::HeldAtKink { kink } => write!(
+            Self::HeldAtKink { kink, name } => write!(
                 out,
-                "the motion is pushed back from both sides to the zero of switching function {kink} (`abs`, `signum`, `max`, … of \
-                 the description, in its order): dry friction is declared by `#[friction]`, which can stick"
+                "the motion is pushed back from both sides to a zero of what is switched (`abs`, `signum`, `max`, …) in {function}: \
+                 dry friction is declared by `#[friction]`, which can stick",
+                function = Part(*kink, *name)
             ),
             Self::Irreversible => out.write_str(
                 "impacts and dry friction cannot be followed backward in time: choose a time after the present one",

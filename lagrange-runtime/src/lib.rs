@@ -123,7 +123,7 @@ pub mod __private {
     pub use crate::events::Guard;
     pub use crate::linear::{Independence, Ldlt, Lu};
     pub use crate::linearized::{Linearization, Linearized};
-    pub use crate::name::Names;
+    pub use crate::name::{Name, Names};
     pub use crate::proved::{
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
     };

@@ -84,6 +84,12 @@ impl<R: Ordered> Taylor<R> {
         self.coefficients[0]
     }
 
+    /// The value at the end.
+    #[inline]
+    pub(crate) fn end(&self) -> R {
+        self.terms().iter().rev().fold(R::zero(), |sum, &term| sum + term)
+    }
+
     /// The same polynomial on the interval from `from` that is `width` long, in units of the present one.
     pub(crate) fn on(mut self, from: R, width: R) -> Self {
         shift(self.coefficients.get_mut(..=self.degree).unwrap_or_default(), from, width);

@@ -142,10 +142,16 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
         numbers.extend((0..rows).map(|row| format!("__regime.{list}[{row}]")));
     }
     numbers.extend((0..kinks).map(|kink| format!("__regime.kinks[{kink}]")));
+    let names: Vec<String> =
+        switching.kink_names.iter().map(|name| format!("lagrange::Name::new(&{name:?})")).collect();
+    let named = match kinks {
+        0 => String::new(),
+        _ => format!("const KINKS: [lagrange::Name; {kinks}] = [{}];\n", names.join(", ")),
+    };
     let generic = if let Scalar::Generic(ident) = scalar { format!("<{ident}>") } else { String::new() };
     format!(
         "type InRegime = {NAME}{generic};\n\
-         const ROWS: [lagrange::Row; {rows}] = [{}];\n\
+         const ROWS: [lagrange::Row; {rows}] = [{}];\n{named}\
          fn in_regime(&self, __regime: &lagrange::Regime<{scalar}, {rows}, {kinks}>) -> {NAME}{generic} {{\n\
          {values}{NAME} {{ parameters: [{}] }}\n}}\n",
         kinds.join(", "),

@@ -4,7 +4,7 @@ use crate::calculus::substitute;
 use crate::eliminate::quantities::rewrite;
 use crate::expr::{Dependence, Graph, Node, NodeId, Unary};
 use crate::mechanics::Equations;
-use crate::model::Model;
+use crate::model::{Action, Model};
 use crate::number::Number;
 
 /// What changes in the course of a step.
@@ -62,6 +62,35 @@ pub(super) fn jumps(model: &mut Model, equations: &Equations, kinks: &[NodeId]) 
         jumps.push(graph.sub(above, below));
     }
     jumps
+}
+
+/// The user's function that each kink stands in, the first of several; no name where none shows it.
+pub(super) fn names(model: &mut Model, kinks: &[NodeId]) -> Vec<String> {
+    let mut functions: Vec<(String, Vec<NodeId>)> = Vec::new();
+    for force in &model.forces {
+        let nodes = match &force.action {
+            Action::Generalized(entries) => entries.iter().map(|&(_, load)| load).collect(),
+            Action::AtPosition { force, .. } => force.clone(),
+            Action::PlanarTorque { torque, .. } => vec![*torque],
+            Action::SpatialTorque { torque, .. } => torque.to_vec(),
+        };
+        functions.push((force.name.clone(), nodes));
+    }
+    for terms in [&model.kinetic, &model.potential, &model.lagrangian, &model.dissipation] {
+        functions.extend(terms.iter().map(|term| (term.name.clone(), vec![term.value])));
+    }
+    functions.extend(model.constraints.iter().map(|row| (row.written(), vec![row.value])));
+    functions.extend(model.points.iter().map(|point| (point.name.clone(), point.position.clone())));
+    let graph = &mut model.graph;
+    let owner = |&argument: &NodeId| {
+        let opposite = graph.neg(argument);
+        let has_it = |nodes: &Vec<NodeId>| {
+            let cone = graph.cone(nodes.iter().copied());
+            cone.into_iter().any(|id| kinked(graph, id).is_some_and(|own| own == argument || own == opposite))
+        };
+        functions.iter().find(|(_, nodes)| has_it(nodes)).map(|(name, _)| name.clone()).unwrap_or_default()
+    };
+    kinks.iter().map(owner).collect()
 }
 
 /// Replaces these functions by what they are on the side that each switch names. Returns the arguments with those

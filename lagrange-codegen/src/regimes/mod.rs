@@ -24,6 +24,8 @@ pub struct Regimes {
     pub laws: Equations,
     /// Switching functions, in the graph of `rows`.
     pub kinks: Vec<NodeId>,
+    /// The user's functions that they stand in.
+    pub kink_names: Vec<String>,
     /// What the energy gains where each passes zero, likewise.
     pub jumps: Vec<NodeId>,
     /// The system of one regime, with its switches as its last parameters.
@@ -76,6 +78,7 @@ pub fn derive(
     if contacts.is_empty() && kinks.is_empty() {
         return None;
     }
+    let kink_names = kinks::names(&mut rows, &kinks);
     let jumps = kinks::jumps(&mut rows, &laws, &kinks);
     let count = held + contacts.len();
     let mut regime = rows.clone();
@@ -107,6 +110,7 @@ pub fn derive(
         rows,
         laws,
         kinks,
+        kink_names,
         jumps,
         model: regime,
         rows_in,

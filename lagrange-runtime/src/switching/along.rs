@@ -88,6 +88,9 @@ where
                 let is_finite = series.is_finite() && series.error.is_finite();
                 converged = smaller(converged, if is_finite { reach(&series) } else { zero });
             }
+            if converged >= one && !self.agrees(&part, &functions) {
+                converged = zero;
+            }
             if converged < one {
                 if width > shortest {
                     // Never by so little that the roundings of the next series ask for more.
@@ -132,6 +135,24 @@ where
             }
             width = smaller(width + width, one - from);
         }
+    }
+
+    /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its zero.
+    fn agrees(&self, part: &Path<S::Scalar, N>, functions: &Functions<Taylor<S::Scalar>, C, W>) -> bool {
+        let number = Taylor::constant;
+        if self.along().all(|guard| self.guard(guard, functions, number).is_whole) {
+            return true;
+        }
+        let end = |x: &Taylor<S::Scalar>| Taylor::value(x.end());
+        let (q, v) = (part.q.each_ref().map(end), part.v.each_ref().map(end));
+        let values = S::functions_in(self.in_regime, number, end(&part.t), &q, &v);
+        self.along().all(|guard| {
+            let [series, value] = [functions, &values].map(|functions| self.guard(guard, functions, number));
+            let summed = S::Scalar::from_f64(2.0 * series.degree as f64) * S::Scalar::epsilon();
+            let bound = series.error + value.error + summed * series.extent();
+            // What has left no number at the end is no reason to look at a shorter part.
+            !((series.end() - value.start()).abs() > bound)
+        })
     }
 
     /// The end of a part too short to matter, on which a guard has no series, as the distance from a centre has none

@@ -25,6 +25,7 @@ mod turning;
 
 use crate::constraints::{Equations, Residuals};
 use crate::linear::Switched;
+use crate::name::Name;
 use crate::real::Real;
 use crate::system::System;
 #[doc(hidden)]
@@ -96,6 +97,9 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
 
     /// What the rows stand for, in the order of `NAMES.constraints`.
     const ROWS: [Row; C];
+
+    /// The user's function that each kink stands in.
+    const KINKS: [Name; W] = [Name::NONE; W];
 
     /// The equations in a mode.
     fn in_regime(&self, mode: &Regime<Self::Scalar, C, W>) -> Self::InRegime;

@@ -262,12 +262,12 @@ where
                 present.kinks[kink] = -present.kinks[kink];
                 memory.flips[kink] += 1;
                 if memory.flips[kink] > CHANGES {
-                    return Err(Cause::HeldAtKink { kink });
+                    return Err(Cause::HeldAtKink { kink, name: S::KINKS[kink] });
                 }
                 // The force of an energy that jumps would act at a point, where no equation has it.
                 let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v);
                 if above(jumps[kink].abs(), S::Scalar::epsilon().sqrt() * sizes[kink]) {
-                    return Err(Cause::EnergyJumps { kink });
+                    return Err(Cause::EnergyJumps { kink, name: S::KINKS[kink] });
                 }
             }
             Guard::Row(row) => {
