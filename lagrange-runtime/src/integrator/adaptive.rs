@@ -4,6 +4,7 @@ use super::dop853::{Dop853Memory, Ground};
 use super::landing::{Check, Determined};
 use super::lengths::{Lengths, Verdict};
 use super::step_size::{self, Limits};
+use super::terms::Terms;
 use super::{Field, diagnose};
 use crate::error::{Cause, MotionError};
 use crate::real::{Ordered, Real, larger};
@@ -20,21 +21,6 @@ pub struct Steps {
     pub rejected: u64,
     /// Evaluations of the accelerations, or Taylor expansions.
     pub evaluations: u64,
-}
-
-/// The polynomial of a step.
-#[derive(Clone, Copy, Debug)]
-pub struct Terms<'a, R, const N: usize> {
-    /// Terms of the coordinates, from the first order on, in a unit of time of the method.
-    pub q: &'a [[R; N]],
-    /// Those of the velocities.
-    pub v: &'a [[R; N]],
-    /// The length of the step in that unit.
-    pub length: R,
-    /// The unit \[s].
-    pub unit: R,
-    /// What rounding took from the time of the start \[s].
-    pub residue: R,
 }
 
 /// A method under error control, for motions with inputs from `C`. It may be ahead of the state that its

@@ -111,18 +111,23 @@ fn changes<R: Ordered>(powers: &mut [R], more: R) -> Changes {
         *first += more;
     }
     // Divided by binomial coefficients, then summed as differences are.
-    let (mut binomial, mut order) = (one, zero);
-    for term in powers.iter_mut() {
-        *term /= binomial;
-        binomial = binomial * (degree - order) / (order + one);
+    let (mut weight, mut order) = (one, zero);
+    for term in powers.iter_mut().skip(1) {
         order += one;
+        weight *= order / (degree - order + one);
+        *term *= weight;
     }
     for first in 1..powers.len() {
-        for place in (first..powers.len()).rev() {
-            let before = powers.get(place - 1).copied().unwrap_or(zero);
-            if let Some(term) = powers.get_mut(place) {
-                *term += before;
-            }
+        let Some((mut before, others)) = powers
+            .get_mut(first - 1..)
+            .and_then(|rest| rest.split_first_mut().map(|(first, others)| (*first, others)))
+        else {
+            continue;
+        };
+        for term in others {
+            let own = *term;
+            *term = own + before;
+            before = own;
         }
     }
     let mut count = 0;

@@ -2,10 +2,11 @@
 
 use num_traits::{One, Zero};
 
-use super::super::adaptive::{Steps, Terms};
+use super::super::adaptive::Steps;
 use super::super::dop853::add;
 use super::super::landing::{Determined, across};
 use super::super::step_size::{self, Limits};
+use super::super::terms::Terms;
 use super::{DECAY, GROWTH, HIGHEST, ORDERS_PER_DIGIT, SAFETY, last_term, orders, steepest};
 use crate::constraints::Footing;
 use crate::error::Cause;

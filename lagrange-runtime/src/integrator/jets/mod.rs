@@ -19,10 +19,11 @@ pub(crate) mod probe;
 mod singular;
 mod step;
 
-use super::adaptive::{Adaptive, Steps, Terms};
+use super::adaptive::{Adaptive, Steps};
 use super::diagnose;
 use super::landing::Determined;
 use super::step_size::Limits;
+use super::terms::Terms;
 use crate::error::{Cause, MotionError};
 use crate::real::{Ordered, larger};
 use crate::simulation::Held;
