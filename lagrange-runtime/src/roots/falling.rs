@@ -335,7 +335,7 @@ mod tests {
             guard.error = 1e-16;
             for before in [Before::Unknown, Before::Zero] {
                 let zero: f64 = falls(&guard, before).unwrap();
-                assert!((zero - 0.5).abs() < 2e-16, "{zero}");
+                assert!((zero - 0.5).abs() <= f64::EPSILON, "{zero}");
             }
         }
         // What falls at once, and what rounding lets fall.

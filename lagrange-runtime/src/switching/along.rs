@@ -151,7 +151,8 @@ where
             let summed = S::Scalar::from_f64(2.0 * series.degree as f64) * S::Scalar::epsilon();
             let bound = series.error + value.error + summed * series.extent();
             // What has left no number at the end is no reason to look at a shorter part.
-            !((series.end() - value.start()).abs() > bound)
+            let difference = (series.end() - value.start()).abs();
+            difference <= bound || !difference.is_finite()
         })
     }
 

@@ -51,7 +51,7 @@ impl<R: Ordered> Taylor<R> {
     /// The power with an exponent that does not change, from its value at the start.
     fn power(&self, value: R, exponent: R) -> Self {
         let base = self.start();
-        let series = self.series(value, |order, known| {
+        self.series(value, |order, known| {
             let mut sum = R::zero();
             for (j, &x) in self.terms().iter().enumerate().take(order + 1).skip(1) {
                 if let Some(&y) = known.get(order - j) {
@@ -60,8 +60,7 @@ impl<R: Ordered> Taylor<R> {
                 }
             }
             sum / (R::from_f64(order as f64) * base)
-        });
-        series
+        })
     }
 
     /// The value and the derivative of a function with f″ = ± f, together.
@@ -180,7 +179,7 @@ impl<R: Ordered> Real for Taylor<R> {
                 tanh.coefficients[order] = self.integral(order, slope.terms());
                 squares = R::zero();
                 for j in 0..=order {
-                    squares = squares - tanh.coefficients[j] * tanh.coefficients[order - j];
+                    squares -= tanh.coefficients[j] * tanh.coefficients[order - j];
                 }
                 (tanh.degree, tanh.is_whole) = (order, false);
             }
