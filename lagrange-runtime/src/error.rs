@@ -122,12 +122,16 @@ pub enum Cause {
     HeldAtKink {
         /// Index of the kink, in the order of the description.
         kink: usize,
+        /// The function that it stands in.
+        name: Name,
     },
     /// The energy has two values where a switching function is zero: an `if` on coordinates joins parts of a
     /// potential or kinetic energy that do not meet there.
     EnergyJumps {
         /// Index of the kink, in the order of the description.
         kink: usize,
+        /// The function that it stands in.
+        name: Name,
     },
     /// Impacts and friction cannot be followed backward in time.
     Irreversible,
@@ -229,15 +233,17 @@ impl fmt::Display for Cause {
                  the contacts contradict each other",
                 constraint = Part(*constraint, *name)
             ),
-            Self::EnergyJumps { kink } => write!(
+            Self::EnergyJumps { kink, name } => write!(
                 out,
-                "the energy jumps where switching function {kink} is zero (`if`, `signum`, … counted in the order of the description): \
-                 make both sides of the energy equal there, or give the force by `#[force]`"
+                "the energy jumps where what is switched (`if`, `signum`, …) in {function} is zero: make both sides of the energy \
+                 equal there, or give the force by `#[force]`",
+                function = Part(*kink, *name)
             ),
-            Self::HeldAtKink { kink } => write!(
+            Self::HeldAtKink { kink, name } => write!(
                 out,
-                "the motion is pushed from both sides to where switching function {kink} is zero (`abs`, `signum`, `max`, … counted in \
-                 the order of the description): for dry friction use `#[friction]`, which can stick"
+                "the motion is pushed from both sides to where what is switched (`abs`, `signum`, `max`, …) in {function} is zero: \
+                 for dry friction use `#[friction]`, which can stick",
+                function = Part(*kink, *name)
             ),
             Self::Irreversible => out.write_str(
                 "impacts and dry friction cannot be followed backward in time: choose a time after the present one",

@@ -75,6 +75,7 @@ pub mod switching;
 pub mod system;
 mod tables;
 pub mod tangent;
+mod taylor;
 pub mod twist;
 pub mod verify;
 
@@ -106,7 +107,7 @@ pub use state::State;
 pub use stepper::Stepper;
 pub use stored::Stored;
 pub use structure::{Cost, Costs, Structure};
-pub use switching::{Contact, Hybrid, Laws, NamedRows, Reach, Regime, Row, Switch, Switching};
+pub use switching::{Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
 pub use system::System;
 pub use tangent::{
     Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel,
@@ -130,7 +131,7 @@ pub mod __private {
     pub use crate::events::Guard;
     pub use crate::linear::{Independence, Inverse, Ldlt, Lu, RecursionStep};
     pub use crate::linearized::{Linearization, Linearized};
-    pub use crate::name::Names;
+    pub use crate::name::{Name, Names};
     pub use crate::proved::{
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
     };
@@ -163,7 +164,7 @@ pub mod __private {
         };
     }
     pub use crate::structure::{Cost, Costs, Structure};
-    pub use crate::switching::{self, Hybrid, Laws, NamedRows, Reach, Regime, Row, Switching};
+    pub use crate::switching::{self, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching};
     pub use crate::system::System;
     pub use crate::twist::{Twist2, Twist3};
     pub use crate::verify::{self, Certificate, Verifiable, Violation};

@@ -21,10 +21,12 @@
 //! bisection, follow J. P. Boyd, "Solving Transcendental Equations" (SIAM 2014), on Chebyshev proxies.
 
 mod bracket;
+mod falling;
 mod pieces;
 mod polynomial;
 mod zeros;
 
+pub(crate) use falling::{Before, clear, falls, reach};
 pub(crate) use polynomial::{Polynomial, Unresolved};
 pub(crate) use zeros::Zeros;
 

@@ -103,18 +103,6 @@ impl<R: Real, const N: usize, const P: usize> Series<R, N, P> {
         odd
     }
 
-    /// The sums of the magnitudes of all terms, `theta` units of the scaled time after the point of expansion.
-    pub(crate) fn spread(&self, theta: R, orders: usize) -> ([R; N], [R; N]) {
-        let mut sum = ([R::zero(); N], [R::zero(); N]);
-        for (row_q, row_v) in self.q.iter().zip(&self.v).take(orders).rev() {
-            for i in 0..N {
-                sum.0[i] = theta * (sum.0[i] + row_q[i].abs());
-                sum.1[i] = theta * (sum.1[i] + row_v[i].abs());
-            }
-        }
-        sum
-    }
-
     /// Derivatives of the velocities by the scaled time, `theta` units after the point of expansion:
     /// accelerations in units of it. Odd and even orders side by side.
     pub(crate) fn slopes(&self, theta: R, orders: usize) -> [R; N] {

@@ -15,6 +15,8 @@ pub(super) enum Source {
     State,
     /// References `q`, `v`, `u` and the value `t`.
     Slices,
+    /// The same over numbers of another kind, with parameters made of those of `__in_regime` by `__number`.
+    Numbers,
 }
 
 /// A body that computes some nodes from scratch, parameters included.
@@ -92,7 +94,7 @@ pub(super) fn imported(text: String) -> String {
 pub(super) fn prologue(model: &Model, scalar: &Scalar, reads: &Reads, source: Source) -> String {
     let (q, v, u) = match source {
         Source::State => ("state.q", "state.v", "*inputs"),
-        Source::Slices => ("*q", "*v", "*u"),
+        Source::Slices | Source::Numbers => ("*q", "*v", "*u"),
     };
     let mut text = take_apart(model, &reads.coordinates, Variable::Coordinate, "q", q, source);
     text.push_str(&take_apart(model, &reads.velocities, Variable::Velocity, "v", v, source));
@@ -102,16 +104,23 @@ pub(super) fn prologue(model: &Model, scalar: &Scalar, reads: &Reads, source: So
     if reads.time && matches!(source, Source::State) {
         text.push_str("let t = state.t;\n");
     }
-    text + &parameters(model, scalar, reads)
+    text + &given(model, scalar, reads, source)
 }
 
 /// A local variable for each parameter that is read: the user's expression stands in the source
 /// once a body, with its span, so that one of a wrong type is one error, on that expression.
 pub(super) fn parameters(model: &Model, scalar: &Scalar, reads: &Reads) -> String {
+    given(model, scalar, reads, Source::Slices)
+}
+
+fn given(model: &Model, scalar: &Scalar, reads: &Reads, source: Source) -> String {
     let read = reads.parameters.iter().enumerate().filter(|(_, read)| **read);
     read.map(|(i, _)| {
         let name = &model.locals.parameters[i];
-        format!("let {name}: {scalar} = {};\n", placeholder(i as u32))
+        match source {
+            Source::State | Source::Slices => format!("let {name}: {scalar} = {};\n", placeholder(i as u32)),
+            Source::Numbers => format!("let {name}: {scalar} = __number(__in_regime.parameters[{i}]);\n"),
+        }
     })
     .collect()
 }
@@ -126,7 +135,7 @@ fn take_apart(
     source: Source,
 ) -> String {
     match (read.contains(&true), read.len() > NAMED, source) {
-        (false, ..) | (true, true, Source::Slices) => String::new(),
+        (false, ..) | (true, true, Source::Slices | Source::Numbers) => String::new(),
         (true, true, Source::State) => format!("let {short} = &{place};\n"),
         (true, false, _) => {
             let name = |(i, &read): (usize, &bool)| {

@@ -2,19 +2,23 @@
 //! regime as a struct of numbers.
 
 use proc_macro2::TokenStream;
+use quote::format_ident;
 
 use super::body::{self, Source};
 use super::constraints::record_ident;
 use super::tokens::placeholder;
 use super::{Emission, names, names_of_parts, over};
-use crate::calculus::{pullback, sizes};
-use crate::expr::{Graph, NodeId, Unary, Variable};
+use crate::calculus::sizes;
+use crate::expr::NodeId;
 use crate::model::Law;
 use crate::regimes::Regimes;
 use crate::syntax::Scalar;
 
 /// The struct of one regime, which no one names.
 const NAME: &str = "__InRegime";
+
+/// The type parameter of `functions_in`: no user's generics have its name.
+const NUMBER: &str = "__Number";
 
 /// What is emitted.
 pub(super) struct Items {
@@ -68,16 +72,16 @@ pub(super) fn facts(switching: &Regimes) -> Vec<String> {
 /// All items; `emission` is that of the system itself.
 pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items {
     let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    switching.model.locals = names::locals(&switching.model);
     let items = [
         regime(emission, switching),
         laws(emission, switching),
         jumps(emission, switching),
-        reach(emission, switching),
+        functions(emission, switching),
         equations(emission, rows),
     ];
     let items = items.concat();
     let constrained = switching.has_contacts().then(|| constrained(emission, rows, kinks));
-    switching.model.locals = names::locals(&switching.model);
     let mut companion = Emission {
         item: emission.item,
         scalar: emission.scalar.clone(),
@@ -138,10 +142,16 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
         numbers.extend((0..rows).map(|row| format!("__regime.{list}[{row}]")));
     }
     numbers.extend((0..kinks).map(|kink| format!("__regime.kinks[{kink}]")));
+    let names: Vec<String> =
+        switching.kink_names.iter().map(|name| format!("lagrange::Name::new(&{name:?})")).collect();
+    let named = match kinks {
+        0 => String::new(),
+        _ => format!("const KINKS: [lagrange::Name; {kinks}] = [{}];\n", names.join(", ")),
+    };
     let generic = if let Scalar::Generic(ident) = scalar { format!("<{ident}>") } else { String::new() };
     format!(
         "type InRegime = {NAME}{generic};\n\
-         const ROWS: [lagrange::Row; {rows}] = [{}];\n\
+         const ROWS: [lagrange::Row; {rows}] = [{}];\n{named}\
          fn in_regime(&self, __regime: &lagrange::Regime<{scalar}, {rows}, {kinks}>) -> {NAME}{generic} {{\n\
          {values}{NAME} {{ parameters: [{}] }}\n}}\n",
         kinds.join(", "),
@@ -219,61 +229,19 @@ fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     )
 }
 
-/// `reach_at`: of functions with fixed slopes the sum of these times the spreads; nothing is known of others.
-fn reach(emission: &Emission<'_>, switching: &mut Regimes) -> String {
-    let conditions = &switching.laws.conditions;
-    let lists =
-        [("positions", &conditions.positions), ("rates", &conditions.rates), ("kinks", &switching.kinks)];
-    let (count, scalar) = (emission.count(), emission.scalar.clone());
-    let graph = &mut switching.rows.graph;
-    let variables: Vec<NodeId> = (0..count as u32)
-        .map(Variable::Coordinate)
-        .chain((0..count as u32).map(Variable::Velocity))
-        .chain([Variable::Time])
-        .map(|variable| graph.variable(variable))
-        .collect();
-    let one = graph.one();
-    let slopes: Vec<Vec<Vec<NodeId>>> = lists
-        .iter()
-        .map(|(_, nodes)| nodes.iter().map(|&node| pullback(graph, &[(node, one)], &variables)).collect())
-        .collect();
-    let is_known =
-        |graph: &Graph, slopes: &[NodeId]| slopes.iter().all(|&slope| graph.dependence(slope).is_fixed());
-    let mut roots = Vec::new();
-    for slopes in slopes.iter().flatten() {
-        if is_known(graph, slopes) {
-            let moving: Vec<NodeId> = slopes.iter().copied().filter(|&slope| !graph.is_zero(slope)).collect();
-            roots.extend(moving.into_iter().map(|slope| graph.unary(Unary::Abs, slope)));
-        }
-    }
-    let model = &switching.rows;
-    let place = |i: usize| match i {
-        i if i < count => format!("q[{i}]"),
-        i if i < 2 * count => format!("v[{}]", i - count),
-        _ => "t".to_owned(),
-    };
-    let body = body::plain(model, &scalar, &roots, Source::Slices, |values| {
-        let mut values = values.iter();
-        let unknown = "lagrange::solve::unbounded()".to_owned();
-        let mut fields = Vec::new();
-        for ((name, _), slopes) in lists.iter().zip(&slopes) {
-            let entries = slopes.iter().map(|slopes| {
-                if !is_known(&model.graph, slopes) {
-                    return unknown.clone();
-                }
-                let moving = (0..slopes.len()).filter(|&i| !model.graph.is_zero(slopes[i]));
-                let terms: Vec<String> =
-                    moving.filter_map(|i| Some(format!("({}) * {}", values.next()?, place(i)))).collect();
-                if terms.is_empty() { super::scalar::zero(&scalar) } else { terms.join(" + ") }
-            });
-            fields.push(format!("{name}: [{}]", entries.collect::<Vec<_>>().join(", ")));
-        }
-        format!("lagrange::Reach {{ {} }}", fields.join(", "))
+/// `functions_in`: gaps, slip velocities and switching functions in one regime, over any numbers.
+fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
+    let numbers = Scalar::Generic(format_ident!("{NUMBER}"));
+    let roots: Vec<NodeId> = switching.rows_in.iter().chain(&switching.kinks_in).copied().collect();
+    let (rows, kinks) = (switching.rows_in.len(), switching.kinks_in.len());
+    let body = body::plain(&switching.model, &numbers, &roots, Source::Numbers, |values| {
+        let (rows, kinks) = values.split_at(rows);
+        format!("lagrange::Functions {{ rows: [{}], kinks: [{}] }}", rows.join(", "), kinks.join(", "))
     });
-    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
-    let vector = emission.vector_type();
+    let (scalar, count) = (&emission.scalar, emission.count());
     format!(
-        "fn reach_at(&self, t: {scalar}, q: &{vector}, v: &{vector}) -> lagrange::Reach<{scalar}, {rows}, {kinks}> {{\n{body}\n}}\n"
+        "fn functions_in<{NUMBER}: lagrange::Real>(\n__in_regime: &Self::InRegime, __number: impl ::core::ops::Fn({scalar}) -> {NUMBER}, \
+         t: {NUMBER}, q: &[{NUMBER}; {count}], v: &[{NUMBER}; {count}],\n) -> lagrange::Functions<{NUMBER}, {rows}, {kinks}> {{\n{body}\n}}\n"
     )
 }
 

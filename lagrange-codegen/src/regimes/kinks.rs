@@ -4,7 +4,7 @@ use crate::calculus::substitute;
 use crate::eliminate::quantities::rewrite;
 use crate::expr::{Dependence, Graph, Node, NodeId, Unary};
 use crate::mechanics::Equations;
-use crate::model::Model;
+use crate::model::{Action, Model};
 use crate::number::Number;
 
 /// What changes in the course of a step.
@@ -14,15 +14,16 @@ const MOVING: Dependence = Dependence::COORDINATES
     .union(Dependence::MULTIPLIERS);
 
 /// The arguments of all functions with a kink or a jump in some equations, inner ones first.
-pub(super) fn of(model: &Model, equations: &Equations) -> Vec<NodeId> {
+pub(super) fn of(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
     let conditions = &equations.conditions;
     let roots = equations.momenta.iter().chain(&equations.momentum_rates).chain(&equations.force);
     let rows = conditions.rates.iter().chain(&conditions.positions).chain([&equations.energy]);
     let mut arguments: Vec<NodeId> = Vec::new();
     for id in model.graph.cone(roots.chain(rows).copied()) {
-        if let Some(argument) = kinked(&model.graph, id)
-            && !arguments.contains(&argument)
-        {
+        let Some(argument) = kinked(&model.graph, id) else { continue };
+        // The smaller and the larger of two have one switch between them.
+        let opposite = model.graph.neg(argument);
+        if !arguments.contains(&argument) && !arguments.contains(&opposite) {
             arguments.push(argument);
         }
     }
@@ -50,36 +51,81 @@ fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
 /// energy jumps.
 pub(super) fn jumps(model: &mut Model, equations: &Equations, kinks: &[NodeId]) -> Vec<NodeId> {
     let graph = &mut model.graph;
-    let (one, zero) = (graph.one(), graph.zero());
+    let one = graph.one();
+    let minus_one = graph.neg(one);
     let mut jumps = Vec::with_capacity(kinks.len());
     for &argument in kinks {
-        let minus = graph.neg(argument);
-        let minus_one = graph.neg(one);
-        let functions = [Unary::Abs, Unary::Signum, Unary::PositivePart];
-        let nodes = functions.map(|function| graph.unary(function, argument));
-        let mut on = |images: [NodeId; 3]| {
-            let replacements: Vec<(NodeId, NodeId)> = nodes.into_iter().zip(images).collect();
+        let [above, below] = [one, minus_one].map(|side| {
+            let replacements = on_side(graph, argument, side);
             substitute(graph, &[equations.energy], &replacements)[0]
-        };
-        let (above, below) = (on([argument, one, argument]), on([minus, minus_one, zero]));
+        });
         jumps.push(graph.sub(above, below));
     }
     jumps
 }
 
-/// Replaces these functions by what they are on the side that each switch names.
-pub(super) fn replace(model: &mut Model, kinks: &[NodeId], sides: &[NodeId]) {
+/// The user's function that each kink stands in, the first of several; no name where none shows it.
+pub(super) fn names(model: &mut Model, kinks: &[NodeId]) -> Vec<String> {
+    let mut functions: Vec<(String, Vec<NodeId>)> = Vec::new();
+    for force in &model.forces {
+        let nodes = match &force.action {
+            Action::Generalized(entries) => entries.iter().map(|&(_, load)| load).collect(),
+            Action::Along(loads) => loads.iter().map(|&(_, load)| load).collect(),
+            Action::AtPosition { force, .. } => force.clone(),
+            Action::PlanarTorque { torque, .. } => vec![*torque],
+            Action::SpatialTorque { torque, .. } => torque.to_vec(),
+        };
+        functions.push((force.name.clone(), nodes));
+    }
+    for terms in [&model.kinetic, &model.potential, &model.lagrangian, &model.dissipation] {
+        functions.extend(terms.iter().map(|term| (term.name.clone(), vec![term.value])));
+    }
+    functions.extend(model.constraints.iter().map(|row| (row.written(), vec![row.value])));
+    functions.extend(model.points.iter().map(|point| (point.name.clone(), point.position.clone())));
+    let graph = &mut model.graph;
+    let owner = |&argument: &NodeId| {
+        let opposite = graph.neg(argument);
+        let has_it = |nodes: &Vec<NodeId>| {
+            let cone = graph.cone(nodes.iter().copied());
+            cone.into_iter().any(|id| kinked(graph, id).is_some_and(|own| own == argument || own == opposite))
+        };
+        functions.iter().find(|(_, nodes)| has_it(nodes)).map(|(name, _)| name.clone()).unwrap_or_default()
+    };
+    kinks.iter().map(owner).collect()
+}
+
+/// Replaces these functions by what they are on the side that each switch names. Returns the arguments with those
+/// replaced that stand in them.
+pub(super) fn replace(model: &mut Model, kinks: &[NodeId], sides: &[NodeId]) -> Vec<NodeId> {
+    let mut arguments = kinks.to_vec();
     // Outer ones first: the argument of one may hold another.
     for (&argument, &side) in kinks.iter().zip(sides).rev() {
-        let graph = &mut model.graph;
+        let replacements = on_side(&mut model.graph, argument, side);
+        rewrite(model, &replacements);
+        arguments = substitute(&mut model.graph, &arguments, &replacements);
+    }
+    arguments
+}
+
+/// The functions with a kink where an argument is zero, and what they are on a side of it, one or minus one.
+fn on_side(graph: &mut Graph, argument: NodeId, side: NodeId) -> Vec<(NodeId, NodeId)> {
+    let (opposite, other_side) = (graph.neg(argument), graph.neg(side));
+    let mut replacements = Vec::new();
+    for (argument, side) in [(argument, side), (opposite, other_side)] {
         let half = graph.sum(Number::HALF, &[(side, Number::HALF)]);
         let images = [
             (Unary::Abs, graph.mul(side, argument)),
             (Unary::Signum, side),
             (Unary::PositivePart, graph.mul(half, argument)),
         ];
-        let replacements: Vec<(NodeId, NodeId)> =
-            images.map(|(function, image)| (graph.unary(function, argument), image)).to_vec();
-        rewrite(model, &replacements);
+        for (function, image) in images {
+            let node = graph.unary(function, argument);
+            // What is even or odd has one node for both signs.
+            if matches!(*graph.node(node), Node::Unary(own, own_argument) if own == function && own_argument == argument)
+            {
+                replacements.push((node, image));
+            }
+        }
     }
+    replacements
 }

@@ -24,10 +24,16 @@ pub struct Regimes {
     pub laws: Equations,
     /// Switching functions, in the graph of `rows`.
     pub kinks: Vec<NodeId>,
+    /// The user's functions that they stand in.
+    pub kink_names: Vec<String>,
     /// What the energy gains where each passes zero, likewise.
     pub jumps: Vec<NodeId>,
     /// The system of one regime, with its switches as its last parameters.
     pub model: Model,
+    /// Gaps and slip velocities in one regime, in the graph of `model`.
+    pub rows_in: Vec<NodeId>,
+    /// Switching functions in one regime, likewise.
+    pub kinks_in: Vec<NodeId>,
     /// Its equations.
     pub equations: Equations,
     /// Facts about them.
@@ -68,16 +74,26 @@ pub fn derive(
     // Of all else the system by itself was asked.
     let permits = |_: &str| true;
     let laws = mechanics::derive(&mut rows, &permits, diagnostics)?;
-    let kinks = kinks::of(&rows, &laws);
+    let kinks = kinks::of(&mut rows, &laws);
     if contacts.is_empty() && kinks.is_empty() {
         return None;
     }
+    let kink_names = kinks::names(&mut rows, &kinks);
     let jumps = kinks::jumps(&mut rows, &laws, &kinks);
     let count = held + contacts.len();
     let mut regime = rows.clone();
     let switches = Switches::new(&mut regime, count, kinks.len());
-    kinks::replace(&mut regime, &kinks, &switches.kinks);
+    let kinks_in = kinks::replace(&mut regime, &kinks, &switches.kinks);
     let mut equations = mechanics::derive(&mut regime, &permits, diagnostics)?;
+    let conditions = &equations.conditions;
+    let zero = regime.graph.zero();
+    let rows_in = (0..count)
+        .map(|row| match row.checked_sub(held).map(|contact| &contacts[contact].law) {
+            None => zero,
+            Some(Law::Unilateral { .. }) => conditions.positions[row],
+            Some(Law::Friction { .. }) => conditions.rates[row],
+        })
+        .collect();
     if !contacts.is_empty() {
         hold(&mut regime.graph, &mut equations, &switches, held, &contacts);
     }
@@ -90,7 +106,21 @@ pub fn derive(
     }
     let laws_of =
         (0..held).map(|_| None).chain(contacts.into_iter().map(|contact| Some(contact.law))).collect();
-    Some(Regimes { rows, laws, kinks, jumps, model: regime, equations, facts, solution, jets, laws_of })
+    Some(Regimes {
+        rows,
+        laws,
+        kinks,
+        kink_names,
+        jumps,
+        model: regime,
+        rows_in,
+        kinks_in,
+        equations,
+        facts,
+        solution,
+        jets,
+        laws_of,
+    })
 }
 
 /// The switches as variables of the graph, in the order in which they are parameters.

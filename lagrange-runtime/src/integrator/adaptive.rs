@@ -4,6 +4,7 @@ use super::dop853::{Dop853Memory, Ground};
 use super::landing::{Check, Determined};
 use super::lengths::{Lengths, Verdict};
 use super::step_size::{self, Limits};
+use super::terms::Terms;
 use super::{Field, diagnose};
 use crate::attitude;
 use crate::error::{Cause, MotionError};
@@ -64,9 +65,17 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// What the motion has cost.
     fn counts(memory: &Self::Memory) -> Steps;
 
-    /// Bounds of how far coordinates and velocities move from their values at the start of the last step
-    /// during that step; `None` where no bound is known.
-    fn spread(_memory: &Self::Memory) -> Option<[[S::Scalar; N]; 2]>
+    /// The memory of a motion that goes on from a state by the equations of another system of the same kind, which
+    /// knows about how long its steps are.
+    fn go_on(memory: &mut Self::Memory, system: &S, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered,
+    {
+        *memory = Self::begin(system, state);
+    }
+
+    /// The polynomial of the last step; `None` of a method that has none.
+    fn terms(_memory: &Self::Memory) -> Option<Terms<'_, S::Scalar, N>>
     where
         S::Scalar: Ordered,
     {

@@ -19,6 +19,7 @@ mod splitting;
 mod stages;
 pub(crate) mod step_size;
 mod tableau;
+mod terms;
 
 pub use adaptive::{Adaptive, Dop853};
 pub use gauss::{Gauss, Gauss4, Gauss6, Gauss8, LastStep};
@@ -29,6 +30,7 @@ pub use splitting::{
     BlanesMoan, BlanesMoan4, BlanesMoan6, LastSplit, Leapfrog, Yoshida, Yoshida4, Yoshida6, Yoshida8,
 };
 pub use step_size::Limits;
+pub use terms::Terms;
 
 use crate::error::Cause;
 use crate::real::Real;

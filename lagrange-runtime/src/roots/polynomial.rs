@@ -5,6 +5,7 @@
 //! Clenshaw with Reinsch's modification, which loses nothing near the ends: J. Oliver, "An error analysis of
 //! the modified Clenshaw method for evaluating Chebyshev and Fourier series", IMA J. Appl. Math. 20 (1977).
 
+use crate::error::Cause;
 use crate::real::{Ordered, Real, larger};
 
 use super::{Kind, Memory, Zero, Zeros};
@@ -30,6 +31,16 @@ pub(crate) enum Unresolved {
     NotFinite,
     /// No polynomial of degree 64 is equal to it up to roundings. Half the interval needs less.
     Degree,
+}
+
+impl Unresolved {
+    /// What it is to a motion that has to know the function.
+    pub(crate) fn cause(self) -> Cause {
+        match self {
+            Self::NotFinite => Cause::NotFinite,
+            Self::Degree => Cause::StepTooSmall,
+        }
+    }
 }
 
 /// A polynomial Σ cₖ Tₖ(2θ − 1) on θ in \[0, 1].

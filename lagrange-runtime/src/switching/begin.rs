@@ -41,6 +41,7 @@ where
         let known = Known { closed, fired: None, settled: false };
         let regime = self.settle(&mut state, &present, known, false, num_traits::Zero::zero())?;
         self.enter(regime, state);
+        self.memory.fired = None;
         let counts = &mut self.memory.counts;
         counts.evaluations += 1;
         self.memory.is_fresh = false;

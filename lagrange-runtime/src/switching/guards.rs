@@ -1,12 +1,13 @@
 //! Guards: what ends a regime where it falls through zero.
 
 use super::scene::{Scales, most, rounding};
-use super::{Regime, Row, Switching};
+use super::{Functions, Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::error::Cause;
 use crate::real::{Ordered, Real};
 use crate::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::state::State;
+use crate::taylor::Taylor;
 
 /// Evaluations of all guards that are kept: those of a polynomial of degree 16, and what tests it.
 const KEPT: usize = 24;
@@ -23,11 +24,9 @@ pub(super) enum Guard {
 
 /// What each guard is, in a regime.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watch<R, const C: usize, const W: usize> {
+pub(super) struct Watch<R, const C: usize> {
     /// Rows that have a guard.
     rows: [bool; C],
-    /// Kinks that a step can reach.
-    kinks: [bool; W],
     /// Whether reactions are among them.
     reactions: bool,
     /// Slip velocities in two directions where the step starts: while the slip has a part in the same direction
@@ -67,7 +66,9 @@ where
     pub(super) in_regime: &'a S::InRegime,
     pub(super) regime: &'a Regime<S::Scalar, C, W>,
     pub(super) inputs: &'a [S::Scalar; K],
-    watch: Watch<S::Scalar, C, W>,
+    watch: Watch<S::Scalar, C>,
+    /// Whether the motion is a polynomial.
+    is_along: bool,
 }
 
 impl<'a, S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'a, S, N, K, C, W>
@@ -82,10 +83,11 @@ where
         regime: &'a Regime<S::Scalar, C, W>,
         inputs: &'a [S::Scalar; K],
         start: &State<S::Scalar, N>,
+        is_along: bool,
     ) -> Self {
         let zero: S::Scalar = num_traits::Zero::zero();
         let slips = |row: usize| regime.slip[row] != zero;
-        let mut watch = Watch { rows: [false; C], kinks: [true; W], reactions: false, directions: [zero; C] };
+        let mut watch = Watch { rows: [false; C], reactions: false, directions: [zero; C] };
         let mut turns = false;
         for (row, kind) in S::ROWS.iter().enumerate() {
             (watch.rows[row], watch.reactions) = match kind {
@@ -108,44 +110,54 @@ where
         if turns {
             watch.directions = system.laws_at(start.t, &start.q, &start.v).rows.rates;
         }
-        Self { system, in_regime, regime, inputs, watch }
+        Self { system, in_regime, regime, inputs, watch, is_along }
     }
 
     /// Whether there is nothing to look at.
     pub(super) fn is_empty(&self) -> bool {
-        !self.watch.kinks.contains(&true) && !self.watch.rows.contains(&true)
+        W == 0 && !self.watch.rows.contains(&true)
     }
 
-    /// Leaves out the guards that cannot reach zero while time, coordinates and velocities move by no more than
-    /// this from the start of the step.
-    pub(super) fn leave_out(
-        &mut self,
-        start: &State<S::Scalar, N>,
-        time: S::Scalar,
-        [q, v]: &[[S::Scalar; N]; 2],
-    ) {
-        let laws = self.system.laws_at(start.t, &start.q, &start.v);
-        let reach = self.system.reach_at(time, q, v);
-        let is_far = |value: S::Scalar, size: S::Scalar, reach: S::Scalar| {
-            value > S::Scalar::from_f64(1.125) * reach + rounding::<S::Scalar>() * size
-        };
-        let rows = &laws.rows;
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            let is_left_out = match kind {
-                Row::Unilateral if !self.regime.active[row] => {
-                    is_far(rows.positions[row], rows.position_sizes[row], reach.positions[row])
+    /// The rows whose guards are reactions, or all of which a method without polynomials knows nothing else.
+    fn is_sampled(&self, row: usize) -> bool {
+        self.watch.rows[row] && (!self.is_along || self.is_reaction(row))
+    }
+
+    /// Whether the guard of a row is made of reactions.
+    fn is_reaction(&self, row: usize) -> bool {
+        S::ROWS[row] == Row::Bilateral || self.regime.active[row]
+    }
+
+    /// The guards that are polynomials where the motion is one.
+    pub(super) fn along(&self) -> impl Iterator<Item = Guard> + '_ {
+        let rows = (0..C).filter(|&row| self.watch.rows[row] && !self.is_reaction(row)).map(Guard::Row);
+        rows.chain((0..W).map(Guard::Kink))
+    }
+
+    /// The guards that are looked at by samples.
+    fn sampled(&self) -> impl Iterator<Item = Guard> + '_ {
+        let kinks = if self.is_along { 0 } else { W };
+        (0..C).filter(|&row| self.is_sampled(row)).map(Guard::Row).chain((0..kinks).map(Guard::Kink))
+    }
+
+    /// One of the guards that are no reactions.
+    pub(super) fn guard<T: Real>(
+        &self,
+        guard: Guard,
+        functions: &Functions<T, C, W>,
+        number: impl Fn(S::Scalar) -> T,
+    ) -> T {
+        let signed = |sign: S::Scalar, value: T| if (-sign).is_positive() { -value } else { value };
+        match guard {
+            Guard::Kink(kink) => signed(self.regime.kinks[kink], functions.kinks[kink]),
+            Guard::Row(row) => match S::ROWS[row] {
+                Row::Friction { pair: None, .. } => signed(self.regime.slip[row], functions.rows[row]),
+                Row::Friction { pair: Some(other), .. } => {
+                    let along = |row: usize| number(self.watch.directions[row]) * functions.rows[row];
+                    along(row) + along(other)
                 }
-                Row::Friction { pair: None, .. } if !self.regime.active[row] => {
-                    let speed = self.regime.slip[row] * rows.rates[row];
-                    is_far(speed, rows.rate_sizes[row], reach.rates[row])
-                }
-                _ => false,
-            };
-            self.watch.rows[row] = self.watch.rows[row] && !is_left_out;
-        }
-        for (kink, watched) in self.watch.kinks.iter_mut().enumerate() {
-            let value = self.regime.kinks[kink] * laws.kinks[kink];
-            *watched = !is_far(value, laws.kink_sizes[kink], reach.kinks[kink]);
+                Row::Unilateral | Row::Bilateral => functions.rows[row],
+            },
         }
     }
 
@@ -163,62 +175,59 @@ where
         })
     }
 
-    /// All guards at a state.
+    /// All guards at a state that are looked at by samples.
     fn values(&self, state: &State<S::Scalar, N>) -> Values<S::Scalar, C, W> {
-        let laws = self.system.laws_at(state.t, &state.q, &state.v);
-        let multipliers = self.multipliers(state);
         let mut values = Values::of(num_traits::Zero::zero());
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            if !self.watch.rows[row] {
-                continue;
-            }
-            let reaction = multipliers[row];
-            (values.rows[row], values.row_sizes[row]) = match kind {
-                Row::Bilateral => (self.regime.side[row] * reaction, reaction.abs()),
-                Row::Unilateral if self.regime.active[row] => (reaction, reaction.abs()),
-                Row::Unilateral => (laws.rows.positions[row], laws.rows.position_sizes[row]),
-                Row::Friction { normal, pair } if self.regime.active[row] => {
-                    let limit =
-                        laws.fixed[row] * normal.map_or(num_traits::One::one(), |row| multipliers[row]);
-                    let other = pair.map_or(num_traits::Zero::zero(), |row| multipliers[row]);
-                    let force = reaction * reaction + other * other;
-                    (limit * limit - force, limit * limit + force)
-                }
-                Row::Friction { pair, .. } => {
-                    let rate = |row: usize| (laws.rows.rates[row], laws.rows.rate_sizes[row]);
-                    match pair {
-                        None => (self.regime.slip[row] * rate(row).0, rate(row).1),
-                        Some(other) => {
-                            let along = |row: usize| {
-                                let direction = self.watch.directions[row];
-                                (direction * rate(row).0, direction.abs() * rate(row).1)
-                            };
-                            let (a, b) = (along(row), along(*other));
-                            (a.0 + b.0, a.1 + b.1)
-                        }
+        if self.watch.reactions {
+            let laws = self.system.laws_at(state.t, &state.q, &state.v);
+            let multipliers = self.multipliers(state);
+            for row in (0..C).filter(|&row| self.is_sampled(row) && self.is_reaction(row)) {
+                let reaction = multipliers[row];
+                (values.rows[row], values.row_sizes[row]) = match S::ROWS[row] {
+                    Row::Bilateral => (self.regime.side[row] * reaction, reaction.abs()),
+                    Row::Unilateral => (reaction, reaction.abs()),
+                    Row::Friction { normal, pair } => {
+                        let limit =
+                            laws.fixed[row] * normal.map_or(num_traits::One::one(), |row| multipliers[row]);
+                        let other = pair.map_or(num_traits::Zero::zero(), |row| multipliers[row]);
+                        let force = reaction * reaction + other * other;
+                        (limit * limit - force, limit * limit + force)
                     }
-                }
-            };
+                };
+            }
         }
-        for (kink, &side) in self.regime.kinks.iter().enumerate() {
-            values.kinks[kink] = side * laws.kinks[kink];
-            values.kink_sizes[kink] = laws.kink_sizes[kink];
+        if self.is_along {
+            return values;
+        }
+        let [q, v] = [state.q, state.v].map(|numbers| numbers.map(Taylor::value));
+        let functions = S::functions_in(self.in_regime, Taylor::constant, Taylor::value(state.t), &q, &v);
+        for guard in self.along() {
+            let value = self.guard(guard, &functions, Taylor::constant);
+            let known = (value.start(), value.error / S::Scalar::epsilon());
+            match guard {
+                Guard::Row(row) => (values.rows[row], values.row_sizes[row]) = known,
+                Guard::Kink(kink) => (values.kinks[kink], values.kink_sizes[kink]) = known,
+            }
         }
         values
     }
 
-    /// The first guard that falls through zero on a step between two times, and the part of the step that has passed
-    /// then. `at` gives the state after a part of it.
+    /// The first guard looked at by samples that falls through zero on a step between two times, before a part of it
+    /// has passed, and the part that has passed then. `at` gives the state after a part.
     pub(super) fn first(
         &self,
         scales: &Scales<S::Scalar, C>,
         [start, end]: [S::Scalar; 2],
+        until: S::Scalar,
         mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
     ) -> Result<Option<(S::Scalar, Guard)>, Cause> {
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         let half = S::Scalar::from_f64(0.5);
         let shortest = half.powi(HALVINGS);
-        let (mut from, mut to) = (zero, one);
+        if self.sampled().next().is_none() || until == zero {
+            return Ok(None);
+        }
+        let (mut from, mut to) = (zero, until);
         let nan = Values::of(S::Scalar::from_f64(f64::NAN));
         // Time is rounded, so that a guard is known no better than it changes meanwhile.
         let late = most(start.abs(), end.abs()) / (end - start).abs();
@@ -238,11 +247,9 @@ where
                 }
                 values
             };
-            let rows = (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row);
-            let guards = rows.chain((0..W).filter(|&kink| self.watch.kinks[kink]).map(Guard::Kink));
             let mut earliest: Option<(S::Scalar, Guard)> = None;
             let mut unresolved = None;
-            for guard in guards {
+            for guard in self.sampled() {
                 let late = late / (S::Scalar::from_f64(4.0) * width);
                 match self.falls(guard, scales, late, &mut |place| values(place).get(guard)) {
                     Ok(Some(place)) if earliest.is_none_or(|(other, _)| place < other) => {
@@ -255,20 +262,17 @@ where
             match (unresolved, earliest) {
                 // What lies before all that is not resolved is known; the rest of the step does not matter.
                 (Some(why), _) if width <= shortest => {
-                    return match why {
-                        Unresolved::NotFinite => Err(Cause::NotFinite),
-                        Unresolved::Degree => Err(Cause::StepTooSmall),
-                    };
+                    return Err(why.cause());
                 }
                 (Some(_), _) => to = from + half * width,
                 (None, Some((place, guard))) => {
                     let part = if place == one { to } else { from + place * width };
                     return Ok(Some((part, guard)));
                 }
-                (None, None) if to >= one => return Ok(None),
+                (None, None) if to >= until => return Ok(None),
                 (None, None) => {
                     let next = to + width + width;
-                    (from, to) = (to, if next < one { next } else { one });
+                    (from, to) = (to, if next < until { next } else { until });
                 }
             }
         }

@@ -65,6 +65,7 @@ where
             next: None,
             is_fresh: true,
             stuck: None,
+            fired: None,
             scales: Scales::new(),
             flips: [0; W],
             changes: 0,

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::Regime;
+use super::guards::Guard;
 use super::scene::Scales;
 use crate::error::Cause;
 use crate::integrator::adaptive::Steps;
@@ -27,6 +28,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) is_fresh: bool,
     /// Why it cannot go on.
     pub(super) stuck: Option<Cause>,
+    /// The guard that ended the piece before, which is zero where the next one starts.
+    pub(super) fired: Option<Guard>,
     pub(super) scales: Scales<R, C>,
     /// Changes of each kink since time has passed.
     pub(super) flips: [usize; W],

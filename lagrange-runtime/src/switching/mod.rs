@@ -9,6 +9,7 @@
 //! *Numerical Methods for Nonsmooth Dynamical Systems*.
 
 mod alone;
+mod along;
 mod begin;
 mod choice;
 mod contacts;
@@ -24,6 +25,7 @@ mod turning;
 
 use crate::constraints::{Equations, Residuals};
 use crate::linear::Switched;
+use crate::name::Name;
 use crate::real::Real;
 use crate::system::System;
 #[doc(hidden)]
@@ -79,16 +81,13 @@ pub struct Laws<R, const C: usize, const W: usize> {
     pub kink_sizes: [R; W],
 }
 
-/// How far the functions that decide about regimes can change while the state moves by no more than given spreads:
-/// infinite where that is not known.
+/// The functions whose zeros end a regime, as they are in that regime: smooth ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reach<R, const C: usize, const W: usize> {
-    /// Gaps.
-    pub positions: [R; C],
-    /// Rates of gaps, and slip velocities.
-    pub rates: [R; C],
+pub struct Functions<T, const C: usize, const W: usize> {
+    /// Gaps of contacts, slip velocities of frictions.
+    pub rows: [T; C],
     /// Switching functions of kinks.
-    pub kinks: [R; W],
+    pub kinks: [T; W],
 }
 
 /// A system whose equations switch, with `C` rows of constraints and `W` kinks.
@@ -98,6 +97,9 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
 
     /// What the rows stand for, in the order of `NAMES.constraints`.
     const ROWS: [Row; C];
+
+    /// The user's function that each kink stands in.
+    const KINKS: [Name; W] = [Name::NONE; W];
 
     /// The equations in a mode.
     fn in_regime(&self, mode: &Regime<Self::Scalar, C, W>) -> Self::InRegime;
@@ -110,17 +112,15 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         v: &[Self::Scalar; N],
     ) -> Laws<Self::Scalar, C, W>;
 
-    /// How far these functions can change while time, coordinates and velocities change by no more than `t`, `q`
-    /// and `v`.
-    fn reach_at(
-        &self,
-        _t: Self::Scalar,
-        _q: &[Self::Scalar; N],
-        _v: &[Self::Scalar; N],
-    ) -> Reach<Self::Scalar, C, W> {
-        let far = Self::Scalar::from_f64(f64::INFINITY);
-        Reach { positions: [far; C], rates: [far; C], kinks: [far; W] }
-    }
+    /// The functions whose zeros end a regime, over numbers of another kind: values with their roundings, or
+    /// polynomials in time. `number` makes one of a parameter.
+    fn functions_in<T: Real>(
+        in_regime: &Self::InRegime,
+        number: impl Fn(Self::Scalar) -> T,
+        t: T,
+        q: &[T; N],
+        v: &[T; N],
+    ) -> Functions<T, C, W>;
 
     /// What the energy gains where each switching function passes zero upwards, and Σ |summands| of the energy.
     fn jumps_at(

@@ -8,6 +8,7 @@ use crate::error::{Cause, MotionError};
 use crate::integrator::Adaptive;
 use crate::integrator::step_size::Limits;
 use crate::real::{Ordered, Real};
+use crate::roots::Unresolved;
 use crate::simulation::Held;
 use crate::state::State;
 use crate::system::System;
@@ -52,7 +53,7 @@ where
         memory.regime = regime;
         memory.in_regime = self.system.in_regime(&regime);
         memory.constants = memory.in_regime.constants();
-        memory.inner = M::begin(&memory.in_regime, state);
+        M::go_on(&mut memory.inner, &memory.in_regime, state);
         (memory.start, memory.end, memory.next) = (state, state, None);
     }
 
@@ -139,6 +140,7 @@ where
                 self.memory.end = start;
                 at(&start, cause)
             })?;
+            self.memory.fired = found.as_ref().map(|event| event.guard);
             let Some(Event { state, guard, late }) = found else {
                 let laws = self.system.laws_at(end.t, &end.q, &end.v);
                 self.memory.scales.see(&laws);
@@ -198,27 +200,38 @@ where
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
         let (in_regime, constants) = (&memory.in_regime, &memory.constants);
-        let mut guards = Guards::new(self.system, in_regime, &memory.regime, &self.control.0, &start);
+        let terms = M::terms(&memory.inner);
+        let is_along = terms.is_some();
+        let inputs = &self.control.0;
+        let guards = Guards::new(self.system, in_regime, &memory.regime, inputs, &start, is_along);
         if guards.is_empty() {
             return Ok(None);
         }
-        if let Some(spread) = M::spread(&memory.inner) {
-            guards.leave_out(&start, (end.t - start.t).abs(), &spread);
-        }
-        if guards.is_empty() {
-            return Ok(None);
+        let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
+        let mut first = None;
+        // The time since the start that a part of the step is, without the rounding of times.
+        let mut passed = None;
+        if let Some(terms) = terms {
+            let found = guards.first_along(&start, &terms, memory.fired).map_err(Unresolved::cause)?;
+            if let Some((part, guard)) = found {
+                first = Some((part, guard));
+                passed = Some(part * (terms.length * terms.unit) + terms.residue);
+            }
         }
         let inner = &mut memory.inner;
         let (control, limits) = (self.control, self.limits);
         let mut at = |part: S::Scalar| {
-            if part == num_traits::Zero::zero() {
+            if part == zero {
                 return Some(start);
             }
             M::within(inner, in_regime, constants, control, limits, part).ok()
         };
-        let Some((part, guard)) = guards.first(&memory.scales, [start.t, end.t], &mut at)? else {
-            return Ok(None);
-        };
+        let until = first.map_or(one, |(part, _)| part);
+        let sampled = guards.first(&memory.scales, [start.t, end.t], until, &mut at)?;
+        if sampled.is_some() {
+            (first, passed) = (sampled, None);
+        }
+        let Some((part, guard)) = first else { return Ok(None) };
         // A state belongs to a time that has been rounded; how much that is, the guard tells.
         let mut at_time = |part: S::Scalar| {
             let t = start.t + part * (end.t - start.t);
@@ -231,8 +244,10 @@ where
             M::sample(inner, in_regime, constants, control, limits, t, &mut 0).map_err(|error| error.cause)
         };
         let state = at_time(part)?;
-        let earlier = at_time(part * S::Scalar::from_f64(EARLIER))?;
-        let late = guards.late(guard, [&earlier, &state]);
+        let late = match passed {
+            Some(passed) => (state.t - start.t) - passed,
+            None => guards.late(guard, [&at_time(part * S::Scalar::from_f64(EARLIER))?, &state]),
+        };
         Ok(Some(Event { state, guard, late }))
     }
 
@@ -247,12 +262,12 @@ where
                 present.kinks[kink] = -present.kinks[kink];
                 memory.flips[kink] += 1;
                 if memory.flips[kink] > CHANGES {
-                    return Err(Cause::HeldAtKink { kink });
+                    return Err(Cause::HeldAtKink { kink, name: S::KINKS[kink] });
                 }
                 // The force of an energy that jumps would act at a point, where no equation has it.
                 let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v);
                 if above(jumps[kink].abs(), S::Scalar::epsilon().sqrt() * sizes[kink]) {
-                    return Err(Cause::EnergyJumps { kink });
+                    return Err(Cause::EnergyJumps { kink, name: S::KINKS[kink] });
                 }
             }
             Guard::Row(row) => {

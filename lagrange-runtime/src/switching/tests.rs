@@ -7,11 +7,12 @@ mod friction;
 mod impacts;
 mod kinks;
 
-use super::{Hybrid, Laws, Regime, Row, Switching};
+use super::{Functions, Hybrid, Laws, Regime, Row, Switching};
 use crate::constraints::{self, Equations, Footing, Residuals, Surface};
 use crate::error::Cause;
 use crate::integrator::Dop853;
 use crate::linear::Switched;
+use crate::real::Real;
 use crate::simulation::{Held, Simulation};
 use crate::state::State;
 use crate::system::System;
@@ -44,8 +45,8 @@ trait Toy<const N: usize, const C: usize, const W: usize>: Copy + core::fmt::Deb
         self.kinetic()
     }
 
-    fn kinks(&self, _q: &[f64; N], _v: &[f64; N]) -> [f64; W] {
-        [0.0; W]
+    fn kinks<R: Real>(&self, _q: &[R; N], _v: &[R; N]) -> [R; W] {
+        [R::zero(); W]
     }
 }
 
@@ -124,6 +125,25 @@ impl<T: Toy<N, C, W>, const N: usize, const C: usize, const W: usize> Switching<
             kinks,
             kink_sizes: kinks.map(f64::abs),
         }
+    }
+
+    fn functions_in<R: Real>(
+        in_regime: &Self::InRegime,
+        number: impl Fn(f64) -> R,
+        _: R,
+        q: &[R; N],
+        v: &[R; N],
+    ) -> Functions<R, C, W> {
+        let toy = &in_regime.toy;
+        let (gradients, offsets, drift) = (toy.gradients(), toy.offsets(), toy.drift());
+        let sum = |row: usize, x: &[R; N], more: [f64; C]| {
+            (0..N).fold(number(more[row]), |sum, i| sum + number(gradients[row][i]) * x[i])
+        };
+        let rows = core::array::from_fn(|row| match T::ROWS[row] {
+            Row::Friction { .. } => sum(row, v, drift),
+            _ => sum(row, q, offsets),
+        });
+        Functions { rows, kinks: toy.kinks(q, v) }
     }
 
     fn equations_in(

@@ -239,3 +239,47 @@ fn two_kinds_of_steps_agree() {
         .collect();
     close(other[0], other[1], 1e-7);
 }
+
+/// A ball on a floor that shakes, in single precision.
+struct Shaken {
+    amplitude: f32,
+    rate: f32,
+    restitution: f32,
+}
+
+#[lagrangian(coordinates = [y])]
+impl Shaken {
+    #[point(mass = 1.0)]
+    fn ball(&self, q: &Coordinates) -> Vector2<f32> {
+        Vector2::new(0.0, q.y)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f32 {
+        9.81 * q.y
+    }
+
+    #[unilateral(restitution = self.restitution)]
+    fn floor(&self, q: &Coordinates, t: f32) -> f32 {
+        q.y - self.amplitude * (self.rate * t).sin()
+    }
+}
+
+#[test]
+fn no_impact_is_missed_however_far_the_target_is() {
+    for i in 0..50 {
+        let step = i as f32 / 50.0;
+        let system =
+            Shaken { amplitude: 0.01 + 0.05 * step, rate: 30.0 - 20.0 * step, restitution: 0.3 + 0.5 * step };
+        let mut motion = system.simulate(State::at_rest([0.2 + step]));
+        // Free flight is a polynomial, so one step would go all the way.
+        while let Some(switch) = motion.advance_to_switch(10.0).unwrap_or(None) {
+            let State { t, q: [y], .. } = switch.state;
+            let floor = system.amplitude * (system.rate * t).sin();
+            // Roundings of the phase, and of a fall all the way to the target, of which the flight is a part.
+            let fall = 0.5 * 9.81 * 10.0 * 10.0;
+            let known = f32::EPSILON * (16.0 * system.amplitude * (1.0 + system.rate * t) + fall);
+            assert!((y - floor).abs() < known, "{i}: {y} {floor} at {t}");
+        }
+    }
+}

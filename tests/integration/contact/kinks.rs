@@ -109,7 +109,8 @@ impl Step {
 #[test]
 fn an_energy_that_jumps_is_refused() {
     let error = Step.simulate(State::new([0.0], [1.0])).advance_to(2.0).unwrap_err();
-    assert_eq!(error.cause, Cause::EnergyJumps { kink: 0 });
+    assert!(matches!(error.cause, Cause::EnergyJumps { name, .. } if name.as_str() == "height"), "{error}");
+    assert!(error.to_string().contains("in `height`"), "{error}");
     close(error.t, 1.0, 1e-12);
 }
 
@@ -132,5 +133,5 @@ impl Relay {
 #[test]
 fn a_motion_that_is_held_at_a_jump_ends_there() {
     let error = Relay.simulate(State::new([1.0], [0.0])).advance_to(20.0).unwrap_err();
-    assert_eq!(error.cause, Cause::HeldAtKink { kink: 0 });
+    assert!(matches!(error.cause, Cause::HeldAtKink { name, .. } if name.as_str() == "relay"), "{error}");
 }

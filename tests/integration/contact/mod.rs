@@ -3,6 +3,7 @@
 mod balls;
 mod friction;
 mod kinks;
+mod nested;
 mod reactions;
 mod refused;
 mod rocking;

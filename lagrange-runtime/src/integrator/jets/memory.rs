@@ -6,6 +6,7 @@ use super::super::adaptive::Steps;
 use super::super::dop853::add;
 use super::super::landing::{Determined, across};
 use super::super::step_size::{self, Limits};
+use super::super::terms::Terms;
 use super::{DECAY, GROWTH, HIGHEST, ORDERS_PER_DIGIT, SAFETY, last_term, orders, steepest};
 use crate::constraints::Footing;
 use crate::error::Cause;
@@ -110,12 +111,27 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         state
     }
 
-    /// Σ |terms| of coordinates and velocities at the length of the step.
-    pub(super) fn spread(&self) -> [[R; N]; 2] {
+    /// Forgets the motion before a state, but for the unit of the next step and what it has cost.
+    pub(super) fn begin(&mut self, start: State<R, N>) {
+        let zero = State { t: R::zero(), q: [R::zero(); N], v: [R::zero(); N] };
+        (self.start, self.residue) = (start, zero);
+        (self.end, self.end_residue) = (start, zero);
+        (self.unit, self.last) = (R::zero(), R::zero());
+        self.strongest = [R::zero(); N];
+        (self.independence, self.determined) = (None, None);
+        self.ulps = [[R::zero(); N]; 2];
+    }
+
+    /// The polynomial of the step.
+    pub(super) fn terms(&self) -> Terms<'_, R, N> {
         let length = (self.end.t - self.start.t) + (self.end_residue.t - self.residue.t);
-        let theta = (length / self.unit).abs();
-        let (q, v) = self.series.spread(theta, self.orders);
-        [q, v]
+        Terms {
+            q: self.series.q.get(..self.orders).unwrap_or_default(),
+            v: self.series.v.get(..self.orders).unwrap_or_default(),
+            length: length / self.unit,
+            unit: self.unit,
+            residue: self.residue.t,
+        }
     }
 
     /// The state at a part of the step, from 0 to 1.

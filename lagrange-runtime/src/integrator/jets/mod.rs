@@ -23,6 +23,7 @@ use super::adaptive::{Adaptive, Steps};
 use super::diagnose;
 use super::landing::Determined;
 use super::step_size::Limits;
+use super::terms::Terms;
 use crate::error::{Cause, MotionError};
 use crate::real::{Ordered, larger};
 use crate::simulation::Held;
@@ -142,8 +143,7 @@ where
     where
         S::Scalar: Ordered,
     {
-        let fresh = JetsMemory::new(memory.constants, state);
-        *memory = JetsMemory { next: memory.next, counts: memory.counts, ..fresh };
+        memory.begin(state);
     }
 
     #[inline]
@@ -180,11 +180,21 @@ where
     }
 
     #[inline]
-    fn spread(memory: &Self::Memory) -> Option<[[S::Scalar; N]; 2]>
+    fn go_on(memory: &mut Self::Memory, system: &S, state: State<S::Scalar, N>)
     where
         S::Scalar: Ordered,
     {
-        Some(memory.spread())
+        memory.constants = system.jet_constants();
+        memory.begin(state);
+        memory.counts = Steps::default();
+    }
+
+    #[inline]
+    fn terms(memory: &Self::Memory) -> Option<Terms<'_, S::Scalar, N>>
+    where
+        S::Scalar: Ordered,
+    {
+        Some(memory.terms())
     }
 
     #[inline]

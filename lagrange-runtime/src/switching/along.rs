@@ -1,0 +1,202 @@
+//! Guards along the polynomial of a step: polynomials themselves.
+//!
+//! In one regime guards are smooth, so each has a Taylor series along the motion. What is affine in the state is as
+//! exact as the polynomial of the step; of other guards the series reaches only as far as it converges to rounding, and
+//! is taken anew from there.
+
+use super::guards::{Guard, Guards};
+use super::{Functions, Switching};
+use crate::integrator::Terms;
+use crate::real::{Ordered, Real, larger, smaller};
+use crate::roots::{Before, Unresolved, clear, falls, reach};
+use crate::state::State;
+use crate::taylor::Taylor;
+
+/// A part of the step is halved so often at most where a guard has no series on it.
+const HALVINGS: i32 = 40;
+
+/// A part of the step is halved so often at most for the sake of roundings alone: what starts near zero and slowly
+/// has few where it starts.
+const CLEAREST: i32 = 20;
+
+/// A part on which a series does not converge becomes shorter by factors between these.
+const NEARER: f64 = 0.9;
+const FURTHER: f64 = 1.0 / 16.0;
+
+/// State and time along a part of a step.
+#[derive(Clone, Copy)]
+struct Path<R, const N: usize> {
+    t: Taylor<R>,
+    q: [Taylor<R>; N],
+    v: [Taylor<R>; N],
+}
+
+impl<R: Ordered, const N: usize> Path<R, N> {
+    /// Along a whole step.
+    fn new(start: &State<R, N>, terms: &Terms<'_, R, N>) -> Self {
+        let along = |numbers: &[R; N], rows: &[[R; N]]| {
+            core::array::from_fn(|i| {
+                Taylor::variable(numbers[i], rows.iter().map(|row| row[i]), terms.length)
+            })
+        };
+        Self {
+            t: Taylor::variable(start.t, core::iter::once(terms.unit), terms.length),
+            q: along(&start.q, terms.q),
+            v: along(&start.v, terms.v),
+        }
+    }
+
+    /// Along the part from `from` that is so long.
+    fn on(&self, from: R, width: R) -> Self {
+        if from == R::zero() && width == R::one() {
+            return *self;
+        }
+        let part = |x: &Taylor<R>| x.on(from, width);
+        Self { t: part(&self.t), q: self.q.each_ref().map(part), v: self.v.each_ref().map(part) }
+    }
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    /// The first guard that falls through zero along a step, and the part of the step that has passed then. That of
+    /// `fired` is zero where the step starts.
+    pub(super) fn first_along(
+        &self,
+        start: &State<S::Scalar, N>,
+        terms: &Terms<'_, S::Scalar, N>,
+        fired: Option<Guard>,
+    ) -> Result<Option<(S::Scalar, Guard)>, Unresolved> {
+        if self.along().next().is_none() {
+            return Ok(None);
+        }
+        let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
+        let half = S::Scalar::from_f64(0.5);
+        let shortest = half.powi(HALVINGS);
+        let clearest = half.powi(CLEAREST);
+        let path = Path::new(start, terms);
+        let (mut from, mut width) = (zero, one);
+        loop {
+            let part = path.on(from, width);
+            let number = Taylor::constant;
+            let functions = S::functions_in(self.in_regime, number, part.t, &part.q, &part.v);
+            let mut converged = one;
+            for guard in self.along() {
+                let series = self.guard(guard, &functions, number);
+                let is_finite = series.is_finite() && series.error.is_finite();
+                converged = smaller(converged, if is_finite { reach(&series) } else { zero });
+            }
+            if converged >= one && !self.agrees(&part, &functions) {
+                converged = zero;
+            }
+            if converged < one {
+                if width > shortest {
+                    // Never by so little that the roundings of the next series ask for more.
+                    width *=
+                        larger(smaller(converged, S::Scalar::from_f64(NEARER)), S::Scalar::from_f64(FURTHER));
+                    continue;
+                }
+                from = self.beyond(&path, from, shortest).ok_or(Unresolved::NotFinite)?;
+                width = one - from;
+                if from >= one {
+                    return Ok(None);
+                }
+                continue;
+            }
+            if width > clearest {
+                let parts = self.along().map(|guard| clear(&self.guard(guard, &functions, number)));
+                let part = parts.fold(one, smaller);
+                if part < one {
+                    width *= part;
+                    continue;
+                }
+            }
+            let mut earliest: Option<(S::Scalar, Guard)> = None;
+            for guard in self.along() {
+                let series = self.guard(guard, &functions, number);
+                let begins =
+                    from == zero && (fired == Some(guard) || self.is_gap(guard) && is_below(&series));
+                let before = if begins { Before::Zero } else { Before::Unknown };
+                if let Some(place) = falls(&series, before)
+                    && earliest.is_none_or(|(other, _)| place < other)
+                {
+                    earliest = Some((place, guard));
+                }
+            }
+            if let Some((place, guard)) = earliest {
+                return Ok(Some((from + place * width, guard)));
+            }
+            from += width;
+            // What is left is no part of a step where it is a rounding.
+            if one - from <= S::Scalar::epsilon() {
+                return Ok(None);
+            }
+            width = smaller(width + width, one - from);
+        }
+    }
+
+    /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its zero.
+    fn agrees(&self, part: &Path<S::Scalar, N>, functions: &Functions<Taylor<S::Scalar>, C, W>) -> bool {
+        let number = Taylor::constant;
+        if self.along().all(|guard| self.guard(guard, functions, number).is_whole) {
+            return true;
+        }
+        let end = |x: &Taylor<S::Scalar>| Taylor::value(x.end());
+        let (q, v) = (part.q.each_ref().map(end), part.v.each_ref().map(end));
+        let values = S::functions_in(self.in_regime, number, end(&part.t), &q, &v);
+        self.along().all(|guard| {
+            let [series, value] = [functions, &values].map(|functions| self.guard(guard, functions, number));
+            let summed = S::Scalar::from_f64(2.0 * series.degree as f64) * S::Scalar::epsilon();
+            let bound = series.error + value.error + summed * series.extent();
+            // What has left no number at the end is no reason to look at a shorter part.
+            let difference = (series.end() - value.start()).abs();
+            difference <= bound || !difference.is_finite()
+        })
+    }
+
+    /// The end of a part too short to matter, on which a guard has no series, as the distance from a centre has none
+    /// there; `None` where a guard may be zero in it.
+    fn beyond(&self, path: &Path<S::Scalar, N>, from: S::Scalar, length: S::Scalar) -> Option<S::Scalar> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let number = Taylor::constant;
+        let mut to = from;
+        for _ in 0..HALVINGS {
+            to = to + length + (to - from);
+            let functions = [from - length, to].map(|place| {
+                let part = path.on(place, length);
+                S::functions_in(self.in_regime, number, part.t, &part.q, &part.v)
+            });
+            let guards = |functions: &Functions<Taylor<S::Scalar>, C, W>| {
+                self.along().all(|guard| {
+                    let series = self.guard(guard, functions, number);
+                    series.is_finite() && reach(&series) == num_traits::One::one()
+                })
+            };
+            if !functions.iter().all(guards) {
+                continue;
+            }
+            // As far from zero as it would not come in many such parts.
+            let is_clear = self.along().all(|guard| {
+                functions.iter().all(|functions| {
+                    let series = self.guard(guard, functions, number);
+                    let change = (series.extent() - series.start().abs()) * ((to - from) / length);
+                    series.start() > zero && series.start() > S::Scalar::from_f64(64.0) * change
+                })
+            });
+            return is_clear.then_some(to);
+        }
+        None
+    }
+
+    /// Whether a guard is a gap.
+    fn is_gap(&self, guard: Guard) -> bool {
+        matches!(guard, Guard::Row(row) if S::ROWS[row] == super::Row::Unilateral)
+    }
+}
+
+/// Whether a gap starts below zero: as far as that is possible it has been opened there.
+fn is_below<R: Ordered>(series: &Taylor<R>) -> bool {
+    series.start() < R::zero()
+}
