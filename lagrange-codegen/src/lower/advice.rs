@@ -160,7 +160,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The field that a number was made of, if it is a field times something.
+    /// The field that a number was made of, if it is one field with little else.
     pub fn taken_for_scalar(&self, value: &Value) -> Option<String> {
         /// A field, a constant, and few more.
         const SMALL: usize = 6;
@@ -169,13 +169,15 @@ impl<'a> Interpreter<'a> {
         if cone.len() > SMALL {
             return None;
         }
-        cone.into_iter().find_map(|node| match self.model.graph.node(node) {
+        let mut fields = cone.into_iter().filter_map(|node| match self.model.graph.node(node) {
             Node::Variable(Variable::Parameter(index)) => {
                 let path = &self.model.parameters[*index as usize].path;
                 path.starts_with("self.").then(|| path.clone())
             }
             _ => None,
-        })
+        });
+        // Of several nobody knows which was meant.
+        fields.next().filter(|_| fields.next().is_none())
     }
 
     /// An integer, where a number of the scalar type belongs.

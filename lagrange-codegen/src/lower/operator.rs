@@ -157,7 +157,8 @@ impl<'a> Interpreter<'a> {
                 catalogue::integer_for_scalar(value)
             }
             // A field without a shape is a scalar.
-            (_, scalar @ Value::Scalar(..), other) | (_, other, scalar @ Value::Scalar(..))
+            (BinaryOperator::Add | BinaryOperator::Subtract, scalar @ Value::Scalar(..), other)
+            | (BinaryOperator::Add | BinaryOperator::Subtract, other, scalar @ Value::Scalar(..))
                 if !matches!(other, Value::Scalar(..)) && self.taken_for_scalar(scalar).is_some() =>
             {
                 let path = self.taken_for_scalar(scalar).unwrap_or_default();
