@@ -148,6 +148,7 @@ mod documents {
         Constraints "../book/src/constraints.md"
         Contacts "../book/src/contacts.md"
         Bodies "../book/src/bodies.md"
+        Robots "../book/src/robots.md"
         Analysis "../book/src/analysis.md"
         Integrators "../book/src/integrators.md"
         Accuracy "../book/src/accuracy.md"
