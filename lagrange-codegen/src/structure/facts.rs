@@ -87,6 +87,12 @@ impl Facts {
                 model.eliminated.iter().map(|eliminated| eliminated.quantity.written()).collect();
             found.push(format!("eliminated by constraints: {}", names.join(", ")));
         }
+        if !model.orientations.is_empty() {
+            let mut names: Vec<&str> =
+                model.orientations.iter().map(|&first| model.coordinates[first].name.as_str()).collect();
+            names.dedup();
+            found.push(format!("orientations without a singular attitude: {}", names.join(", ")));
+        }
         let constrained = !model.constraints.is_empty();
         if self.constant_mass {
             let once = if constrained { "" } else { ": factored once per run" };

@@ -178,6 +178,13 @@ impl Die {
 }
 
 #[test]
+fn the_report_names_orientations() {
+    let facts = Die::STRUCTURE.facts;
+    assert!(facts.contains(&"orientations without a singular attitude: die"), "{facts:?}");
+    assert_eq!(Die::COORDINATES[3], "die[3]");
+}
+
+#[test]
 fn a_die_falls_on_its_corners() {
     let start = Die.state(
         DieCoordinates { die: Isometry3::translation(0.0, 0.0, 1.0) },
