@@ -100,6 +100,10 @@ impl<R: Real, const N: usize> Inverse<R, N> {
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
+    use std::vec::Vec;
+
     use super::*;
     use crate::linear::Ldlt;
 
