@@ -161,6 +161,17 @@ where
         }
     }
 
+    /// The functions of guards that are no reactions, at a state, with their roundings.
+    fn functions(&self, state: &State<S::Scalar, N>) -> Functions<Taylor<S::Scalar>, C, W> {
+        let [q, v] = [state.q, state.v].map(|numbers| numbers.map(Taylor::value));
+        S::functions_in(self.in_regime, Taylor::constant, Taylor::value(state.t), &q, &v)
+    }
+
+    /// One of those guards at a state, with its roundings.
+    pub(super) fn value(&self, guard: Guard, state: &State<S::Scalar, N>) -> Taylor<S::Scalar> {
+        self.guard(guard, &self.functions(state), Taylor::constant)
+    }
+
     /// The multipliers at a state.
     fn multipliers(&self, state: &State<S::Scalar, N>) -> [S::Scalar; C] {
         let State { t, q, v } = state;
@@ -199,8 +210,7 @@ where
         if self.is_along {
             return values;
         }
-        let [q, v] = [state.q, state.v].map(|numbers| numbers.map(Taylor::value));
-        let functions = S::functions_in(self.in_regime, Taylor::constant, Taylor::value(state.t), &q, &v);
+        let functions = self.functions(state);
         for guard in self.along() {
             let value = self.guard(guard, &functions, Taylor::constant);
             let known = (value.start(), value.error / S::Scalar::epsilon());
