@@ -100,6 +100,8 @@ impl<R: Real, const N: usize> Inverse<R, N> {
 
 #[cfg(test)]
 mod tests {
+    use std::vec::Vec;
+
     use super::*;
     use crate::linear::Ldlt;
 
