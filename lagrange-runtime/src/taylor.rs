@@ -90,8 +90,17 @@ impl<R: Ordered> Taylor<R> {
         self.terms().iter().rev().fold(R::zero(), |sum, &term| sum + term)
     }
 
-    /// The same polynomial on the interval from `from` that is `width` long, in units of the present one.
+    /// A variable on the interval from `from` that is `width` long, in units of the present one. Roundings are those
+    /// of that interval: what its end does not reach has no part in them.
     pub(crate) fn on(mut self, from: R, width: R) -> Self {
+        let (mut power, mut added) = (R::one(), R::one());
+        self.error = R::zero();
+        for &term in self.coefficients.get(..=self.degree).unwrap_or_default() {
+            // Its own rounding, and one for each order that it is handed down.
+            self.error += added * R::epsilon() * term.abs() * power;
+            added += R::one();
+            power *= from + width;
+        }
         shift(self.coefficients.get_mut(..=self.degree).unwrap_or_default(), from, width);
         self
     }

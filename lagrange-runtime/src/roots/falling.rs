@@ -30,8 +30,17 @@ pub(crate) enum Before {
     Zero,
 }
 
+/// A fall through zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Fall<R> {
+    /// Where the polynomial is zero.
+    pub(crate) place: R,
+    /// Where the guard is below zero for certain.
+    pub(crate) fallen: R,
+}
+
 /// Where on \[0, 1] a guard falls through zero first, if it does.
-pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<R> {
+pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fall<R>> {
     let zero = R::zero();
     let (first, others) = guard.terms().split_first()?;
     let down = others.iter().fold(zero, |sum, &term| if term < zero { sum + term } else { sum });
@@ -45,7 +54,7 @@ pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<R> 
     let noise = noise + summed * extent;
     let mut powers = guard.coefficients;
     let starts_at_zero = match before {
-        Before::Unknown if *first < -noise => return Some(zero),
+        Before::Unknown if *first < -noise => return Some(Fall { place: zero, fallen: zero }),
         // What is above zero there falls through it as the polynomial does.
         Before::Unknown | Before::Zero => *first <= zero,
     };
@@ -55,10 +64,12 @@ pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<R> 
         polynomial[0] = zero;
     }
     let [low, high] = isolated(polynomial, noise)?;
-    if starts_at_zero && low == zero {
-        return Some(behind_zero(polynomial, start, noise, high));
-    }
-    Some(root(polynomial, low, high))
+    let place = if starts_at_zero && low == zero {
+        behind_zero(polynomial, start, noise, high)
+    } else {
+        root(polynomial, low, high)
+    };
+    Some(Fall { place, fallen: high })
 }
 
 /// An interval at whose start a polynomial is above −`noise` and at whose end it is below, and whose start is the last
@@ -299,7 +310,7 @@ mod tests {
     }
 
     fn first(roots: &[f64]) -> Option<f64> {
-        falls(&with_roots(roots, 1e-16), Before::Unknown)
+        falls(&with_roots(roots, 1e-16), Before::Unknown).map(|fall| fall.place)
     }
 
     #[test]
@@ -316,7 +327,7 @@ mod tests {
     fn a_root_is_found_to_the_last_bits() {
         let mut guard = Taylor::variable(0.5, [1.0, -3.0].into_iter(), 1.0);
         guard.error = 1e-16;
-        let zero = falls(&guard, Before::Unknown).unwrap();
+        let zero = falls(&guard, Before::Unknown).unwrap().place;
         assert!((zero - (1.0 + 7.0_f64.sqrt()) / 6.0).abs() < 2e-16);
     }
 
@@ -334,22 +345,22 @@ mod tests {
             let mut guard = Taylor::variable(start, [1.0, -2.0].into_iter(), 1.0);
             guard.error = 1e-16;
             for before in [Before::Unknown, Before::Zero] {
-                let zero: f64 = falls(&guard, before).unwrap();
+                let zero: f64 = falls(&guard, before).unwrap().place;
                 assert!((zero - 0.5).abs() <= f64::EPSILON, "{zero}");
             }
         }
         // What falls at once, and what rounding lets fall.
         let mut guard = Taylor::variable(0.0, [-1.0].into_iter(), 1.0);
         guard.error = 1e-16;
-        assert!(falls(&guard, Before::Zero).unwrap() < 1e-14);
+        assert!(falls(&guard, Before::Zero).unwrap().place < 1e-14);
         let mut guard = Taylor::variable(0.0, [-1e-18, 1.0, -4.0].into_iter(), 1.0);
         guard.error = 1e-16;
-        let zero: f64 = falls(&guard, Before::Zero).unwrap();
+        let zero: f64 = falls(&guard, Before::Zero).unwrap().place;
         assert!((zero - 0.25).abs() < 1e-15, "{zero}");
         // What was below zero at the start has fallen before.
         let mut guard = Taylor::variable(-1e-3, [1.0].into_iter(), 1.0);
         guard.error = 1e-16;
-        assert_eq!(falls(&guard, Before::Unknown), Some(0.0));
+        assert_eq!(falls(&guard, Before::Unknown), Some(Fall { place: 0.0, fallen: 0.0 }));
     }
 
     #[test]

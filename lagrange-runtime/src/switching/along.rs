@@ -5,10 +5,11 @@
 //! is taken anew from there.
 
 use super::guards::{Guard, Guards};
+use super::scene::above;
 use super::{Functions, Switching};
 use crate::integrator::Terms;
 use crate::real::{Ordered, Real, larger, smaller};
-use crate::roots::{Before, Unresolved, clear, falls, reach};
+use crate::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach};
 use crate::state::State;
 use crate::taylor::Taylor;
 
@@ -61,14 +62,14 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// The first guard that falls through zero along a step, and the part of the step that has passed then. That of
-    /// `fired` is zero where the step starts.
+    /// The first guard that falls through zero along a step, and the part of the step that has passed then, to the
+    /// roundings of its polynomial. That of `fired` is zero where the step starts.
     pub(super) fn first_along(
         &self,
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
         fired: Option<Guard>,
-    ) -> Result<Option<(S::Scalar, Guard)>, Unresolved> {
+    ) -> Result<Option<(Fall<S::Scalar>, Guard)>, Unresolved> {
         if self.along().next().is_none() {
             return Ok(None);
         }
@@ -113,20 +114,21 @@ where
                     continue;
                 }
             }
-            let mut earliest: Option<(S::Scalar, Guard)> = None;
+            let mut earliest: Option<(Fall<S::Scalar>, Guard)> = None;
             for guard in self.along() {
                 let series = self.guard(guard, &functions, number);
                 let begins =
                     from == zero && (fired == Some(guard) || self.is_gap(guard) && is_below(&series));
                 let before = if begins { Before::Zero } else { Before::Unknown };
-                if let Some(place) = falls(&series, before)
-                    && earliest.is_none_or(|(other, _)| place < other)
+                if let Some(fall) = falls(&series, before)
+                    && earliest.is_none_or(|(other, _)| fall.place < other.place)
                 {
-                    earliest = Some((place, guard));
+                    earliest = Some((fall, guard));
                 }
             }
-            if let Some((place, guard)) = earliest {
-                return Ok(Some((from + place * width, guard)));
+            if let Some((Fall { place, fallen }, guard)) = earliest {
+                let [place, fallen] = [place, fallen].map(|place| from + place * width);
+                return Ok(Some((Fall { place, fallen }, guard)));
             }
             from += width;
             // What is left is no part of a step where it is a rounding.
@@ -135,6 +137,31 @@ where
             }
             width = smaller(width + width, one - from);
         }
+    }
+
+    /// The part of the step where a guard itself is zero beside a fall of its polynomial, which has the roundings of
+    /// the whole part of the step that it is taken on. Where the guard is within those of its own value already, or
+    /// does not change its sign as the polynomial does, the place as it is.
+    pub(super) fn at_zero(
+        &self,
+        guard: Guard,
+        fall: Fall<S::Scalar>,
+        mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
+    ) -> S::Scalar {
+        let half = S::Scalar::from_f64(0.5);
+        let Fall { place, fallen } = fall;
+        let mut value = |place: S::Scalar| {
+            at(place).map_or(Taylor::value(S::Scalar::from_f64(f64::NAN)), |state| self.value(guard, &state))
+        };
+        let there = value(place);
+        // A start has no place before it, and what is no number nowhere to go.
+        if place == num_traits::Zero::zero() || !above(there.start().abs(), there.error) {
+            return place;
+        }
+        // Not back to the start, where what has just been zero is so again.
+        let bracket = [half * place, larger(place, fallen)];
+        let zero = Zero { theta: place, kind: Kind::Falling, side: Side::Below, bracket };
+        zero.polish(|place| value(place).start())
     }
 
     /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its zero.

@@ -1,9 +1,10 @@
 //! Guards: what ends a regime where it falls through zero.
 
-use super::scene::{Scales, most, rounding};
+use super::scene::{Scales, extent, most, product, rounding};
 use super::{Functions, Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::error::Cause;
+use crate::linear::SaddlePoint;
 use crate::real::{Ordered, Real};
 use crate::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::state::State;
@@ -161,18 +162,39 @@ where
         }
     }
 
-    /// The multipliers at a state.
-    fn multipliers(&self, state: &State<S::Scalar, N>) -> [S::Scalar; C] {
+    /// The functions of guards that are no reactions, at a state, with their roundings.
+    fn functions(&self, state: &State<S::Scalar, N>) -> Functions<Taylor<S::Scalar>, C, W> {
+        let [q, v] = [state.q, state.v].map(|numbers| numbers.map(Taylor::value));
+        S::functions_in(self.in_regime, Taylor::constant, Taylor::value(state.t), &q, &v)
+    }
+
+    /// One of those guards at a state, with its roundings.
+    pub(super) fn value(&self, guard: Guard, state: &State<S::Scalar, N>) -> Taylor<S::Scalar> {
+        self.guard(guard, &self.functions(state), Taylor::constant)
+    }
+
+    /// The multipliers at a state, and the forces at their rows that they are differences of: what bears nothing,
+    /// as one of three feet does whose load is on the line between the others, is known no better than the load.
+    fn multipliers(&self, state: &State<S::Scalar, N>) -> [[S::Scalar; C]; 2] {
+        let zero: S::Scalar = num_traits::Zero::zero();
         let State { t, q, v } = state;
-        let none = [S::Scalar::from_f64(f64::NAN); C];
-        if !self.watch.reactions {
-            return none;
-        }
-        let equations = S::equations_in(self.in_regime, *t, q, v, self.inputs);
-        equations.map_or(none, |equations| {
-            let Balance { multipliers, .. } = equations.balance();
-            multipliers
-        })
+        let Some(equations) = S::equations_in(self.in_regime, *t, q, v, self.inputs) else {
+            return [[S::Scalar::from_f64(f64::NAN); C], [zero; C]];
+        };
+        let Balance { multipliers, .. } = equations.balance();
+        let units = equations.saddle.units();
+        let forces: [S::Scalar; N] = core::array::from_fn(|i| {
+            let borne = equations.gradients.iter().zip(&multipliers);
+            borne.fold(equations.forces[i].abs(), |sum, (row, &force)| sum + (row[i] * force).abs())
+                * units[i]
+        });
+        let sizes = core::array::from_fn(|row| {
+            let gradient = core::array::from_fn(|i| equations.gradients[row][i] * units[i]);
+            let squares = product(&gradient, &gradient);
+            let size = if squares.is_positive() { extent(&gradient, &forces) / squares } else { zero };
+            most(size, multipliers[row].abs())
+        });
+        [multipliers, sizes]
     }
 
     /// All guards at a state that are looked at by samples.
@@ -180,12 +202,12 @@ where
         let mut values = Values::of(num_traits::Zero::zero());
         if self.watch.reactions {
             let laws = self.system.laws_at(state.t, &state.q, &state.v);
-            let multipliers = self.multipliers(state);
+            let [multipliers, sizes] = self.multipliers(state);
             for row in (0..C).filter(|&row| self.is_sampled(row) && self.is_reaction(row)) {
                 let reaction = multipliers[row];
                 (values.rows[row], values.row_sizes[row]) = match S::ROWS[row] {
-                    Row::Bilateral => (self.regime.side[row] * reaction, reaction.abs()),
-                    Row::Unilateral => (reaction, reaction.abs()),
+                    Row::Bilateral => (self.regime.side[row] * reaction, sizes[row]),
+                    Row::Unilateral => (reaction, sizes[row]),
                     Row::Friction { normal, pair } => {
                         let limit =
                             laws.fixed[row] * normal.map_or(num_traits::One::one(), |row| multipliers[row]);
@@ -199,8 +221,7 @@ where
         if self.is_along {
             return values;
         }
-        let [q, v] = [state.q, state.v].map(|numbers| numbers.map(Taylor::value));
-        let functions = S::functions_in(self.in_regime, Taylor::constant, Taylor::value(state.t), &q, &v);
+        let functions = self.functions(state);
         for guard in self.along() {
             let value = self.guard(guard, &functions, Taylor::constant);
             let known = (value.start(), value.error / S::Scalar::epsilon());

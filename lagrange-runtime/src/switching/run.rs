@@ -208,15 +208,10 @@ where
             return Ok(None);
         }
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
-        let mut first = None;
-        // The time since the start that a part of the step is, without the rounding of times.
-        let mut passed = None;
+        let mut fall = None;
         if let Some(terms) = terms {
             let found = guards.first_along(&start, &terms, memory.fired).map_err(Unresolved::cause)?;
-            if let Some((part, guard)) = found {
-                first = Some((part, guard));
-                passed = Some(part * (terms.length * terms.unit) + terms.residue);
-            }
+            fall = found.map(|found| (found, terms.length * terms.unit, terms.residue));
         }
         let inner = &mut memory.inner;
         let (control, limits) = (self.control, self.limits);
@@ -226,6 +221,9 @@ where
             }
             M::within(inner, in_regime, constants, control, limits, part).ok()
         };
+        let mut first = fall.map(|((fall, guard), ..)| (guards.at_zero(guard, fall, &mut at), guard));
+        // The time since the start that a part of the step is, without the rounding of times.
+        let mut passed = first.zip(fall).map(|((part, _), (_, length, residue))| part * length + residue);
         let until = first.map_or(one, |(part, _)| part);
         let sampled = guards.first(&memory.scales, [start.t, end.t], until, &mut at)?;
         if sampled.is_some() {

@@ -273,14 +273,19 @@ fn no_impact_is_missed_however_far_the_target_is() {
         let system =
             Shaken { amplitude: 0.01 + 0.05 * step, rate: 30.0 - 20.0 * step, restitution: 0.3 + 0.5 * step };
         let mut motion = system.simulate(State::at_rest([0.2 + step]));
+        let (mut before, mut impacts) = (*motion.state(), 0);
         // Free flight is a polynomial, so one step would go all the way.
-        while let Some(switch) = motion.advance_to_switch(10.0).unwrap_or(None) {
-            let State { t, q: [y], .. } = switch.state;
+        while let Some(switch) = motion.advance_to_switch(10.0).unwrap() {
+            let State { t, q: [y], v: [v] } = switch.state;
             let floor = system.amplitude * (system.rate * t).sin();
-            // Roundings of the phase, and of a fall all the way to the target, of which the flight is a part.
-            let fall = 0.5 * 9.81 * 10.0 * 10.0;
-            let known = f32::EPSILON * (16.0 * system.amplitude * (1.0 + system.rate * t) + fall);
+            // Roundings of the flight, of the phase, and of the time that the state belongs to.
+            let (passed, rate) = (t - before.t, system.amplitude * system.rate);
+            let flight = before.q[0].abs() + passed * (before.v[0].abs() + 0.5 * 9.81 * passed);
+            let speed = v.abs().max((before.v[0] - 9.81 * passed).abs()) + rate;
+            let known = 2.0 * f32::EPSILON * (flight + system.amplitude + (rate + speed) * t);
             assert!((y - floor).abs() < known, "{i}: {y} {floor} at {t}");
+            (before, impacts) = (switch.state, impacts + 1);
         }
+        assert!(impacts > 0 && motion.t() == 10.0, "{i}: {impacts} impacts until {}", motion.t());
     }
 }

@@ -203,3 +203,21 @@ fn a_die_falls_on_its_corners() {
         assert!(gaps.iter().all(|&gap| gap > -1e-14), "{gaps:?}");
     }
 }
+
+/// It has come to rest on four corners, two of which on a diagonal bear all of the weight as well as any others do.
+#[test]
+fn a_die_comes_to_lie_flat_and_slides_on() {
+    let start = Die.state(
+        DieCoordinates { die: Isometry3::translation(0.0, 0.0, 1.0) },
+        DieVelocities {
+            die: PoseVelocity { linear: Vector3::new(1.0, 0.0, 0.0), angular: Vector3::new(5.0, 3.0, 1.0) },
+        },
+    );
+    let mut motion = Die.simulate(start);
+    let end = motion.advance_to(3.0).unwrap();
+    let gaps = Die.corners(&DieCoordinates::from(end.q));
+    assert!(gaps.iter().filter(|gap| gap.abs() < 1e-14).count() == 4, "{gaps:?}");
+    // Nothing pushes or turns it horizontally.
+    close(end.q[0], 3.0, 1e-13);
+    close(motion.energy(), 9.81 * 0.3 + 0.5 + 0.5 * 0.06, 1e-12);
+}
