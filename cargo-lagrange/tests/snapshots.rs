@@ -48,6 +48,12 @@ fn two_link_on_a_floating_base() {
 }
 
 #[test]
+fn two_link_on_a_base_with_angles() {
+    let options = Options { floating: true, euler: true, inputs: Inputs::None, ..Options::default() };
+    holds("two_link.urdf", "two_link_euler", &options);
+}
+
+#[test]
 fn two_link_as_mjcf() {
     holds("two_link.xml", "two_link_mjcf", &Options::default());
 }
@@ -66,6 +72,16 @@ fn everything_with_a_constraint() {
 #[test]
 fn joints() {
     holds("joints.xml", "joints", &Options::default());
+}
+
+#[test]
+fn free_and_ball_joints() {
+    holds("floating.xml", "floating", &Options::default());
+}
+
+#[test]
+fn free_and_ball_joints_with_angles() {
+    holds("floating.xml", "floating_euler", &Options { euler: true, ..Options::default() });
 }
 
 #[test]
