@@ -14,8 +14,8 @@ mod two_link_parameters {
 mod two_link_floating {
     include!("snapshots/two_link_floating.rs");
 }
-mod two_link_euler {
-    include!("snapshots/two_link_euler.rs");
+mod everything_euler {
+    include!("snapshots/everything_euler.rs");
 }
 mod floating {
     include!("snapshots/floating.rs");
@@ -339,49 +339,55 @@ fn change<const N: usize>(
     (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step)
 }
 
-/// A pose and three shifts with three angles are the same base: the same accelerations of all parts.
+/// A pose and three shifts with three angles are the same drone: the same accelerations of all parts.
 #[test]
 fn a_pose_moves_as_angles_do() -> Result<(), Box<dyn std::error::Error>> {
-    use two_link_euler::TwoLinkArm as Angles;
-    use two_link_floating::{TwoLinkArm as Floating, TwoLinkArmCoordinates, TwoLinkArmVelocities};
-    assert_eq!(Angles::COORDINATES, ["x", "y", "z", "roll", "pitch", "yaw", "shoulder", "elbow"]);
-    let (pose, angles) = (Floating::default(), Angles::default());
+    use everything::{EverythingCoordinates, EverythingVelocities};
+    let (pose, angles) = (Everything::default(), everything_euler::Everything::default());
     for case in 0..50 {
-        let ([x, y, z, roll, pitch, yaw, shoulder, elbow], rates) =
-            (spread::<8>(case, 1.2), spread::<8>(case + 50, 2.0));
-        let by_angles = State::new([x, y, z, roll, pitch, yaw, shoulder, elbow], rates);
-        // Angular velocity in body axes by the rates of roll, pitch and yaw.
-        let spin = |roll: f64, pitch: f64, [a, b, c]: [f64; 3]| {
+        let by_angles = State::new(spread::<11>(case, 1.2), spread::<11>(case + 50, 2.0));
+        // The angular velocity in body axes by the rates of roll, pitch and yaw.
+        let of_angles = |state: &State<f64, 11>| {
+            let ([roll, pitch], [a, b, c]) =
+                ([state.q[8], state.q[9]], [state.v[8], state.v[9], state.v[10]]);
             Vector3::new(
                 a - c * pitch.sin(),
                 b * roll.cos() + c * roll.sin() * pitch.cos(),
                 c * roll.cos() * pitch.cos() - b * roll.sin(),
             )
         };
-        let of_angles = |s: &State<f64, 8>| spin(s.q[3], s.q[4], [s.v[3], s.v[4], s.v[5]]);
-        let turn = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+        let [q, v] = [by_angles.q, by_angles.v];
         let by_pose = pose.state(
-            TwoLinkArmCoordinates {
-                base: Isometry3::from_parts(Translation3::new(x, y, z), turn),
-                shoulder,
-                elbow,
+            EverythingCoordinates {
+                slide_joint: q[0],
+                type_: q[1],
+                puck_x: q[2],
+                puck_y: q[3],
+                puck_angle: q[4],
+                drone: Isometry3::from_parts(
+                    Translation3::new(q[5], q[6], q[7]),
+                    UnitQuaternion::from_euler_angles(q[8], q[9], q[10]),
+                ),
             },
-            TwoLinkArmVelocities {
-                base: PoseVelocity {
-                    linear: Vector3::new(rates[0], rates[1], rates[2]),
+            EverythingVelocities {
+                slide_joint: v[0],
+                type_: v[1],
+                puck_x: v[2],
+                puck_y: v[3],
+                puck_angle: v[4],
+                drone: PoseVelocity {
+                    linear: Vector3::new(v[5], v[6], v[7]),
                     angular: of_angles(&by_angles),
                 },
-                shoulder: rates[6],
-                elbow: rates[7],
             },
         );
-        let expected = angles.accelerations(&by_angles, &[])?;
-        let found = pose.accelerations(&by_pose, &[])?;
-        let apart = |[a, b, c, .., d, e]: [f64; 8]| [a, b, c, d, e];
-        close(&apart(found), &apart(expected), 1e-11);
-        let found = change(&by_pose, &found, |state| pose.velocities(state).base.angular);
+        let expected = angles.accelerations(&by_angles, &[0.4, -0.3])?;
+        let found = pose.accelerations(&by_pose, &[0.4, -0.3])?;
+        close(&found[..8], &expected[..8], 1e-12);
+        let found = change(&by_pose, &found, |state| pose.velocities(state).drone.angular);
         let expected = change(&by_angles, &expected, of_angles);
-        close(found.as_slice(), expected.as_slice(), 1e-7);
+        // Differences of the largest velocities, 4, by a thousandth.
+        close(found.as_slice(), expected.as_slice(), 1e-8);
     }
     Ok(())
 }

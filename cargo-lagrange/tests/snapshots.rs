@@ -48,12 +48,6 @@ fn two_link_on_a_floating_base() {
 }
 
 #[test]
-fn two_link_on_a_base_with_angles() {
-    let options = Options { floating: true, euler: true, inputs: Inputs::None, ..Options::default() };
-    holds("two_link.urdf", "two_link_euler", &options);
-}
-
-#[test]
 fn two_link_as_mjcf() {
     holds("two_link.xml", "two_link_mjcf", &Options::default());
 }
@@ -67,6 +61,11 @@ fn everything() {
 fn everything_with_a_constraint() {
     let options = Options { mimic: Following::Constrain, inputs: Inputs::All, ..Options::default() };
     holds("everything.urdf", "everything_constrained", &options);
+}
+
+#[test]
+fn everything_with_angles() {
+    holds("everything.urdf", "everything_euler", &Options { euler: true, ..Options::default() });
 }
 
 #[test]
