@@ -58,7 +58,7 @@ struct ImportArguments {
     /// Lets the root of a URDF move freely: the coordinate `base: Pose`.
     #[arg(long)]
     floating: bool,
-    /// Writes orientations as roll, pitch and yaw, which are singular at a pitch of ±90°, instead of `Pose` and `Rotation`.
+    /// Writes orientations as roll, pitch and yaw, singular at a pitch of ±90°, instead of `Pose` and `Rotation`.
     #[arg(long)]
     euler: bool,
     /// Makes joint limits stops (#[unilateral]); without it motions are smooth and know no limits.
