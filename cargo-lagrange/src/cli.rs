@@ -55,9 +55,12 @@ struct ImportArguments {
     /// Replaces the file of --output if it is there already.
     #[arg(long, requires = "output")]
     force: bool,
-    /// Lets the root of a URDF move freely: three shifts and roll, pitch, yaw (singular at a pitch of ±90°).
+    /// Lets the root of a URDF move freely: the coordinate `base: Pose`.
     #[arg(long)]
     floating: bool,
+    /// Writes orientations as roll, pitch and yaw, singular at a pitch of ±90°, instead of `Pose` and `Rotation`.
+    #[arg(long)]
+    euler: bool,
     /// Makes joint limits stops (#[unilateral]); without it motions are smooth and know no limits.
     #[arg(long)]
     limits: bool,
@@ -183,6 +186,7 @@ fn options(arguments: &ImportArguments) -> Result<Options, String> {
     Ok(Options {
         name: arguments.name.clone(),
         floating: arguments.floating,
+        euler: arguments.euler,
         inputs: match arguments.inputs {
             InputsArgument::Actuated => Inputs::Actuated,
             InputsArgument::All => Inputs::All,

@@ -44,6 +44,8 @@ fn options_are_those_of_the_library() {
     assert_eq!(text(&lagrange(&arguments).stdout), snapshot("everything_constrained.rs"));
     let arguments = ["import", "two_link.urdf", "--floating", "--inputs", "none"];
     assert_eq!(text(&lagrange(&arguments).stdout), snapshot("two_link_floating.rs"));
+    let output = lagrange(&["import", "everything.urdf", "--euler"]);
+    assert_eq!(text(&output.stdout), snapshot("everything_euler.rs"));
     let output = lagrange(&["import", "two_link.urdf", "--parameters=masses"]);
     let masses = text(&output.stdout);
     assert!(masses.contains("pub upper_mass: f64") && !masses.contains("upper_centre_z"), "{masses}");

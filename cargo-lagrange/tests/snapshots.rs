@@ -64,8 +64,23 @@ fn everything_with_a_constraint() {
 }
 
 #[test]
+fn everything_with_angles() {
+    holds("everything.urdf", "everything_euler", &Options { euler: true, ..Options::default() });
+}
+
+#[test]
 fn joints() {
     holds("joints.xml", "joints", &Options::default());
+}
+
+#[test]
+fn free_and_ball_joints() {
+    holds("floating.xml", "floating", &Options::default());
+}
+
+#[test]
+fn free_and_ball_joints_with_angles() {
+    holds("floating.xml", "floating_euler", &Options { euler: true, ..Options::default() });
 }
 
 #[test]

@@ -119,7 +119,8 @@ fn describe(robot: &Robot, derivatives: bool) -> Result<String, Box<dyn Error>> 
         .arg(root().join("Cargo.toml"))
         .args(["--", "import", "--name", "Robot", "--inputs", "all", "--mimic", "ignore"]);
     if robot.floating {
-        command.arg("--floating");
+        // `pinocchio.cpp` converts to angles what it compares.
+        command.args(["--floating", "--euler"]);
     }
     if derivatives {
         command.args(["--with", "jacobians"]);

@@ -7,6 +7,7 @@ mod geometry;
 mod inertia;
 mod links;
 mod mjcf;
+mod motions;
 mod names;
 mod plan;
 mod report;
@@ -29,6 +30,8 @@ pub struct Options {
     pub name: Option<String>,
     /// Whether the root of a URDF moves freely.
     pub floating: bool,
+    /// Whether orientations are roll, pitch and yaw.
+    pub euler: bool,
     /// Which joints have inputs.
     pub inputs: Inputs,
     /// Joint limits as `#[unilateral]`.
@@ -52,6 +55,7 @@ impl Default for Options {
         Options {
             name: None,
             floating: false,
+            euler: false,
             inputs: Inputs::Actuated,
             limits: false,
             friction: false,

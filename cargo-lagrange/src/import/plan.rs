@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use super::geometry::Pose;
 use super::inertia::{Flaw, Inertial};
+use super::motions::{self, Coordinate, Motion, Shape};
 use super::names::{Names, alone, camel, snake};
 use super::report::Sink;
-use super::robot::{Action, Doubtful, Drive, Joint, Kind, Mimic, Robot};
+use super::robot::{Action, Doubtful, Drive, Joint, Kind, Robot};
 use super::tree::{Tree, add_floating_base, tree};
 use super::weight::does_work;
 use super::{Following, Inputs, Options};
@@ -22,8 +23,8 @@ pub struct Plan {
     pub robot: Robot,
     /// How it hangs together.
     pub tree: Tree,
-    /// Coordinates in order.
-    pub coordinates: Vec<String>,
+    /// Declared coordinates in order.
+    pub coordinates: Vec<Coordinate>,
     /// What moves each joint.
     pub motions: Vec<Motion>,
     /// Inputs in order: name, joint, gear.
@@ -36,22 +37,6 @@ pub struct Plan {
     pub is_heavy: bool,
     /// What the description leaves out.
     pub left_out: Vec<String>,
-}
-
-/// The coordinates of a joint.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Motion {
-    /// Coordinates of its own.
-    Own(Vec<usize>),
-    /// multiplier · q + offset of the coordinate of another joint.
-    Follows {
-        /// The coordinate.
-        of: usize,
-        /// The factor.
-        multiplier: f64,
-        /// The value where the coordinate is zero.
-        offset: f64,
-    },
 }
 
 /// The frame of a link.
@@ -88,7 +73,7 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
     let title = robot.name.clone().unwrap_or_else(|| stem(file).to_owned());
     let name = options.name.clone().unwrap_or_else(|| camel(&title));
     let mut names = Names::default();
-    let (coordinates, motions) = motions(&robot, &found, options, &mut names, sink)?;
+    let (coordinates, motions) = motions::motions(&robot, &found, options, &mut names, sink)?;
     let mut plan = Plan {
         name,
         title,
@@ -124,60 +109,6 @@ pub fn plan(mut robot: Robot, options: &Options, file: &str, sink: &mut Sink) ->
 fn stem(file: &str) -> &str {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
     name.split('.').next().unwrap_or(name)
-}
-
-fn motions(
-    robot: &Robot,
-    tree: &Tree,
-    options: &Options,
-    names: &mut Names,
-    sink: &mut Sink,
-) -> Option<(Vec<String>, Vec<Motion>)> {
-    let mut coordinates = Vec::new();
-    let mut motions = vec![Motion::Own(Vec::new()); robot.joints.len()];
-    let follows = |joint: &Joint| joint.mimic.filter(|_| options.mimic == Following::Eliminate);
-    for &index in &tree.order {
-        let joint = &robot.joints[index];
-        if follows(joint).is_some() {
-            continue;
-        }
-        let wanted = snake(&joint.name);
-        let prefix = if joint.name.is_empty() { String::new() } else { format!("{wanted}_") };
-        let parts: &[&str] = match joint.kind {
-            Kind::Fixed => &[],
-            Kind::Turns(_) | Kind::Slides(_) => &[""],
-            Kind::Planar(_) => &["x", "y", "angle"],
-            Kind::Ball => &["roll", "pitch", "yaw"],
-            Kind::Free => &["x", "y", "z", "roll", "pitch", "yaw"],
-        };
-        let mut own = Vec::new();
-        for part in parts {
-            let wanted = if part.is_empty() { wanted.clone() } else { format!("{prefix}{part}") };
-            own.push(coordinates.len());
-            coordinates.push(names.take(&joint.name, &alone(wanted), sink));
-        }
-        motions[index] = Motion::Own(own);
-    }
-    for (index, joint) in robot.joints.iter().enumerate() {
-        let Some(mut mimic) = follows(joint) else { continue };
-        let mut steps = 0;
-        while let Some(next) = robot.joints[mimic.of].mimic {
-            let Mimic { of, multiplier, offset } = next;
-            mimic.offset += mimic.multiplier * offset;
-            mimic.multiplier *= multiplier;
-            mimic.of = of;
-            steps += 1;
-            if steps > robot.joints.len() {
-                sink.problem(&joint.mark, "it follows itself; remove a <mimic> of this circle");
-                return None;
-            }
-        }
-        if let Motion::Own(own) = &motions[mimic.of] {
-            motions[index] =
-                Motion::Follows { of: own[0], multiplier: mimic.multiplier, offset: mimic.offset };
-        }
-    }
-    Some((coordinates, motions))
 }
 
 fn inputs(
@@ -274,6 +205,20 @@ impl Plan {
             .map(|(index, joint)| (index, joint, &joint.action))
     }
 
+    /// The orientation or pose that is the coordinate of a joint.
+    pub fn oriented(&self, joint: usize) -> Option<&Coordinate> {
+        match &self.motions[joint] {
+            Motion::Own(own) => own.first().map(|&own| &self.coordinates[own]),
+            Motion::Follows { .. } => None,
+        }
+        .filter(|coordinate| coordinate.shape != Shape::Number)
+    }
+
+    /// Whether a coordinate is an orientation or a pose.
+    pub fn has_orientations(&self) -> bool {
+        self.coordinates.iter().any(|coordinate| coordinate.shape != Shape::Number)
+    }
+
     /// Whether a joint follows another one.
     pub fn follows(&self, joint: usize) -> bool {
         matches!(self.motions[joint], Motion::Follows { .. })
@@ -351,19 +296,18 @@ impl Plan {
                 list(massless)
             ));
         }
-        for joint in &self.robot.joints {
-            let angle = match joint.kind {
-                Kind::Free | Kind::Ball => "pitch",
-                _ => continue,
-            };
-            let name = if joint.name.is_empty() {
-                "the floating base".to_owned()
-            } else {
-                format!("`{}`", joint.name)
-            };
+        for joint in self.robot.joints.iter().filter(|_| options.euler) {
+            if !matches!(joint.kind, Kind::Free | Kind::Ball) {
+                continue;
+            }
+            let is_base = joint.name.is_empty();
+            let name = if is_base { "the floating base".to_owned() } else { format!("`{}`", joint.name) };
             sink.note(format!(
-                "{name} has the angles roll, pitch and yaw about fixed axes: the equations are singular at a {angle} of ±90°"
+                "{name} has the angles roll, pitch and yaw about fixed axes: the equations are singular at a pitch of ±90°"
             ));
+            if joint.action.damping != 0.0 || joint.action.armature != 0.0 {
+                left_out.push(format!("damping and armature of {name} (they are there without --euler)"));
+            }
         }
         for text in &left_out {
             sink.note(format!("left out: {text}"));

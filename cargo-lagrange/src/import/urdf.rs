@@ -179,6 +179,13 @@ impl Urdf<'_, '_> {
         if let Some(dynamics) = child(node, "dynamics") {
             action.damping = self.reader.size(dynamics, "damping");
             action.friction = self.reader.size(dynamics, "friction");
+            if kind.is_some_and(|kind| kind.freedom() > 1) && action != Action::default() {
+                let name = node.attribute("name").unwrap_or_default();
+                let text =
+                    format!("left out: <dynamics> of `{name}`, which URDF gives for one coordinate only");
+                self.reader.sink.note(text);
+                action = Action::default();
+            }
         }
         let bounded = matches!(node.attribute("type"), Some("revolute" | "prismatic")) && kind.is_some();
         if let Some(limit) = child(node, "limit").filter(|_| bounded) {

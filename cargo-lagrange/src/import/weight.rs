@@ -1,16 +1,18 @@
 //! Whether gravity does work: a potential that depends on no coordinate would be refused.
 
 use super::geometry::{Angle, Pose, Rotation, Vector, add, cross, dot, scaled};
-use super::plan::{Motion, Plan};
+use super::motions::Motion;
+use super::plan::Plan;
 use super::robot::Kind;
 
 /// Whether the weight of the bodies has a potential that changes with the coordinates.
 pub fn does_work(plan: &Plan) -> bool {
     let samples = [[0.0; 3], [0.7, 0.3, 0.9], [-1.1, 0.8, 0.4], [0.5, -0.6, 1.3]];
-    let coordinates = |[a, b, c]: [f64; 3]| -> Vec<f64> {
+    let coordinates = |[a, b, c]: [f64; 3]| -> Vec<Vec<f64>> {
         // Any numbers without a pattern do: what is constant is so for all of them.
         let spread = |i: usize| a + b * (i as f64 * 1.7 + c).sin();
-        (0..plan.coordinates.len()).map(spread).collect()
+        let all = plan.coordinates.iter().enumerate();
+        all.map(|(i, one)| (0..one.shape.freedom()).map(|part| spread(6 * i + part)).collect()).collect()
     };
     let works: Vec<(f64, f64)> = samples.map(|sample| potential(plan, &coordinates(sample))).to_vec();
     let size = works.iter().map(|(_, size)| *size).fold(0.0, f64::max);
@@ -19,15 +21,15 @@ pub fn does_work(plan: &Plan) -> bool {
 }
 
 /// Σ m g·r, and the sum of the sizes of what it consists of.
-fn potential(plan: &Plan, coordinates: &[f64]) -> (f64, f64) {
+fn potential(plan: &Plan, coordinates: &[Vec<f64>]) -> (f64, f64) {
     let robot = &plan.robot;
     let mut poses = vec![Pose::IDENTITY; robot.links.len()];
     let mut reach = vec![0.0; robot.links.len()];
     for &index in &plan.tree.order {
         let joint = &robot.joints[index];
         let own: Vec<f64> = match &plan.motions[index] {
-            Motion::Own(own) => own.iter().map(|&own| coordinates[own]).collect(),
-            Motion::Follows { of, multiplier, offset } => vec![multiplier * coordinates[*of] + offset],
+            Motion::Own(own) => own.iter().flat_map(|&own| coordinates[own].clone()).collect(),
+            Motion::Follows { of, multiplier, offset } => vec![multiplier * coordinates[*of][0] + offset],
         };
         let moved = moved(joint.kind, &own, joint.action.reference);
         let back = Pose { shift: joint.back, turn: Rotation::IDENTITY };
@@ -48,7 +50,7 @@ fn potential(plan: &Plan, coordinates: &[f64]) -> (f64, f64) {
     total
 }
 
-/// What a joint does.
+/// What a joint does; that orientations are angles here is all the same.
 fn moved(kind: Kind, own: &[f64], reference: f64) -> Pose {
     let turn = |axis: Vector, angle: f64| Rotation::about(axis, Angle::Radians(angle));
     match kind {

@@ -20,19 +20,7 @@ impl Default for Everything {
 }
 
 #[lagrangian(
-    coordinates = [
-        slide_joint,
-        type_,
-        puck_x,
-        puck_y,
-        puck_angle,
-        drone_x,
-        drone_y,
-        drone_z,
-        drone_roll,
-        drone_pitch,
-        drone_yaw,
-    ],
+    coordinates = [slide_joint, type_, puck_x, puck_y, puck_angle, drone: Pose],
     inputs = [slide_joint_force, type_torque],
 )]
 #[allow(dead_code, clippy::approx_constant)]
@@ -87,14 +75,9 @@ impl Everything {
             * Rotation3::from_axis_angle(&Vector3::x_axis(), q.puck_angle)
     }
 
-    /// The orientation of `drone`: roll, pitch and yaw about fixed axes.
-    pub fn drone_orientation(&self, q: &Coordinates) -> Rotation3<f64> {
-        Rotation3::from_euler_angles(q.drone_roll, q.drone_pitch, q.drone_yaw)
-    }
-
     /// The frame of `drone`, moved by `drone`.
     pub fn drone_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
-        Translation3::new(q.drone_x, q.drone_y, q.drone_z) * self.drone_orientation(q)
+        q.drone.translation * q.drone.rotation.to_rotation_matrix()
     }
 
     /// The mass of `Slider` with `box` fixed to it.
@@ -152,9 +135,15 @@ impl Everything {
         0.5 * (0.5 * v.slide_joint.powi(2) + 0.02 * (-0.5 * v.type_).powi(2))
     }
 
-    /// The forces and torques of the motors.
-    #[force]
-    pub fn motors(&self, u: &Inputs) -> [f64; 11] {
-        [u.slide_joint_force, u.type_torque, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    /// The motor of `slide_joint`.
+    #[force(on = slide_joint)]
+    pub fn slide_joint_motor(&self, u: &Inputs) -> f64 {
+        u.slide_joint_force
+    }
+
+    /// The motor of `type_`.
+    #[force(on = type_)]
+    pub fn type_motor(&self, u: &Inputs) -> f64 {
+        u.type_torque
     }
 }

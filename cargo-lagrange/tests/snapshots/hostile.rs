@@ -94,17 +94,7 @@ impl Default for State {
 }
 
 #[lagrangian(
-    coordinates = [
-        q,
-        self_,
-        gravity,
-        motors_x,
-        motors_y,
-        motors_z,
-        motors_roll,
-        motors_pitch,
-        motors_yaw,
-    ],
+    coordinates = [q, self_, gravity, motors: Pose],
     inputs = [q_torque, self_force, gravity_torque],
 )]
 #[allow(dead_code, clippy::approx_constant)]
@@ -130,14 +120,9 @@ impl State {
         self.simulate_frame(q) * Rotation3::from_axis_angle(&Vector3::z_axis(), -q.gravity)
     }
 
-    /// The orientation of `Vector3`: roll, pitch and yaw about fixed axes.
-    pub fn vector3_orientation(&self, q: &Coordinates) -> Rotation3<f64> {
-        Rotation3::from_euler_angles(q.motors_roll, q.motors_pitch, q.motors_yaw)
-    }
-
     /// The frame of `Vector3`, moved by `motors`.
     pub fn vector3_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
-        Translation3::new(q.motors_x, q.motors_y, q.motors_z) * self.vector3_orientation(q)
+        q.motors.translation * q.motors.rotation.to_rotation_matrix()
     }
 
     /// The mass of `energy`.
@@ -207,9 +192,21 @@ impl State {
         0.5 * (1.0 * v.q.powi(2) + 1.0 * v.self_.powi(2) + 1.0 * (2.0 * v.self_).powi(2))
     }
 
-    /// The forces and torques of the motors.
-    #[force]
-    pub fn motors(&self, u: &Inputs) -> [f64; 9] {
-        [u.q_torque, u.self_force, u.gravity_torque, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    /// The motor of `q`.
+    #[force(on = q)]
+    pub fn q_motor(&self, u: &Inputs) -> f64 {
+        u.q_torque
+    }
+
+    /// The motor of `self_`.
+    #[force(on = self_)]
+    pub fn self_motor(&self, u: &Inputs) -> f64 {
+        u.self_force
+    }
+
+    /// The motor of `gravity`.
+    #[force(on = gravity)]
+    pub fn gravity_motor(&self, u: &Inputs) -> f64 {
+        u.gravity_torque
     }
 }

@@ -19,7 +19,7 @@ impl Default for Joints {
 }
 
 #[lagrangian(
-    coordinates = [yaw, roll, body_3_roll, body_3_pitch, body_3_yaw, left],
+    coordinates = [yaw, roll, body_3: Rotation, left],
     inputs = [yaw_torque, roll_torque, left_force],
 )]
 #[allow(dead_code, clippy::approx_constant)]
@@ -37,17 +37,12 @@ impl Joints {
         self.hip_part_1_frame(q) * Rotation3::from_axis_angle(&Vector3::x_axis(), q.roll)
     }
 
-    /// The orientation of `body_3`: roll, pitch and yaw about fixed axes.
-    pub fn body_3_orientation(&self, q: &Coordinates) -> Rotation3<f64> {
-        Rotation3::from_euler_angles(q.body_3_roll, q.body_3_pitch, q.body_3_yaw)
-    }
-
     /// The frame of `body_3`, moved by `body_3`.
     pub fn body_3_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
         self.hip_frame(q)
             * Translation3::new(0.5, 0.0, 0.0)
             * Rotation3::from_euler_angles(0.0, 0.0, FRAC_PI_2)
-            * self.body_3_orientation(q)
+            * q.body_3.to_rotation_matrix()
     }
 
     /// The frame of `left`, shifted by `left`.
@@ -112,9 +107,21 @@ impl Joints {
                 + 0.2 * self.height(&self.right_body(q).translation))
     }
 
-    /// The forces and torques of the motors.
-    #[force]
-    pub fn motors(&self, u: &Inputs) -> [f64; 6] {
-        [u.yaw_torque, u.roll_torque, 0.0, 0.0, 0.0, u.left_force]
+    /// The motor of `yaw`.
+    #[force(on = yaw)]
+    pub fn yaw_motor(&self, u: &Inputs) -> f64 {
+        u.yaw_torque
+    }
+
+    /// The motor of `roll`.
+    #[force(on = roll)]
+    pub fn roll_motor(&self, u: &Inputs) -> f64 {
+        u.roll_torque
+    }
+
+    /// The motor of `left`.
+    #[force(on = left)]
+    pub fn left_motor(&self, u: &Inputs) -> f64 {
+        u.left_force
     }
 }

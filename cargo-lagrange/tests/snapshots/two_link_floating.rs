@@ -17,17 +17,12 @@ impl Default for TwoLinkArm {
     }
 }
 
-#[lagrangian(coordinates = [x, y, z, roll, pitch, yaw, shoulder, elbow])]
+#[lagrangian(coordinates = [base: Pose, shoulder, elbow])]
 #[allow(dead_code, clippy::approx_constant)]
 impl TwoLinkArm {
-    /// The orientation of `base`: roll, pitch and yaw about fixed axes.
-    pub fn base_orientation(&self, q: &Coordinates) -> Rotation3<f64> {
-        Rotation3::from_euler_angles(q.roll, q.pitch, q.yaw)
-    }
-
     /// The frame of `base`, which moves freely.
     pub fn base_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
-        Translation3::new(q.x, q.y, q.z) * self.base_orientation(q)
+        q.base.translation * q.base.rotation.to_rotation_matrix()
     }
 
     /// The frame of `upper`, turned by `shoulder`.

@@ -3,7 +3,7 @@
 use super::Writer;
 use super::bodies::weighted;
 use super::text::{grouped, number, sum};
-use crate::import::plan::Motion;
+use crate::import::motions::{Coordinate, Motion, Shape};
 use crate::import::{Following, Options};
 
 impl<'p> Writer<'p> {
@@ -45,16 +45,22 @@ impl<'p> Writer<'p> {
     ) {
         let plan = self.plan;
         let terms: Vec<String> = plan
-            .actions()
-            .map(|(index, _, action)| (index, of(action)))
+            .tree
+            .order
+            .iter()
+            .map(|&index| (index, of(&plan.robot.joints[index].action)))
             .filter(|(_, (factor, _))| *factor != 0.0)
-            .map(|(index, (factor, zero))| {
+            .filter_map(|(index, (factor, zero))| {
+                if plan.robot.joints[index].kind.freedom() > 1 {
+                    let square = self.square(plan.oriented(index)?, record);
+                    return Some(format!("{} * {square}", number(factor)));
+                }
                 let value = self.joint_value(index, record);
                 let value = match zero {
                     0.0 => grouped(value),
                     _ => format!("({})", sum(&[(1.0, grouped(value)), (-zero, String::new())])),
                 };
-                format!("{} * {value}.powi(2)", number(factor))
+                Some(format!("{} * {value}.powi(2)", number(factor)))
             })
             .collect();
         if terms.is_empty() {
@@ -67,6 +73,15 @@ impl<'p> Writer<'p> {
         weighted(&mut self.out, "0.5", &terms);
         self.out.line(4, "}");
         self.out.empty();
+    }
+
+    /// The square of the velocity of an orientation or a pose.
+    fn square(&self, Coordinate { name, shape }: &Coordinate, record: char) -> String {
+        let own = format!("{record}.{name}");
+        match shape {
+            Shape::Pose => format!("({own}.linear.norm_squared() + {own}.angular.norm_squared())"),
+            Shape::Rotation | Shape::Number => format!("{own}.norm_squared()"),
+        }
     }
 
     fn friction(&mut self) {
@@ -130,6 +145,9 @@ impl<'p> Writer<'p> {
             };
             forces[coordinate].push((factor, format!("u.{input}")));
         }
+        if plan.has_orientations() {
+            return self.motors_apart(&forces);
+        }
         let forces: Vec<String> = forces.iter().map(|terms| sum(terms)).collect();
         self.out.line(4, "/// The forces and torques of the motors.");
         self.out.line(4, "#[force]");
@@ -139,11 +157,28 @@ impl<'p> Writer<'p> {
         self.out.empty();
     }
 
+    /// A force on each coordinate that is driven: beside orientations there is none on all at once.
+    fn motors_apart(&mut self, forces: &[Vec<(f64, String)>]) {
+        for (coordinate, terms) in self.plan.coordinates.iter().zip(forces) {
+            if terms.is_empty() {
+                continue;
+            }
+            let name = &coordinate.name;
+            let plain = name.trim_end_matches('_');
+            self.out.line(4, &format!("/// The motor of `{name}`."));
+            self.out.line(4, &format!("#[force(on = {name})]"));
+            self.out.line(4, &format!("pub fn {plain}_motor(&self, u: &Inputs) -> f64 {{"));
+            self.out.line(8, &sum(terms));
+            self.out.line(4, "}");
+            self.out.empty();
+        }
+    }
+
     /// The identifier of a joint: that of its coordinate, or of the link that it moves.
     fn joint_name(&self, joint: usize) -> &'p str {
         let plan = self.plan;
         match &plan.motions[joint] {
-            Motion::Own(own) => plan.coordinates[own[0]].trim_end_matches('_'),
+            Motion::Own(own) => plan.coordinates[own[0]].name.trim_end_matches('_'),
             Motion::Follows { .. } => &plan.frames[plan.robot.joints[joint].child].name,
         }
     }

@@ -3,7 +3,7 @@
 use super::Writer;
 use super::text::{axis, grouped, number, shift, sum, turn};
 use crate::import::geometry::{Pose, Vector, add, cross, norm, scaled};
-use crate::import::plan::Motion;
+use crate::import::motions::{Coordinate, Motion, Shape};
 use crate::import::robot::{Joint, Kind};
 
 impl Writer<'_> {
@@ -40,18 +40,20 @@ impl Writer<'_> {
             factors.extend(shift(joint.back.map(number)));
         }
         // A product is a pose only if it has a shift and a rotation.
-        if reference
-            && !factors
-                .iter()
-                .any(|factor| factor.starts_with("Rotation3") || factor.ends_with("_orientation(q)"))
-        {
+        let turns = |factor: &String| {
+            factor.starts_with("Rotation3")
+                || factor.ends_with("_orientation(q)")
+                || factor.ends_with(".to_rotation_matrix()")
+        };
+        let shifts = |factor: &String| factor.starts_with("Translation3") || factor.ends_with(".translation");
+        if reference && !factors.iter().any(turns) {
             factors.push("Rotation3::identity()".to_owned());
         }
-        if reference && !factors.iter().any(|factor| factor.starts_with("Translation3")) {
+        if reference && !factors.iter().any(shifts) {
             factors.insert(0, "Translation3::identity()".to_owned());
         }
         let argument = if self.plan.frames[joint.child].moves { ", q: &Coordinates" } else { "" };
-        if matches!(joint.kind, Kind::Free | Kind::Ball) {
+        if matches!(joint.kind, Kind::Free | Kind::Ball) && self.plan.oriented(index).is_none() {
             self.orientation(index, joint);
         }
         self.out.line(4, &format!("/// The frame of {doc}"));
@@ -91,6 +93,9 @@ impl Writer<'_> {
             0.0 => self.joint_value(index, 'q'),
             _ => sum(&[(1.0, grouped(self.joint_value(index, 'q'))), (-reference, String::new())]),
         };
+        if let Some(coordinate) = self.plan.oriented(index) {
+            return oriented(coordinate);
+        }
         match joint.kind {
             Kind::Fixed => Vec::new(),
             Kind::Turns(about) => vec![about_axis(about, single())],
@@ -108,7 +113,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The one place that says how an orientation is described.
+    /// The one place that says how an orientation is described by angles.
     fn orientation(&mut self, index: usize, joint: &Joint) {
         let Motion::Own(own) = &self.plan.motions[index] else { return };
         let angles: Vec<String> =
@@ -124,6 +129,16 @@ impl Writer<'_> {
 
     fn orientation_name(&self, joint: &Joint) -> String {
         format!("{}_orientation", self.plan.frames[joint.child].name)
+    }
+}
+
+/// The factors of an orientation or a pose.
+fn oriented(Coordinate { name, shape }: &Coordinate) -> Vec<String> {
+    match shape {
+        Shape::Pose => {
+            vec![format!("q.{name}.translation"), format!("q.{name}.rotation.to_rotation_matrix()")]
+        }
+        Shape::Rotation | Shape::Number => vec![format!("q.{name}.to_rotation_matrix()")],
     }
 }
 

@@ -5,7 +5,8 @@ mod bodies;
 mod frames;
 mod text;
 
-use super::plan::{Motion, Plan};
+use super::motions::{Coordinate, Motion, Shape};
+use super::plan::Plan;
 use super::{Options, Parameters};
 use text::{Lines, number, sum};
 
@@ -73,7 +74,7 @@ impl Writer<'_> {
     }
 
     fn coordinate(&self, coordinate: usize, record: char) -> String {
-        format!("{record}.{}", self.plan.coordinates[coordinate])
+        format!("{record}.{}", self.plan.coordinates[coordinate].name)
     }
 
     /// What stands in front of the functions.
@@ -142,7 +143,16 @@ impl Writer<'_> {
 
     fn attribute(&mut self, options: &Options) {
         let inputs: Vec<&str> = self.plan.inputs.iter().map(|(name, ..)| name.as_str()).collect();
-        let coordinates: Vec<&str> = self.plan.coordinates.iter().map(String::as_str).collect();
+        let coordinates: Vec<String> = self
+            .plan
+            .coordinates
+            .iter()
+            .map(|Coordinate { name, shape }| match shape {
+                Shape::Number => name.clone(),
+                Shape::Rotation => format!("{name}: Rotation"),
+                Shape::Pose => format!("{name}: Pose"),
+            })
+            .collect();
         let mut parts = vec![format!("coordinates = [{}]", coordinates.join(", "))];
         if !inputs.is_empty() {
             parts.push(format!("inputs = [{}]", inputs.join(", ")));

@@ -113,7 +113,7 @@ impl<'r, 'a> Bodies<'r, 'a> {
         }
         let Some(kind) = self.kind(node) else { return };
         let mut place: [f64; 3] = self.attributes.vector(self.reader, node, "pos").unwrap_or([0.0; 3]);
-        let mut action = if kind.freedom() == 1 { self.action(node, kind) } else { Action::default() };
+        let action = self.action(node, kind, &name);
         let mut frame = Pose { shift: pose.compose(&Pose { shift: place, ..Pose::IDENTITY }).shift, ..pose };
         if kind == Kind::Free {
             if ends[0] != 0 {
@@ -127,7 +127,7 @@ impl<'r, 'a> Bodies<'r, 'a> {
                 "`{body}` starts at {start:?} in the file; its coordinates are its place in the world"
             );
             self.reader.sink.note(text);
-            (frame, place, action) = (Pose::IDENTITY, [0.0; 3], Action::default());
+            (frame, place) = (Pose::IDENTITY, [0.0; 3]);
             if free == 1 {
                 name.clear();
             }
@@ -163,7 +163,11 @@ impl<'r, 'a> Bodies<'r, 'a> {
         }
     }
 
-    fn action(&mut self, node: Element<'a>, kind: Kind) -> Action {
+    fn action(&mut self, node: Element<'a>, kind: Kind, joint: &str) -> Action {
+        // It has no attributes of that kind, and takes none from defaults.
+        if node.has_tag_name("freejoint") {
+            return Action::default();
+        }
         let turns = matches!(kind, Kind::Turns(_));
         let attributes = self.attributes;
         let value = |reader: &mut Reader<'a>, name: &str| {
@@ -181,6 +185,19 @@ impl<'r, 'a> Bodies<'r, 'a> {
         let limits = range.filter(|[lower, upper]| limited != "false" && lower < upper);
         let limits =
             limits.map(|limits| if turns { limits.map(|limit| attributes.radians(limit)) } else { limits });
+        if kind.freedom() > 1 {
+            let others = [
+                (friction != 0.0, "frictionloss"),
+                (stiffness != 0.0, "stiffness"),
+                (limits.is_some() && kind == Kind::Ball, "range"),
+            ];
+            let left_out: Vec<&str> =
+                others.iter().filter(|(is_there, _)| *is_there).map(|(_, name)| *name).collect();
+            if !left_out.is_empty() {
+                self.reader.sink.note(format!("left out: {} of `{joint}`", left_out.join(", ")));
+            }
+            return Action { damping, armature, ..Action::default() };
+        }
         Action { damping, friction, armature, stiffness, relaxed, reference, limits }
     }
 
