@@ -112,6 +112,14 @@ pub fn settle<R: Real, const N: usize>(orientations: &[usize], state: &State<R, 
     settled
 }
 
+/// Gives the three numbers of an orientation one size: the largest of theirs, `least` at least.
+pub(crate) fn share<R: Real, const N: usize>(sizes: &mut [R; N], first: usize, least: R) {
+    if let Some(triple) = sizes.get_mut(first..first + 3) {
+        let largest = triple.iter().fold(least, |largest, &size| largest.max(size));
+        triple.fill(largest);
+    }
+}
+
 /// The other triple of an orientation, and its rates. Triples of less than half a turn, which stay, give finite
 /// numbers.
 fn other<R: Real>(rho: [R; 3], rates: [R; 3]) -> ([R; 3], [R; 3]) {

@@ -220,29 +220,38 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         // Far below any other number, but not zero.
         let tiny = S::Scalar::epsilon().powi(4);
         let mut worst = tiny;
-        let mut weigh = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize| {
-            let row =
-                |k: usize| rows.get(k).map_or([num_traits::Zero::zero(); N], |row| row.map(|x| x.part(part)));
-            let (first, second) = (row(0), row(1));
-            let mut terms: [S::Scalar; N] = [num_traits::Zero::zero(); N];
-            for order in orders / 2..orders.saturating_sub(2) {
-                let term = row(order);
-                for i in 0..N {
-                    terms[i] = (terms[i] * number(1.0 / STEEPEST)).max(term[i].abs());
+        let mut weigh =
+            |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize, least: S::Scalar| {
+                let row = |k: usize| {
+                    rows.get(k).map_or([num_traits::Zero::zero(); N], |row| row.map(|x| x.part(part)))
+                };
+                let (first, second) = (row(0), row(1));
+                let mut terms: [S::Scalar; N] = [num_traits::Zero::zero(); N];
+                for order in orders / 2..orders.saturating_sub(2) {
+                    let term = row(order);
+                    for i in 0..N {
+                        terms[i] = (terms[i] * number(1.0 / STEEPEST)).max(term[i].abs());
+                    }
                 }
-            }
-            let (before, last) = (row(orders - 2), row(orders - 1));
-            for i in 0..N {
-                let x = x[i].part(part);
-                let size = x.abs().max(first[i].abs() * span).max(second[i].abs() * span * span);
-                let early = terms[i] * number(1.0 / (STEEPEST * STEEPEST));
-                let term = last[i].abs().max(number(DECAY) * before[i].abs()).max(early);
-                worst = worst.max(term / (relative * size + tiny));
-            }
-        };
+                let (before, last) = (row(orders - 2), row(orders - 1));
+                let mut sizes: [S::Scalar; N] = core::array::from_fn(|i| {
+                    x[i].part(part).abs().max(first[i].abs() * span).max(second[i].abs() * span * span)
+                });
+                for &first in S::ORIENTATIONS {
+                    attitude::share(&mut sizes, first, least);
+                }
+                for i in 0..N {
+                    let size = sizes[i];
+                    let early = terms[i] * number(1.0 / (STEEPEST * STEEPEST));
+                    let term = last[i].abs().max(number(DECAY) * before[i].abs()).max(early);
+                    worst = worst.max(term / (relative * size + tiny));
+                }
+            };
         for part in 0..S::Scalar::PARTS {
-            weigh(&self.state.q, &self.series.q, part);
-            weigh(&self.state.v, &self.series.v, part);
+            // The size of the parameters of any orientation is 1 rad.
+            let [zero, one] = [num_traits::Zero::zero(), num_traits::One::one()];
+            weigh(&self.state.q, &self.series.q, part, if part == 0 { one } else { zero });
+            weigh(&self.state.v, &self.series.v, part, zero);
         }
         (-worst.ln() / number(orders as f64)).exp()
     }

@@ -76,6 +76,22 @@ pub(crate) enum Memory {
     Zero(Option<Side>),
 }
 
+impl Memory {
+    /// The same of the guard with the other sign.
+    pub fn opposite(self) -> Self {
+        let other = |side| match side {
+            Side::Above => Side::Below,
+            Side::Below => Side::Above,
+        };
+        match self {
+            Self::Unknown => Self::Unknown,
+            Self::Side(side) => Self::Side(other(side)),
+            Self::Touching(side) => Self::Touching(other(side)),
+            Self::Zero(side) => Self::Zero(side.map(other)),
+        }
+    }
+}
+
 /// A zero of a guard.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Zero<R> {

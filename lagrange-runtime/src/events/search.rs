@@ -3,6 +3,7 @@
 use super::interval::{Interval, POINTS, Watched};
 use super::track::{Pending, RESOLVED, Refused, Track};
 use super::{Crossing, Event, Guard};
+use crate::attitude;
 use crate::error::{Cause, MotionError};
 use crate::integrator::Adaptive;
 use crate::integrator::step_size;
@@ -154,7 +155,7 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
         G: Guard<S, R, N>,
     {
         let from = self.front.t;
-        let Some(end) = self.reach(motion, attempts)? else { return Ok(()) };
+        let Some(end) = self.reach(motion, guards, attempts)? else { return Ok(()) };
         let step = (end - from).abs();
         let ahead = if end < from { -R::one() } else { R::one() };
         // Of the times that are near, where the end of the step is far.
@@ -199,15 +200,17 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
 
     /// The end of what the last step has ahead of the front, after another step if need be; `None` if that
     /// led nowhere.
-    fn reach<S, C, M, const K: usize>(
+    fn reach<S, C, M, G, const K: usize>(
         &mut self,
         motion: &mut Simulation<'_, S, C, M, N, K>,
+        guards: &[G; E],
         attempts: &mut u64,
     ) -> Result<Option<R>, MotionError<R>>
     where
         S: System<N, K, Scalar = R>,
         C: Control<R, N, K>,
         M: Adaptive<S, C, N, K>,
+        G: Guard<S, R, N>,
     {
         let (from, until) = (self.front.t, self.until);
         let is_ahead = |t: R| if until < from { t < from } else { t > from };
@@ -224,7 +227,13 @@ impl<R: Ordered, const N: usize, const E: usize> Search<R, N, E> {
             spend(attempts, from)?;
             M::step(memory, system, constants, control, limits, until, attempts)?;
             // Where the motion jumps, the step starts behind the jump.
-            self.front = *M::start(memory);
+            let before = core::mem::replace(&mut self.front, *M::start(memory));
+            if attitude::settle(S::ORIENTATIONS, &before).is_some_and(|settled| settled == self.front) {
+                for (track, guard) in self.tracks.iter_mut().zip(guards) {
+                    let watched = Watched { motion: &mut *motion, guard };
+                    track.renamed(watched.at(&before), watched.at(&self.front));
+                }
+            }
             step = ends(motion);
         }
         let end = step.into_iter().find(|&t| is_ahead(t));

@@ -69,6 +69,14 @@ impl<R: Ordered> Track<R> {
         Self { memory: unknown, beyond: (None, zero), noise: zero, zeros: None, pending: None }
     }
 
+    /// The state has got other numbers for the same orientations, with which a guard may have the other sign, as
+    /// components of a quaternion have. That is no zero.
+    pub fn renamed(&mut self, before: R, after: R) {
+        if (after + before).abs() < (after - before).abs() {
+            self.memory = self.memory.opposite();
+        }
+    }
+
     /// A zero at the end of the interval that has not been counted since the guard has not left it. From then
     /// on it counts.
     pub fn take_last(&mut self, interval: Interval<R>) -> Option<Pending<R>> {

@@ -178,6 +178,42 @@ impl Die {
 }
 
 #[test]
+fn a_component_of_the_quaternion_is_zero_where_it_vanishes_alone() {
+    struct Free;
+    #[lagrangian(coordinates = [body: Rotation])]
+    impl Free {
+        #[body(mass = 1.0, inertia = [1.0, 2.0, 3.0])]
+        fn body(&self, q: &Coordinates) -> Isometry3<f64> {
+            Isometry3::from_parts(Translation3::identity(), q.body)
+        }
+    }
+    let spin = FreeVelocities { body: Vector3::new(0.0, 0.0, 1.0) };
+    let start = Free.state(FreeCoordinates { body: UnitQuaternion::identity() }, spin);
+    let mut motion = Free.simulate(start).with_tolerance(1e-15);
+    // k = sin(t/2) of the one quaternion or of the other: zero after every full turn, and nowhere else.
+    for turn in 1..=4 {
+        let event = motion.advance_to_event(|s: &State<f64, 3>| FreeCoordinates::from(s.q).body.k, 40.0);
+        let event = event.unwrap().unwrap();
+        close(event.state.t, f64::from(turn) * core::f64::consts::TAU, 1e-12);
+    }
+}
+
+#[test]
+fn starts_with_components_that_are_zero_take_ordinary_steps() {
+    let half = |axis: Vector3<f64>| UnitQuaternion::from_scaled_axis(axis * core::f64::consts::PI);
+    let rates = [Vector3::new(0.1, 0.0, 1.0), Vector3::new(0.0, 0.3, 0.0)];
+    for links in [[half(Vector3::x()), half(Vector3::y())], [UnitQuaternion::identity(); 2]] {
+        for tolerance in [1e-7, 1e-10, 1e-13] {
+            let start = Pendulum.state(PendulumCoordinates { links }, PendulumVelocities { links: rates });
+            let mut motion = Pendulum.simulate(start).with_tolerance(tolerance).with_max_steps(500);
+            let energy = motion.energy();
+            motion.advance_to(3.0).unwrap();
+            close_on(20.0, motion.energy(), energy, 20.0 * tolerance);
+        }
+    }
+}
+
+#[test]
 fn the_report_names_orientations() {
     let facts = Die::STRUCTURE.facts;
     assert!(facts.contains(&"orientations without a singular attitude: die"), "{facts:?}");

@@ -8,6 +8,7 @@ use super::super::landing::{Determined, across};
 use super::super::step_size::{self, Limits};
 use super::super::terms::Terms;
 use super::{DECAY, GROWTH, HIGHEST, ORDERS_PER_DIGIT, SAFETY, last_term, orders, steepest};
+use crate::attitude;
 use crate::constraints::Footing;
 use crate::error::Cause;
 use crate::linear::Independence;
@@ -19,6 +20,8 @@ use crate::state::State;
 #[derive(Clone, Copy, Debug)]
 pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) constants: C,
+    /// Where the three numbers of each orientation begin.
+    orientations: &'static [usize],
     pub(super) tables: T,
     pub(super) series: Series<R, N, HIGHEST>,
     pub(super) orders: usize,
@@ -50,10 +53,11 @@ pub struct JetsMemory<C, T, R, const N: usize> {
 }
 
 impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R, N> {
-    pub(super) fn new(constants: C, start: State<R, N>) -> Self {
+    pub(super) fn new(constants: C, start: State<R, N>, orientations: &'static [usize]) -> Self {
         let zero = State { t: R::zero(), q: [R::zero(); N], v: [R::zero(); N] };
         Self {
             constants,
+            orientations,
             tables: T::default(),
             series: Series::default(),
             orders: 0,
@@ -272,7 +276,13 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
                 )
             })
         };
-        let sizes = [sizes(&self.start.q, &series.q), sizes(&self.start.v, &series.v)];
+        let mut sizes = [sizes(&self.start.q, &series.q), sizes(&self.start.v, &series.v)];
+        for &first in self.orientations {
+            // The size of the parameters of any orientation is 1 rad: the identity is one among others.
+            let least = if part == 0 { R::Lane::one() } else { zero };
+            attitude::share(&mut sizes[0], first, least);
+            attitude::share(&mut sizes[1], first, zero);
+        }
         // Linear equations have no scale: an absolute error of a derivative is one beside the whole of its
         // column.
         let column = |largest, &size: &R::Lane| larger(largest, size);

@@ -135,7 +135,7 @@ where
     where
         S::Scalar: Ordered,
     {
-        JetsMemory::new(system.jet_constants(), start)
+        JetsMemory::new(system.jet_constants(), start, S::ORIENTATIONS)
     }
 
     #[inline]
