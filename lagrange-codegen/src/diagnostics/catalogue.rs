@@ -52,8 +52,8 @@ messages! {
     empty_array(name) = "the array `{name}` has no elements; give it a length of at least 1";
     array_too_long(name, most) = "the array `{name}` is longer than {most}; a system of this size cannot be \
         expanded into source code";
-    unknown_coordinate_kind(name) = "`{name}` is no kind of coordinate; write `Rotation` for an orientation in \
-        space, `Pose` for a position and an orientation, or a length in brackets for an array of numbers: `theta: [3]`";
+    unknown_coordinate_kind(name) = "`{name}` is no kind of coordinate; leave it out for a number, write `Rotation` for an \
+        orientation in space, `Pose` for a position and an orientation, or a length in brackets for an array of numbers: `theta: [3]`";
     input_not_scalar(name) = "the input `{name}` is a number or an array of numbers; leave the kind out, or write \
         `{name}: [3]`";
     no_array_of_orientations(record) = "`{record}` with orientations are no array of numbers; use their fields by name";

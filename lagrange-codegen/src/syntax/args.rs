@@ -1,7 +1,7 @@
 //! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, sensitivities = […],
 //! analysis, verify = …, baumgarte = …, crate = …, allow(…)`.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::punctuated::Punctuated;
@@ -88,7 +88,7 @@ impl Parse for Declaration {
 
 impl Parse for Kind {
     fn parse(input: ParseStream) -> syn::Result<Self> {
-        let word = input.parse::<Ident>()?;
+        let word = input.parse::<TokenTree>()?;
         match word.to_string().as_str() {
             "Rotation" => Ok(Kind::Rotation),
             "Pose" => Ok(Kind::Pose),
@@ -169,7 +169,7 @@ impl Parse for Argument {
             _ => {
                 // Skip the rest of the argument: the other arguments are still checked.
                 while !input.is_empty() && !input.peek(Token![,]) {
-                    input.parse::<proc_macro2::TokenTree>()?;
+                    input.parse::<TokenTree>()?;
                 }
                 let known = WORDS.iter().any(|word| key == word);
                 Ok(if known { Argument::Valued(key) } else { Argument::Unknown(key) })
