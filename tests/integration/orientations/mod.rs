@@ -3,5 +3,6 @@
 
 mod beside;
 mod elliptic;
+mod linkage;
 mod rolling;
 mod tops;
