@@ -32,6 +32,9 @@ struct Path<R, const N: usize> {
     v: [Taylor<R>; N],
 }
 
+/// The first guard to fall, and where.
+type First<R> = (Fall<R>, Guard);
+
 impl<R: Ordered, const N: usize> Path<R, N> {
     /// Along a whole step.
     fn new(start: &State<R, N>, terms: &Terms<'_, R, N>) -> Self {
@@ -69,7 +72,7 @@ where
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
         fired: Option<Guard>,
-    ) -> Result<Option<(Fall<S::Scalar>, Guard)>, Unresolved> {
+    ) -> Result<Option<First<S::Scalar>>, Unresolved> {
         if self.along().next().is_none() {
             return Ok(None);
         }
@@ -114,7 +117,7 @@ where
                     continue;
                 }
             }
-            let mut earliest: Option<(Fall<S::Scalar>, Guard)> = None;
+            let mut earliest: Option<First<S::Scalar>> = None;
             for guard in self.along() {
                 let series = self.guard(guard, &functions, number);
                 let begins =
