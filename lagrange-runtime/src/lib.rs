@@ -33,7 +33,7 @@
 //! | --- | --- | --- |
 //! | `std` (default) | the platform's | fastest where there is an operating system |
 //! | `wide` | | SIMD vectors of the `wide` crate as scalars: [`Batch`] |
-//! | `double-double` | | [`DoubleDouble`], a scalar with 31 digits |
+//! | `double-double` | | `DoubleDouble`, a scalar with 31 digits |
 //! | `libm` | the `libm` crate's | bare metal; the same bits on every target; wins over `std` |
 #![no_std]
 #![forbid(unsafe_code)]
