@@ -21,7 +21,7 @@ enum Command {
     Import(ImportArguments),
 }
 
-/// The program in the help is compiled and run by `tests/compiled.rs`.
+/// The program in the help is compiled and run by `tests/compiled/`.
 const AFTER_HELP: &str = concat!(
     "Example:
   cargo lagrange import robot.urdf --name Arm --output src/arm.rs

@@ -1,9 +1,10 @@
 //! Orientations in space: three numbers of a state, by name a unit quaternion and an angular velocity.
 //!
 //! A state holds modified Rodrigues parameters ρ = 4 tan(θ/4) n of a turn by θ \[rad] about the unit vector n,
-//! and their rates ρ′. For small turns ρ is the rotation vector \[rad] and ρ′ the angular velocity \[rad/s]. Two triples
-//! describe each orientation, ρ by θ and −16ρ/|ρ|² by θ − 2π; the shorter one has |ρ| ≤ 4 and is never
-//! singular. A motion changes to it at the end of a step that went beyond half a turn ([`settle`]).
+//! and their rates ρ′. For small turns ρ is the rotation vector \[rad] and ρ′ the angular velocity
+//! \[rad/s]. Two triples describe each orientation, ρ by θ and −16ρ/|ρ|² by θ − 2π; the shorter one has
+//! |ρ| ≤ 4 and is never singular. A motion changes to it at the end of a step that went beyond half a turn
+//! ([`settle`]).
 //! (Schaub and Junkins, *Analytical Mechanics of Space Systems*, 4th ed., section 3.5, where σ = ρ/4.)
 
 use nalgebra::{Isometry3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
@@ -96,9 +97,9 @@ pub fn settle<R: Real, const N: usize>(orientations: &[usize], state: &State<R, 
         if beyond.largest() > Zero::zero() {
             let state = settled.get_or_insert(*state);
             let shorter = other(rho, rates);
+            // Zero in lanes that stay.
+            let moves = (R::one() + beyond.signum()) * R::from_f64(0.5);
             for i in 0..3 {
-                // Zero in lanes that stay.
-                let moves = (R::one() + beyond.signum()) * R::from_f64(0.5);
                 for (to, from, new) in
                     [(&mut state.q, rho[i], shorter.0[i]), (&mut state.v, rates[i], shorter.1[i])]
                 {

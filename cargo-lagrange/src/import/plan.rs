@@ -224,7 +224,7 @@ impl Plan {
         matches!(self.motions[joint], Motion::Follows { .. })
     }
 
-    /// Reports inertias that no body has, where what they belong to is none either.
+    /// Reports inertias that are not physical, if the lumped body that they are part of is not physical either.
     fn check_inertias(&self, options: &Options, file: &str, sink: &mut Sink) {
         for (link, frame) in self.robot.links.iter().zip(&self.frames).filter(|(_, frame)| frame.moves) {
             let Some(Doubtful { mark, moment }) = &link.doubtful else { continue };

@@ -12,7 +12,7 @@ pub struct Tree {
     pub order: Vec<usize>,
 }
 
-/// Finds the tree, or says why there is none.
+/// Builds the tree of links. An error says why the links do not form one.
 pub fn tree(robot: &Robot, sink: &mut Sink) -> Option<Tree> {
     let before = sink.problems.len();
     let name = |link: usize| &robot.links[link].name;

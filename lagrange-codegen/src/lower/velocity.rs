@@ -69,7 +69,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The rate of what a function returns, derived once; `None` where there is none, which is reported.
+    /// The rate of what a function returns, derived once. `None` if it has no rate; that is reported.
     fn velocity(&mut self, place: usize) -> Option<Value> {
         if let Some(known) = &self.rates[place] {
             return (!known.is_unknown()).then(|| known.clone());
