@@ -5,10 +5,10 @@ use super::metric::Metric;
 use super::residuals::Level;
 use super::retraction::{From, Retraction, slopes};
 use super::{Surface, moved};
-use crate::error::Cause;
 use crate::linear::{Independence, SaddlePoint};
-use crate::real::Real;
-use crate::state::{State, difference};
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::state::{State, difference};
 
 /// Rows may depend on each other on the constraints if their distance is at most this many times the way to
 /// the constraints, relative to the coordinates.

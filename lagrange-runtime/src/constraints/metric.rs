@@ -6,7 +6,7 @@
 //! is a size as well, the same in all units of the user.
 
 use crate::linear::SaddlePoint;
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// Units of the coordinates at a state, those of the kinetic metric.
 #[derive(Clone, Copy, Debug, PartialEq)]

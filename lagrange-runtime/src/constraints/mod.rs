@@ -20,11 +20,11 @@ mod tangential;
 
 use core::ops::Deref;
 
-use crate::error::Magnitude;
 use crate::linear::{Independence, SaddlePoint};
-use crate::real::{Ordered, Real};
-use crate::state::State;
+use crate::number::real::{Ordered, Real};
 use crate::system::System;
+use crate::system::error::Magnitude;
+use crate::system::state::State;
 pub use footing::{Footing, land};
 pub use metric::Metric;
 pub(crate) use residuals::Level;

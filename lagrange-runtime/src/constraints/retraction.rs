@@ -27,10 +27,10 @@ use super::metric::Metric;
 use super::residuals::Level;
 use super::start::SHARE;
 use super::{Residuals, Surface, moved};
-use crate::error::Cause;
 use crate::linear::{SaddlePoint, determined};
-use crate::real::Real;
-use crate::state::{State, difference};
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::state::{State, difference};
 
 /// Corrections before a state near the constraints is given up. Each leaves a tenth at most, or the factors
 /// are made anew.

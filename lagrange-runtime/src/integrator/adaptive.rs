@@ -6,12 +6,12 @@ use super::lengths::{Lengths, Verdict};
 use super::step_size::{self, Limits};
 use super::terms::Terms;
 use super::{Field, diagnose};
-use crate::attitude;
-use crate::error::{Cause, MotionError};
-use crate::real::{Ordered, Real, larger};
-use crate::simulation::Control;
-use crate::state::State;
+use crate::motion::simulation::Control;
+use crate::number::real::{Ordered, Real, larger};
 use crate::system::System;
+use crate::system::attitude;
+use crate::system::error::{Cause, MotionError};
+use crate::system::state::State;
 
 /// Counts of a motion so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

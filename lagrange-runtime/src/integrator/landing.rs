@@ -11,11 +11,11 @@
 
 use super::step_size::{self, Limits};
 use crate::constraints::Footing;
-use crate::error::Cause;
 use crate::linear::{Independence, determined};
-use crate::real::{Ordered, Real, larger, smaller};
-use crate::state::{State, difference};
+use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::System;
+use crate::system::error::Cause;
+use crate::system::state::{State, difference};
 
 /// Largest corrections and defects, in tolerances. The last terms of a series are a fifth of the tolerance,
 /// and their derivative is larger by the order.

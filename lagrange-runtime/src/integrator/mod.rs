@@ -32,10 +32,10 @@ pub use splitting::{
 pub use step_size::Limits;
 pub use terms::Terms;
 
-use crate::error::Cause;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
 use crate::system::System;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// A method that takes steps of a size chosen by the caller.
 pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {

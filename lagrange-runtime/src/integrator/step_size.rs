@@ -8,9 +8,9 @@
 
 use core::cmp::Ordering;
 
-use crate::error::Cause;
-use crate::real::{Ordered, Real, larger, smaller};
-use crate::state::State;
+use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// What the caller asks of the control.
 #[derive(Clone, Copy, Debug)]

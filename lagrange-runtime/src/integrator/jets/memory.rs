@@ -8,13 +8,13 @@ use super::super::landing::{Determined, across};
 use super::super::step_size::{self, Limits};
 use super::super::terms::Terms;
 use super::{DECAY, GROWTH, HIGHEST, ORDERS_PER_DIGIT, SAFETY, last_term, orders, steepest};
-use crate::attitude;
 use crate::constraints::Footing;
-use crate::error::Cause;
 use crate::linear::Independence;
-use crate::real::{Ordered, Real, larger, smaller};
-use crate::smooth::Series;
-use crate::state::State;
+use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::system::attitude;
+use crate::system::error::Cause;
+use crate::system::smooth::Series;
+use crate::system::state::State;
 
 /// What [`Jets`] remember between steps.
 #[derive(Clone, Copy, Debug)]

@@ -7,11 +7,11 @@ use super::super::step_size::{self, Limits};
 use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
 use super::{Jets, JetsMemory, singular};
-use crate::attitude;
-use crate::error::Cause;
-use crate::real::{Ordered, Real, smaller};
-use crate::simulation::Held;
-use crate::smooth::Smooth;
+use crate::motion::simulation::Held;
+use crate::number::real::{Ordered, Real, smaller};
+use crate::system::attitude;
+use crate::system::error::Cause;
+use crate::system::smooth::Smooth;
 
 /// The largest ratio of a step of a constrained motion to the one before it. The end of every step is checked
 /// anyway. This bound serves polynomials whose high coefficients cancel exactly and would allow any length:
