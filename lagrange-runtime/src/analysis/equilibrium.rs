@@ -18,8 +18,8 @@ use core::fmt;
 use num_traits::Zero;
 
 use super::Tangent;
-use crate::constraints::magnitude;
 use crate::number::real::{Ordered, Real, larger};
+use crate::system::error::magnitude;
 use crate::system::error::{Cause, Magnitude};
 use crate::system::name::{Name, Names, Part};
 use crate::system::state::State;

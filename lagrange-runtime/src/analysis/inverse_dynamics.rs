@@ -2,9 +2,9 @@
 
 use super::{Imbalance, Place, Tangent};
 use crate::constraints::is_singular;
-use crate::integrator::diagnose;
 use crate::linear::{Saddle, SaddlePoint};
 use crate::number::real::Real;
+use crate::system::diagnose;
 use crate::system::error::MotionError;
 use crate::system::state::State;
 

@@ -6,10 +6,10 @@ use nalgebra::{SMatrix, SVector};
 
 use super::{Place, Tangent, Variation};
 use crate::constraints::{Balance, is_singular};
-use crate::integrator::diagnose;
 use crate::linear::stored::Stored;
 use crate::linear::{Saddle, SaddlePoint};
 use crate::number::real::Real;
+use crate::system::diagnose;
 use crate::system::error::MotionError;
 use crate::system::state::State;
 

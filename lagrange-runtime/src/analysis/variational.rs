@@ -13,11 +13,12 @@
 use nalgebra::SMatrix;
 
 use super::Sensitive;
-use crate::integrator::adaptive::Steps;
-use crate::motion::simulation::{Held, Simulation};
+use crate::motion::simulation::Simulation;
 use crate::number::real::{Dual, Ordered, Real};
 use crate::system::System;
+use crate::system::control::Held;
 use crate::system::error::MotionError;
+use crate::system::method::Steps;
 use crate::system::state::State;
 
 /// A system whose states carry their derivatives by `N` initial coordinates, `N` initial velocities and `P`

@@ -14,9 +14,9 @@ use core::fmt;
 
 use num_traits::One;
 
-use crate::constraints::magnitude;
 use crate::number::real::Real;
 use crate::system::System;
+use crate::system::error::magnitude;
 use crate::system::state::State;
 pub use differences::derivative;
 pub use placed::{Given, Placed, given, kinetic};

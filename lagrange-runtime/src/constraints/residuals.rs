@@ -1,7 +1,8 @@
 //! How far a state is off its constraints, and when that is nothing but rounding.
 
-use super::{magnitude, worst};
+use super::worst;
 use crate::number::real::Real;
+use crate::system::error::magnitude;
 use crate::system::error::{Cause, Magnitude};
 use crate::system::name::Name;
 

@@ -23,13 +23,13 @@
 //! no correction. So where rows are dependent, the state must also satisfy the bound for starts, and a larger
 //! residual is a contradiction.
 
-use super::metric::Metric;
 use super::residuals::Level;
 use super::start::SHARE;
 use super::{Residuals, Surface, moved};
 use crate::linear::{SaddlePoint, determined};
 use crate::number::real::Real;
 use crate::system::error::Cause;
+use crate::system::metric::Metric;
 use crate::system::state::{State, difference};
 
 /// Corrections before a state near the constraints is given up. Each leaves a tenth at most, or the factors

@@ -3,9 +3,9 @@
 use nalgebra::SMatrix;
 
 use super::{Balance, Surface, sound, stages};
-use crate::integrator::diagnose;
 use crate::linear::{Defect, Independence, SaddlePoint};
 use crate::number::real::Real;
+use crate::system::diagnose;
 use crate::system::error::{Cause, MotionError};
 use crate::system::name::Name;
 use crate::system::state::State;

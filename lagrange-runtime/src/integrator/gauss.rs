@@ -12,9 +12,10 @@ mod frozen;
 mod full;
 mod stages;
 
+use super::FixedStep;
 use super::tableau::gauss::{Collocation, GAUSS4, GAUSS6, GAUSS8};
-use super::{FixedStep, diagnose};
 use crate::number::real::{Ordered, Real};
+use crate::system::diagnose;
 use crate::system::error::Cause;
 use crate::system::linearized::Linearized;
 use crate::system::state::State;

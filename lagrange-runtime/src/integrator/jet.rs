@@ -8,9 +8,10 @@
 //! coefficients, added to the state with compensation.
 
 use super::dop853::add;
-use super::{FixedStep, diagnose, stages};
+use super::{FixedStep, stages};
 use crate::number::real::Real;
 use crate::system::System;
+use crate::system::diagnose;
 use crate::system::error::Cause;
 use crate::system::smooth::{Series, Smooth};
 use crate::system::state::State;

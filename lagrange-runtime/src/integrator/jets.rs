@@ -19,14 +19,15 @@ pub(crate) mod probe;
 mod singular;
 mod step;
 
-use super::adaptive::{Adaptive, Steps};
-use super::diagnose;
 use super::landing::Determined;
-use super::step_size::Limits;
-use super::terms::Terms;
-use crate::motion::simulation::Held;
 use crate::number::real::{Ordered, larger};
+use crate::series::HIGHEST;
+use crate::system::control::Held;
+use crate::system::diagnose;
 use crate::system::error::{Cause, MotionError};
+use crate::system::limits::Limits;
+use crate::system::method::Terms;
+use crate::system::method::{Adaptive, Steps};
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 pub use memory::JetsMemory;
@@ -36,9 +37,6 @@ use step::step;
 /// smooth system.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Jets;
-
-/// The highest order.
-pub(crate) const HIGHEST: usize = 32;
 
 /// Orders for each natural digit of the tolerance. One half is the optimum where the work of a step grows
 /// with the square of the order (Jorba and Zou); here it grows more slowly. Measured on the systems of the

@@ -6,8 +6,9 @@
 
 use crate::integrator::dop853::add;
 use crate::integrator::jets::probe::{self, Probe};
-use crate::integrator::jets::{HIGHEST, NEAR, STEEPEST, last_term, orders};
+use crate::integrator::jets::{NEAR, STEEPEST, last_term, orders};
 use crate::number::real::Real;
+use crate::series::HIGHEST;
 use crate::system::attitude;
 use crate::system::error::{Cause, MotionError};
 use crate::system::smooth::{Series, Smooth};

@@ -16,11 +16,12 @@
 //! parts of the step, down to the resolution of time. A jump across zero counts as a crossing, also if the
 //! motion itself jumps, as in an impact. The tip of a kink that only touches zero may be missed.
 
-use crate::integrator::Adaptive;
-use crate::motion::simulation::{Control, Simulation};
+use crate::motion::simulation::Simulation;
 use crate::number::real::Ordered;
 use crate::system::System;
+use crate::system::control::Control;
 use crate::system::error::MotionError;
+use crate::system::method::Adaptive;
 use crate::system::state::State;
 
 mod interval;

@@ -8,42 +8,14 @@
 //! sample, so sampling costs no accuracy. A change of inputs does restart at the state that the caller sees.
 
 use crate::constraints::{Constrained, Reactions};
-pub use crate::integrator::adaptive::Steps;
-use crate::integrator::step_size::Limits;
 use crate::integrator::{Adaptive, Dop853};
 use crate::number::real::Ordered;
 use crate::system::System;
+pub use crate::system::control::{Control, Feedback, Held};
 use crate::system::error::{Cause, MotionError};
+use crate::system::limits::Limits;
+pub use crate::system::method::Steps;
 use crate::system::state::State;
-
-/// Where the inputs of a system come from.
-pub trait Control<R, const N: usize, const K: usize> {
-    /// The inputs at a state. It is called several times per step, also at trial states, so the result must
-    /// depend on the state alone.
-    fn inputs(&self, state: &State<R, N>) -> [R; K];
-}
-
-/// Inputs that stay what they are until they are set again.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Held<R, const K: usize>(pub [R; K]);
-
-impl<R: Copy, const N: usize, const K: usize> Control<R, N, K> for Held<R, K> {
-    #[inline]
-    fn inputs(&self, _: &State<R, N>) -> [R; K] {
-        self.0
-    }
-}
-
-/// Inputs as a function of the state.
-#[derive(Clone, Copy, Debug)]
-pub struct Feedback<F>(pub F);
-
-impl<R, F: Fn(&State<R, N>) -> [R; K], const N: usize, const K: usize> Control<R, N, K> for Feedback<F> {
-    #[inline]
-    fn inputs(&self, state: &State<R, N>) -> [R; K] {
-        (self.0)(state)
-    }
-}
 
 /// A motion of `system` by method `M`, with inputs from `C`.
 #[derive(Clone, Copy, Debug)]

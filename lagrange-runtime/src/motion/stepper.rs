@@ -5,11 +5,12 @@
 //! steps of 1 ms end within one ulp of 1000 s.
 
 use crate::constraints::{Constrained, Reactions};
-use crate::integrator::{FixedStep, diagnose};
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::attitude;
+use crate::system::diagnose;
 use crate::system::error::{Cause, MotionError};
+use crate::system::method::FixedStep;
 use crate::system::state::State;
 
 /// A motion of `system` in fixed steps by method `M`.

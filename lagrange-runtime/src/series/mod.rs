@@ -3,3 +3,6 @@
 pub mod columns;
 pub mod tables;
 pub(crate) mod taylor;
+
+/// The highest order of the series of a motion.
+pub(crate) const HIGHEST: usize = 32;

@@ -15,7 +15,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use num_traits::{One, Zero};
 
-use crate::integrator::jets::HIGHEST;
+use super::HIGHEST;
 use crate::number::real::{Ordered, Real};
 
 /// The number of coefficients.

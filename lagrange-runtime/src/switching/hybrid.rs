@@ -13,12 +13,12 @@ use super::memory::HybridMemory;
 use super::run::Run;
 use super::scene::Scales;
 use super::{Regime, Switching};
-use crate::integrator::step_size::Limits;
-use crate::integrator::{Adaptive, adaptive::Steps};
-use crate::motion::simulation::Held;
 use crate::number::real::Ordered;
 use crate::system::System;
+use crate::system::control::Held;
 use crate::system::error::MotionError;
+use crate::system::limits::Limits;
+use crate::system::method::{Adaptive, Steps};
 use crate::system::state::State;
 
 /// A motion whose equations switch: between switches by the method `M`.

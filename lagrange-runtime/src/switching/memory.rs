@@ -5,9 +5,9 @@ use core::fmt;
 use super::Regime;
 use super::guards::Guard;
 use super::scene::Scales;
-use crate::integrator::adaptive::Steps;
 use crate::number::real::Real;
 use crate::system::error::Cause;
+use crate::system::method::Steps;
 use crate::system::state::State;
 
 /// What [`Hybrid`](super::Hybrid) remembers between steps: `I` the system of a regime with constants `X`, `J` the

@@ -11,9 +11,10 @@ use super::{Functions, Hybrid, Laws, Regime, Row, Switching};
 use crate::constraints::{self, Equations, Footing, Residuals, Surface};
 use crate::integrator::Dop853;
 use crate::linear::Switched;
-use crate::motion::simulation::{Held, Simulation};
+use crate::motion::simulation::Simulation;
 use crate::number::real::Real;
 use crate::system::System;
+use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::state::State;
 

@@ -7,6 +7,7 @@ mod parts;
 use core::fmt;
 
 use crate::system::name::{Name, Names, Part};
+pub(crate) use parts::magnitude;
 pub use parts::{Function, Magnitude};
 
 /// Why a motion could not go on.

@@ -5,10 +5,10 @@
 
 use nalgebra::SMatrix;
 
-use crate::integrator::diagnose;
 use crate::linear::Lu;
 use crate::number::real::Real;
 use crate::system::System;
+use crate::system::diagnose;
 use crate::system::error::MotionError;
 use crate::system::state::State;
 

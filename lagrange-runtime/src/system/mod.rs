@@ -1,8 +1,13 @@
 //! [`System`]: what generated code implements, and the two ways to run it.
 
 pub mod attitude;
+pub mod control;
 pub mod error;
+pub mod footing;
+pub mod limits;
 pub mod linearized;
+pub mod method;
+pub mod metric;
 pub mod name;
 pub mod proved;
 pub mod reading;
@@ -12,15 +17,17 @@ pub mod state;
 pub mod structure;
 pub mod twist;
 
-use crate::constraints::{Footing, Metric};
-use crate::integrator::{Adaptive, FixedStep};
 use crate::linear::Independence;
-use crate::motion::simulation::{Held, Simulation};
+use crate::motion::simulation::Simulation;
 use crate::motion::stepper::Stepper;
 use crate::number::real::{Ordered, Real};
-use crate::system::error::Cause;
-use crate::system::name::Names;
-use crate::system::state::State;
+use control::Held;
+use error::Cause;
+use footing::Footing;
+use method::{Adaptive, FixedStep};
+use metric::Metric;
+use name::Names;
+use state::State;
 
 /// A mechanical system with `N` coordinates and `K` inputs: a = M⁻¹ f(t, q, v, u).
 pub trait System<const N: usize, const K: usize = 0> {
@@ -219,5 +226,21 @@ pub trait System<const N: usize, const K: usize = 0> {
         M: FixedStep<Self, N, K>,
     {
         Stepper::new(self, start)
+    }
+}
+
+/// Why the motion fails at a state.
+#[cold]
+pub(crate) fn diagnose<S: System<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    t: S::Scalar,
+    q: &[S::Scalar; N],
+    v: &[S::Scalar; N],
+) -> Cause {
+    if q.iter().chain(v).all(|x| x.is_finite()) && t.is_finite() {
+        system.check_at(constants, t, q, v).err().unwrap_or(Cause::NotFinite).named(&S::NAMES)
+    } else {
+        Cause::NotFinite
     }
 }

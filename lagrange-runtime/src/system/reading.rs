@@ -9,9 +9,9 @@ use nalgebra::{
     Isometry, OPoint, Quaternion, Rotation, SMatrix, Translation, Unit, UnitComplex, UnitQuaternion,
 };
 
-use crate::constraints::magnitude;
 use crate::number::real::Real;
 use crate::system::System;
+use crate::system::error::magnitude;
 use crate::system::error::{Cause, Function, MotionError};
 use crate::system::state::State;
 

@@ -6,10 +6,10 @@
 
 use nalgebra::SMatrix;
 
-use crate::integrator::diagnose;
 use crate::linear::{Ldlt, Lu};
 use crate::number::real::Real;
 use crate::system::System;
+use crate::system::diagnose;
 use crate::system::error::{Cause, MotionError};
 use crate::system::name::Name;
 use crate::system::state::State;

@@ -1,11 +1,12 @@
 //! The series at a state, in a unit of time near the length that it bears.
 
-use super::super::adaptive::Adaptive;
-use super::super::step_size::{self, Limits};
+use super::super::step_size;
 use super::{Jets, JetsMemory, NEAR};
-use crate::motion::simulation::Held;
 use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::system::control::Held;
 use crate::system::error::Cause;
+use crate::system::limits::Limits;
+use crate::system::method::Adaptive;
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 

@@ -3,11 +3,12 @@
 use num_traits::Zero;
 
 use super::Guard;
-use crate::integrator::Adaptive;
-use crate::motion::simulation::{Control, Simulation};
+use crate::motion::simulation::Simulation;
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::System;
+use crate::system::control::Control;
 use crate::system::error::MotionError;
+use crate::system::method::Adaptive;
 use crate::system::state::State;
 
 /// Rounding errors of a state under constraints, relative to those of a free motion. They are larger because

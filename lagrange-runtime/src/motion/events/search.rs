@@ -3,14 +3,15 @@
 use super::interval::{Interval, POINTS, Watched};
 use super::track::{Pending, RESOLVED, Refused, Track};
 use super::{Crossing, Event, Guard};
-use crate::integrator::Adaptive;
 use crate::integrator::step_size;
 use crate::motion::roots::Unresolved;
-use crate::motion::simulation::{Control, Simulation};
+use crate::motion::simulation::Simulation;
 use crate::number::real::{Ordered, larger, smaller};
 use crate::system::System;
 use crate::system::attitude;
+use crate::system::control::Control;
 use crate::system::error::{Cause, MotionError};
+use crate::system::method::Adaptive;
 use crate::system::state::State;
 
 /// Growth factor of the interval that follows one that had to be shortened.

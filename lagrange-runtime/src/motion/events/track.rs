@@ -2,12 +2,12 @@
 
 use super::interval::{Interval, POINTS, Watched};
 use super::{Crossing, Guard};
-use crate::integrator::Adaptive;
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved, Zeros};
-use crate::motion::simulation::Control;
 use crate::number::real::{Ordered, larger, smaller};
 use crate::system::System;
+use crate::system::control::Control;
 use crate::system::error::MotionError;
+use crate::system::method::Adaptive;
 use crate::system::state::State;
 
 /// Where the rounding errors of a guard on an interval exceed those at its start by this factor, a shorter
