@@ -68,14 +68,16 @@ pub use motion::simulation::{self, Control, Feedback, Held, Samples, Simulation,
 pub use motion::stepper::{self, Stepper};
 pub use nalgebra;
 pub use num_traits::{One, Zero};
+#[cfg(feature = "double-double")]
+pub use number::real::DoubleDouble;
 #[cfg(feature = "wide")]
 pub use number::real::Lanes;
 pub use number::real::{self, Dual, Ordered, Real};
-#[cfg(feature = "double-double")]
-pub use number::real::{Digits, DoubleDouble};
 pub use switching::{Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
 pub use system::System;
 pub use system::attitude::{self, PoseVelocity};
+#[cfg(feature = "double-double")]
+pub use system::digits::Digits;
 pub use system::error::{self, Cause, Function, Magnitude, MotionError};
 pub use system::linearized::{self, Jacobians, Linearization, Linearized};
 pub use system::name::{self, Name, Names};

@@ -17,7 +17,7 @@ use crate::number::math;
 mod double_double;
 mod dual;
 #[cfg(feature = "double-double")]
-pub use double_double::{Digits, DoubleDouble, ParseError};
+pub use double_double::{DoubleDouble, ParseError};
 pub use dual::Dual;
 #[cfg(feature = "wide")]
 mod lanes;

@@ -2,6 +2,8 @@
 
 pub mod attitude;
 pub mod control;
+#[cfg(feature = "double-double")]
+pub mod digits;
 pub mod error;
 pub mod footing;
 pub mod limits;

@@ -19,13 +19,11 @@ mod angle;
 mod arithmetic;
 mod circular;
 mod decimal;
-mod digits;
 mod exponential;
 mod integer;
 
 use arithmetic::{fast_two_sum, two_sum};
 pub use decimal::ParseError;
-pub use digits::Digits;
 
 /// A real number with 31 decimal digits in the range of `f64`: the sum of two doubles that do not overlap.
 ///

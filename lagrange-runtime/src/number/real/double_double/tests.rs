@@ -3,7 +3,7 @@
 
 use super::arithmetic::{split_product, two_product};
 use super::*;
-use crate::{Ordered, State};
+use crate::Ordered;
 
 fn number(text: &str) -> DoubleDouble {
     text.parse().unwrap()
@@ -127,15 +127,6 @@ fn decimals_are_read_and_written_exactly() {
     for wrong in ["", "1.2.3", "0x10", "1e", "twelve"] {
         assert_eq!(wrong.parse::<DoubleDouble>(), Err(ParseError), "{wrong}");
     }
-}
-
-#[test]
-fn digits_in_common_are_counted() {
-    let reference =
-        State { t: DoubleDouble::ZERO, q: [number("1"), number("-200")], v: [DoubleDouble::ZERO; 2] };
-    let digits = State { t: 0.0, q: [1.001, -200.0], v: [0.0, 1e-30] }.digits_in_common(&reference);
-    assert!((digits.q[0] - 3.0).abs() < 1e-10 && (15.6..15.7).contains(&digits.q[1]), "{digits:?}");
-    assert!(digits.v[0] > 15.6 && digits.v[1] == 0.0 && digits.least() == 0.0, "{digits:?}");
 }
 
 /// What step size control asks of a scalar.

@@ -1,9 +1,7 @@
 //! How many digits two results share.
 
-use super::DoubleDouble;
-use crate::number::math;
-use crate::number::real::Real;
-use crate::system::state::State;
+use super::state::State;
+use crate::number::real::{DoubleDouble, Real};
 
 /// Decimal digits in common, for each coordinate and velocity; see [`State::digits_in_common`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +37,7 @@ impl<R: Real + Into<DoubleDouble>, const N: usize> State<R, N> {
 
 /// The digits of one number.
 fn shared<R: Real + Into<DoubleDouble>>(value: R, exact: DoubleDouble) -> f64 {
-    let log10 = |x: f64| math::f64::ln(x) / core::f64::consts::LN_10;
+    let log10 = |x: f64| Real::ln(x) / core::f64::consts::LN_10;
     let most = -log10(R::epsilon().into().high());
     let (size, error) = (exact.high().abs(), (value.into() - exact).high().abs());
     if error == 0.0 {
@@ -49,5 +47,19 @@ fn shared<R: Real + Into<DoubleDouble>>(value: R, exact: DoubleDouble) -> f64 {
         (log10(size) - log10(error)).clamp(0.0, most)
     } else {
         0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_in_common_are_counted() {
+        let reference: State<DoubleDouble, 2> =
+            State { t: 0.0.into(), q: [1.0.into(), (-200.0).into()], v: [0.0.into(); 2] };
+        let digits = State { t: 0.0, q: [1.001, -200.0], v: [0.0, 1e-30] }.digits_in_common(&reference);
+        assert!((digits.q[0] - 3.0).abs() < 1e-10 && (15.6..15.7).contains(&digits.q[1]), "{digits:?}");
+        assert!(digits.v[0] > 15.6 && digits.v[1] == 0.0 && digits.least() == 0.0, "{digits:?}");
     }
 }
