@@ -152,6 +152,7 @@ mod documents {
         Analysis "../book/src/analysis.md"
         Integrators "../book/src/integrators.md"
         Accuracy "../book/src/accuracy.md"
+        Command "../book/src/command.md"
         Errors "../book/src/errors.md"
         ManyMotions "../book/src/many-motions.md"
         BareMetal "../book/src/bare-metal.md"
