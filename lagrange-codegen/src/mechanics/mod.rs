@@ -10,6 +10,7 @@ mod constraints;
 mod energy;
 mod equations;
 mod forces;
+mod frames;
 mod linearization;
 mod motion;
 mod places;
@@ -22,7 +23,7 @@ use crate::diagnostics::Diagnostics;
 use crate::expr::NodeId;
 use crate::model::Model;
 use crate::simplify::simplify;
-use motion::Motion;
+use motion::{Axes, Motion};
 
 /// The equations of motion and the scalars that go with them.
 #[derive(Clone, Debug)]
@@ -99,7 +100,8 @@ pub fn derive(
     allows: &dyn Fn(&str) -> bool,
     diagnostics: &mut Diagnostics,
 ) -> Option<Equations> {
-    let motion = Motion::of(model);
+    let axes = if std::env::var_os("SPACE").is_some() { Axes::Space } else { Axes::Own };
+    let motion = Motion::of(model, axes);
     validate::contributions(model, allows, diagnostics);
     validate::constants(model, diagnostics);
     let independent = validate::constraints(model, allows, diagnostics);
