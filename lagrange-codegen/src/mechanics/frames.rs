@@ -160,9 +160,8 @@ fn swing(graph: &mut Graph, rate: &Vector, change: &Vector) -> Entries {
 
 /// The summands of a × b.
 fn cross_terms(graph: &mut Graph, a: &Vector, b: &Vector) -> [[(NodeId, Number); 2]; 3] {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
-        [(graph.mul(a[i], b[j]), Number::ONE), (graph.mul(a[j], b[i]), Number::MINUS_ONE)]
-    })
+    [(1, 2), (2, 0), (0, 1)]
+        .map(|(i, j)| [(graph.mul(a[i], b[j]), Number::ONE), (graph.mul(a[j], b[i]), Number::MINUS_ONE)])
 }
 
 fn total(graph: &mut Graph, terms: &[NodeId]) -> NodeId {

@@ -4,7 +4,7 @@ use super::frames::Frames;
 use crate::calculus::pushforward;
 use crate::expr::{Graph, NodeId};
 use crate::kinematics::{body_rate, time_direction};
-use crate::model::{Attitude, Model, Rotation};
+use crate::model::{Attitude, Body, Model, Point, Rotation};
 
 /// The axes in which the velocities of what rotations carry have their components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,6 +66,13 @@ pub(super) struct Carried {
 }
 
 impl Motion {
+    /// Whether a rotation carries anything that has inertia.
+    pub fn is_carried(model: &Model) -> bool {
+        let spatial = |body: &Body| matches!(body.attitude, Attitude::Spatial { .. });
+        let carried = |point: &Point| model.levers.carrying(&point.position).is_some();
+        model.bodies.iter().any(spatial) || model.points.iter().any(carried)
+    }
+
     /// Differentiates every position and attitude twice.
     pub fn of(model: &mut Model, axes: Axes) -> Motion {
         let count = model.coordinates.len();
@@ -79,8 +86,7 @@ impl Motion {
         let mut moving: Vec<(NodeId, Vec<NodeId>)> = Vec::new();
         let mut turning = Vec::new();
         for point in points {
-            let place = <[NodeId; 3]>::try_from(point.position.as_slice());
-            match place.ok().and_then(|place| levers.of(&place)) {
+            match levers.carrying(&point.position) {
                 Some(lever) if axes == Axes::Own => {
                     translations.push(Translation::carried(
                         graph,

@@ -40,6 +40,11 @@ impl Levers {
         self.known.get(place).map(|&index| &self.levers[index])
     }
 
+    /// What carries a particle.
+    pub fn carrying(&self, position: &[NodeId]) -> Option<&Lever> {
+        self.of(&position.try_into().ok()?)
+    }
+
     /// In the order in which they were made.
     pub fn iter(&self) -> impl Iterator<Item = &Lever> {
         self.levers.iter()
