@@ -137,6 +137,7 @@ pub mod __private {
     };
     pub use crate::reading;
     pub use crate::real::Real;
+    pub use num_traits::{One, Zero};
     pub mod solve {
         //! Solving for the accelerations.
         pub use crate::solve::{
