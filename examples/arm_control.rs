@@ -79,7 +79,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
             let (states, _) = run(plant, control, beside)?;
             let end = states.iter().skip(SAMPLES / 2).map(astray).fold(0.0, f64::max);
             println!("{name:>16}{load:12} the tool is astray by {:6.3} mm in the second half", 1e3 * end);
-            chart = chart.line(&format!("{name}{load}"), states.iter().map(|x| (x.t, 1e3 * astray(x))));
+            chart = chart.line(&format!("{name}{load}"), states.iter().step_by(5).map(|x| (x.t, 1e3 * astray(x))));
             worst.push(end);
         }
     }
@@ -89,7 +89,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let mut error = plot::Chart::new("Errors of the joints under computed torque", "time [s]", "error [rad]");
     for i in 0..6 {
         let of = |state: &State<f64, 6>| (state.t, state.q[i] - wanted(state.t).state.q[i]);
-        error = error.line(&format!("joint {}", i + 1), states.iter().map(of));
+        error = error.line(&format!("joint {}", i + 1), states.iter().step_by(10).map(of));
     }
     let decay = |t: f64| (1.0 + DECAY * t) * (-DECAY * t).exp();
     let mut departure = 0.0_f64;
