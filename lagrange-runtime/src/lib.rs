@@ -108,6 +108,7 @@ pub mod __private {
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
     };
     pub use crate::system::reading;
+    pub use num_traits::{One, Zero};
     pub mod solve {
         //! Solving for the accelerations.
         pub use crate::system::solve::{
