@@ -56,7 +56,8 @@ pub enum Cause {
         /// Its name.
         name: Name,
     },
-    /// The gradient of a constraint vanishes, so that it restricts nothing and has no reaction.
+    /// The gradient of a constraint or of a gap vanishes or has no value, as that of a distance has none at its
+    /// centre: it restricts nothing and has no reaction.
     VanishingGradient {
         /// Index of the constraint.
         constraint: usize,
@@ -192,7 +193,7 @@ impl fmt::Display for Cause {
             ),
             Self::VanishingGradient { constraint, name } => write!(
                 out,
-                "the gradient of constraint {constraint} is zero here: if the function is a square, write its base instead; otherwise \
+                "the gradient of constraint {constraint} is zero here, or has no value: if the function is a square, write its base instead; otherwise \
                  stay away from this configuration",
                 constraint = Part(*constraint, *name)
             ),

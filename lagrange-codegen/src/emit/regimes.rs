@@ -9,7 +9,7 @@ use super::constraints::record_ident;
 use super::tokens::placeholder;
 use super::{Emission, names, names_of_parts, over};
 use crate::calculus::sizes;
-use crate::expr::NodeId;
+use crate::expr::{Dependence, NodeId};
 use crate::model::Law;
 use crate::regimes::Regimes;
 use crate::syntax::Scalar;
@@ -148,15 +148,29 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
         0 => String::new(),
         _ => format!("const KINKS: [lagrange::Name; {kinks}] = [{}];\n", names.join(", ")),
     };
+    let timeless = if is_autonomous(switching) { "const AUTONOMOUS: bool = true;\n" } else { "" };
     let generic = if let Scalar::Generic(ident) = scalar { format!("<{ident}>") } else { String::new() };
     format!(
         "type InRegime = {NAME}{generic};\n\
-         const ROWS: [lagrange::Row; {rows}] = [{}];\n{named}\
+         const ROWS: [lagrange::Row; {rows}] = [{}];\n{named}{timeless}\
          fn in_regime(&self, __regime: &lagrange::Regime<{scalar}, {rows}, {kinks}>) -> {NAME}{generic} {{\n\
          {values}{NAME} {{ parameters: [{}] }}\n}}\n",
         kinds.join(", "),
         numbers.join(", ")
     )
+}
+
+/// Whether time stands in none of the equations and laws.
+fn is_autonomous(switching: &Regimes) -> bool {
+    let conditions = &switching.laws.conditions;
+    let coefficients = switching.laws_of.iter().flatten().flat_map(|law| match law {
+        Law::Unilateral { restitution } => [*restitution; 2],
+        Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
+    });
+    let rows = conditions.positions.iter().chain(&conditions.rates).chain(&switching.kinks);
+    let mut laws = rows.copied().chain(coefficients);
+    switching.facts.autonomous
+        && !laws.any(|node| switching.rows.graph.dependence(node).meets(Dependence::TIME))
 }
 
 /// `laws_at`.

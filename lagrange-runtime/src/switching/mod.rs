@@ -98,6 +98,9 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     /// What the rows stand for, in the order of `NAMES.constraints`.
     const ROWS: [Row; C];
 
+    /// Whether time stands in none of the equations and laws: what is at rest then stays so.
+    const AUTONOMOUS: bool = false;
+
     /// The user's function that each kink stands in.
     const KINKS: [Name; W] = [Name::NONE; W];
 
