@@ -134,6 +134,14 @@ pub enum Cause {
         /// The function that it stands in.
         name: Name,
     },
+    /// A momentum, or the rate of a constraint, has two values where a switching function is zero, so that no force
+    /// of finite size leads across: a corner in a position or a constraint, or a mass that jumps.
+    MomentumJumps {
+        /// Index of the kink, in the order of the description.
+        kink: usize,
+        /// The function that it stands in.
+        name: Name,
+    },
     /// Impacts and friction cannot be followed backward in time.
     Irreversible,
     /// A fixed step is too long for the constraints: bringing its end back onto them would change the state
@@ -240,6 +248,12 @@ impl fmt::Display for Cause {
                  equal there, or give the force by `#[force]`",
                 function = Part(*kink, *name)
             ),
+            Self::MomentumJumps { kink, name } => write!(
+                out,
+                "momenta jump where what is switched (`abs`, `if`, …) in {function} is zero: make positions, masses and constraints \
+                 smooth there, or let a `#[unilateral]` contact strike",
+                function = Part(*kink, *name)
+            ),
             Self::HeldAtKink { kink, name } => write!(
                 out,
                 "the motion is pushed from both sides to where what is switched (`abs`, `signum`, `max`, …) in {function} is zero: \
@@ -309,6 +323,7 @@ impl Cause {
             Self::Misread { .. }
             | Self::HeldAtKink { .. }
             | Self::EnergyJumps { .. }
+            | Self::MomentumJumps { .. }
             | Self::Irreversible
             | Self::StepTooLong
             | Self::NotFinite

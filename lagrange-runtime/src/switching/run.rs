@@ -70,7 +70,7 @@ where
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
         self.memory.way = [num_traits::Zero::zero(); N];
-        if C > 0 {
+        if S::ROWS.iter().any(|row| *row != Row::Bilateral) {
             let inputs = &self.control.0;
             let scales = &mut self.memory.scales;
             scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
@@ -109,8 +109,10 @@ where
         }
         let in_regime = self.system.in_regime(present);
         let State { t, q, v } = *state;
-        let a = in_regime.accelerations_at(&in_regime.constants(), t, &q, &v, &self.control.0);
+        let constants = in_regime.constants();
+        let a = in_regime.accelerations_at(&constants, t, &q, &v, &self.control.0);
         shift(state, &a, late);
+        in_regime.project_at(&constants, state, None)?;
         Ok(*present)
     }
 
@@ -286,6 +288,9 @@ where
                 if above(jumps[kink].abs(), S::Scalar::epsilon().sqrt() * sizes[kink]) {
                     return Err(Cause::EnergyJumps { kink, name: S::KINKS[kink] });
                 }
+                if self.has_corner(kink, &state) {
+                    return Err(Cause::MomentumJumps { kink, name: S::KINKS[kink] });
+                }
             }
             Guard::Row(row) => {
                 if memory.changes > CHANGES * (C + W) {
@@ -311,6 +316,35 @@ where
         let regime = self.settle(&mut state, &present, known, avoid, late)?;
         self.memory.next = Some((regime, state));
         Ok(())
+    }
+
+    /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through it as
+    /// they are. At the kink itself a function may be no more than roundings: its size is that along the piece.
+    fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
+        let part = S::Scalar::epsilon().sqrt();
+        let mut middle = None;
+        let mut place = 0;
+        let mut found = false;
+        let system = self.system;
+        let memory = &mut *self.memory;
+        let (inner, in_regime, constants) = (&mut memory.inner, &memory.in_regime, &memory.constants);
+        let (control, limits, start) = (self.control, self.limits, memory.start);
+        system.corners_at(state.t, &state.q, &state.v, |own, gain, size| {
+            place += 1;
+            if own != kink || !above(gain.abs(), part * size) {
+                return;
+            }
+            let half = S::Scalar::from_f64(0.5) * (start.t + state.t);
+            let state = *middle.get_or_insert_with(|| {
+                M::sample(inner, in_regime, constants, control, limits, half, &mut 0).unwrap_or(start)
+            });
+            let mut other = 0;
+            system.corners_at(state.t, &state.q, &state.v, |_, _, size| {
+                other += 1;
+                found = found || other == place && above(gain.abs(), part * size);
+            });
+        });
+        found
     }
 
     /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
