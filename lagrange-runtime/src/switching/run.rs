@@ -232,7 +232,10 @@ where
         let mut fall = None;
         if let Some(terms) = terms {
             let found = guards.first_along(&start, &terms, memory.fired).map_err(Unresolved::cause)?;
-            fall = found.map(|found| (found, terms.length * terms.unit, terms.residue));
+            fall = found.map(|found| {
+                let sizes = terms.sizes(&start, found.0.place);
+                (found, sizes, terms.length * terms.unit, terms.residue)
+            });
         }
         let inner = &mut memory.inner;
         let (control, limits) = (self.control, self.limits);
@@ -242,9 +245,11 @@ where
             }
             M::within(inner, in_regime, constants, control, limits, part).ok()
         };
-        let mut first = fall.map(|((fall, guard), ..)| (guards.at_zero(guard, fall, &mut at), guard));
+        let mut first = fall
+            .as_ref()
+            .map(|((fall, guard), sizes, ..)| (guards.at_zero(*guard, *fall, sizes, &mut at), *guard));
         // The time since the start that a part of the step is, without the rounding of times.
-        let mut passed = first.zip(fall).map(|((part, _), (_, length, residue))| part * length + residue);
+        let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
         let until = first.map_or(one, |(part, _)| part);
         let sampled = guards.first(&memory.scales, [start.t, end.t], until, &mut at)?;
         if sampled.is_some() {
