@@ -13,6 +13,7 @@ usage: scripts/check.sh NAME …
               and its links resolve
   random      10 000 random systems (or CASES of them) against dual numbers
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
+  packages    each package is complete: it is built from what would be published
   benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
   lanes       several motions in the lanes of SIMD vectors
   digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
@@ -47,6 +48,8 @@ random() { PROPTEST_CASES=${CASES:-10000} cargo test --release -p lagrange-codeg
 
 command_line() { cargo test -p cargo-lagrange --test models -- --ignored; }
 
+packages() { cargo package --workspace --exclude benchmarks --allow-dirty --quiet; }
+
 benchmarks() { cargo build --release -p benchmarks; }
 
 lanes() { cargo test --features wide --test batch; }
@@ -70,9 +73,9 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | book | random | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
-        all) fmt; clippy; docs; book; random; command_line; benchmarks; lanes; digits; long; drift; firmware ;;
-        ci) fmt; clippy; docs; book; random; command_line; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
+        fmt | clippy | docs | book | random | packages | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
+        all) fmt; clippy; docs; book; random; command_line; packages; benchmarks; lanes; digits; long; drift; firmware ;;
+        ci) fmt; clippy; docs; book; random; command_line; packages; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
 done
