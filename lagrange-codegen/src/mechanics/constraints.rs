@@ -13,7 +13,6 @@ use super::motion::Motion;
 use super::places;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
 use crate::expr::{Exponent, Graph, Node, NodeId, Unary, Variable};
-use crate::kinematics::time_direction;
 use crate::model::{Constraint, ConstraintKind, Model};
 use crate::number::Number;
 
@@ -63,16 +62,15 @@ impl Conditions {
         }
         let (constraints, baumgarte) = (model.constraints.clone(), model.baumgarte);
         let graph = &mut model.graph;
-        let direction = time_direction(graph, motion.q.len());
         let (zero, one) = (graph.zero(), graph.one());
         let values: Vec<NodeId> = constraints.iter().map(|constraint| constraint.value).collect();
-        let changes = pushforward(graph, &values, &direction);
+        let changes = pushforward(graph, &values, &motion.direction);
         let time = graph.variable(Variable::Time);
         let explicit = pushforward(graph, &values, &[(time, one)]);
         let rates: Vec<NodeId> = (0..values.len())
             .map(|c| if is_holonomic(&constraints[c]) { changes[c] } else { values[c] })
             .collect();
-        let curvature = pushforward(graph, &rates, &direction);
+        let curvature = pushforward(graph, &rates, &motion.direction);
         let mut gamma: Vec<NodeId> = curvature.into_iter().map(|change| graph.neg(change)).collect();
 
         let jacobian: Vec<Vec<NodeId>> = constraints

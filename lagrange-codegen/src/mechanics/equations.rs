@@ -3,8 +3,8 @@
 use super::forces;
 use super::motion::Motion;
 use crate::calculus::{pullback, pushforward};
-use crate::expr::NodeId;
-use crate::kinematics::{cross, time_direction, times};
+use crate::expr::{Graph, NodeId};
+use crate::kinematics::{cross, slopes, times};
 use crate::model::Model;
 use crate::number::Number;
 
@@ -43,7 +43,7 @@ impl Loads {
     /// One generalized force for each coordinate.
     pub fn sweep(self, model: &mut Model, motion: &Motion) -> Vec<NodeId> {
         let graph = &mut model.graph;
-        let through_q = pullback(graph, &self.through_q, &motion.q);
+        let through_q = slopes(graph, &self.through_q, &motion.q, &motion.turning);
         let through_v = pullback(graph, &self.through_v, &motion.v);
         let mut terms: Vec<Vec<(NodeId, Number)>> = (0..motion.q.len())
             .map(|i| vec![(through_q[i], Number::ONE), (through_v[i], Number::ONE)])
@@ -119,9 +119,11 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
         let seeds: Vec<_> = functions.iter().map(|&value| (value, one)).collect();
         pullback(graph, &seeds, &motion.v)
     };
-    let direction = time_direction(graph, motion.q.len());
-    let changes = pushforward(graph, &of_functions, &direction);
+    let changes = pushforward(graph, &of_functions, &motion.direction);
     loads.direct.extend(changes.into_iter().enumerate());
+    for (coordinate, torque) in carried(graph, motion, &of_functions) {
+        loads.direct.push((coordinate, graph.neg(torque)));
+    }
     loads.through_q.extend(functions.into_iter().map(|value| (value, minus_one)));
     loads
 }
@@ -129,9 +131,10 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
 /// ∂L/∂q + Q − ∂D/∂v, the right-hand side of d/dt p = f.
 ///
 /// Unlike the bias this is not d'Alembert's form: nothing is differentiated by time.
-pub(super) fn momentum_rates(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
+pub(super) fn momentum_rates(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -> Vec<NodeId> {
     let mut loads = forces::loads(model, motion);
     let graph = &mut model.graph;
+    loads.direct.extend(carried(graph, motion, momenta));
     for body in &motion.translations {
         for &velocity in &body.velocity {
             loads.through_q.push((velocity, graph.mul(body.mass, velocity)));
@@ -149,6 +152,17 @@ pub(super) fn momentum_rates(model: &mut Model, motion: &Motion) -> Vec<NodeId> 
         loads.through_q.push((term.value, minus_one));
     }
     loads.sweep(model, motion)
+}
+
+/// p × ω: what changes the angular momentum of an orientation because its axes turn.
+fn carried(graph: &mut Graph, motion: &Motion, momenta: &[NodeId]) -> Vec<(usize, NodeId)> {
+    let mut carried = Vec::with_capacity(3 * motion.turning.len());
+    for &first in &motion.turning {
+        let three = |all: &[NodeId]| [all[first], all[first + 1], all[first + 2]];
+        let torque = cross(graph, &three(momenta), &three(&motion.v));
+        carried.extend((first..).zip(torque));
+    }
+    carried
 }
 
 /// Conservative part of the bias: ∂V/∂q.

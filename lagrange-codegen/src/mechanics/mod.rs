@@ -13,10 +13,12 @@ mod forces;
 mod linearization;
 mod motion;
 mod places;
+mod turning;
 mod validate;
 
 pub use constraints::{Conditions, Switched};
 pub use linearization::{Linearization, Sensitivities};
+pub use turning::Turning;
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::NodeId;
@@ -58,6 +60,9 @@ pub struct Equations {
     pub energy_rate: Option<NodeId>,
     /// What the constraints contribute.
     pub conditions: Conditions,
+    /// Orientations whose matrices are variables, and whose angular velocities stand in the places of their
+    /// velocities.
+    pub turning: Vec<usize>,
     /// Whether the mass matrix is symmetric positive semidefinite by construction or by the
     /// meaning of a kinetic energy; a Lagrangian given as a whole may have any signature.
     pub definite: bool,
@@ -72,24 +77,19 @@ impl Equations {
     /// The same with cheaper roots where the motion is solved for and facts are read: the mass
     /// matrix, the right-hand side, and the energies.
     pub fn simplified(&self, model: &mut Model) -> Equations {
-        let mut simpler = simplify(&mut model.graph, &mut model.hints, &self.roots()).into_iter();
-        let mut take = |count: usize| simpler.by_ref().take(count).collect::<Vec<_>>();
-        let mass = self.mass.iter().map(|row| take(row.len())).collect();
-        let force = take(self.force.len());
-        let mut conditions = self.conditions.clone();
-        conditions.jacobian.iter_mut().for_each(|row| *row = take(row.len()));
-        conditions.gamma = take(conditions.gamma.len());
+        let mut simpler = self.clone();
+        simpler.simplify_motion(model);
         let energies = [self.kinetic_energy, self.potential_energy, self.whole];
         let energies = simplify(&mut model.graph, &mut model.hints, &energies);
-        Equations {
-            mass,
-            force,
-            conditions,
-            kinetic_energy: energies[0],
-            potential_energy: energies[1],
-            whole: energies[2],
-            ..self.clone()
-        }
+        [simpler.kinetic_energy, simpler.potential_energy, simpler.whole] = [energies[0], energies[1], energies[2]];
+        simpler
+    }
+
+    fn simplify_motion(&mut self, model: &mut Model) {
+        let mut simpler = simplify(&mut model.graph, &mut model.hints, &self.roots()).into_iter();
+        let Conditions { jacobian, gamma, .. } = &mut self.conditions;
+        let rows = self.mass.iter_mut().chain([&mut self.force]).chain(jacobian).chain([gamma]);
+        rows.flatten().zip(simpler.by_ref()).for_each(|(node, new)| *node = new);
     }
 }
 
@@ -114,7 +114,7 @@ pub fn derive(
     let applied = equations::negated(model, &applied);
     let total = inertial.joined(conservative).joined(applied_loads.negated(model)).sweep(model, &motion);
     let force = equations::negated(model, &total);
-    let momentum_rates = equations::momentum_rates(model, &motion);
+    let momentum_rates = equations::momentum_rates(model, &motion, &momenta);
     validate::inputs(model, &force, &mass, allows, diagnostics);
     let conditions = Conditions::of(model, &motion, &mass);
     let energies = energy::energies(model, &motion, &momenta);
@@ -138,6 +138,7 @@ pub fn derive(
         power,
         energy_rate,
         conditions,
+        turning: Vec::new(),
         definite: model.lagrangian.is_empty(),
     })
 }

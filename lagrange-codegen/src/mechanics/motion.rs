@@ -1,8 +1,8 @@
 //! Velocities and velocity-dependent accelerations of particles and bodies.
 
 use crate::calculus::pushforward;
-use crate::expr::NodeId;
-use crate::kinematics::{body_rate, time_direction};
+use crate::expr::{NodeId, Variable};
+use crate::kinematics::{body_rate, turning_direction};
 use crate::model::{Attitude, Model};
 
 /// Kinematics of a model at a = 0, with the nodes of its variables.
@@ -12,6 +12,10 @@ pub(super) struct Motion {
     pub q: Vec<NodeId>,
     /// Nodes of the velocities.
     pub v: Vec<NodeId>,
+    /// The direction of total time derivatives at a = 0.
+    pub direction: Vec<(NodeId, NodeId)>,
+    /// Orientations whose matrices and angular velocities are variables.
+    pub turning: Vec<usize>,
     /// What moves in straight lines: particles, centres of mass, and planar angles.
     pub translations: Vec<Translation>,
     /// Spatial rotations.
@@ -47,7 +51,7 @@ impl Motion {
     pub fn of(model: &mut Model) -> Motion {
         let count = model.coordinates.len();
         let graph = &mut model.graph;
-        let direction = time_direction(graph, count);
+        let direction = turning_direction(graph, count, &model.turning, Variable::Spin);
         let q: Vec<_> = direction[..count].iter().map(|&(q, _)| q).collect();
         let v: Vec<_> = direction[..count].iter().map(|&(_, v)| v).collect();
 
@@ -98,6 +102,6 @@ impl Motion {
                 acceleration: [acceleration[0], acceleration[1], acceleration[2]],
             });
         }
-        Motion { q, v, translations, rotations }
+        Motion { q, v, direction, turning: model.turning.clone(), translations, rotations }
     }
 }

@@ -87,6 +87,8 @@ pub struct Solution {
     pub blocks: Vec<Block>,
     /// The method for a system with constraints.
     pub saddle: Option<Saddle>,
+    /// A word for the mass matrix.
+    kind: &'static str,
 }
 
 impl Solution {
@@ -98,7 +100,8 @@ impl Solution {
         diagnostics: &mut Diagnostics,
     ) -> Solution {
         if equations.conditions.count() > 0 {
-            return Solution { blocks: Vec::new(), saddle: Some(saddle(&model.graph, equations, facts)) };
+            let saddle = Some(saddle(&model.graph, equations, facts));
+            return Solution { blocks: Vec::new(), saddle, kind: kind(facts) };
         }
         let mass = &equations.mass;
         let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];
@@ -145,7 +148,7 @@ impl Solution {
             };
             blocks.push(Block { coordinates: coordinates.clone(), method, constant });
         }
-        Solution { blocks, saddle: None }
+        Solution { blocks, saddle: None, kind: kind(facts) }
     }
 
     /// The nodes that a step computes: accelerations where they are written out, else entries of the
@@ -172,14 +175,8 @@ impl Solution {
     }
 
     /// A word for the report.
-    pub fn describe(&self, facts: &Facts) -> String {
-        let kind = match (facts.constant_mass, facts.diagonal_mass) {
-            (true, true) => "constant and diagonal",
-            (true, false) => "constant",
-            (false, true) => "diagonal",
-            (false, false) if facts.blocks.len() > 1 => "block diagonal",
-            (false, false) => "dense",
-        };
+    pub fn describe(&self) -> String {
+        let kind = self.kind;
         if let Some(saddle) = self.saddle {
             return match saddle {
                 Saddle::Diagonal => {
@@ -210,6 +207,16 @@ impl Solution {
             parts.push(format!("LU with pivoting ({size} × {size})"));
         }
         format!("{kind}, solved by {}", parts.join(" and "))
+    }
+}
+
+fn kind(facts: &Facts) -> &'static str {
+    match (facts.constant_mass, facts.diagonal_mass) {
+        (true, true) => "constant and diagonal",
+        (true, false) => "constant",
+        (false, true) => "diagonal",
+        (false, false) if facts.blocks.len() > 1 => "block diagonal",
+        (false, false) => "dense",
     }
 }
 

@@ -192,6 +192,8 @@ impl Sample {
             Variable::Time => time,
             Variable::Acceleration(_)
             | Variable::Auxiliary(_)
+            | Variable::Entry(_)
+            | Variable::Spin(_)
             | Variable::Multiplier(_)
             | Variable::Position(_) => f64::NAN,
         };
