@@ -59,9 +59,9 @@ impl Loads {
 pub(super) fn momenta(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
     let mut loads = Loads::default();
     for body in &motion.translations {
-        for (&position, &velocity) in body.position.iter().zip(&body.velocity) {
-            loads.through_q.push((position, model.graph.mul(body.mass, velocity)));
-        }
+        let momentum: Vec<_> =
+            body.velocity.iter().map(|&velocity| model.graph.mul(body.mass, velocity)).collect();
+        body.add(&mut loads, &momentum);
     }
     for body in &motion.rotations {
         let momentum = times(&mut model.graph, &body.inertia, &body.rate);
@@ -93,9 +93,9 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
     let mut loads = Loads::default();
     let graph = &mut model.graph;
     for body in &motion.translations {
-        for (&position, &acceleration) in body.position.iter().zip(&body.acceleration) {
-            loads.through_q.push((position, graph.mul(body.mass, acceleration)));
-        }
+        let force: Vec<_> =
+            body.acceleration.iter().map(|&acceleration| graph.mul(body.mass, acceleration)).collect();
+        body.add(&mut loads, &force);
     }
     for body in &motion.rotations {
         let momentum = times(graph, &body.inertia, &body.rate);

@@ -1,5 +1,7 @@
 //! Velocities and velocity-dependent accelerations of particles and bodies.
 
+use super::axes::{InAxes, in_axes};
+use super::equations::Loads;
 use crate::calculus::pushforward;
 use crate::expr::{NodeId, Variable};
 use crate::kinematics::{body_rate, turning_direction};
@@ -27,12 +29,23 @@ pub(super) struct Motion {
 pub(super) struct Translation {
     /// Mass, or moment of inertia for an angle.
     pub mass: NodeId,
-    /// r.
-    pub position: Vec<NodeId>,
-    /// ṙ.
+    /// r; of one that an orientation carries, nothing.
+    pub position: Option<Vec<NodeId>>,
+    /// ṙ, in the axes of the orientation that carries it.
     pub velocity: Vec<NodeId>,
-    /// r̈ at a = 0.
+    /// r̈ at a = 0, in the same axes.
     pub acceleration: Vec<NodeId>,
+}
+
+impl Translation {
+    /// The slopes of a load on it: ∂r/∂q, or ∂ṙ/∂v, which is the same.
+    pub fn add(&self, loads: &mut Loads, load: &[NodeId]) {
+        let load = load.iter().copied();
+        match &self.position {
+            Some(position) => loads.through_q.extend(position.iter().copied().zip(load)),
+            None => loads.through_v.extend(self.velocity.iter().copied().zip(load)),
+        }
+    }
 }
 
 /// A body that turns in space: T = ½ ω·I ω, in body axes.
@@ -72,20 +85,30 @@ impl Motion {
             }
         }
 
+        let carried: Vec<Option<InAxes>> =
+            moving.iter().map(|(_, position, _)| in_axes(graph, position, &model.turning)).collect();
+        for ((_, position, _), carried) in moving.iter_mut().zip(&carried) {
+            if let Some(InAxes { arm, .. }) = carried {
+                *position = arm.to_vec();
+            }
+        }
+
         // One forward sweep for all positions, so that shared parts are differentiated once.
         let all: Vec<NodeId> = moving.iter().flat_map(|(_, position, _)| position.iter().copied()).collect();
         let velocities = pushforward(graph, &all, &direction);
         let accelerations = pushforward(graph, &velocities, &direction);
         let mut offset = 0;
         let mut translations = Vec::with_capacity(moving.len());
-        for (mass, position, _) in moving {
+        for ((mass, position, _), carried) in moving.into_iter().zip(carried) {
             let range = offset..offset + position.len();
             offset = range.end;
-            translations.push(Translation {
-                mass,
-                velocity: velocities[range.clone()].to_vec(),
-                acceleration: accelerations[range].to_vec(),
-                position,
+            let (velocity, acceleration) = (velocities[range.clone()].to_vec(), accelerations[range].to_vec());
+            translations.push(match carried {
+                None => Translation { mass, velocity, acceleration, position: Some(position) },
+                Some(carried) => {
+                    let (velocity, acceleration) = carried.motion(graph, &direction, &velocity);
+                    Translation { mass, velocity, acceleration, position: None }
+                }
             });
         }
 
