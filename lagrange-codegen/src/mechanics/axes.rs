@@ -72,8 +72,7 @@ fn of_orientation(
     if !carrier.iter().all(is_plain) {
         return None;
     }
-    let without: Vec<_> =
-        carrier.iter().filter(|&&node| node != zero).map(|&node| (node, zero)).collect();
+    let without: Vec<_> = carrier.iter().filter(|&&node| node != zero).map(|&node| (node, zero)).collect();
     // r − c is the same linear function of each row. Positions know no velocities, which stand for a row here.
     let row = [0, 1, 2].map(|i| graph.variable(Variable::Velocity((first + i) as u32)));
     let functions = [0, 1, 2].map(|i| {

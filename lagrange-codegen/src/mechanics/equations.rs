@@ -1,7 +1,7 @@
 //! Momenta, mass matrix and bias.
 
 use super::forces;
-use super::motion::Motion;
+use super::motion::{Motion, Translation};
 use crate::calculus::{pullback, pushforward};
 use crate::expr::{Graph, NodeId};
 use crate::kinematics::{cross, slopes, times};
@@ -27,6 +27,15 @@ impl Loads {
         self.through_v.extend(other.through_v);
         self.direct.extend(other.direct);
         self
+    }
+
+    /// A load on what moves, by ∂r/∂q or by ∂ṙ/∂v, which is the same.
+    fn on(&mut self, body: &Translation, load: &[NodeId]) {
+        let load = load.iter().copied();
+        match &body.position {
+            Some(position) => self.through_q.extend(position.iter().copied().zip(load)),
+            None => self.through_v.extend(body.velocity.iter().copied().zip(load)),
+        }
     }
 
     /// The seeds with the opposite sign.
@@ -61,7 +70,7 @@ pub(super) fn momenta(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
     for body in &motion.translations {
         let momentum: Vec<_> =
             body.velocity.iter().map(|&velocity| model.graph.mul(body.mass, velocity)).collect();
-        body.add(&mut loads, &momentum);
+        loads.on(body, &momentum);
     }
     for body in &motion.rotations {
         let momentum = times(&mut model.graph, &body.inertia, &body.rate);
@@ -95,7 +104,7 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
     for body in &motion.translations {
         let force: Vec<_> =
             body.acceleration.iter().map(|&acceleration| graph.mul(body.mass, acceleration)).collect();
-        body.add(&mut loads, &force);
+        loads.on(body, &force);
     }
     for body in &motion.rotations {
         let momentum = times(graph, &body.inertia, &body.rate);

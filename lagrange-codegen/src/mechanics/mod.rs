@@ -82,7 +82,8 @@ impl Equations {
         simpler.simplify_motion(model);
         let energies = [self.kinetic_energy, self.potential_energy, self.whole];
         let energies = simplify(&mut model.graph, &mut model.hints, &energies);
-        [simpler.kinetic_energy, simpler.potential_energy, simpler.whole] = [energies[0], energies[1], energies[2]];
+        [simpler.kinetic_energy, simpler.potential_energy, simpler.whole] =
+            [energies[0], energies[1], energies[2]];
         simpler
     }
 

@@ -1,7 +1,6 @@
 //! Velocities and velocity-dependent accelerations of particles and bodies.
 
 use super::axes::{InAxes, in_axes};
-use super::equations::Loads;
 use crate::calculus::pushforward;
 use crate::expr::{NodeId, Variable};
 use crate::kinematics::{body_rate, turning_direction};
@@ -35,17 +34,6 @@ pub(super) struct Translation {
     pub velocity: Vec<NodeId>,
     /// r̈ at a = 0, in the same axes.
     pub acceleration: Vec<NodeId>,
-}
-
-impl Translation {
-    /// The slopes of a load on it: ∂r/∂q, or ∂ṙ/∂v, which is the same.
-    pub fn add(&self, loads: &mut Loads, load: &[NodeId]) {
-        let load = load.iter().copied();
-        match &self.position {
-            Some(position) => loads.through_q.extend(position.iter().copied().zip(load)),
-            None => loads.through_v.extend(self.velocity.iter().copied().zip(load)),
-        }
-    }
 }
 
 /// A body that turns in space: T = ½ ω·I ω, in body axes.
@@ -102,7 +90,8 @@ impl Motion {
         for ((mass, position, _), carried) in moving.into_iter().zip(carried) {
             let range = offset..offset + position.len();
             offset = range.end;
-            let (velocity, acceleration) = (velocities[range.clone()].to_vec(), accelerations[range].to_vec());
+            let (velocity, acceleration) =
+                (velocities[range.clone()].to_vec(), accelerations[range].to_vec());
             translations.push(match carried {
                 None => Translation { mass, velocity, acceleration, position: Some(position) },
                 Some(carried) => {

@@ -38,14 +38,8 @@ impl Turning {
         let force = equations::negated(model, &total);
         let momentum_rates = equations::momentum_rates(model, &motion, &momenta);
         let inertia = energy::energies(model, &motion, &momenta).kinetic;
-        let mut turning = Turning {
-            orientations: model.turning.clone(),
-            mass,
-            force,
-            momenta,
-            momentum_rates,
-            inertia,
-        };
+        let mut turning =
+            Turning { orientations: model.turning.clone(), mass, force, momenta, momentum_rates, inertia };
         turning.name_velocities(model);
         Some(turning)
     }

@@ -153,7 +153,9 @@ impl Writer<'_> {
             Node::Constant(_) => 0,
             Node::Variable(Variable::Parameter(_)) => 1,
             Node::Sum { .. } | Node::Product(_) => 2,
-            Node::Variable(Variable::Time | Variable::Coordinate(_) | Variable::Entry(_) | Variable::Position(_)) => 3,
+            Node::Variable(
+                Variable::Time | Variable::Coordinate(_) | Variable::Entry(_) | Variable::Position(_),
+            ) => 3,
             Node::Variable(Variable::Input(_) | Variable::Auxiliary(_)) => 4,
             Node::Variable(Variable::Velocity(_) | Variable::Spin(_)) => 5,
             Node::Variable(Variable::Acceleration(_) | Variable::Multiplier(_)) => 6,
