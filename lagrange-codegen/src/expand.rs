@@ -67,7 +67,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     let turned = turning.map(|turning| equations.turned(&mut model, turning));
     let solved = turned.as_ref().unwrap_or(&equations);
     let of_solved = turned.as_ref().map_or_else(|| facts.clone(), |turned| Facts::of(&model, turned));
-    let solution = Solution::plan(&mut model, solved, &of_solved, diagnostics);
+    let solution = Solution::plan(&mut model, (&equations, &facts), (solved, &of_solved), diagnostics);
     if diagnostics.has_errors() {
         return None;
     }
@@ -128,6 +128,7 @@ fn contacts_stand_alone(item: &Item, model: &Model, diagnostics: &mut Diagnostic
 /// Operations of the accelerations before anything is simplified, shared or hoisted, for the report.
 fn as_derived(model: &mut Model, equations: &Equations, diagnostics: &mut Diagnostics) -> Operations {
     let facts = Facts::of(model, equations);
-    let solution = Solution::plan(model, equations, &facts, diagnostics);
+    let told = (equations, &facts);
+    let solution = Solution::plan(model, told, told, diagnostics);
     plan(&model.graph, &solution.roots(equations)).operations(true)
 }

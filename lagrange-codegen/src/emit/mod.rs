@@ -354,7 +354,8 @@ fn report(
     }
     match emission.jets.filter(|_| !has_contacts) {
         Some(jets) => {
-            facts.push(jets.describe());
+            let kinematics = turning::described(emission);
+            facts.push(jets.describe() + kinematics);
             if jets.is_momentum_linear() {
                 let line = "in Taylor series: momenta, which are the velocities times constants";
                 skipped.push(line.to_owned());

@@ -31,3 +31,8 @@ pub(super) fn series(emission: &Emission<'_>) -> String {
         all => format!("lagrange::attitude::complete(series, orders, h, q, v, {all:?});\n"),
     }
 }
+
+/// What that takes, for the report.
+pub(super) fn described(emission: &Emission<'_>) -> &'static str {
+    if emission.solved.turning.is_empty() { "" } else { ", and 16 convolutions for each orientation" }
+}

@@ -73,7 +73,7 @@ fn element(graph: &mut Graph, kind: Kind, record: Record, first: u32, place: usi
     match (kind, record) {
         (Kind::Scalar, _) => Value::scalar(variable(graph, of, 0)),
         (Kind::Rotation | Kind::Pose, Record::Velocities) => {
-            let angular: Rc<[NodeId]> = Rc::from(orientation::spin(graph, turned as usize));
+            let angular: Rc<[NodeId]> = Rc::from(orientation::spin(graph, (first + turned) as usize));
             match kind {
                 Kind::Pose => Value::PoseVelocity(Rc::from(three(graph, of, 0)), angular),
                 Kind::Scalar | Kind::Rotation => Value::Vector(angular),
@@ -81,7 +81,7 @@ fn element(graph: &mut Graph, kind: Kind, record: Record, first: u32, place: usi
         }
         (Kind::Rotation | Kind::Pose, Record::Coordinates | Record::Inputs) => {
             let matrix = orientation::entries(graph, place);
-            let form = RotationForm::Turning(orientation::spin(graph, turned as usize));
+            let form = RotationForm::Turning(orientation::spin(graph, (first + turned) as usize));
             let turn = Turn::Space(Rc::new(Rotation { matrix, form }));
             match kind {
                 Kind::Pose => Value::Isometry(Rc::from(three(graph, of, 0)), turn),

@@ -3,7 +3,7 @@
 //! Their velocities are simplest in the same axes, Rᵀṙ = Rᵀċ + ω × x + ẋ, where R is gone from all that c has
 //! no part in. The graph does not know that RᵀR = 1, so this is found in the positions.
 
-use crate::calculus::{pushforward, substitute, velocity_degrees};
+use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
 use crate::expr::{Graph, Node, NodeId, Variable};
 use crate::kinematics::{cross, transposed_times};
 use crate::model::orientation;
@@ -44,7 +44,8 @@ impl InAxes {
 
 /// A position as c + R x for the first of the orientations that carries it.
 pub(super) fn in_axes(graph: &mut Graph, position: &[NodeId], turning: &[usize]) -> Option<InAxes> {
-    let position = *position.as_array::<3>()?;
+    let &[x, y, z] = position else { return None };
+    let position = [x, y, z];
     let cone = graph.cone(position);
     let is_in = |node: &NodeId| cone.binary_search(node).is_ok();
     for (place, &first) in turning.iter().enumerate() {
@@ -65,12 +66,21 @@ fn of_orientation(
     let (zero, one) = (graph.zero(), graph.one());
     let entries = matrix.as_flattened();
     let known = |values: [NodeId; 9]| entries.iter().copied().zip(values).collect::<Vec<_>>();
-    let carrier = *substitute(graph, &position, &known([zero; 9])).as_array::<3>()?;
+    let &[x, y, z] = substitute(graph, &position, &known([zero; 9])).as_slice() else { return None };
+    let carrier = [x, y, z];
     let is_plain = |&node: &NodeId| {
         graph.is_zero(node) || matches!(graph.node(node), Node::Variable(Variable::Coordinate(_)))
     };
     if !carrier.iter().all(is_plain) {
         return None;
+    }
+    // c stands in r once, and nowhere else in it.
+    for (&component, &own) in position.iter().zip(&carrier) {
+        let slopes = pullback(graph, &[(component, one)], &carrier);
+        let expected = |&node: &NodeId| if node == own && node != zero { one } else { zero };
+        if carrier.iter().map(expected).ne(slopes) {
+            return None;
+        }
     }
     let without: Vec<_> = carrier.iter().filter(|&&node| node != zero).map(|&node| (node, zero)).collect();
     // r − c is the same linear function of each row. Positions know no velocities, which stand for a row here.
@@ -84,6 +94,55 @@ fn of_orientation(
         return None;
     }
     let unit = std::array::from_fn(|i| if i % 4 == 0 { one } else { zero });
-    let arm = substitute(graph, &position, &[known(unit), without].concat());
-    Some(InAxes { matrix, spin: orientation::spin(graph, first), carrier, arm: *arm.as_array()? })
+    let &[x, y, z] = substitute(graph, &position, &[known(unit), without].concat()).as_slice() else {
+        return None;
+    };
+    Some(InAxes { matrix, spin: orientation::spin(graph, first), carrier, arm: [x, y, z] })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::Unary;
+    use crate::kinematics::times;
+
+    /// p + R (a, b, c) with components that may depend on the position.
+    fn carried(graph: &mut Graph, arms: [NodeId; 3]) -> Option<InAxes> {
+        let p = [0, 1, 2].map(|i| graph.variable(Variable::Coordinate(i)));
+        let matrix = orientation::entries(graph, 0);
+        let turned = times(graph, &matrix, &arms);
+        let position = [0, 1, 2].map(|i| graph.add(p[i], turned[i]));
+        in_axes(graph, &position, &[3])
+    }
+
+    #[test]
+    fn positions_are_taken_apart() {
+        let mut graph = Graph::default();
+        let angle = graph.variable(Variable::Coordinate(6));
+        let sine = graph.unary(Unary::Sin, angle);
+        let arm = [angle, sine, graph.one()];
+        let found = carried(&mut graph, arm).expect("p + R x");
+        assert_eq!(found.arm, arm);
+        assert_eq!(found.carrier, [0, 1, 2].map(|i| graph.variable(Variable::Coordinate(i))));
+    }
+
+    #[test]
+    fn what_depends_on_its_carrier_is_left_alone() {
+        let mut graph = Graph::default();
+        let (x, one) = (graph.variable(Variable::Coordinate(0)), graph.one());
+        assert!(carried(&mut graph, [x, one, one]).is_none());
+        let entry = graph.variable(Variable::Entry(4));
+        assert!(carried(&mut graph, [one, entry, one]).is_none());
+    }
+
+    #[test]
+    fn rows_with_other_functions_are_no_rotation() {
+        let mut graph = Graph::default();
+        let matrix = orientation::entries(&mut graph, 0);
+        let (zero, one) = (graph.zero(), graph.one());
+        assert!(in_axes(&mut graph, &[matrix[0][0], matrix[1][1], matrix[2][0]], &[0]).is_none());
+        assert!(in_axes(&mut graph, &[matrix[1][0], matrix[0][0], matrix[2][0]], &[0]).is_none());
+        let found = in_axes(&mut graph, &[matrix[0][0], matrix[1][0], matrix[2][0]], &[0]).expect("R x");
+        assert_eq!(found.arm, [one, zero, zero]);
+    }
 }

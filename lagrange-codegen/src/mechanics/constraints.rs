@@ -13,6 +13,7 @@ use super::motion::Motion;
 use super::places;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
 use crate::expr::{Exponent, Graph, Node, NodeId, Unary, Variable};
+use crate::kinematics::slopes;
 use crate::model::{Constraint, ConstraintKind, Model};
 use crate::number::Number;
 
@@ -76,8 +77,11 @@ impl Conditions {
         let jacobian: Vec<Vec<NodeId>> = constraints
             .iter()
             .map(|constraint| {
-                let to = if is_holonomic(constraint) { &motion.q } else { &motion.v };
-                pullback(graph, &[(constraint.value, one)], to)
+                let seeds = [(constraint.value, one)];
+                match is_holonomic(constraint) {
+                    true => slopes(graph, &seeds, &motion.q, &motion.turning),
+                    false => pullback(graph, &seeds, &motion.v),
+                }
             })
             .collect();
         let multipliers: Vec<NodeId> =
@@ -184,7 +188,7 @@ fn reactions(
             .map(|(constraint, &multiplier)| (constraint.value, multiplier))
             .collect()
     };
-    let through_q = pullback(graph, &seeds(true), &motion.q);
+    let through_q = slopes(graph, &seeds(true), &motion.q, &motion.turning);
     let through_v = pullback(graph, &seeds(false), &motion.v);
     through_q.into_iter().zip(through_v).map(|(q, v)| graph.add(q, v)).collect()
 }

@@ -6,7 +6,7 @@
 //! section 13.5.)
 
 use super::motion::Motion;
-use super::{Equations, energy, equations, forces};
+use super::{Conditions, Equations, energy, equations, forces};
 use crate::calculus::substitute;
 use crate::expr::{NodeId, Variable};
 use crate::model::{Model, orientation};
@@ -20,12 +20,13 @@ pub struct Turning {
     momenta: Vec<NodeId>,
     momentum_rates: Vec<NodeId>,
     inertia: NodeId,
+    conditions: Conditions,
 }
 
 impl Turning {
-    /// Those of a model whose orientations are matrices; `None` where there are none, or with constraints.
+    /// Those of a model whose orientations are matrices; `None` where there are none.
     pub fn of(model: &mut Model) -> Option<Turning> {
-        if model.turning.is_empty() || !model.constraints.is_empty() {
+        if model.turning.is_empty() {
             return None;
         }
         let motion = Motion::of(model);
@@ -35,11 +36,15 @@ impl Turning {
         let conservative = equations::conservative(model);
         let applied = forces::loads(model, &motion).negated(model);
         let total = inertial.joined(conservative).joined(applied).sweep(model, &motion);
-        let force = equations::negated(model, &total);
-        let momentum_rates = equations::momentum_rates(model, &motion, &momenta);
-        let inertia = energy::energies(model, &motion, &momenta).kinetic;
-        let mut turning =
-            Turning { orientations: model.turning.clone(), mass, force, momenta, momentum_rates, inertia };
+        let mut turning = Turning {
+            orientations: model.turning.clone(),
+            force: equations::negated(model, &total),
+            momentum_rates: equations::momentum_rates(model, &motion, &momenta),
+            inertia: energy::energies(model, &motion, &momenta).kinetic,
+            conditions: Conditions::of(model, &motion, &mass),
+            mass,
+            momenta,
+        };
         turning.name_velocities(model);
         Some(turning)
     }
@@ -54,8 +59,10 @@ impl Turning {
                 names.push((spin, graph.variable(velocity)));
             }
         }
-        let lists = [&mut self.force, &mut self.momenta, &mut self.momentum_rates];
-        let mut nodes: Vec<&mut NodeId> = self.mass.iter_mut().chain(lists).flatten().collect();
+        let Conditions { rates, jacobian, reactions, relaxation, .. } = &mut self.conditions;
+        let lists = [&mut self.force, &mut self.momenta, &mut self.momentum_rates, rates, reactions];
+        let rows = self.mass.iter_mut().chain(lists).chain(jacobian).chain(relaxation);
+        let mut nodes: Vec<&mut NodeId> = rows.flatten().collect();
         nodes.push(&mut self.inertia);
         let roots: Vec<NodeId> = nodes.iter().map(|node| **node).collect();
         for (node, image) in nodes.into_iter().zip(substitute(graph, &roots, &names)) {
@@ -65,15 +72,18 @@ impl Turning {
 }
 
 impl Equations {
-    /// With other terms to solve for the motion with.
+    /// With other terms to solve for the motion with: those that a series is made of.
     pub fn turned(&self, model: &mut Model, turning: Turning) -> Equations {
-        let Turning { orientations, mass, force, momenta, momentum_rates, inertia } = turning;
+        let Turning { orientations, mass, force, momenta, momentum_rates, inertia, conditions } = turning;
+        let Conditions { rates, jacobian, reactions, relaxation, .. } = conditions;
+        let conditions = Conditions { rates, jacobian, reactions, relaxation, ..self.conditions.clone() };
         let mut turned = Equations {
             mass,
             force,
             momenta,
             momentum_rates,
             inertia,
+            conditions,
             turning: orientations,
             ..self.clone()
         };

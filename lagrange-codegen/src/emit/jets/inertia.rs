@@ -78,7 +78,8 @@ pub(super) enum By {
 
 impl Inertia {
     pub fn plan(emission: &mut Emission<'_>, jets: &Jets) -> Inertia {
-        let saddle = emission.solution.saddle.map(|method| SaddlePoint::plan(emission, jets, method));
+        let saddle =
+            emission.solution.saddle_of_series.map(|method| SaddlePoint::plan(emission, jets, method));
         let graph = &emission.model.graph;
         let mass = &emission.solved.mass;
         let (mut moving, mut constant): (Vec<NodeId>, Vec<NodeId>) = Default::default();

@@ -147,3 +147,98 @@ fn complete_one<R: Real, const N: usize, const P: usize>(
         },
     );
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{UnitQuaternion, Vector3};
+
+    use super::super::{parameters, rates, rotation};
+    use super::*;
+
+    /// Orientations up to half a turn with angular velocities, as coordinates 1 to 3 of four.
+    fn states() -> impl Iterator<Item = ([f64; 4], [f64; 3])> {
+        (0..60).map(|i| {
+            let x = f64::from(i);
+            let turn = Vector3::new((1.3 * x).sin(), (2.1 * x).cos(), (0.7 * x).sin()) * 0.029 * x;
+            let [a, b, c] = parameters(&UnitQuaternion::new(turn));
+            ([7.0, a, b, c], [(0.9 * x).cos(), 1.2 * (1.7 * x).sin(), -0.4])
+        })
+    }
+
+    fn with_rates(q: &[f64; 4], omega: [f64; 3]) -> [f64; 4] {
+        let [a, b, c] = rates([q[1], q[2], q[3]], &omega.into());
+        [5.0, a, b, c]
+    }
+
+    #[test]
+    fn axes_are_the_rotation() {
+        for (q, _) in states() {
+            let expected = rotation([q[1], q[2], q[3]]).to_rotation_matrix();
+            let found = axes(&q, 1);
+            for (row, entries) in found.iter().enumerate() {
+                for (column, entry) in entries.iter().enumerate() {
+                    assert!((entry - expected[(row, column)]).abs() < 1e-15, "{found:?} {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn angular_velocities_are_those_of_the_rates() {
+        for (q, omega) in states() {
+            let found = turning(&q, &with_rates(&q, omega), [1]);
+            let expected = [5.0, omega[0], omega[1], omega[2]];
+            assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 2e-15), "{found:?} {expected:?}");
+        }
+    }
+
+    /// Beside a difference of the rates along ρ + τ ρ′ and ω + τ ω′.
+    #[test]
+    fn accelerations_are_those_of_the_parameters() {
+        let (change, tau) = ([0.6, -0.2, 1.1], 1e-5);
+        for (q, omega) in states() {
+            let v = with_rates(&q, omega);
+            let at = |tau: f64| {
+                let q: [f64; 4] = core::array::from_fn(|i| q[i] + tau * v[i]);
+                with_rates(&q, core::array::from_fn(|i| omega[i] + tau * change[i]))
+            };
+            let (after, before) = (at(tau), at(-tau));
+            let spin = [5.0, omega[0], omega[1], omega[2]];
+            let found = accelerations(&q, &v, &spin, [3.0, change[0], change[1], change[2]], [1]);
+            assert_eq!(found[0], 3.0);
+            for i in 1..4 {
+                let expected = (after[i] - before[i]) / (2.0 * tau);
+                assert!((found[i] - expected).abs() < 1e-9, "{found:?} {expected}");
+            }
+        }
+    }
+
+    /// A steady turn, R exp(t \[ω]ₓ): the sum of the series is the parameters of that.
+    #[test]
+    fn a_steady_turn_has_the_series_of_its_parameters() {
+        const ORDERS: usize = 24;
+        let h = 0.25;
+        for (q, omega) in states() {
+            let mut series = Series::<f64, 4, ORDERS>::default();
+            for order in 1..=ORDERS {
+                series.set(order, [1.0, 9.0, 9.0, 9.0], [2.0, 0.0, 0.0, 0.0]);
+            }
+            complete(&mut series, ORDERS, h, &q, &[5.0, omega[0], omega[1], omega[2]], [1]);
+            let v = with_rates(&q, omega);
+            let (gain_q, gain_v) = series.gain(1.0, ORDERS);
+            assert_eq!(gain_q[0], ORDERS as f64, "numbers that are none of an orientation stay");
+            let turn = rotation([q[1], q[2], q[3]]) * UnitQuaternion::new(Vector3::from(omega) * h);
+            // The triple that goes on from the present one.
+            let expected = parameters(&turn);
+            let expected_rates = rates(expected, &omega.into());
+            let square: f64 = expected.iter().map(|x| x * x).sum();
+            if square > 15.0 {
+                continue;
+            }
+            for i in 0..3 {
+                assert!((q[i + 1] + gain_q[i + 1] - expected[i]).abs() < 1e-13, "{gain_q:?} {expected:?}");
+                assert!((v[i + 1] + gain_v[i + 1] - expected_rates[i]).abs() < 1e-12, "{gain_v:?}");
+            }
+        }
+    }
+}
