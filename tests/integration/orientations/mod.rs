@@ -4,5 +4,6 @@
 mod beside;
 mod elliptic;
 mod linkage;
+mod named;
 mod rolling;
 mod tops;
