@@ -79,7 +79,8 @@ pub fn main() -> Result<(), Box<dyn Error>> {
             let (states, _) = run(plant, control, beside)?;
             let end = states.iter().skip(SAMPLES / 2).map(astray).fold(0.0, f64::max);
             println!("{name:>16}{load:12} the tool is astray by {:6.3} mm in the second half", 1e3 * end);
-            chart = chart.line(&format!("{name}{load}"), states.iter().step_by(5).map(|x| (x.t, 1e3 * astray(x))));
+            chart = chart
+                .line(&format!("{name}{load}"), states.iter().step_by(5).map(|x| (x.t, 1e3 * astray(x))));
             worst.push(end);
         }
     }

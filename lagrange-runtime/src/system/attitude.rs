@@ -7,7 +7,10 @@
 //! ([`settle`]).
 //! (Schaub and Junkins, *Analytical Mechanics of Space Systems*, 4th ed., section 3.5, where σ = ρ/4.)
 
+mod axes;
 mod motion;
+
+pub use axes::{BodyAxes, ByName};
 
 use nalgebra::{Isometry3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 use num_traits::Zero;

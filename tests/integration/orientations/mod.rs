@@ -5,5 +5,6 @@ mod beside;
 mod elliptic;
 mod linkage;
 mod momenta;
+mod named;
 mod rolling;
 mod tops;
