@@ -17,6 +17,7 @@ usage: scripts/check.sh NAME …
   digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
+  contacts    ten thousand random systems with contacts and friction
   stack       analyses of 100 coordinates on the stack of a common thread, in release: the compiler needs more than 16 GB for it, so it is
               in no list; in debug it is part of `cargo test`
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
@@ -59,6 +60,8 @@ long() { cargo test --release --test integration jets::long:: -- --ignored --noc
 
 drift() { cargo test --release --test integration jets::long_constrained:: -- --ignored --nocapture; }
 
+contacts() { cargo test --release --test integration contact::random::ten_thousand -- --ignored --nocapture; }
+
 stack() { cargo test --release --test stack; }
 
 firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
@@ -66,9 +69,9 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
-        fmt | clippy | docs | book | random | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
-        all) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; firmware ;;
-        ci) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
+        fmt | clippy | docs | book | random | benchmarks | lanes | digits | long | drift | contacts | stack | firmware) "$name" ;;
+        all) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; contacts; firmware ;;
+        ci) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; contacts; FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
 done
