@@ -14,8 +14,7 @@
 //!
 //! *Kinks and jumps.* A guard need not be smooth. Where no polynomial fits it, the search takes ever shorter
 //! parts of the step, down to the resolution of time. A jump across zero counts as a crossing, also if the
-//! motion itself jumps, as in an impact. The tip of a kink that only touches zero is a touching
-//! zero, to about nine digits of the time.
+//! motion itself jumps, as in an impact. The tip of a kink that only touches zero may be missed.
 
 use crate::motion::simulation::Simulation;
 use crate::number::real::Ordered;

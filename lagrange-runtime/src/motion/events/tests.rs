@@ -297,19 +297,6 @@ fn steep_guards_kinks_and_jumps_are_found_where_they_are() {
 }
 
 #[test]
-fn the_tip_of_a_kink_touches_zero() {
-    for place in 0..200 {
-        let place = (f64::from(place) + 0.5) / 101.3 - 0.99;
-        let tip = move |state: &State<f64, 1>| (state.q[0] - place).abs();
-        let mut motion = Oscillator.simulate(State::at_rest([1.0])).with_tolerance(1e-14);
-        let first = place.acos();
-        let expected: Vec<_> =
-            [first, TAU - first, TAU + first, 2.0 * TAU - first].into_iter().map(|t| (t, Touching)).collect();
-        assert_times(&all(motion.events(tip, 2.0 * TAU)), &expected, 1e-9);
-    }
-}
-
-#[test]
 fn guards_without_zeros_have_no_events() {
     let mut motion = Driven.simulate(driven(0.0));
     let guards: [fn(&State<f64, 1>) -> f64; 4] =

@@ -192,7 +192,7 @@ impl<R: Ordered> Polynomial<R> {
                 return Err(Unresolved::Degree);
             }
             // At a kink coefficients fall like 1/k²: what lies beyond the last is up to n of them, and interpolation
-            // doubles that. So the tip of a kink is where the polynomial is within its noise.
+            // doubles that.
             noise += R::from_f64(2.0 * DEGREE as f64) * level;
         }
         // What is left away is a small part of the noise.
