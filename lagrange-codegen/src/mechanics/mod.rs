@@ -15,6 +15,7 @@ mod frames;
 mod linearization;
 mod motion;
 mod places;
+pub(crate) mod quadratic;
 mod turning;
 mod validate;
 
@@ -23,10 +24,12 @@ pub use linearization::{Linearization, Sensitivities};
 pub use turning::Turning;
 
 use crate::diagnostics::Diagnostics;
-use crate::expr::NodeId;
+use crate::expr::{Graph, NodeId};
 use crate::model::{Hints, Model};
+use crate::simplify::cost::cost;
 use crate::simplify::{price, simplify};
 use motion::{Axes, Motion};
+use quadratic::Quadratic;
 
 /// The equations of motion and the scalars that go with them.
 #[derive(Clone, Debug)]
@@ -135,11 +138,25 @@ fn cheapest<T>(
     space
 }
 
+/// M from composite inertias, where that takes fewer operations than a sweep for each column.
+fn composed(graph: &mut Graph, mass: Vec<Vec<NodeId>>, energy: NodeId) -> Vec<Vec<NodeId>> {
+    let all: Vec<usize> = (0..mass.len()).collect();
+    let Some(form) = Quadratic::of(graph, energy, &all) else { return mass };
+    let formed = form.formed(graph);
+    let [of_formed, of_mass] = [&formed, &mass].map(|rows| cost(graph, &rows.concat()));
+    if of_formed < of_mass { formed } else { mass }
+}
+
 impl Equations {
     fn in_axes(model: &mut Model, axes: Axes) -> Equations {
         let motion = Motion::of(model, axes);
         let momenta = equations::momenta(model, &motion);
         let mass = equations::mass_matrix(model, &motion, &momenta);
+        let energies = energy::energies(model, &motion, &momenta);
+        let mass = match axes {
+            Axes::Own => composed(&mut model.graph, mass, energies.kinetic),
+            Axes::Space => mass,
+        };
         let inertial = equations::inertial(model, &motion, &momenta);
         let conservative = equations::conservative(model);
         let applied_loads = forces::loads(model, &motion);
@@ -150,7 +167,6 @@ impl Equations {
         let force = equations::negated(model, &total);
         let momentum_rates = equations::momentum_rates(model, &motion, &momenta);
         let conditions = Conditions::of(model, &motion, &mass);
-        let energies = energy::energies(model, &motion, &momenta);
         let power = energy::power(model, &motion, &applied);
         let energy_rate = (conditions.count() > 0).then(|| {
             energy::rate(&mut model.graph, &momenta, energies.total, energies.jacobi, power, &conditions)

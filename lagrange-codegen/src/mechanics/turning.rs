@@ -6,7 +6,7 @@
 //! section 13.5.)
 
 use super::motion::{Axes, Motion};
-use super::{Conditions, Equations, cheapest, energy, equations, forces};
+use super::{Conditions, Equations, cheapest, composed, energy, equations, forces};
 use crate::calculus::substitute;
 use crate::expr::{NodeId, Variable};
 use crate::model::{Model, orientation};
@@ -29,9 +29,7 @@ impl Turning {
         if model.turning.is_empty() {
             return None;
         }
-        let mut turning = cheapest(model, Turning::in_axes, Turning::roots);
-        turning.name_velocities(model);
-        Some(turning)
+        Some(cheapest(model, Turning::in_axes, Turning::roots))
     }
 
     /// The entries of the mass matrix and of the constraints' gradients, and the right-hand sides.
@@ -47,7 +45,7 @@ impl Turning {
         let conservative = equations::conservative(model);
         let applied = forces::loads(model, &motion).negated(model);
         let total = inertial.joined(conservative).joined(applied).sweep(model, &motion);
-        Turning {
+        let mut turning = Turning {
             orientations: model.turning.clone(),
             force: equations::negated(model, &total),
             momentum_rates: equations::momentum_rates(model, &motion, &momenta),
@@ -55,7 +53,12 @@ impl Turning {
             conditions: Conditions::of(model, &motion, &mass),
             mass,
             momenta,
+        };
+        turning.name_velocities(model);
+        if axes == Axes::Own {
+            turning.mass = composed(&mut model.graph, turning.mass, turning.inertia);
         }
+        turning
     }
 
     /// The angular velocities are the velocities here.

@@ -2,11 +2,11 @@
 
 use super::elimination::{self, eliminate};
 use super::facts::Facts;
-use super::quadratic::Quadratic;
 use super::recursion::{Articulated, Recursion};
 use crate::diagnostics::{Diagnostics, physics};
 use crate::expr::{Graph, NodeId, Unary};
 use crate::mechanics::Equations;
+use crate::mechanics::quadratic::Quadratic;
 use crate::model::Model;
 use crate::number::Number;
 use crate::simplify::cost::cost;
