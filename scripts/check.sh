@@ -11,14 +11,16 @@ usage: scripts/check.sh NAME …
   docs        rustdoc, warnings denied
   book        its programs with all features; its pictures are what the examples draw; where mdbook is there, it builds
               and its links resolve
+  ui          messages about mistakes that the compiler finds in types
   random      10 000 random systems (or CASES of them) against dual numbers
   benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
   lanes       several motions in the lanes of SIMD vectors
   digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
-  stack       analyses of 100 coordinates on the stack of a common thread, in release: the compiler needs more than 16 GB for it, so it is
-              in no list; in debug it is part of `cargo test`
+  stack       analyses of 100 coordinates on the stack of a common thread
+  stack-release
+              the same in release: the compiler needs more than 16 GB for it, so it is in no list
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
               names another part of scripts/firmware.sh
   all         everything above
@@ -42,6 +44,8 @@ book() {
     scripts/book.sh check
 }
 
+ui() { cargo test --test ui_types; }
+
 random() { PROPTEST_CASES=${CASES:-10000} cargo test --release -p lagrange-codegen --test random; }
 
 benchmarks() { cargo build --release -p benchmarks; }
@@ -59,16 +63,18 @@ long() { cargo test --release --test integration jets::long:: -- --ignored --noc
 
 drift() { cargo test --release --test integration jets::long_constrained:: -- --ignored --nocapture; }
 
-stack() { cargo test --release --test stack; }
+stack() { cargo test --test stack; }
+
+stack-release() { cargo test --release --test stack; }
 
 firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
-        fmt | clippy | docs | book | random | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
-        all) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; firmware ;;
-        ci) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
+        fmt | clippy | docs | book | ui | random | benchmarks | lanes | digits | long | drift | stack | stack-release | firmware) "$name" ;;
+        all) fmt; clippy; docs; book; ui; stack; random; benchmarks; lanes; digits; long; drift; firmware ;;
+        ci) fmt; clippy; docs; book; ui; stack; random; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
 done
