@@ -59,9 +59,9 @@ digits() {
     cargo run --release --features double-double --example true_digits
 }
 
-long() { cargo test --release --test integration jets::long:: -- --ignored --nocapture; }
+long() { cargo test --release --test long free:: -- --nocapture; }
 
-drift() { cargo test --release --test integration jets::long_constrained:: -- --ignored --nocapture; }
+drift() { cargo test --release --test long constrained:: -- --nocapture; }
 
 stack() { cargo test --test stack; }
 
