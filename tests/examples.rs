@@ -1,67 +1,108 @@
-//! Runs every example: `cargo test` alone only builds them. They are not built again here.
+//! Runs every example: `cargo test` alone only compiles them.
+// Each example includes the charts for itself.
+#![allow(clippy::duplicate_mod)]
 
-use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::time::SystemTime;
-use std::{env, fs, thread};
+use std::collections::BTreeSet;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+macro_rules! run {
+    ($($example:ident),* $(,)?) => {
+        const EXAMPLES: &[&str] = &[$(stringify!($example)),*];
+
+        $(#[test]
+        fn $example() -> Result<(), Box<dyn Error>> {
+            $example::main()
+        })*
+    };
+}
+
+run! {
+    arm_control,
+    cart_pole,
+    cartesian_pendulum,
+    chain_modes,
+    charge_in_magnetic_field,
+    double_pendulum,
+    flip_times,
+    heavy_top,
+    magnetic_basins,
+    own_math,
+    pleiades,
+    rocking_block,
+    rolling_disc,
+    rotating_frame,
+    spring_pendulum,
+    squeezer,
+    stick_slip,
+    ten_link_chain,
+    whirling_hoop,
+}
+
+#[path = "../examples/arm_control.rs"]
+mod arm_control;
+#[path = "../examples/cart_pole.rs"]
+mod cart_pole;
+#[path = "../examples/cartesian_pendulum.rs"]
+mod cartesian_pendulum;
+#[path = "../examples/chain_modes.rs"]
+mod chain_modes;
+#[path = "../examples/charge_in_magnetic_field.rs"]
+mod charge_in_magnetic_field;
+#[path = "../examples/double_pendulum.rs"]
+mod double_pendulum;
+#[path = "../examples/flip_times.rs"]
+mod flip_times;
+#[path = "../examples/heavy_top.rs"]
+mod heavy_top;
+#[path = "../examples/magnetic_basins.rs"]
+mod magnetic_basins;
+#[path = "../examples/own_math.rs"]
+mod own_math;
+#[path = "../examples/pleiades.rs"]
+mod pleiades;
+#[path = "../examples/rocking_block.rs"]
+mod rocking_block;
+#[path = "../examples/rolling_disc.rs"]
+mod rolling_disc;
+#[path = "../examples/rotating_frame.rs"]
+mod rotating_frame;
+#[path = "../examples/spring_pendulum.rs"]
+mod spring_pendulum;
+#[path = "../examples/squeezer.rs"]
+mod squeezer;
+#[path = "../examples/stick_slip.rs"]
+mod stick_slip;
+#[path = "../examples/ten_link_chain.rs"]
+mod ten_link_chain;
+#[path = "../examples/whirling_hoop.rs"]
+mod whirling_hoop;
 
 /// Runs where its feature is on, as `scripts/check.sh digits` has it.
-const WITH_FEATURE: (&str, bool) = ("true_digits", cfg!(feature = "double-double"));
+const WITH_FEATURE: &str = "true_digits";
 
-/// Where they are built.
-fn folder() -> PathBuf {
-    let test = env::current_exe().expect("the test is a file");
-    test.parent().and_then(Path::parent).expect("it stands in target/…/deps").join("examples")
-}
+#[cfg(feature = "double-double")]
+#[path = "../examples/true_digits.rs"]
+mod true_digits;
 
-fn examples() -> Vec<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let files = fs::read_dir(folder).expect("the examples are there");
-    let paths = files.map(|file| file.expect("the folder can be read").path());
-    let is_program = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "rs");
-    let name = |path: PathBuf| path.file_stem().expect("a file has a name").to_string_lossy().into_owned();
-    paths.filter(is_program).map(name).collect()
-}
-
-fn changed(path: &Path) -> Option<SystemTime> {
-    fs::metadata(path).and_then(|data| data.modified()).ok()
-}
-
-/// Whether an example was built after all its sources were changed, those of the library included.
-fn is_built(name: &str) -> bool {
-    let built = changed(&folder().join(name).with_extension(env::consts::EXE_EXTENSION));
-    let sources = fs::read_to_string(folder().join(name).with_extension("d")).unwrap_or_default();
-    let sources = sources.split_once(": ").map_or("", |(_, sources)| sources);
-    // A space in a path is written with a backslash before it.
-    let sources = sources.trim().replace("\\ ", "\0");
-    let is_older = |source: &str| changed(Path::new(&source.replace('\0', " "))) <= built;
-    built.is_some() && !sources.is_empty() && sources.split(' ').all(is_older)
-}
-
-/// What an example says of itself if it fails.
-fn failure(name: &str) -> Option<String> {
-    if !is_built(name) {
-        return Some(format!(
-            "{name} is not built; `cargo test` builds it, and so does `cargo build --examples`"
-        ));
-    }
-    let output = Command::new(folder().join(name)).output().expect("the example starts");
-    let said =
-        || [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned()).concat();
-    (!output.status.success()).then(|| format!("{name}: {}\n{}", output.status, said()))
+#[cfg(feature = "double-double")]
+#[test]
+fn true_digits() -> Result<(), Box<dyn Error>> {
+    true_digits::main()
 }
 
 #[test]
-fn every_example_runs() {
-    let mut examples = examples();
-    examples.retain(|name| name != WITH_FEATURE.0 || WITH_FEATURE.1);
-    assert!(examples.len() >= 18, "{examples:?}");
-    let lanes = thread::available_parallelism().map_or(1, Into::into);
-    let failures: Vec<String> = thread::scope(|scope| {
-        let run = |lane| examples.iter().skip(lane).step_by(lanes).filter_map(|name| failure(name)).collect();
-        let lanes: Vec<_> =
-            (0..lanes).map(|lane| scope.spawn(move || -> Vec<String> { run(lane) })).collect();
-        lanes.into_iter().flat_map(|lane| lane.join().expect("a lane ends")).collect()
-    });
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
+fn no_example_is_forgotten() -> Result<(), Box<dyn Error>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let mut found = BTreeSet::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "rs") {
+            found.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+        }
+    }
+    let run: BTreeSet<String> = EXAMPLES.iter().chain([&WITH_FEATURE]).map(ToString::to_string).collect();
+    assert_eq!(found, run);
+    Ok(())
 }

@@ -4,6 +4,7 @@
 //! Contributions of several functions to one role are kept apart until mechanics adds them.
 
 mod constraints;
+mod levers;
 pub mod orientation;
 mod velocities;
 
@@ -13,6 +14,7 @@ use crate::expr::{Graph, NodeId};
 pub use constraints::{
     Constraint, ConstraintKind, Contact, Eliminated, Elimination, Law, Place, component_of_one,
 };
+pub use levers::{Lever, Levers};
 pub use velocities::{Rates, Spin, Twist, Velocity};
 
 /// A lowered description.
@@ -25,6 +27,9 @@ pub struct Model {
     pub coordinates: Vec<Quantity>,
     /// Where the three numbers of each orientation begin among the coordinates.
     pub orientations: Vec<usize>,
+    /// The same while quantities are functions of their matrices and angular velocities, which are variables:
+    /// until [`orientation::in_parameters`].
+    pub turning: Vec<usize>,
     /// Inputs, arrays flattened, in declaration order.
     pub inputs: Vec<Quantity>,
     /// Parameters in order of their first use: `Variable::Parameter(i)` is the i-th.
@@ -62,6 +67,8 @@ pub struct Model {
     /// Particles and bodies in the order of declaration, as places where constraint forces act; empty
     /// without holonomic constraints.
     pub places: Vec<Place>,
+    /// How places are carried by rotations.
+    pub levers: Levers,
     /// Constraints that are to be solved for a coordinate, in the order of declaration.
     pub eliminations: Vec<Elimination>,
     /// Coordinates that constraints have eliminated, in declaration order.
@@ -100,6 +107,8 @@ pub struct Locals {
     pub inputs: Vec<String>,
     /// Names of the parameters.
     pub parameters: Vec<String>,
+    /// Names of the entries of the matrices of orientations.
+    pub entries: Vec<String>,
     /// Names of the auxiliaries of a Taylor expansion.
     pub auxiliaries: Vec<String>,
     /// Names of the multipliers.
@@ -254,8 +263,8 @@ pub enum RotationForm {
     Product(Box<Rotation>, Box<Rotation>),
     /// The inverse.
     Inverse(Box<Rotation>),
-    /// By three parameters, see [`orientation`].
-    Parameters([NodeId; 3]),
+    /// Of an orientation among the coordinates, by its angular velocity in body axes: see [`orientation`].
+    Turning([NodeId; 3]),
     /// Given by its entries alone.
     Entries,
 }

@@ -1,10 +1,10 @@
 //! Momenta, mass matrix and bias.
 
 use super::forces;
-use super::motion::Motion;
+use super::motion::{Motion, Translation};
 use crate::calculus::{pullback, pushforward};
-use crate::expr::NodeId;
-use crate::kinematics::{cross, time_direction, times};
+use crate::expr::{Graph, NodeId};
+use crate::kinematics::{cross, slopes_to, times, transposed_times};
 use crate::model::Model;
 use crate::number::Number;
 
@@ -29,6 +29,15 @@ impl Loads {
         self
     }
 
+    /// A load on what moves, by ∂r/∂q or by ∂ṙ/∂v, which is the same.
+    fn on(&mut self, body: &Translation, load: &[NodeId]) {
+        let load = load.iter().copied();
+        match &body.position {
+            Some(position) => self.through_q.extend(position.iter().copied().zip(load)),
+            None => self.through_v.extend(body.velocity.iter().copied().zip(load)),
+        }
+    }
+
     /// The seeds with the opposite sign.
     pub fn negated(mut self, model: &mut Model) -> Loads {
         for (_, load) in self.through_q.iter_mut().chain(&mut self.through_v) {
@@ -43,8 +52,8 @@ impl Loads {
     /// One generalized force for each coordinate.
     pub fn sweep(self, model: &mut Model, motion: &Motion) -> Vec<NodeId> {
         let graph = &mut model.graph;
-        let through_q = pullback(graph, &self.through_q, &motion.q);
-        let through_v = pullback(graph, &self.through_v, &motion.v);
+        let (through_q, on_carried) = through_places(graph, &self.through_q, motion);
+        let through_v = pullback(graph, &[self.through_v, on_carried].concat(), &motion.v);
         let mut terms: Vec<Vec<(NodeId, Number)>> = (0..motion.q.len())
             .map(|i| vec![(through_q[i], Number::ONE), (through_v[i], Number::ONE)])
             .collect();
@@ -55,13 +64,32 @@ impl Loads {
     }
 }
 
+/// What loads on functions of the coordinates are to each coordinate, and to the velocities of places that
+/// rotations carry, in the axes of these: (∂r/∂q)ᵀ F = (∂ṙ/∂v)ᵀ F.
+fn through_places(
+    graph: &mut Graph,
+    seeds: &[(NodeId, NodeId)],
+    motion: &Motion,
+) -> (Vec<NodeId>, Vec<(NodeId, NodeId)>) {
+    let places = motion.carried.iter().flat_map(|carried| carried.place);
+    let places: Vec<NodeId> = places.collect();
+    let (forces, through_q) = slopes_to(graph, seeds, &places, &motion.q, &motion.turning);
+    let mut loads = Vec::new();
+    for (carried, force) in motion.carried.iter().zip(forces.chunks_exact(3)) {
+        let turned = transposed_times(graph, &carried.matrix, &[force[0], force[1], force[2]]);
+        let moving = carried.velocity.into_iter().zip(turned);
+        loads.extend(moving.filter(|&(_, load)| !graph.is_zero(load)).collect::<Vec<_>>());
+    }
+    (through_q, loads)
+}
+
 /// p = ∂L/∂v.
 pub(super) fn momenta(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
     let mut loads = Loads::default();
     for body in &motion.translations {
-        for (&position, &velocity) in body.position.iter().zip(&body.velocity) {
-            loads.through_q.push((position, model.graph.mul(body.mass, velocity)));
-        }
+        let momentum: Vec<_> =
+            body.velocity.iter().map(|&velocity| model.graph.mul(body.mass, velocity)).collect();
+        loads.on(body, &momentum);
     }
     for body in &motion.rotations {
         let momentum = times(&mut model.graph, &body.inertia, &body.rate);
@@ -93,9 +121,9 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
     let mut loads = Loads::default();
     let graph = &mut model.graph;
     for body in &motion.translations {
-        for (&position, &acceleration) in body.position.iter().zip(&body.acceleration) {
-            loads.through_q.push((position, graph.mul(body.mass, acceleration)));
-        }
+        let force: Vec<_> =
+            body.acceleration.iter().map(|&acceleration| graph.mul(body.mass, acceleration)).collect();
+        loads.on(body, &force);
     }
     for body in &motion.rotations {
         let momentum = times(graph, &body.inertia, &body.rate);
@@ -119,9 +147,11 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
         let seeds: Vec<_> = functions.iter().map(|&value| (value, one)).collect();
         pullback(graph, &seeds, &motion.v)
     };
-    let direction = time_direction(graph, motion.q.len());
-    let changes = pushforward(graph, &of_functions, &direction);
+    let changes = pushforward(graph, &of_functions, &motion.direction);
     loads.direct.extend(changes.into_iter().enumerate());
+    for (coordinate, torque) in carried(graph, motion, &of_functions) {
+        loads.direct.push((coordinate, graph.neg(torque)));
+    }
     loads.through_q.extend(functions.into_iter().map(|value| (value, minus_one)));
     loads
 }
@@ -129,9 +159,10 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
 /// ∂L/∂q + Q − ∂D/∂v, the right-hand side of d/dt p = f.
 ///
 /// Unlike the bias this is not d'Alembert's form: nothing is differentiated by time.
-pub(super) fn momentum_rates(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
+pub(super) fn momentum_rates(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -> Vec<NodeId> {
     let mut loads = forces::loads(model, motion);
     let graph = &mut model.graph;
+    loads.direct.extend(carried(graph, motion, momenta));
     for body in &motion.translations {
         for &velocity in &body.velocity {
             loads.through_q.push((velocity, graph.mul(body.mass, velocity)));
@@ -149,6 +180,17 @@ pub(super) fn momentum_rates(model: &mut Model, motion: &Motion) -> Vec<NodeId> 
         loads.through_q.push((term.value, minus_one));
     }
     loads.sweep(model, motion)
+}
+
+/// p × ω: what changes the angular momentum of an orientation because its axes turn.
+fn carried(graph: &mut Graph, motion: &Motion, momenta: &[NodeId]) -> Vec<(usize, NodeId)> {
+    let mut carried = Vec::with_capacity(3 * motion.turning.len());
+    for &first in &motion.turning {
+        let three = |all: &[NodeId]| [all[first], all[first + 1], all[first + 2]];
+        let torque = cross(graph, &three(momenta), &three(&motion.v));
+        carried.extend((first..).zip(torque));
+    }
+    carried
 }
 
 /// Conservative part of the bias: ∂V/∂q.

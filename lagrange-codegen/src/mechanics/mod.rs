@@ -6,23 +6,27 @@
 //! the same vector without the terms that cancel between d/dt ∂T/∂v and ∂T/∂q.
 
 pub mod analysis;
+mod axes;
 mod constraints;
 mod energy;
 mod equations;
 mod forces;
+mod frames;
 mod linearization;
 mod motion;
 mod places;
+mod turning;
 mod validate;
 
 pub use constraints::{Conditions, Switched};
 pub use linearization::{Linearization, Sensitivities};
+pub use turning::Turning;
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::NodeId;
-use crate::model::Model;
-use crate::simplify::simplify;
-use motion::Motion;
+use crate::model::{Hints, Model};
+use crate::simplify::{price, simplify};
+use motion::{Axes, Motion};
 
 /// The equations of motion and the scalars that go with them.
 #[derive(Clone, Debug)]
@@ -58,6 +62,9 @@ pub struct Equations {
     pub energy_rate: Option<NodeId>,
     /// What the constraints contribute.
     pub conditions: Conditions,
+    /// Orientations whose matrices are variables, and whose angular velocities stand in the places of their
+    /// velocities.
+    pub turning: Vec<usize>,
     /// Whether the mass matrix is symmetric positive semidefinite by construction or by the
     /// meaning of a kinetic energy; a Lagrangian given as a whole may have any signature.
     pub definite: bool,
@@ -72,24 +79,20 @@ impl Equations {
     /// The same with cheaper roots where the motion is solved for and facts are read: the mass
     /// matrix, the right-hand side, and the energies.
     pub fn simplified(&self, model: &mut Model) -> Equations {
-        let mut simpler = simplify(&mut model.graph, &mut model.hints, &self.roots()).into_iter();
-        let mut take = |count: usize| simpler.by_ref().take(count).collect::<Vec<_>>();
-        let mass = self.mass.iter().map(|row| take(row.len())).collect();
-        let force = take(self.force.len());
-        let mut conditions = self.conditions.clone();
-        conditions.jacobian.iter_mut().for_each(|row| *row = take(row.len()));
-        conditions.gamma = take(conditions.gamma.len());
+        let mut simpler = self.clone();
+        simpler.simplify_motion(model);
         let energies = [self.kinetic_energy, self.potential_energy, self.whole];
         let energies = simplify(&mut model.graph, &mut model.hints, &energies);
-        Equations {
-            mass,
-            force,
-            conditions,
-            kinetic_energy: energies[0],
-            potential_energy: energies[1],
-            whole: energies[2],
-            ..self.clone()
-        }
+        [simpler.kinetic_energy, simpler.potential_energy, simpler.whole] =
+            [energies[0], energies[1], energies[2]];
+        simpler
+    }
+
+    fn simplify_motion(&mut self, model: &mut Model) {
+        let mut simpler = simplify(&mut model.graph, &mut model.hints, &self.roots()).into_iter();
+        let Conditions { jacobian, gamma, .. } = &mut self.conditions;
+        let rows = self.mass.iter_mut().chain([&mut self.force]).chain(jacobian).chain([gamma]);
+        rows.flatten().zip(simpler.by_ref()).for_each(|(node, new)| *node = new);
     }
 }
 
@@ -99,45 +102,77 @@ pub fn derive(
     allows: &dyn Fn(&str) -> bool,
     diagnostics: &mut Diagnostics,
 ) -> Option<Equations> {
-    let motion = Motion::of(model);
     validate::contributions(model, allows, diagnostics);
     validate::constants(model, diagnostics);
     let independent = validate::constraints(model, allows, diagnostics);
-    let momenta = equations::momenta(model, &motion);
-    let mass = equations::mass_matrix(model, &motion, &momenta);
-    validate::inertia(model, &mass, &independent, diagnostics);
-    let inertial = equations::inertial(model, &motion, &momenta);
-    let conservative = equations::conservative(model);
-    let applied_loads = forces::loads(model, &motion);
-    let bias = inertial.clone().joined(conservative.clone()).sweep(model, &motion);
-    let applied = applied_loads.clone().negated(model).sweep(model, &motion);
-    let applied = equations::negated(model, &applied);
-    let total = inertial.joined(conservative).joined(applied_loads.negated(model)).sweep(model, &motion);
-    let force = equations::negated(model, &total);
-    let momentum_rates = equations::momentum_rates(model, &motion);
-    validate::inputs(model, &force, &mass, allows, diagnostics);
-    let conditions = Conditions::of(model, &motion, &mass);
-    let energies = energy::energies(model, &motion, &momenta);
-    let power = energy::power(model, &motion, &applied);
-    let energy_rate = (conditions.count() > 0).then(|| {
-        energy::rate(&mut model.graph, &momenta, energies.total, energies.jacobi, power, &conditions)
+    let equations = cheapest(model, Equations::in_axes, Equations::roots);
+    validate::inertia(model, &equations.mass, &independent, diagnostics);
+    validate::inputs(model, &equations.force, &equations.mass, allows, diagnostics);
+    (!diagnostics.has_errors()).then_some(equations)
+}
+
+/// What is derived in the axes in which its roots take fewer operations: a single top is written best in space axes,
+/// where its spin does not appear, and an arm in those of its links.
+fn cheapest<T>(
+    model: &mut Model,
+    derived: impl Fn(&mut Model, Axes) -> T,
+    roots: impl Fn(&T) -> Vec<NodeId>,
+) -> T {
+    if !Motion::is_carried(model) {
+        return derived(model, Axes::Space);
+    }
+    let mut trial = model.clone();
+    let own = derived(&mut trial, Axes::Own);
+    let space = derived(model, Axes::Space);
+    let [of_own, of_space] = [(&trial, &own), (&*model, &space)].map(|(model, equations)| {
+        let mut hints = Hints::default();
+        price(&mut model.graph.clone(), &mut hints, &roots(equations))
     });
-    (!diagnostics.has_errors()).then_some(Equations {
-        mass,
-        bias,
-        applied,
-        force,
-        momenta,
-        momentum_rates,
-        kinetic_energy: energies.kinetic,
-        inertia: energies.kinetic,
-        potential_energy: energies.potential,
-        whole: energies.whole,
-        energy: energies.total,
-        jacobi_integral: energies.jacobi,
-        power,
-        energy_rate,
-        conditions,
-        definite: model.lagrangian.is_empty(),
-    })
+    if of_own < of_space {
+        *model = trial;
+        return own;
+    }
+    space
+}
+
+impl Equations {
+    fn in_axes(model: &mut Model, axes: Axes) -> Equations {
+        let motion = Motion::of(model, axes);
+        let momenta = equations::momenta(model, &motion);
+        let mass = equations::mass_matrix(model, &motion, &momenta);
+        let inertial = equations::inertial(model, &motion, &momenta);
+        let conservative = equations::conservative(model);
+        let applied_loads = forces::loads(model, &motion);
+        let bias = inertial.clone().joined(conservative.clone()).sweep(model, &motion);
+        let applied = applied_loads.clone().negated(model).sweep(model, &motion);
+        let applied = equations::negated(model, &applied);
+        let total = inertial.joined(conservative).joined(applied_loads.negated(model)).sweep(model, &motion);
+        let force = equations::negated(model, &total);
+        let momentum_rates = equations::momentum_rates(model, &motion, &momenta);
+        let conditions = Conditions::of(model, &motion, &mass);
+        let energies = energy::energies(model, &motion, &momenta);
+        let power = energy::power(model, &motion, &applied);
+        let energy_rate = (conditions.count() > 0).then(|| {
+            energy::rate(&mut model.graph, &momenta, energies.total, energies.jacobi, power, &conditions)
+        });
+        Equations {
+            mass,
+            bias,
+            applied,
+            force,
+            momenta,
+            momentum_rates,
+            kinetic_energy: energies.kinetic,
+            inertia: energies.kinetic,
+            potential_energy: energies.potential,
+            whole: energies.whole,
+            energy: energies.total,
+            jacobi_integral: energies.jacobi,
+            power,
+            energy_rate,
+            conditions,
+            turning: Vec::new(),
+            definite: model.lagrangian.is_empty(),
+        }
+    }
 }

@@ -4,5 +4,6 @@
 mod beside;
 mod elliptic;
 mod linkage;
+mod momenta;
 mod rolling;
 mod tops;
