@@ -20,6 +20,7 @@ usage: scripts/check.sh NAME …
   digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
+  contacts    ten thousand random systems with contacts and friction
   stack       analyses of 100 coordinates on the stack of a common thread
   stack-release
               the same in release: the compiler needs more than 16 GB for it, so it is in no list
@@ -69,6 +70,8 @@ long() { cargo test --release --test long free:: -- --nocapture; }
 
 drift() { cargo test --release --test long constrained:: -- --nocapture; }
 
+contacts() { cargo test --release --test integration contact::random::ten_thousand -- --ignored --nocapture; }
+
 stack() { cargo test --test stack; }
 
 stack-release() { cargo test --release --test stack; }
@@ -79,11 +82,11 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | book | ui | random | packages | benchmarks | lanes | digits | long | drift | stack | stack-release | firmware)
+        fmt | clippy | docs | book | ui | random | packages | benchmarks | lanes | digits | long | drift | contacts | stack | stack-release | firmware)
             "$name" ;;
-        all) fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift; firmware ;;
+        all) fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift; contacts; firmware ;;
         ci)
-            fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift
+            fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift; contacts
             FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
