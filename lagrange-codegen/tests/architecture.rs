@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Lower layers first; a module may name only modules of its own and lower layers.
-const LAYERS: [(&str, u32); 17] = [
+const LAYERS: [(&str, u32); 18] = [
     ("collections", 0),
     ("number", 0),
     ("diagnostics", 0),
@@ -20,12 +20,13 @@ const LAYERS: [(&str, u32); 17] = [
     ("structure", 5),
     ("schedule", 5),
     ("jets", 6),
-    ("regimes", 7),
-    ("emit", 8),
+    ("orders", 7),
+    ("regimes", 8),
+    ("emit", 9),
 ];
 
 /// Modules that know no tokens.
-const TOKEN_FREE: [&str; 13] = [
+const TOKEN_FREE: [&str; 14] = [
     "collections",
     "number",
     "expr",
@@ -38,6 +39,7 @@ const TOKEN_FREE: [&str; 13] = [
     "structure",
     "schedule",
     "jets",
+    "orders",
     "regimes",
 ];
 

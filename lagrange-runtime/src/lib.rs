@@ -159,9 +159,7 @@ pub mod __private {
     pub mod jets {
         //! Recurrences of Taylor coefficients.
         pub use crate::columns::{Pattern, Products, column, product, square, tile};
-        pub use crate::tables::{
-            convolution, first, in_line, in_turn, index, multiplier, ramp, rate, squared,
-        };
+        pub use crate::tables::{Convolutions, in_line, in_turn, index, multiplier, rate, time};
     }
     pub use crate::structure::{Cost, Costs, Structure};
     pub use crate::switching::{self, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching};
