@@ -3,8 +3,8 @@
 //! An order starts with what lower orders determine (coordinates, then functions of them), evaluates the
 //! momenta with the new velocity coefficients at zero, solves for these, and completes what depends on them.
 
-use super::recurrence::slope;
 use super::terms::{Term, chain, literal};
+use super::values::slope;
 use super::{Carried, Coefficient as Named, Keeps, Part};
 use crate::collections::Lookup;
 use crate::expr::Variable;

@@ -1,7 +1,7 @@
 //! The coefficient of a slot as a sum of products with what is known at the point of expansion.
 
 use super::order::{Operand, Order};
-use super::terms::{Term, literal, minus};
+use super::terms::{Term, literal};
 use crate::jets::{Relation, Series};
 use crate::number::Number;
 use crate::schedule::{Given, Instruction, Program, Slot};
@@ -138,21 +138,5 @@ impl Order<'_> {
                 terms.push(Term::product(false, slope, Operand::Coefficient(*base)));
             }
         }
-    }
-}
-
-/// dy/dx of a power and 1 / x, or what serves for it.
-pub(super) fn slope(program: &mut Program, exponent: Number, x: Slot, y: Slot) -> (Slot, Slot) {
-    if exponent == Number::HALF {
-        let half = literal(program, Number::HALF);
-        (program.push(Instruction::Div(half, y)), y)
-    } else if exponent == Number::MINUS_ONE {
-        let square = program.push(Instruction::Mul(y, y));
-        (minus(program, square), y)
-    } else {
-        let reciprocal = program.push(Instruction::Recip(x));
-        let exponent = literal(program, exponent);
-        let scaled = program.push(Instruction::Mul(exponent, y));
-        (program.push(Instruction::Mul(scaled, reciprocal)), reciprocal)
     }
 }

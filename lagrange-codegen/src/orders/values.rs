@@ -5,7 +5,7 @@ use crate::jets::{Jets, Value};
 use crate::number::Number;
 use crate::schedule::{Instruction, Program, Slot, plan};
 
-use super::terms::literal;
+use super::terms::{literal, minus};
 
 /// The values of order zero, by slot of the recurrences.
 pub(super) fn values(jets: &Jets, program: &mut Program) -> Vec<Slot> {
@@ -58,6 +58,22 @@ fn power(program: &mut Program, x: Slot, exponent: Exponent) -> Slot {
         Some(power) if exponent.0 < 0 => program.push(Instruction::Recip(power)),
         Some(power) => power,
         None => literal(program, Number::ONE),
+    }
+}
+
+/// dy/dx of a power and 1 / x, or what serves for it.
+pub(super) fn slope(program: &mut Program, exponent: Number, x: Slot, y: Slot) -> (Slot, Slot) {
+    if exponent == Number::HALF {
+        let half = literal(program, Number::HALF);
+        (program.push(Instruction::Div(half, y)), y)
+    } else if exponent == Number::MINUS_ONE {
+        let square = program.push(Instruction::Mul(y, y));
+        (minus(program, square), y)
+    } else {
+        let reciprocal = program.push(Instruction::Recip(x));
+        let exponent = literal(program, exponent);
+        let scaled = program.push(Instruction::Mul(exponent, y));
+        (program.push(Instruction::Mul(scaled, reciprocal)), reciprocal)
     }
 }
 

@@ -54,7 +54,7 @@ pub(super) fn start(
     let mut text = String::new();
     if !expansion.pivots.is_empty() {
         text.push_str(&format!(
-            "if ![{}].iter().all(|inverse| Real::is_finite(*inverse)) {{ return false; }}\n",
+            "if !lagrange::solve::are_finite(&[{}]) {{ return false; }}\n",
             writer.outputs(&expansion.pivots).join(", ")
         ));
     }
