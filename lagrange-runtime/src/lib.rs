@@ -140,7 +140,8 @@ pub mod __private {
     pub mod solve {
         //! Solving for the accelerations.
         pub use crate::solve::{
-            check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric, unbounded,
+            are_finite, check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric,
+            unbounded,
         };
     }
     pub use crate::columns::Columns;

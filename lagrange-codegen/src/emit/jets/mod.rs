@@ -61,9 +61,7 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
             format!("Columns<{scalar}, {}, ORDERS>", tiles.columns),
             tiles::items(model, tiles, &expansion.factors, &of),
         ),
-        Sums::Few(lanes) => {
-            (format!("Tables<{scalar}, {}, ORDERS>", lanes.len().next_multiple_of(WIDTH)), String::new())
-        }
+        Sums::Few(lanes) => (format!("Tables<{scalar}, {}, ORDERS>", padded(lanes)), String::new()),
     };
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let named = |is_read: bool, name: &str| if is_read { name.to_owned() } else { format!("_{name}") };
@@ -83,6 +81,11 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
         named(!expansion.factors.is_empty(), "tables"),
         body::imported(gather(&text)),
     )
+}
+
+/// The lanes of the tables of some products.
+fn padded(lanes: &[[usize; 2]]) -> usize {
+    lanes.len().next_multiple_of(WIDTH)
 }
 
 /// What is written, part by part.
@@ -202,7 +205,10 @@ impl Pass<'_> {
             text.push_str(&format!("let {}: {scalar} = lagrange::jets::time(h, order);\n", of.time));
         }
         text.push_str(&sums);
-        text.push_str(&lines(writer.part(&outputs.order, names)));
+        // What does not need the solution is computed while that is waited for.
+        let early = expansion.program.settled(Phase::Order, &[&outputs.solution[..], &outputs.end].concat());
+        writer.bind_always(&early);
+        text.push_str(&lines(writer.part(&[&early[..], &outputs.order].concat(), names)));
         text.push_str(&solvers::order(expansion, &solvers, writer, of));
         text.push_str(&lines(writer.part(&outputs.solution, names)));
         text.push_str(&format!(
