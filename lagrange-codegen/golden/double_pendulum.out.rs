@@ -534,8 +534,16 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                 |order| {
                     let rate: f64 = lagrange::jets::rate(h, order);
                     let inner = products.sums(order);
+                    let theta_0_k = rate * theta_0_dot_last;
+                    let theta_1_k = rate * theta_1_dot_last;
+                    let sin_theta_0_k = rate * sin_theta_0_flow;
+                    let cos_theta_0_k = rate * cos_theta_0_flow;
+                    let sin_theta_1_k = rate * sin_theta_1_flow;
+                    let cos_theta_1_k = rate * cos_theta_1_flow;
                     let cos_theta_0_minus_theta_1_k = rate
                         * cos_theta_0_minus_theta_1_flow;
+                    let sin_theta_0_minus_theta_1_k = rate
+                        * sin_theta_0_minus_theta_1_flow;
                     let theta_0_momentum_part_partial = -(l_0
                         * (m_1_l_1
                             * Real::mul_add(
@@ -550,6 +558,43 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                                 cos_theta_0_minus_theta_1_k,
                                 inner[0],
                             )));
+                    let w1 = Real::mul_add(
+                        theta_1_dot_theta_0_dot,
+                        sin_theta_0_minus_theta_1_k,
+                        inner[3],
+                    );
+                    let w2 = g * sin_theta_1_k;
+                    let w3 = g_m_0_plus_m_1 * sin_theta_0_k;
+                    let theta_0_dot_cos_theta_0_known = Real::mul_add(
+                        theta_0_dot,
+                        cos_theta_0_k,
+                        inner[4],
+                    );
+                    let cos_theta_0_flow_part_known = Real::mul_add(
+                        -theta_0_dot,
+                        sin_theta_0_k,
+                        -inner[5],
+                    );
+                    let theta_1_dot_cos_theta_1_known = Real::mul_add(
+                        theta_1_dot,
+                        cos_theta_1_k,
+                        inner[6],
+                    );
+                    let cos_theta_1_flow_part_known = Real::mul_add(
+                        -theta_1_dot,
+                        sin_theta_1_k,
+                        -inner[7],
+                    );
+                    let cos_theta_0_minus_theta_1_flow_part_known = Real::mul_add(
+                        -cos_theta_0_minus_theta_1_flow_part,
+                        sin_theta_0_minus_theta_1_k,
+                        -inner[8],
+                    );
+                    let sin_theta_0_minus_theta_1_flow_part_known = Real::mul_add(
+                        cos_theta_0_minus_theta_1_flow_part,
+                        cos_theta_0_minus_theta_1_k,
+                        inner[9],
+                    );
                     let [theta_0_dot_k, theta_1_dot_k] = theta_0_factors
                         .solve([
                             Real::mul_add(
@@ -566,18 +611,12 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                     series
                         .set(
                             order,
-                            [rate * theta_0_dot_last, rate * theta_1_dot_last],
+                            [theta_0_k, theta_1_k],
                             [theta_0_dot_k, theta_1_dot_k],
                         );
                     if order == orders {
                         return false;
                     }
-                    let sin_theta_0_k = rate * sin_theta_0_flow;
-                    let cos_theta_0_k = rate * cos_theta_0_flow;
-                    let sin_theta_1_k = rate * sin_theta_1_flow;
-                    let cos_theta_1_k = rate * cos_theta_1_flow;
-                    let sin_theta_0_minus_theta_1_k = rate
-                        * sin_theta_0_minus_theta_1_flow;
                     let cos_theta_0_minus_theta_1_flow_part_k = theta_0_dot_k
                         - theta_1_dot_k;
                     let theta_1_dot_theta_0_dot_k = Real::mul_add(
@@ -588,21 +627,7 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                     let theta_0_force_part_k = Real::mul_add(
                         sin_theta_0_minus_theta_1,
                         theta_1_dot_theta_0_dot_k,
-                        Real::mul_add(
-                            theta_1_dot_theta_0_dot,
-                            sin_theta_0_minus_theta_1_k,
-                            inner[3],
-                        ),
-                    );
-                    let cos_theta_0_minus_theta_1_flow_part_known = Real::mul_add(
-                        -cos_theta_0_minus_theta_1_flow_part,
-                        sin_theta_0_minus_theta_1_k,
-                        -inner[8],
-                    );
-                    let sin_theta_0_minus_theta_1_flow_part_known = Real::mul_add(
-                        cos_theta_0_minus_theta_1_flow_part,
-                        cos_theta_0_minus_theta_1_k,
-                        inner[9],
+                        w1,
                     );
                     products
                         .add(
@@ -633,38 +658,28 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                         sin_theta_0_minus_theta_1_flow,
                     ] = [
                         theta_0_dot_k,
-                        -(l_0
-                            * Real::mul_add(
-                                m_1_l_1,
-                                theta_0_force_part_k,
-                                g_m_0_plus_m_1 * sin_theta_0_k,
-                            )),
+                        -(l_0 * Real::mul_add(m_1_l_1, theta_0_force_part_k, w3)),
                         theta_1_dot_k,
-                        -(m_1_l_1
-                            * Real::mul_add(
-                                -l_0,
-                                theta_0_force_part_k,
-                                g * sin_theta_1_k,
-                            )),
+                        -(m_1_l_1 * Real::mul_add(-l_0, theta_0_force_part_k, w2)),
                         Real::mul_add(
                             cos_theta_0,
                             theta_0_dot_k,
-                            Real::mul_add(theta_0_dot, cos_theta_0_k, inner[4]),
+                            theta_0_dot_cos_theta_0_known,
                         ),
                         Real::mul_add(
                             -sin_theta_0,
                             theta_0_dot_k,
-                            Real::mul_add(-theta_0_dot, sin_theta_0_k, -inner[5]),
+                            cos_theta_0_flow_part_known,
                         ),
                         Real::mul_add(
                             cos_theta_1,
                             theta_1_dot_k,
-                            Real::mul_add(theta_1_dot, cos_theta_1_k, inner[6]),
+                            theta_1_dot_cos_theta_1_known,
                         ),
                         Real::mul_add(
                             -sin_theta_1,
                             theta_1_dot_k,
-                            Real::mul_add(-theta_1_dot, sin_theta_1_k, -inner[7]),
+                            cos_theta_1_flow_part_known,
                         ),
                         Real::mul_add(
                             -sin_theta_0_minus_theta_1,

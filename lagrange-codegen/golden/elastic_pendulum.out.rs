@@ -500,7 +500,10 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 |order| {
                     let rate: f64 = lagrange::jets::rate(h, order);
                     let inner = products.sums(order);
+                    let theta_k = rate * theta_dot_last;
                     let r_k = rate * r_dot_last;
+                    let sin_theta_k = rate * sin_theta_flow;
+                    let cos_theta_k = rate * cos_theta_flow;
                     let r_squared_k = Real::mul_add(r_plus_r, r_k, inner[3]);
                     let w1 = Real::mul_add(
                         rate,
@@ -509,30 +512,44 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                     );
                     let theta_dot_k = w1 * inverse_mass_2_r_squared;
                     let r_dot_k = rate * r_force * inverse_mass_2;
-                    series
-                        .set(
-                            order,
-                            [rate * theta_dot_last, r_k],
-                            [theta_dot_k, r_dot_k],
+                    let r_force_part_known = mass_2
+                        * Real::mul_add(theta_dot_plus_theta_dot, theta_dot_k, inner[0]);
+                    let theta_force_part_known = mass_2_g
+                        * Real::mul_add(
+                            sin_theta,
+                            r_k,
+                            Real::mul_add(r, sin_theta_k, inner[2]),
                         );
+                    let w2 = Real::mul_add(
+                        -r,
+                        -r_force_part_known,
+                        Real::mul_add(
+                            mass_2_g,
+                            cos_theta_k,
+                            Real::mul_add(-r_force_part, r_k, -inner[1]),
+                        ),
+                    );
+                    let w3 = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner[5]),
+                    );
+                    let w4 = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner[6]),
+                    );
+                    series.set(order, [theta_k, r_k], [theta_dot_k, r_dot_k]);
                     if order == orders {
                         return false;
                     }
-                    let sin_theta_k = rate * sin_theta_flow;
-                    let cos_theta_k = rate * cos_theta_flow;
-                    let r_force_part_k = -(mass_2
-                        * Real::mul_add(
-                            theta_dot_plus_theta_dot,
-                            theta_dot_k,
-                            inner[0],
-                        ));
                     products
                         .add(
                             order,
                             [
                                 theta_dot_k,
                                 r_k,
-                                r_force_part_k,
+                                -r_force_part_known,
                                 sin_theta_k,
                                 r_squared_k,
                                 cos_theta_k,
@@ -545,35 +562,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         r_force,
                         sin_theta_flow,
                         cos_theta_flow,
-                    ] = [
-                        theta_dot_k,
-                        -(mass_2_g
-                            * Real::mul_add(
-                                sin_theta,
-                                r_k,
-                                Real::mul_add(r, sin_theta_k, inner[2]),
-                            )),
-                        r_dot_k,
-                        Real::mul_add(
-                            -r,
-                            r_force_part_k,
-                            Real::mul_add(
-                                mass_2_g,
-                                cos_theta_k,
-                                Real::mul_add(-r_force_part, r_k, -inner[1]),
-                            ),
-                        ),
-                        Real::mul_add(
-                            cos_theta,
-                            theta_dot_k,
-                            Real::mul_add(theta_dot, cos_theta_k, inner[5]),
-                        ),
-                        Real::mul_add(
-                            -sin_theta,
-                            theta_dot_k,
-                            Real::mul_add(-theta_dot, sin_theta_k, -inner[6]),
-                        ),
-                    ];
+                    ] = [theta_dot_k, -theta_force_part_known, r_dot_k, w2, w3, w4];
                     true
                 },
             );
@@ -807,9 +796,10 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let length: R = self.parameters[3];
             let r_minus_length = r - length;
             let w1 = mass_2 * g * (r * Real::cos(theta))
-                - R::from_f64(0.5) * stiffness * (r_minus_length * r_minus_length);
-            R::from_f64(0.5) * mass_2 * (r_dot * r_dot + r * r * (theta_dot * theta_dot))
-                + -w1
+                - <R as lagrange::Real>::from_f64(0.5) * stiffness
+                    * (r_minus_length * r_minus_length);
+            <R as lagrange::Real>::from_f64(0.5) * mass_2
+                * (r_dot * r_dot + r * r * (theta_dot * theta_dot)) + -w1
         }
     }
     #[automatically_derived]
@@ -827,7 +817,11 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let mass_2: R = self.parameters[0];
             let stiffness: R = self.parameters[2];
             let length: R = self.parameters[3];
-            [stiffness / mass_2, stiffness * length / mass_2, R::one() / mass_2]
+            [
+                stiffness / mass_2,
+                stiffness * length / mass_2,
+                <R as lagrange::One>::one() / mass_2,
+            ]
         }
         #[inline]
         fn accelerations_at(
@@ -846,13 +840,12 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let g: R = self.parameters[1];
             let [stiffness_over_mass_2, w1, inverse_mass_2] = *constants;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let w2 = inverse_mass_2
-                * (motor
-                    - mass_2
-                        * (r
-                            * (g * sin_theta + R::from_f64(2.0) * (theta_dot * r_dot))));
+            let w2 = mass_2
+                * (r
+                    * (g * sin_theta
+                        + <R as lagrange::Real>::from_f64(2.0) * (theta_dot * r_dot)));
             [
-                w2 / (r * r),
+                inverse_mass_2 * (motor - w2) / (r * r),
                 r * (theta_dot * theta_dot - stiffness_over_mass_2)
                     + (g * cos_theta + w1),
             ]
@@ -940,7 +933,10 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 |order| {
                     let rate: R = lagrange::jets::rate(h, order);
                     let inner = products.sums(order);
+                    let theta_k = rate * theta_dot_last;
                     let r_k = rate * r_dot_last;
+                    let sin_theta_k = rate * sin_theta_flow;
+                    let cos_theta_k = rate * cos_theta_flow;
                     let r_squared_k = Real::mul_add(r_plus_r, r_k, inner[3]);
                     let w1 = Real::mul_add(
                         rate,
@@ -949,30 +945,44 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                     );
                     let theta_dot_k = w1 * inverse_mass_2_r_squared;
                     let r_dot_k = rate * r_force * inverse_mass_2;
-                    series
-                        .set(
-                            order,
-                            [rate * theta_dot_last, r_k],
-                            [theta_dot_k, r_dot_k],
+                    let r_force_part_known = mass_2
+                        * Real::mul_add(theta_dot_plus_theta_dot, theta_dot_k, inner[0]);
+                    let theta_force_part_known = mass_2_g
+                        * Real::mul_add(
+                            sin_theta,
+                            r_k,
+                            Real::mul_add(r, sin_theta_k, inner[2]),
                         );
+                    let w2 = Real::mul_add(
+                        -r,
+                        -r_force_part_known,
+                        Real::mul_add(
+                            mass_2_g,
+                            cos_theta_k,
+                            Real::mul_add(-r_force_part, r_k, -inner[1]),
+                        ),
+                    );
+                    let w3 = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner[5]),
+                    );
+                    let w4 = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner[6]),
+                    );
+                    series.set(order, [theta_k, r_k], [theta_dot_k, r_dot_k]);
                     if order == orders {
                         return false;
                     }
-                    let sin_theta_k = rate * sin_theta_flow;
-                    let cos_theta_k = rate * cos_theta_flow;
-                    let r_force_part_k = -(mass_2
-                        * Real::mul_add(
-                            theta_dot_plus_theta_dot,
-                            theta_dot_k,
-                            inner[0],
-                        ));
                     products
                         .add(
                             order,
                             [
                                 theta_dot_k,
                                 r_k,
-                                r_force_part_k,
+                                -r_force_part_known,
                                 sin_theta_k,
                                 r_squared_k,
                                 cos_theta_k,
@@ -985,35 +995,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                         r_force,
                         sin_theta_flow,
                         cos_theta_flow,
-                    ] = [
-                        theta_dot_k,
-                        -(mass_2_g
-                            * Real::mul_add(
-                                sin_theta,
-                                r_k,
-                                Real::mul_add(r, sin_theta_k, inner[2]),
-                            )),
-                        r_dot_k,
-                        Real::mul_add(
-                            -r,
-                            r_force_part_k,
-                            Real::mul_add(
-                                mass_2_g,
-                                cos_theta_k,
-                                Real::mul_add(-r_force_part, r_k, -inner[1]),
-                            ),
-                        ),
-                        Real::mul_add(
-                            cos_theta,
-                            theta_dot_k,
-                            Real::mul_add(theta_dot, cos_theta_k, inner[5]),
-                        ),
-                        Real::mul_add(
-                            -sin_theta,
-                            theta_dot_k,
-                            Real::mul_add(-theta_dot, sin_theta_k, -inner[6]),
-                        ),
-                    ];
+                    ] = [theta_dot_k, -theta_force_part_known, r_dot_k, w2, w3, w4];
                     true
                 },
             );

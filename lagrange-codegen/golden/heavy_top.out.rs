@@ -581,6 +581,9 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                 |order| {
                     let rate: f64 = lagrange::jets::rate(h, order);
                     let inner = products.sums(order);
+                    let phi_k = rate * phi_dot_last;
+                    let theta_k = rate * theta_dot_last;
+                    let psi_k = rate * psi_dot_last;
                     let sin_theta_k = rate * sin_theta_flow;
                     let cos_theta_k = rate * cos_theta_flow;
                     let sin_theta_squared_k = Real::mul_add(
@@ -603,6 +606,23 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         Real::mul_add(phi_dot, sin_theta_squared_k, inner[4]),
                         -(along * phi_momentum_part_partial),
                     );
+                    let theta_dot_k = rate * theta_force * w3;
+                    let w4 = Real::mul_add(phi_dot_squared, cos_theta_k, inner[6]);
+                    let theta_force_part_known = Real::mul_add(
+                        theta_force_part,
+                        sin_theta_k,
+                        inner[7],
+                    );
+                    let w5 = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner[8]),
+                    );
+                    let w6 = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner[9]),
+                    );
                     let [phi_dot_k, psi_dot_k] = phi_factors
                         .solve([
                             Real::mul_add(rate, phi_force, phi_momentum_part_partial_2),
@@ -612,15 +632,10 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                                 -(along * phi_momentum_part_known),
                             ),
                         ]);
-                    let theta_dot_k = rate * theta_force * w3;
                     series
                         .set(
                             order,
-                            [
-                                rate * phi_dot_last,
-                                rate * theta_dot_last,
-                                rate * psi_dot_last,
-                            ],
+                            [phi_k, theta_k, psi_k],
                             [phi_dot_k, theta_dot_k, psi_dot_k],
                         );
                     if order == orders {
@@ -631,12 +646,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         phi_dot_k,
                         inner[5],
                     );
-                    let phi_dot_squared_cos_theta_k = Real::mul_add(
-                        cos_theta,
-                        phi_dot_squared_k,
-                        Real::mul_add(phi_dot_squared, cos_theta_k, inner[6]),
-                    );
-                    let theta_force_part_known = along
+                    let theta_force_part_known_2 = along
                         * Real::mul_add(
                             psi_dot,
                             phi_dot_k,
@@ -644,8 +654,8 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         );
                     let theta_force_part_k = Real::mul_add(
                         -w2,
-                        phi_dot_squared_cos_theta_k,
-                        -theta_force_part_known,
+                        Real::mul_add(cos_theta, phi_dot_squared_k, w4),
+                        -theta_force_part_known_2,
                     );
                     products
                         .add(
@@ -681,19 +691,11 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                         Real::mul_add(
                             sin_theta,
                             theta_force_part_k,
-                            Real::mul_add(theta_force_part, sin_theta_k, inner[7]),
+                            theta_force_part_known,
                         ),
                         psi_dot_k,
-                        Real::mul_add(
-                            cos_theta,
-                            theta_dot_k,
-                            Real::mul_add(theta_dot, cos_theta_k, inner[8]),
-                        ),
-                        Real::mul_add(
-                            -sin_theta,
-                            theta_dot_k,
-                            Real::mul_add(-theta_dot, sin_theta_k, -inner[9]),
-                        ),
+                        w5,
+                        w6,
                     ];
                     true
                 },

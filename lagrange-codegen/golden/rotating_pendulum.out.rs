@@ -731,37 +731,46 @@ The first identity that does not hold, and by how much.*/
                 |order| {
                     let rate: f64 = lagrange::jets::rate(h, order);
                     let inner = products.sums(order);
+                    let theta_k = rate * theta_dot_last;
+                    let sin_theta_k = rate * sin_theta_flow;
+                    let cos_theta_k = rate * cos_theta_flow;
+                    let theta_force_part_known = length_rate_2_squared * cos_theta_k;
+                    let theta_force_part_k = Real::mul_add(
+                        theta_force_part,
+                        sin_theta_k,
+                        Real::mul_add(sin_theta, -theta_force_part_known, inner[0]),
+                    );
                     let theta_dot_k = rate * theta_force * w1;
-                    series.set(order, [rate * theta_dot_last], [theta_dot_k]);
+                    let theta_force_part_known_2 = mass_2_length * theta_force_part_k;
+                    let w2 = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner[1]),
+                    );
+                    let w3 = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner[2]),
+                    );
+                    series.set(order, [theta_k], [theta_dot_k]);
                     if order == orders {
                         return false;
                     }
-                    let sin_theta_k = rate * sin_theta_flow;
-                    let cos_theta_k = rate * cos_theta_flow;
-                    let theta_force_part_k = -(length_rate_2_squared * cos_theta_k);
-                    let theta_force_part_k_2 = Real::mul_add(
-                        theta_force_part,
-                        sin_theta_k,
-                        Real::mul_add(sin_theta, theta_force_part_k, inner[0]),
-                    );
                     products
                         .add(
                             order,
-                            [sin_theta_k, theta_force_part_k, theta_dot_k, cos_theta_k],
+                            [
+                                sin_theta_k,
+                                -theta_force_part_known,
+                                theta_dot_k,
+                                cos_theta_k,
+                            ],
                         );
                     [theta_dot_last, theta_force, sin_theta_flow, cos_theta_flow] = [
                         theta_dot_k,
-                        -(mass_2_length * theta_force_part_k_2),
-                        Real::mul_add(
-                            cos_theta,
-                            theta_dot_k,
-                            Real::mul_add(theta_dot, cos_theta_k, inner[1]),
-                        ),
-                        Real::mul_add(
-                            -sin_theta,
-                            theta_dot_k,
-                            Real::mul_add(-theta_dot, sin_theta_k, -inner[2]),
-                        ),
+                        -theta_force_part_known_2,
+                        w2,
+                        w3,
                     ];
                     true
                 },

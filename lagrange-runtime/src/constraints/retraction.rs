@@ -23,14 +23,14 @@
 //! no correction. So where rows are dependent, the state must also satisfy the bound for starts, and a larger
 //! residual is a contradiction.
 
-use super::metric::Metric;
 use super::residuals::Level;
 use super::start::SHARE;
 use super::{Residuals, Surface, moved};
-use crate::error::Cause;
 use crate::linear::{SaddlePoint, determined};
-use crate::real::Real;
-use crate::state::{State, difference};
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::metric::Metric;
+use crate::system::state::{State, difference};
 
 /// Corrections before a state near the constraints is given up. Each leaves a tenth at most, or the factors
 /// are made anew.

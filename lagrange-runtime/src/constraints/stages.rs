@@ -5,11 +5,11 @@ use super::residuals::Level;
 use super::retraction::{From, Retraction};
 use super::start::contradiction;
 use super::{Balance, Equations, Metric, Surface, moved, project};
-use crate::error::Cause;
 use crate::linear::{Independence, SaddlePoint, determined};
-use crate::name::Name;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::name::Name;
+use crate::system::state::State;
 
 /// Accelerations of a state beside the constraints.
 ///

@@ -8,12 +8,13 @@
 //! coefficients, added to the state with compensation.
 
 use super::dop853::add;
-use super::{FixedStep, diagnose, stages};
-use crate::error::Cause;
-use crate::real::Real;
-use crate::smooth::{Series, Smooth};
-use crate::state::State;
+use super::{FixedStep, stages};
+use crate::number::real::Real;
 use crate::system::System;
+use crate::system::diagnose;
+use crate::system::error::Cause;
+use crate::system::smooth::{Series, Smooth};
+use crate::system::state::State;
 
 /// A Taylor step of order `ORDER`, for control loops: `stepper::<Jet<6>>(start)`. Error O(h^(ORDER + 1)) a
 /// step.

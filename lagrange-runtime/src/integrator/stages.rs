@@ -5,9 +5,9 @@
 
 use super::slopes::Slope;
 use super::tableau::dop853::{A, B, C, STAGES};
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
 use crate::system::System;
+use crate::system::state::State;
 
 /// The state after a step of `h` \[s] under held inputs.
 #[cold]
