@@ -504,34 +504,19 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
     #[automatically_derived]
     #[allow(clippy::all)]
     impl<R: Real> lagrange::Smooth<2usize, 1usize> for CartPole<R> {
-        type JetConstants = [R; 5];
+        type JetConstants = [R; 3];
         type Tables<const ORDERS: usize> = lagrange::Tables<R, 4, ORDERS>;
         #[inline]
-        fn jet_constants(&self) -> [R; 5] {
-            {
-                let [c0_0, c0_1] = {
-                    let cart_mass: R = self.cart_mass;
-                    let pole_mass: R = self.pole_mass;
-                    let length: R = self.length;
-                    [cart_mass + pole_mass, pole_mass * length]
-                };
-                let [c1_0, c1_1, c1_2] = {
-                    let cart_mass: R = self.cart_mass;
-                    let pole_mass: R = self.pole_mass;
-                    let length: R = self.length;
-                    [
-                        cart_mass + pole_mass,
-                        pole_mass * length,
-                        pole_mass * (length * length),
-                    ]
-                };
-                [c0_0, c0_1, c1_0, c1_1, c1_2]
-            }
+        fn jet_constants(&self) -> [R; 3] {
+            let cart_mass: R = self.cart_mass;
+            let pole_mass: R = self.pole_mass;
+            let length: R = self.length;
+            [cart_mass + pole_mass, pole_mass * length, pole_mass * (length * length)]
         }
         #[inline]
         fn jet_at<const ORDERS: usize>(
             &self,
-            constants: &[R; 5],
+            constants: &[R; 3],
             _t: R,
             q: &[R; 2],
             v: &[R; 2],
@@ -545,26 +530,16 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let [_, theta] = *q;
             let [x_dot, theta_dot] = *v;
             let [motor] = *u;
-            let length: R = self.length;
             let g: R = self.g;
             let damping: R = self.damping;
-            let [cart_mass_plus_pole_mass, pole_mass_length, cart_mass_plus_pole_mass_2,
-            pole_mass_length_2, pole_mass_length_squared] = *constants;
+            let [cart_mass_plus_pole_mass, pole_mass_length, pole_mass_length_squared] = *constants;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let theta_dot_sin_theta: R = theta_dot * sin_theta;
-            let theta_dot_sin_theta_2: R = theta_dot_sin_theta;
-            let theta_dot_cos_theta: R = theta_dot * cos_theta;
-            let x_dot_theta_dot_sin_theta: R = x_dot * theta_dot_sin_theta_2;
-            let g_sin_theta: R = g * sin_theta;
-            let w5: R = g_sin_theta - x_dot_theta_dot_sin_theta;
-            let damping_theta_dot: R = damping * theta_dot;
-            let w6: R = pole_mass_length * w5;
-            let w7: R = damping_theta_dot - w6;
-            let w9: R = -w7;
-            let minus_theta_dot_sin_theta: R = -theta_dot_sin_theta;
+            let theta_dot_sin_theta = theta_dot * sin_theta;
+            let theta_force_part = damping * theta_dot
+                - pole_mass_length * (g * sin_theta - x_dot * theta_dot_sin_theta);
             let mut mass = [[<R as lagrange::Zero>::zero(); 2]; 2];
-            mass[0][0] = cart_mass_plus_pole_mass_2;
-            mass[1][0] = pole_mass_length_2 * cos_theta;
+            mass[0][0] = cart_mass_plus_pole_mass;
+            mass[1][0] = pole_mass_length * cos_theta;
             mass[1][1] = pole_mass_length_squared;
             let ::core::option::Option::Some(x_factors) = lagrange::solve::factor::<
                 lagrange::Ldlt<R, 2>,
@@ -576,19 +551,13 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let mut x_dot_last: R = x_dot;
             let mut x_force: R = motor;
             let mut theta_dot_last: R = theta_dot;
-            let mut theta_force: R = w9;
-            let mut theta_dot_first: R = <R as lagrange::Zero>::zero();
-            let mut theta_dot_last_2: R = <R as lagrange::Zero>::zero();
-            let mut sin_theta_first: R = <R as lagrange::Zero>::zero();
-            let mut sin_theta_last: R = <R as lagrange::Zero>::zero();
-            let mut x_dot_first: R = <R as lagrange::Zero>::zero();
-            let mut x_dot_last_2: R = <R as lagrange::Zero>::zero();
-            let mut cos_theta_first: R = <R as lagrange::Zero>::zero();
-            let mut cos_theta_last: R = <R as lagrange::Zero>::zero();
-            let mut w10: R = <R as lagrange::Zero>::zero();
-            let mut theta_dot_sin_theta_2_last: R = <R as lagrange::Zero>::zero();
-            let mut sin_theta_flow: R = theta_dot_cos_theta;
-            let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
+            let mut theta_force: R = -theta_force_part;
+            let mut sin_theta_flow: R = theta_dot * cos_theta;
+            let mut cos_theta_flow: R = -theta_dot_sin_theta;
+            let mut products = lagrange::jets::Convolutions::new(
+                tables,
+                [[0, 1], [2, 3], [0, 3], [2, 4]],
+            );
             lagrange::jets::in_line::<
                 ORDERS,
             >(
@@ -596,142 +565,76 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 #[inline(always)]
                 |order| {
                     let rate: R = lagrange::jets::rate(h, order);
-                    let inner = tables.interior(order);
-                    let x_k: R = rate * x_dot_last;
-                    let theta_k: R = rate * theta_dot_last;
-                    let inner_0: R = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [sin_theta_first, sin_theta_last],
-                        inner[0],
-                    );
-                    let inner_1: R = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [x_dot_first, x_dot_last_2],
-                        [cos_theta_first, cos_theta_last],
-                        inner[1],
-                    );
-                    let inner_2: R = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [cos_theta_first, cos_theta_last],
-                        inner[2],
-                    );
-                    let inner_3: R = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [x_dot_first, x_dot_last_2],
-                        [w10, theta_dot_sin_theta_2_last],
-                        inner[3],
-                    );
-                    let sin_theta_k: R = rate * sin_theta_flow;
-                    let cos_theta_k: R = rate * cos_theta_flow;
-                    let w1_known: R = Real::mul_add(x_dot, cos_theta_k, inner_1);
-                    let theta_dot_cos_theta_known: R = Real::mul_add(
+                    let inner = products.sums(order);
+                    let x_k = rate * x_dot_last;
+                    let theta_k = rate * theta_dot_last;
+                    let sin_theta_k = rate * sin_theta_flow;
+                    let cos_theta_k = rate * cos_theta_flow;
+                    let theta_dot_cos_theta_known = Real::mul_add(
                         theta_dot,
                         cos_theta_k,
-                        inner_2,
+                        inner[2],
                     );
+                    let w1 = Real::mul_add(theta_dot, sin_theta_k, inner[0]);
+                    let w2 = Real::mul_add(g, sin_theta_k, -inner[3]);
                     let [x_dot_k, theta_dot_k] = x_factors
                         .solve([
                             Real::mul_add(
                                 rate,
                                 x_force,
-                                (-(pole_mass_length * theta_dot_cos_theta_known)),
+                                -(pole_mass_length * theta_dot_cos_theta_known),
                             ),
                             Real::mul_add(
                                 rate,
                                 theta_force,
-                                (-(pole_mass_length * w1_known)),
+                                -(pole_mass_length
+                                    * Real::mul_add(x_dot, cos_theta_k, inner[1])),
                             ),
                         ]);
                     series.set(order, [x_k, theta_k], [x_dot_k, theta_dot_k]);
                     if order == orders {
                         return false;
                     }
-                    let theta_dot_sin_theta_k: R = Real::mul_add(
+                    let theta_dot_sin_theta_k = Real::mul_add(
                         sin_theta,
                         theta_dot_k,
-                        Real::mul_add(theta_dot, sin_theta_k, inner_0),
+                        w1,
                     );
-                    let theta_dot_sin_theta_2_k: R = theta_dot_sin_theta_k;
-                    let w1_k: R = Real::mul_add(
-                        cos_theta,
+                    let theta_force_part_k = Real::mul_add(
+                        -theta_dot_sin_theta,
                         x_dot_k,
-                        Real::mul_add(length, theta_dot_k, w1_known),
+                        Real::mul_add(-x_dot, theta_dot_sin_theta_k, w2),
                     );
-                    let theta_dot_cos_theta_k: R = Real::mul_add(
-                        cos_theta,
+                    products
+                        .add(
+                            order,
+                            [
+                                theta_dot_k,
+                                sin_theta_k,
+                                x_dot_k,
+                                cos_theta_k,
+                                theta_dot_sin_theta_k,
+                            ],
+                        );
+                    [
+                        x_dot_last,
+                        x_force,
+                        theta_dot_last,
+                        theta_force,
+                        sin_theta_flow,
+                        cos_theta_flow,
+                    ] = [
+                        x_dot_k,
+                        <R as lagrange::Zero>::zero(),
                         theta_dot_k,
-                        theta_dot_cos_theta_known,
-                    );
-                    let w5_k: R = Real::mul_add(
-                        -theta_dot_sin_theta_2,
-                        x_dot_k,
                         Real::mul_add(
-                            -x_dot,
-                            theta_dot_sin_theta_2_k,
-                            Real::mul_add(g, sin_theta_k, -inner_3),
+                            -damping,
+                            theta_dot_k,
+                            pole_mass_length * theta_force_part_k,
                         ),
-                    );
-                    if let ::core::option::Option::Some((left, right)) = tables
-                        .row(order)
-                    {
-                        left[0] = theta_dot_k;
-                        right[0] = sin_theta_k;
-                        left[1] = x_dot_k;
-                        right[1] = cos_theta_k;
-                        left[2] = theta_dot_k;
-                        right[2] = cos_theta_k;
-                        left[3] = x_dot_k;
-                        right[3] = theta_dot_sin_theta_2_k;
-                    }
-                    x_dot_last = x_dot_k;
-                    theta_dot_last = theta_dot_k;
-                    sin_theta_flow = theta_dot_cos_theta_k;
-                    cos_theta_flow = -theta_dot_sin_theta_k;
-                    x_force = <R as lagrange::Zero>::zero();
-                    theta_force = Real::mul_add(
-                        -damping,
-                        theta_dot_k,
-                        pole_mass_length * w5_k,
-                    );
-                    theta_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, theta_dot_first, theta_dot_k);
-                    theta_dot_last_2 = theta_dot_k;
-                    sin_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, sin_theta_first, sin_theta_k);
-                    sin_theta_last = sin_theta_k;
-                    x_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, x_dot_first, x_dot_k);
-                    x_dot_last_2 = x_dot_k;
-                    cos_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, cos_theta_first, cos_theta_k);
-                    cos_theta_last = cos_theta_k;
-                    w10 = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, w10, theta_dot_sin_theta_2_k);
-                    theta_dot_sin_theta_2_last = theta_dot_sin_theta_2_k;
+                        Real::mul_add(cos_theta, theta_dot_k, theta_dot_cos_theta_known),
+                        -theta_dot_sin_theta_k,
+                    ];
                     true
                 },
             );

@@ -731,18 +731,9 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
         type Tables<const ORDERS: usize> = lagrange::Tables<f64, 4, ORDERS>;
         #[inline]
         fn jet_constants(&self) -> [f64; 2] {
-            {
-                let [c0_0] = {
-                    let mass_2: f64 = self.mass;
-                    let g: f64 = self.g;
-                    [-(mass_2 * g)]
-                };
-                let [c1_0] = {
-                    let mass_2: f64 = self.mass;
-                    [1.0 / mass_2]
-                };
-                [c0_0, c1_0]
-            }
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            [mass_2 * g, 1.0 / mass_2]
         }
         #[inline]
         fn jet_at<const ORDERS: usize>(
@@ -760,12 +751,11 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             use lagrange::Real;
             let [x, y] = *q;
             let [x_dot, y_dot] = *v;
-            let mass_2: f64 = self.mass;
-            let [minus_mass_2_g, inverse_mass_2] = *constants;
-            let rod_x_weighted: f64 = x * inverse_mass_2;
-            let rod_y_weighted: f64 = y * inverse_mass_2;
+            let [mass_2_g, inverse_mass_2] = *constants;
+            let x_inverse_mass_2 = x * inverse_mass_2;
+            let y_inverse_mass_2 = y * inverse_mass_2;
             let mut mass = [[0.0; 1]; 1];
-            mass[0][0] = rod_x_weighted * x + rod_y_weighted * y;
+            mass[0][0] = x_inverse_mass_2 * x + y_inverse_mass_2 * y;
             let saddle = lagrange::saddle::Schur::<
                 f64,
                 1,
@@ -776,17 +766,11 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             let mut x_dot_last: f64 = x_dot;
             let mut x_force: f64 = 0.0;
             let mut y_dot_last: f64 = y_dot;
-            let mut y_force: f64 = minus_mass_2_g;
-            let mut x_first: f64 = 0.0;
-            let mut x_last: f64 = 0.0;
-            let mut x_dot_first: f64 = 0.0;
-            let mut x_dot_last_2: f64 = 0.0;
-            let mut y_first: f64 = 0.0;
-            let mut y_last: f64 = 0.0;
-            let mut y_dot_first: f64 = 0.0;
-            let mut y_dot_last_2: f64 = 0.0;
-            let mut rod_multiplier_first: f64 = 0.0;
-            let mut rod_multiplier_last: f64 = 0.0;
+            let mut y_force: f64 = -mass_2_g;
+            let mut products = lagrange::jets::Convolutions::new(
+                tables,
+                [[0, 1], [2, 3], [0, 4], [2, 4]],
+            );
             lagrange::jets::in_line::<
                 ORDERS,
             >(
@@ -794,110 +778,47 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
                 #[inline(always)]
                 |order| {
                     let rate: f64 = lagrange::jets::rate(h, order);
-                    let inner = tables.interior(order);
-                    let x_k: f64 = rate * x_dot_last;
-                    let y_k: f64 = rate * y_dot_last;
-                    let inner_0: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(order, [x_first, x_last], [x_dot_first, x_dot_last_2], inner[0]);
-                    let inner_1: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(order, [y_first, y_last], [y_dot_first, y_dot_last_2], inner[1]);
-                    let inner_2: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [x_first, x_last],
-                        [rod_multiplier_first, rod_multiplier_last],
-                        inner[2],
+                    let inner = products.sums(order);
+                    let x_k = rate * x_dot_last;
+                    let y_k = rate * y_dot_last;
+                    let w1 = inverse_mass_2 * (rate * (x_force + inner[2]));
+                    let w2 = inverse_mass_2 * (rate * (y_force + inner[3]));
+                    let w3 = Real::mul_add(
+                        -x,
+                        w1,
+                        Real::mul_add(
+                            -y_dot,
+                            y_k,
+                            Real::mul_add(-x_dot, x_k, -inner[0] - inner[1]),
+                        ),
                     );
-                    let inner_3: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [y_first, y_last],
-                        [rod_multiplier_first, rod_multiplier_last],
-                        inner[3],
-                    );
-                    let x_k_free: f64 = inverse_mass_2 * (rate * (x_force + inner_2));
-                    let y_k_free: f64 = inverse_mass_2 * (rate * (y_force + inner_3));
-                    let [rod_multiplier_k_impulse] = saddle
-                        .solve_order(
-                            order,
-                            &mass,
-                            [
-                                Real::mul_add(
-                                    -(y),
-                                    y_k_free,
-                                    Real::mul_add(
-                                        -(x),
-                                        x_k_free,
-                                        Real::mul_add(
-                                            -y_dot,
-                                            y_k,
-                                            Real::mul_add(-x_dot, x_k, (-inner_0) - inner_1),
-                                        ),
-                                    ),
-                                ),
-                            ],
-                        );
-                    let x_dot_k: f64 = Real::mul_add(
-                        rod_x_weighted,
-                        rod_multiplier_k_impulse,
-                        x_k_free,
-                    );
-                    let y_dot_k: f64 = Real::mul_add(
-                        rod_y_weighted,
-                        rod_multiplier_k_impulse,
-                        y_k_free,
-                    );
-                    let rod_multiplier_k: f64 = lagrange::jets::multiplier(
-                        rod_multiplier_k_impulse,
+                    let [rod_multiplier_impulse] = saddle
+                        .solve_order(order, &mass, [Real::mul_add(-y, w2, w3)]);
+                    let rod_multiplier_k = lagrange::jets::multiplier(
+                        rod_multiplier_impulse,
                         rate,
+                    );
+                    let x_dot_k = Real::mul_add(
+                        x_inverse_mass_2,
+                        rod_multiplier_impulse,
+                        w1,
+                    );
+                    let y_dot_k = Real::mul_add(
+                        y_inverse_mass_2,
+                        rod_multiplier_impulse,
+                        w2,
                     );
                     series.set(order, [x_k, y_k], [x_dot_k, y_dot_k]);
                     if order == orders {
                         return false;
                     }
-                    if let ::core::option::Option::Some((left, right)) = tables
-                        .row(order)
-                    {
-                        left[0] = x_k;
-                        right[0] = x_dot_k;
-                        left[1] = y_k;
-                        right[1] = y_dot_k;
-                        left[2] = x_k;
-                        right[2] = rod_multiplier_k;
-                        left[3] = y_k;
-                        right[3] = rod_multiplier_k;
-                    }
-                    x_dot_last = x_dot_k;
-                    y_dot_last = y_dot_k;
-                    x_force = 0.0;
-                    y_force = 0.0;
-                    x_first = lagrange::jets::first::<ORDERS, _>(order, x_first, x_k);
-                    x_last = x_k;
-                    x_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, x_dot_first, x_dot_k);
-                    x_dot_last_2 = x_dot_k;
-                    y_first = lagrange::jets::first::<ORDERS, _>(order, y_first, y_k);
-                    y_last = y_k;
-                    y_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, y_dot_first, y_dot_k);
-                    y_dot_last_2 = y_dot_k;
-                    rod_multiplier_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, rod_multiplier_first, rod_multiplier_k);
-                    rod_multiplier_last = rod_multiplier_k;
+                    products.add(order, [x_k, x_dot_k, y_k, y_dot_k, rod_multiplier_k]);
+                    [x_dot_last, x_force, y_dot_last, y_force] = [
+                        x_dot_k,
+                        0.0,
+                        y_dot_k,
+                        0.0,
+                    ];
                     true
                 },
             );

@@ -438,34 +438,28 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
     #[automatically_derived]
     #[allow(clippy::all)]
     impl lagrange::Smooth<2usize, 0usize> for DoublePendulum {
-        type JetConstants = [f64; 6];
+        type JetConstants = [f64; 5];
         type Tables<const ORDERS: usize> = lagrange::Tables<f64, 12, ORDERS>;
         #[inline]
-        fn jet_constants(&self) -> [f64; 6] {
-            {
-                let [c0_0, c0_1, c0_2] = {
-                    let m_0: f64 = self.m[0];
-                    let l_0: f64 = self.l[0];
-                    let m_1: f64 = self.m[1];
-                    let l_1: f64 = self.l[1];
-                    let g: f64 = self.g;
-                    let m_0_plus_m_1 = m_0 + m_1;
-                    [l_0 * m_0_plus_m_1, m_1 * l_1, g * m_0_plus_m_1]
-                };
-                let [c1_0, c1_1, c1_2] = {
-                    let m_0: f64 = self.m[0];
-                    let l_0: f64 = self.l[0];
-                    let m_1: f64 = self.m[1];
-                    let l_1: f64 = self.l[1];
-                    [l_0 * l_0 * (m_0 + m_1), l_0 * m_1 * l_1, m_1 * (l_1 * l_1)]
-                };
-                [c0_0, c0_1, c0_2, c1_0, c1_1, c1_2]
-            }
+        fn jet_constants(&self) -> [f64; 5] {
+            let m_0: f64 = self.m[0];
+            let l_0: f64 = self.l[0];
+            let m_1: f64 = self.m[1];
+            let l_1: f64 = self.l[1];
+            let g: f64 = self.g;
+            let m_0_plus_m_1 = m_0 + m_1;
+            [
+                m_1 * l_1,
+                g * m_0_plus_m_1,
+                l_0 * l_0 * m_0_plus_m_1,
+                l_0 * m_1 * l_1,
+                m_1 * (l_1 * l_1),
+            ]
         }
         #[inline]
         fn jet_at<const ORDERS: usize>(
             &self,
-            constants: &[f64; 6],
+            constants: &[f64; 5],
             _t: f64,
             q: &[f64; 2],
             v: &[f64; 2],
@@ -479,39 +473,18 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
             let [theta_0, theta_1] = *q;
             let [theta_0_dot, theta_1_dot] = *v;
             let l_0: f64 = self.l[0];
-            let l_1: f64 = self.l[1];
             let g: f64 = self.g;
-            let [l_0_m_0_plus_m_1, m_1_l_1, g_m_0_plus_m_1, l_0_squared_m_0_plus_m_1,
-            l_0_m_1_l_1, m_1_l_1_squared] = *constants;
-            let theta_0_minus_theta_1: f64 = theta_0 - theta_1;
+            let [m_1_l_1, g_m_0_plus_m_1, l_0_squared_m_0_plus_m_1, l_0_m_1_l_1,
+            m_1_l_1_squared] = *constants;
+            let theta_0_minus_theta_1 = theta_0 - theta_1;
             let (sin_theta_0, cos_theta_0) = Real::sin_cos(theta_0);
             let (sin_theta_1, cos_theta_1) = Real::sin_cos(theta_1);
-            let (cos_theta_0_minus_theta_1, sin_theta_0_minus_theta_1) = {
-                let (s, c) = Real::sin_cos(theta_0_minus_theta_1);
-                (c, s)
-            };
-            let w1: f64 = theta_0_dot - theta_1_dot;
-            let theta_1_dot_theta_0_dot: f64 = theta_1_dot * theta_0_dot;
-            let w9: f64 = sin_theta_0_minus_theta_1 * theta_1_dot_theta_0_dot;
-            let g_sin_theta_1: f64 = g * sin_theta_1;
-            let w10: f64 = l_0 * w9;
-            let w11: f64 = g_sin_theta_1 - w10;
-            let g_m_0_plus_m_1_sin_theta_0: f64 = g_m_0_plus_m_1 * sin_theta_0;
-            let w12: f64 = m_1_l_1 * w9;
-            let w13: f64 = g_m_0_plus_m_1_sin_theta_0 + w12;
-            let w16: f64 = l_0 * w13;
-            let w17: f64 = -w16;
-            let w18: f64 = m_1_l_1 * w11;
-            let w19: f64 = -w18;
-            let theta_0_dot_cos_theta_0: f64 = theta_0_dot * cos_theta_0;
-            let theta_0_dot_sin_theta_0: f64 = theta_0_dot * sin_theta_0;
-            let w20: f64 = -theta_0_dot_sin_theta_0;
-            let theta_1_dot_cos_theta_1: f64 = theta_1_dot * cos_theta_1;
-            let theta_1_dot_sin_theta_1: f64 = theta_1_dot * sin_theta_1;
-            let w21: f64 = -theta_1_dot_sin_theta_1;
-            let w22: f64 = sin_theta_0_minus_theta_1 * w1;
-            let w23: f64 = -w22;
-            let w24: f64 = cos_theta_0_minus_theta_1 * w1;
+            let (sin_theta_0_minus_theta_1, cos_theta_0_minus_theta_1) = Real::sin_cos(
+                theta_0_minus_theta_1,
+            );
+            let cos_theta_0_minus_theta_1_flow_part = theta_0_dot - theta_1_dot;
+            let theta_1_dot_theta_0_dot = theta_1_dot * theta_0_dot;
+            let theta_0_force_part = sin_theta_0_minus_theta_1 * theta_1_dot_theta_0_dot;
             let mut mass = [[0.0; 2]; 2];
             mass[0][0] = l_0_squared_m_0_plus_m_1;
             mass[1][0] = l_0_m_1_l_1
@@ -525,35 +498,34 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                 return false;
             };
             let mut theta_0_dot_last: f64 = theta_0_dot;
-            let mut theta_0_force: f64 = w17;
+            let mut theta_0_force: f64 = -(l_0
+                * (g_m_0_plus_m_1 * sin_theta_0 + m_1_l_1 * theta_0_force_part));
             let mut theta_1_dot_last: f64 = theta_1_dot;
-            let mut theta_1_force: f64 = w19;
-            let mut theta_0_dot_first: f64 = 0.0;
-            let mut theta_0_dot_last_2: f64 = 0.0;
-            let mut w25: f64 = 0.0;
-            let mut w26: f64 = 0.0;
-            let mut theta_1_dot_first: f64 = 0.0;
-            let mut theta_1_dot_last_2: f64 = 0.0;
-            let mut w27: f64 = 0.0;
-            let mut w28: f64 = 0.0;
-            let mut w29: f64 = 0.0;
-            let mut w30: f64 = 0.0;
-            let mut cos_theta_0_first: f64 = 0.0;
-            let mut cos_theta_0_last: f64 = 0.0;
-            let mut sin_theta_0_first: f64 = 0.0;
-            let mut sin_theta_0_last: f64 = 0.0;
-            let mut cos_theta_1_first: f64 = 0.0;
-            let mut cos_theta_1_last: f64 = 0.0;
-            let mut sin_theta_1_first: f64 = 0.0;
-            let mut sin_theta_1_last: f64 = 0.0;
-            let mut w1_first: f64 = 0.0;
-            let mut w1_last: f64 = 0.0;
-            let mut sin_theta_0_flow: f64 = theta_0_dot_cos_theta_0;
-            let mut cos_theta_0_flow: f64 = w20;
-            let mut sin_theta_1_flow: f64 = theta_1_dot_cos_theta_1;
-            let mut cos_theta_1_flow: f64 = w21;
-            let mut w31: f64 = w23;
-            let mut w33: f64 = w24;
+            let mut theta_1_force: f64 = -(m_1_l_1
+                * (g * sin_theta_1 - l_0 * theta_0_force_part));
+            let mut sin_theta_0_flow: f64 = theta_0_dot * cos_theta_0;
+            let mut cos_theta_0_flow: f64 = -(theta_0_dot * sin_theta_0);
+            let mut sin_theta_1_flow: f64 = theta_1_dot * cos_theta_1;
+            let mut cos_theta_1_flow: f64 = -(theta_1_dot * sin_theta_1);
+            let mut cos_theta_0_minus_theta_1_flow: f64 = -(sin_theta_0_minus_theta_1
+                * cos_theta_0_minus_theta_1_flow_part);
+            let mut sin_theta_0_minus_theta_1_flow: f64 = cos_theta_0_minus_theta_1
+                * cos_theta_0_minus_theta_1_flow_part;
+            let mut products = lagrange::jets::Convolutions::new(
+                tables,
+                [
+                    [0, 1],
+                    [2, 1],
+                    [2, 0],
+                    [3, 4],
+                    [0, 5],
+                    [0, 6],
+                    [2, 7],
+                    [2, 8],
+                    [3, 9],
+                    [1, 9],
+                ],
+            );
             lagrange::jets::in_line::<
                 ORDERS,
             >(
@@ -561,98 +533,80 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                 #[inline(always)]
                 |order| {
                     let rate: f64 = lagrange::jets::rate(h, order);
-                    let inner = tables.interior(order);
-                    let theta_0_k: f64 = rate * theta_0_dot_last;
-                    let theta_1_k: f64 = rate * theta_1_dot_last;
-                    let inner_0: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_0_dot_first, theta_0_dot_last_2],
-                        [w25, w26],
-                        inner[0],
+                    let inner = products.sums(order);
+                    let theta_0_k = rate * theta_0_dot_last;
+                    let theta_1_k = rate * theta_1_dot_last;
+                    let sin_theta_0_k = rate * sin_theta_0_flow;
+                    let cos_theta_0_k = rate * cos_theta_0_flow;
+                    let sin_theta_1_k = rate * sin_theta_1_flow;
+                    let cos_theta_1_k = rate * cos_theta_1_flow;
+                    let cos_theta_0_minus_theta_1_k = rate
+                        * cos_theta_0_minus_theta_1_flow;
+                    let sin_theta_0_minus_theta_1_k = rate
+                        * sin_theta_0_minus_theta_1_flow;
+                    let theta_0_momentum_part_partial = -(l_0
+                        * (m_1_l_1
+                            * Real::mul_add(
+                                theta_1_dot,
+                                cos_theta_0_minus_theta_1_k,
+                                inner[1],
+                            )));
+                    let theta_1_momentum_part_partial = -(m_1_l_1
+                        * (l_0
+                            * Real::mul_add(
+                                theta_0_dot,
+                                cos_theta_0_minus_theta_1_k,
+                                inner[0],
+                            )));
+                    let w1 = Real::mul_add(
+                        theta_1_dot_theta_0_dot,
+                        sin_theta_0_minus_theta_1_k,
+                        inner[3],
                     );
-                    let inner_1: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_1_dot_first, theta_1_dot_last_2],
-                        [w25, w26],
-                        inner[1],
-                    );
-                    let inner_2: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_1_dot_first, theta_1_dot_last_2],
-                        [theta_0_dot_first, theta_0_dot_last_2],
-                        inner[2],
-                    );
-                    let inner_3: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(order, [w27, w28], [w29, w30], inner[3]);
-                    let inner_4: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_0_dot_first, theta_0_dot_last_2],
-                        [cos_theta_0_first, cos_theta_0_last],
+                    let w2 = g * sin_theta_1_k;
+                    let w3 = g_m_0_plus_m_1 * sin_theta_0_k;
+                    let theta_0_dot_cos_theta_0_known = Real::mul_add(
+                        theta_0_dot,
+                        cos_theta_0_k,
                         inner[4],
                     );
-                    let inner_5: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_0_dot_first, theta_0_dot_last_2],
-                        [sin_theta_0_first, sin_theta_0_last],
-                        inner[5],
+                    let cos_theta_0_flow_part_known = Real::mul_add(
+                        -theta_0_dot,
+                        sin_theta_0_k,
+                        -inner[5],
                     );
-                    let inner_6: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_1_dot_first, theta_1_dot_last_2],
-                        [cos_theta_1_first, cos_theta_1_last],
+                    let theta_1_dot_cos_theta_1_known = Real::mul_add(
+                        theta_1_dot,
+                        cos_theta_1_k,
                         inner[6],
                     );
-                    let inner_7: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_1_dot_first, theta_1_dot_last_2],
-                        [sin_theta_1_first, sin_theta_1_last],
-                        inner[7],
+                    let cos_theta_1_flow_part_known = Real::mul_add(
+                        -theta_1_dot,
+                        sin_theta_1_k,
+                        -inner[7],
                     );
-                    let inner_8: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(order, [w27, w28], [w1_first, w1_last], inner[8]);
-                    let inner_9: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(order, [w25, w26], [w1_first, w1_last], inner[9]);
-                    let sin_theta_0_k: f64 = rate * sin_theta_0_flow;
-                    let cos_theta_0_k: f64 = rate * cos_theta_0_flow;
-                    let sin_theta_1_k: f64 = rate * sin_theta_1_flow;
-                    let cos_theta_1_k: f64 = rate * cos_theta_1_flow;
-                    let w32: f64 = rate * w31;
-                    let w34: f64 = rate * w33;
-                    let w2_known: f64 = Real::mul_add(theta_0_dot, w32, inner_0);
-                    let w4_partial: f64 = l_0 * w2_known;
-                    let w5_known: f64 = Real::mul_add(theta_1_dot, w32, inner_1);
-                    let w8_partial: f64 = m_1_l_1 * w5_known;
+                    let cos_theta_0_minus_theta_1_flow_part_known = Real::mul_add(
+                        -cos_theta_0_minus_theta_1_flow_part,
+                        sin_theta_0_minus_theta_1_k,
+                        -inner[8],
+                    );
+                    let sin_theta_0_minus_theta_1_flow_part_known = Real::mul_add(
+                        cos_theta_0_minus_theta_1_flow_part,
+                        cos_theta_0_minus_theta_1_k,
+                        inner[9],
+                    );
                     let [theta_0_dot_k, theta_1_dot_k] = theta_0_factors
                         .solve([
-                            Real::mul_add(rate, theta_0_force, (-(l_0 * w8_partial))),
-                            Real::mul_add(rate, theta_1_force, (-(m_1_l_1 * w4_partial))),
+                            Real::mul_add(
+                                rate,
+                                theta_0_force,
+                                theta_0_momentum_part_partial,
+                            ),
+                            Real::mul_add(
+                                rate,
+                                theta_1_force,
+                                theta_1_momentum_part_partial,
+                            ),
                         ]);
                     series
                         .set(
@@ -663,138 +617,81 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                     if order == orders {
                         return false;
                     }
-                    let w1_k: f64 = theta_0_dot_k - theta_1_dot_k;
-                    let w2_k: f64 = Real::mul_add(
-                        cos_theta_0_minus_theta_1,
-                        theta_0_dot_k,
-                        w2_known,
-                    );
-                    let w4_k: f64 = Real::mul_add(l_0, w2_k, l_1 * theta_1_dot_k);
-                    let w5_k: f64 = Real::mul_add(
-                        cos_theta_0_minus_theta_1,
-                        theta_1_dot_k,
-                        w5_known,
-                    );
-                    let w8_k: f64 = Real::mul_add(
-                        m_1_l_1,
-                        w5_k,
-                        l_0_m_0_plus_m_1 * theta_0_dot_k,
-                    );
-                    let theta_1_dot_theta_0_dot_k: f64 = Real::mul_add(
+                    let cos_theta_0_minus_theta_1_flow_part_k = theta_0_dot_k
+                        - theta_1_dot_k;
+                    let theta_1_dot_theta_0_dot_k = Real::mul_add(
                         theta_0_dot,
                         theta_1_dot_k,
-                        Real::mul_add(theta_1_dot, theta_0_dot_k, inner_2),
+                        Real::mul_add(theta_1_dot, theta_0_dot_k, inner[2]),
                     );
-                    let w9_k: f64 = Real::mul_add(
+                    let theta_0_force_part_k = Real::mul_add(
                         sin_theta_0_minus_theta_1,
                         theta_1_dot_theta_0_dot_k,
-                        Real::mul_add(theta_1_dot_theta_0_dot, w34, inner_3),
+                        w1,
                     );
-                    let w11_k: f64 = Real::mul_add(-l_0, w9_k, g * sin_theta_1_k);
-                    let w13_k: f64 = Real::mul_add(
-                        m_1_l_1,
-                        w9_k,
-                        g_m_0_plus_m_1 * sin_theta_0_k,
-                    );
-                    if let ::core::option::Option::Some((left, right)) = tables
-                        .row(order)
-                    {
-                        left[0] = theta_0_dot_k;
-                        right[0] = w32;
-                        left[1] = theta_1_dot_k;
-                        right[1] = w32;
-                        left[2] = theta_1_dot_k;
-                        right[2] = theta_0_dot_k;
-                        left[3] = w34;
-                        right[3] = theta_1_dot_theta_0_dot_k;
-                        left[4] = theta_0_dot_k;
-                        right[4] = cos_theta_0_k;
-                        left[5] = theta_0_dot_k;
-                        right[5] = sin_theta_0_k;
-                        left[6] = theta_1_dot_k;
-                        right[6] = cos_theta_1_k;
-                        left[7] = theta_1_dot_k;
-                        right[7] = sin_theta_1_k;
-                        left[8] = w34;
-                        right[8] = w1_k;
-                        left[9] = w32;
-                        right[9] = w1_k;
-                    }
-                    theta_0_dot_last = theta_0_dot_k;
-                    theta_1_dot_last = theta_1_dot_k;
-                    sin_theta_0_flow = Real::mul_add(
-                        cos_theta_0,
+                    products
+                        .add(
+                            order,
+                            [
+                                theta_0_dot_k,
+                                cos_theta_0_minus_theta_1_k,
+                                theta_1_dot_k,
+                                sin_theta_0_minus_theta_1_k,
+                                theta_1_dot_theta_0_dot_k,
+                                cos_theta_0_k,
+                                sin_theta_0_k,
+                                cos_theta_1_k,
+                                sin_theta_1_k,
+                                cos_theta_0_minus_theta_1_flow_part_k,
+                            ],
+                        );
+                    [
+                        theta_0_dot_last,
+                        theta_0_force,
+                        theta_1_dot_last,
+                        theta_1_force,
+                        sin_theta_0_flow,
+                        cos_theta_0_flow,
+                        sin_theta_1_flow,
+                        cos_theta_1_flow,
+                        cos_theta_0_minus_theta_1_flow,
+                        sin_theta_0_minus_theta_1_flow,
+                    ] = [
                         theta_0_dot_k,
-                        Real::mul_add(theta_0_dot, cos_theta_0_k, inner_4),
-                    );
-                    cos_theta_0_flow = Real::mul_add(
-                        -sin_theta_0,
-                        theta_0_dot_k,
-                        Real::mul_add(-theta_0_dot, sin_theta_0_k, -inner_5),
-                    );
-                    sin_theta_1_flow = Real::mul_add(
-                        cos_theta_1,
+                        -(l_0 * Real::mul_add(m_1_l_1, theta_0_force_part_k, w3)),
                         theta_1_dot_k,
-                        Real::mul_add(theta_1_dot, cos_theta_1_k, inner_6),
-                    );
-                    cos_theta_1_flow = Real::mul_add(
-                        -sin_theta_1,
-                        theta_1_dot_k,
-                        Real::mul_add(-theta_1_dot, sin_theta_1_k, -inner_7),
-                    );
-                    w31 = Real::mul_add(
-                        -sin_theta_0_minus_theta_1,
-                        w1_k,
-                        Real::mul_add(-w1, w34, -inner_8),
-                    );
-                    w33 = Real::mul_add(
-                        cos_theta_0_minus_theta_1,
-                        w1_k,
-                        Real::mul_add(w1, w32, inner_9),
-                    );
-                    theta_0_force = -(l_0 * w13_k);
-                    theta_1_force = -(m_1_l_1 * w11_k);
-                    theta_0_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, theta_0_dot_first, theta_0_dot_k);
-                    theta_0_dot_last_2 = theta_0_dot_k;
-                    w25 = lagrange::jets::first::<ORDERS, _>(order, w25, w32);
-                    w26 = w32;
-                    theta_1_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, theta_1_dot_first, theta_1_dot_k);
-                    theta_1_dot_last_2 = theta_1_dot_k;
-                    w27 = lagrange::jets::first::<ORDERS, _>(order, w27, w34);
-                    w28 = w34;
-                    w29 = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, w29, theta_1_dot_theta_0_dot_k);
-                    w30 = theta_1_dot_theta_0_dot_k;
-                    cos_theta_0_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, cos_theta_0_first, cos_theta_0_k);
-                    cos_theta_0_last = cos_theta_0_k;
-                    sin_theta_0_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, sin_theta_0_first, sin_theta_0_k);
-                    sin_theta_0_last = sin_theta_0_k;
-                    cos_theta_1_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, cos_theta_1_first, cos_theta_1_k);
-                    cos_theta_1_last = cos_theta_1_k;
-                    sin_theta_1_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, sin_theta_1_first, sin_theta_1_k);
-                    sin_theta_1_last = sin_theta_1_k;
-                    w1_first = lagrange::jets::first::<ORDERS, _>(order, w1_first, w1_k);
-                    w1_last = w1_k;
+                        -(m_1_l_1 * Real::mul_add(-l_0, theta_0_force_part_k, w2)),
+                        Real::mul_add(
+                            cos_theta_0,
+                            theta_0_dot_k,
+                            theta_0_dot_cos_theta_0_known,
+                        ),
+                        Real::mul_add(
+                            -sin_theta_0,
+                            theta_0_dot_k,
+                            cos_theta_0_flow_part_known,
+                        ),
+                        Real::mul_add(
+                            cos_theta_1,
+                            theta_1_dot_k,
+                            theta_1_dot_cos_theta_1_known,
+                        ),
+                        Real::mul_add(
+                            -sin_theta_1,
+                            theta_1_dot_k,
+                            cos_theta_1_flow_part_known,
+                        ),
+                        Real::mul_add(
+                            -sin_theta_0_minus_theta_1,
+                            cos_theta_0_minus_theta_1_flow_part_k,
+                            cos_theta_0_minus_theta_1_flow_part_known,
+                        ),
+                        Real::mul_add(
+                            cos_theta_0_minus_theta_1,
+                            cos_theta_0_minus_theta_1_flow_part_k,
+                            sin_theta_0_minus_theta_1_flow_part_known,
+                        ),
+                    ];
                     true
                 },
             );

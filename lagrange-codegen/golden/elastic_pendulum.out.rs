@@ -450,20 +450,11 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
         #[inline]
         fn jet_constants(&self) -> [f64; 3] {
             use lagrange::Real;
-            {
-                let [c0_0, c0_1] = {
-                    let mass_2: f64 = self.mass;
-                    let g: f64 = self.g;
-                    let stiffness: f64 = self.stiffness;
-                    let length: f64 = self.length;
-                    [mass_2 * g, stiffness * length]
-                };
-                let [c1_0] = {
-                    let mass_2: f64 = self.mass;
-                    [Real::recip(mass_2)]
-                };
-                [c0_0, c0_1, c1_0]
-            }
+            let mass_2: f64 = self.mass;
+            let g: f64 = self.g;
+            let stiffness: f64 = self.stiffness;
+            let length: f64 = self.length;
+            [mass_2 * g, stiffness * length, Real::recip(mass_2)]
         }
         #[inline]
         fn jet_at<const ORDERS: usize>(
@@ -484,42 +475,23 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let [motor] = *u;
             let mass_2: f64 = self.mass;
             let stiffness: f64 = self.stiffness;
-            let [mass_2_g, stiffness_length, r_inverse_mass] = *constants;
-            let theta_dot_squared: f64 = theta_dot * theta_dot;
-            let mass_2_theta_dot_squared: f64 = mass_2 * theta_dot_squared;
-            let w1: f64 = stiffness - mass_2_theta_dot_squared;
+            let [mass_2_g, stiffness_length, inverse_mass_2] = *constants;
+            let r_force_part = stiffness - mass_2 * (theta_dot * theta_dot);
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let mass_2_g_cos_theta: f64 = mass_2_g * cos_theta;
-            let w2: f64 = mass_2_g_cos_theta + stiffness_length;
-            let w3: f64 = r * w1;
-            let w4: f64 = w3 - w2;
-            let r_sin_theta: f64 = r * sin_theta;
-            let mass_2_g_r_sin_theta: f64 = mass_2_g * r_sin_theta;
-            let w5: f64 = motor - mass_2_g_r_sin_theta;
-            let r_squared: f64 = r * r;
-            let w6: f64 = -w4;
-            let theta_dot_cos_theta: f64 = theta_dot * cos_theta;
-            let theta_dot_sin_theta: f64 = theta_dot * sin_theta;
-            let minus_theta_dot_sin_theta: f64 = -theta_dot_sin_theta;
-            let theta_inverse_mass: f64 = Real::recip(mass_2 * (r * r));
+            let inverse_mass_2_r_squared = Real::recip(mass_2 * (r * r));
+            let r_plus_r = r + r;
+            let theta_dot_plus_theta_dot = theta_dot + theta_dot;
             let mut theta_dot_last: f64 = theta_dot;
-            let mut theta_force: f64 = w5;
+            let mut theta_force: f64 = motor - mass_2_g * (r * sin_theta);
             let mut r_dot_last: f64 = r_dot;
-            let mut r_force: f64 = w6;
-            let mut theta_dot_first: f64 = 0.0;
-            let mut theta_dot_last_2: f64 = 0.0;
-            let mut r_first: f64 = 0.0;
-            let mut r_last: f64 = 0.0;
-            let mut w1_first: f64 = 0.0;
-            let mut w1_last: f64 = 0.0;
-            let mut sin_theta_first: f64 = 0.0;
-            let mut sin_theta_last: f64 = 0.0;
-            let mut r_squared_first: f64 = 0.0;
-            let mut r_squared_last: f64 = 0.0;
-            let mut cos_theta_first: f64 = 0.0;
-            let mut cos_theta_last: f64 = 0.0;
-            let mut sin_theta_flow: f64 = theta_dot_cos_theta;
-            let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
+            let mut r_force: f64 = -(r * r_force_part
+                - (mass_2_g * cos_theta + stiffness_length));
+            let mut sin_theta_flow: f64 = theta_dot * cos_theta;
+            let mut cos_theta_flow: f64 = -(theta_dot * sin_theta);
+            let mut products = lagrange::jets::Convolutions::new(
+                tables,
+                [[0, 0], [1, 2], [1, 3], [1, 1], [4, 0], [0, 5], [0, 3]],
+            );
             lagrange::jets::in_line::<
                 ORDERS,
             >(
@@ -527,155 +499,70 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 #[inline(always)]
                 |order| {
                     let rate: f64 = lagrange::jets::rate(h, order);
-                    let inner = tables.interior(order);
-                    let theta_k: f64 = rate * theta_dot_last;
-                    let r_k: f64 = rate * r_dot_last;
-                    let inner_0: f64 = lagrange::jets::squared::<
-                        ORDERS,
-                        _,
-                    >(order, [theta_dot_first, theta_dot_last_2], inner[0]);
-                    let inner_1: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(order, [r_first, r_last], [w1_first, w1_last], inner[1]);
-                    let inner_2: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [r_first, r_last],
-                        [sin_theta_first, sin_theta_last],
-                        inner[2],
-                    );
-                    let inner_3: f64 = lagrange::jets::squared::<
-                        ORDERS,
-                        _,
-                    >(order, [r_first, r_last], inner[3]);
-                    let inner_4: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [r_squared_first, r_squared_last],
-                        [theta_dot_first, theta_dot_last_2],
-                        inner[4],
-                    );
-                    let inner_5: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [cos_theta_first, cos_theta_last],
-                        inner[5],
-                    );
-                    let inner_6: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [sin_theta_first, sin_theta_last],
-                        inner[6],
-                    );
-                    let sin_theta_k: f64 = rate * sin_theta_flow;
-                    let cos_theta_k: f64 = rate * cos_theta_flow;
-                    let r_sin_theta_k: f64 = Real::mul_add(
-                        sin_theta,
-                        r_k,
-                        Real::mul_add(r, sin_theta_k, inner_2),
-                    );
-                    let r_squared_k: f64 = Real::mul_add((r + r), r_k, inner_3);
-                    let r_squared_theta_dot_known: f64 = Real::mul_add(
-                        theta_dot,
-                        r_squared_k,
-                        inner_4,
-                    );
-                    let theta_dot_k: f64 = Real::mul_add(
+                    let inner = products.sums(order);
+                    let theta_k = rate * theta_dot_last;
+                    let r_k = rate * r_dot_last;
+                    let sin_theta_k = rate * sin_theta_flow;
+                    let cos_theta_k = rate * cos_theta_flow;
+                    let r_squared_k = Real::mul_add(r_plus_r, r_k, inner[3]);
+                    let w1 = Real::mul_add(
                         rate,
                         theta_force,
-                        (-(mass_2 * r_squared_theta_dot_known)),
-                    ) * theta_inverse_mass;
-                    let r_dot_k: f64 = (rate * r_force) * r_inverse_mass;
+                        -(mass_2 * Real::mul_add(theta_dot, r_squared_k, inner[4])),
+                    );
+                    let theta_dot_k = w1 * inverse_mass_2_r_squared;
+                    let r_dot_k = rate * r_force * inverse_mass_2;
+                    let r_force_part_known = mass_2
+                        * Real::mul_add(theta_dot_plus_theta_dot, theta_dot_k, inner[0]);
+                    let theta_force_part_known = mass_2_g
+                        * Real::mul_add(
+                            sin_theta,
+                            r_k,
+                            Real::mul_add(r, sin_theta_k, inner[2]),
+                        );
+                    let w2 = Real::mul_add(
+                        -r,
+                        -r_force_part_known,
+                        Real::mul_add(
+                            mass_2_g,
+                            cos_theta_k,
+                            Real::mul_add(-r_force_part, r_k, -inner[1]),
+                        ),
+                    );
+                    let w3 = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner[5]),
+                    );
+                    let w4 = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner[6]),
+                    );
                     series.set(order, [theta_k, r_k], [theta_dot_k, r_dot_k]);
                     if order == orders {
                         return false;
                     }
-                    let theta_dot_squared_k: f64 = Real::mul_add(
-                        (theta_dot + theta_dot),
-                        theta_dot_k,
-                        inner_0,
-                    );
-                    let w1_k: f64 = -(mass_2 * theta_dot_squared_k);
-                    let r_squared_theta_dot_k: f64 = Real::mul_add(
-                        r_squared,
-                        theta_dot_k,
-                        r_squared_theta_dot_known,
-                    );
-                    if let ::core::option::Option::Some((left, right)) = tables
-                        .row(order)
-                    {
-                        left[0] = theta_dot_k;
-                        right[0] = theta_dot_k;
-                        left[1] = r_k;
-                        right[1] = w1_k;
-                        left[2] = r_k;
-                        right[2] = sin_theta_k;
-                        left[3] = r_k;
-                        right[3] = r_k;
-                        left[4] = r_squared_k;
-                        right[4] = theta_dot_k;
-                        left[5] = theta_dot_k;
-                        right[5] = cos_theta_k;
-                        left[6] = theta_dot_k;
-                        right[6] = sin_theta_k;
-                    }
-                    theta_dot_last = theta_dot_k;
-                    r_dot_last = r_dot_k;
-                    sin_theta_flow = Real::mul_add(
-                        cos_theta,
-                        theta_dot_k,
-                        Real::mul_add(theta_dot, cos_theta_k, inner_5),
-                    );
-                    cos_theta_flow = Real::mul_add(
-                        -sin_theta,
-                        theta_dot_k,
-                        Real::mul_add(-theta_dot, sin_theta_k, -inner_6),
-                    );
-                    theta_force = -(mass_2_g * r_sin_theta_k);
-                    r_force = Real::mul_add(
-                        -r,
-                        w1_k,
-                        Real::mul_add(
-                            mass_2_g,
-                            cos_theta_k,
-                            Real::mul_add(-w1, r_k, -inner_1),
-                        ),
-                    );
-                    theta_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, theta_dot_first, theta_dot_k);
-                    theta_dot_last_2 = theta_dot_k;
-                    r_first = lagrange::jets::first::<ORDERS, _>(order, r_first, r_k);
-                    r_last = r_k;
-                    w1_first = lagrange::jets::first::<ORDERS, _>(order, w1_first, w1_k);
-                    w1_last = w1_k;
-                    sin_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, sin_theta_first, sin_theta_k);
-                    sin_theta_last = sin_theta_k;
-                    r_squared_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, r_squared_first, r_squared_k);
-                    r_squared_last = r_squared_k;
-                    cos_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, cos_theta_first, cos_theta_k);
-                    cos_theta_last = cos_theta_k;
+                    products
+                        .add(
+                            order,
+                            [
+                                theta_dot_k,
+                                r_k,
+                                -r_force_part_known,
+                                sin_theta_k,
+                                r_squared_k,
+                                cos_theta_k,
+                            ],
+                        );
+                    [
+                        theta_dot_last,
+                        theta_force,
+                        r_dot_last,
+                        r_force,
+                        sin_theta_flow,
+                        cos_theta_flow,
+                    ] = [theta_dot_k, -theta_force_part_known, r_dot_k, w2, w3, w4];
                     true
                 },
             );
@@ -996,20 +883,11 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
         #[inline]
         fn jet_constants(&self) -> [R; 3] {
             use lagrange::Real;
-            {
-                let [c0_0, c0_1] = {
-                    let mass_2: R = self.parameters[0];
-                    let g: R = self.parameters[1];
-                    let stiffness: R = self.parameters[2];
-                    let length: R = self.parameters[3];
-                    [mass_2 * g, stiffness * length]
-                };
-                let [c1_0] = {
-                    let mass_2: R = self.parameters[0];
-                    [Real::recip(mass_2)]
-                };
-                [c0_0, c0_1, c1_0]
-            }
+            let mass_2: R = self.parameters[0];
+            let g: R = self.parameters[1];
+            let stiffness: R = self.parameters[2];
+            let length: R = self.parameters[3];
+            [mass_2 * g, stiffness * length, Real::recip(mass_2)]
         }
         #[inline]
         fn jet_at<const ORDERS: usize>(
@@ -1030,42 +908,23 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let [motor] = *u;
             let mass_2: R = self.parameters[0];
             let stiffness: R = self.parameters[2];
-            let [mass_2_g, stiffness_length, r_inverse_mass] = *constants;
-            let theta_dot_squared: R = theta_dot * theta_dot;
-            let mass_2_theta_dot_squared: R = mass_2 * theta_dot_squared;
-            let w1: R = stiffness - mass_2_theta_dot_squared;
+            let [mass_2_g, stiffness_length, inverse_mass_2] = *constants;
+            let r_force_part = stiffness - mass_2 * (theta_dot * theta_dot);
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let mass_2_g_cos_theta: R = mass_2_g * cos_theta;
-            let w2: R = mass_2_g_cos_theta + stiffness_length;
-            let w3: R = r * w1;
-            let w4: R = w3 - w2;
-            let r_sin_theta: R = r * sin_theta;
-            let mass_2_g_r_sin_theta: R = mass_2_g * r_sin_theta;
-            let w5: R = motor - mass_2_g_r_sin_theta;
-            let r_squared: R = r * r;
-            let w6: R = -w4;
-            let theta_dot_cos_theta: R = theta_dot * cos_theta;
-            let theta_dot_sin_theta: R = theta_dot * sin_theta;
-            let minus_theta_dot_sin_theta: R = -theta_dot_sin_theta;
-            let theta_inverse_mass: R = Real::recip(mass_2 * (r * r));
+            let inverse_mass_2_r_squared = Real::recip(mass_2 * (r * r));
+            let r_plus_r = r + r;
+            let theta_dot_plus_theta_dot = theta_dot + theta_dot;
             let mut theta_dot_last: R = theta_dot;
-            let mut theta_force: R = w5;
+            let mut theta_force: R = motor - mass_2_g * (r * sin_theta);
             let mut r_dot_last: R = r_dot;
-            let mut r_force: R = w6;
-            let mut theta_dot_first: R = <R as lagrange::Zero>::zero();
-            let mut theta_dot_last_2: R = <R as lagrange::Zero>::zero();
-            let mut r_first: R = <R as lagrange::Zero>::zero();
-            let mut r_last: R = <R as lagrange::Zero>::zero();
-            let mut w1_first: R = <R as lagrange::Zero>::zero();
-            let mut w1_last: R = <R as lagrange::Zero>::zero();
-            let mut sin_theta_first: R = <R as lagrange::Zero>::zero();
-            let mut sin_theta_last: R = <R as lagrange::Zero>::zero();
-            let mut r_squared_first: R = <R as lagrange::Zero>::zero();
-            let mut r_squared_last: R = <R as lagrange::Zero>::zero();
-            let mut cos_theta_first: R = <R as lagrange::Zero>::zero();
-            let mut cos_theta_last: R = <R as lagrange::Zero>::zero();
-            let mut sin_theta_flow: R = theta_dot_cos_theta;
-            let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
+            let mut r_force: R = -(r * r_force_part
+                - (mass_2_g * cos_theta + stiffness_length));
+            let mut sin_theta_flow: R = theta_dot * cos_theta;
+            let mut cos_theta_flow: R = -(theta_dot * sin_theta);
+            let mut products = lagrange::jets::Convolutions::new(
+                tables,
+                [[0, 0], [1, 2], [1, 3], [1, 1], [4, 0], [0, 5], [0, 3]],
+            );
             lagrange::jets::in_line::<
                 ORDERS,
             >(
@@ -1073,155 +932,70 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 #[inline(always)]
                 |order| {
                     let rate: R = lagrange::jets::rate(h, order);
-                    let inner = tables.interior(order);
-                    let theta_k: R = rate * theta_dot_last;
-                    let r_k: R = rate * r_dot_last;
-                    let inner_0: R = lagrange::jets::squared::<
-                        ORDERS,
-                        _,
-                    >(order, [theta_dot_first, theta_dot_last_2], inner[0]);
-                    let inner_1: R = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(order, [r_first, r_last], [w1_first, w1_last], inner[1]);
-                    let inner_2: R = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [r_first, r_last],
-                        [sin_theta_first, sin_theta_last],
-                        inner[2],
-                    );
-                    let inner_3: R = lagrange::jets::squared::<
-                        ORDERS,
-                        _,
-                    >(order, [r_first, r_last], inner[3]);
-                    let inner_4: R = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [r_squared_first, r_squared_last],
-                        [theta_dot_first, theta_dot_last_2],
-                        inner[4],
-                    );
-                    let inner_5: R = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [cos_theta_first, cos_theta_last],
-                        inner[5],
-                    );
-                    let inner_6: R = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [sin_theta_first, sin_theta_last],
-                        inner[6],
-                    );
-                    let sin_theta_k: R = rate * sin_theta_flow;
-                    let cos_theta_k: R = rate * cos_theta_flow;
-                    let r_sin_theta_k: R = Real::mul_add(
-                        sin_theta,
-                        r_k,
-                        Real::mul_add(r, sin_theta_k, inner_2),
-                    );
-                    let r_squared_k: R = Real::mul_add((r + r), r_k, inner_3);
-                    let r_squared_theta_dot_known: R = Real::mul_add(
-                        theta_dot,
-                        r_squared_k,
-                        inner_4,
-                    );
-                    let theta_dot_k: R = Real::mul_add(
+                    let inner = products.sums(order);
+                    let theta_k = rate * theta_dot_last;
+                    let r_k = rate * r_dot_last;
+                    let sin_theta_k = rate * sin_theta_flow;
+                    let cos_theta_k = rate * cos_theta_flow;
+                    let r_squared_k = Real::mul_add(r_plus_r, r_k, inner[3]);
+                    let w1 = Real::mul_add(
                         rate,
                         theta_force,
-                        (-(mass_2 * r_squared_theta_dot_known)),
-                    ) * theta_inverse_mass;
-                    let r_dot_k: R = (rate * r_force) * r_inverse_mass;
+                        -(mass_2 * Real::mul_add(theta_dot, r_squared_k, inner[4])),
+                    );
+                    let theta_dot_k = w1 * inverse_mass_2_r_squared;
+                    let r_dot_k = rate * r_force * inverse_mass_2;
+                    let r_force_part_known = mass_2
+                        * Real::mul_add(theta_dot_plus_theta_dot, theta_dot_k, inner[0]);
+                    let theta_force_part_known = mass_2_g
+                        * Real::mul_add(
+                            sin_theta,
+                            r_k,
+                            Real::mul_add(r, sin_theta_k, inner[2]),
+                        );
+                    let w2 = Real::mul_add(
+                        -r,
+                        -r_force_part_known,
+                        Real::mul_add(
+                            mass_2_g,
+                            cos_theta_k,
+                            Real::mul_add(-r_force_part, r_k, -inner[1]),
+                        ),
+                    );
+                    let w3 = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner[5]),
+                    );
+                    let w4 = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner[6]),
+                    );
                     series.set(order, [theta_k, r_k], [theta_dot_k, r_dot_k]);
                     if order == orders {
                         return false;
                     }
-                    let theta_dot_squared_k: R = Real::mul_add(
-                        (theta_dot + theta_dot),
-                        theta_dot_k,
-                        inner_0,
-                    );
-                    let w1_k: R = -(mass_2 * theta_dot_squared_k);
-                    let r_squared_theta_dot_k: R = Real::mul_add(
-                        r_squared,
-                        theta_dot_k,
-                        r_squared_theta_dot_known,
-                    );
-                    if let ::core::option::Option::Some((left, right)) = tables
-                        .row(order)
-                    {
-                        left[0] = theta_dot_k;
-                        right[0] = theta_dot_k;
-                        left[1] = r_k;
-                        right[1] = w1_k;
-                        left[2] = r_k;
-                        right[2] = sin_theta_k;
-                        left[3] = r_k;
-                        right[3] = r_k;
-                        left[4] = r_squared_k;
-                        right[4] = theta_dot_k;
-                        left[5] = theta_dot_k;
-                        right[5] = cos_theta_k;
-                        left[6] = theta_dot_k;
-                        right[6] = sin_theta_k;
-                    }
-                    theta_dot_last = theta_dot_k;
-                    r_dot_last = r_dot_k;
-                    sin_theta_flow = Real::mul_add(
-                        cos_theta,
-                        theta_dot_k,
-                        Real::mul_add(theta_dot, cos_theta_k, inner_5),
-                    );
-                    cos_theta_flow = Real::mul_add(
-                        -sin_theta,
-                        theta_dot_k,
-                        Real::mul_add(-theta_dot, sin_theta_k, -inner_6),
-                    );
-                    theta_force = -(mass_2_g * r_sin_theta_k);
-                    r_force = Real::mul_add(
-                        -r,
-                        w1_k,
-                        Real::mul_add(
-                            mass_2_g,
-                            cos_theta_k,
-                            Real::mul_add(-w1, r_k, -inner_1),
-                        ),
-                    );
-                    theta_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, theta_dot_first, theta_dot_k);
-                    theta_dot_last_2 = theta_dot_k;
-                    r_first = lagrange::jets::first::<ORDERS, _>(order, r_first, r_k);
-                    r_last = r_k;
-                    w1_first = lagrange::jets::first::<ORDERS, _>(order, w1_first, w1_k);
-                    w1_last = w1_k;
-                    sin_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, sin_theta_first, sin_theta_k);
-                    sin_theta_last = sin_theta_k;
-                    r_squared_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, r_squared_first, r_squared_k);
-                    r_squared_last = r_squared_k;
-                    cos_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, cos_theta_first, cos_theta_k);
-                    cos_theta_last = cos_theta_k;
+                    products
+                        .add(
+                            order,
+                            [
+                                theta_dot_k,
+                                r_k,
+                                -r_force_part_known,
+                                sin_theta_k,
+                                r_squared_k,
+                                cos_theta_k,
+                            ],
+                        );
+                    [
+                        theta_dot_last,
+                        theta_force,
+                        r_dot_last,
+                        r_force,
+                        sin_theta_flow,
+                        cos_theta_flow,
+                    ] = [theta_dot_k, -theta_force_part_known, r_dot_k, w2, w3, w4];
                     true
                 },
             );

@@ -502,40 +502,23 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
     #[automatically_derived]
     #[allow(clippy::all)]
     impl lagrange::Smooth<3usize, 0usize> for Top {
-        type JetConstants = [f64; 5];
+        type JetConstants = [f64; 4];
         type Tables<const ORDERS: usize> = lagrange::Tables<f64, 12, ORDERS>;
         #[inline]
-        fn jet_constants(&self) -> [f64; 5] {
+        fn jet_constants(&self) -> [f64; 4] {
             use lagrange::Real;
-            {
-                let [c0_0, c0_1, c0_2] = {
-                    let mass_2: f64 = self.mass;
-                    let across: f64 = self.across;
-                    let along: f64 = self.along;
-                    let arm: f64 = self.arm;
-                    let g: f64 = self.g;
-                    let w1 = across + mass_2 * (arm * arm);
-                    [w1, mass_2 * arm * g, along - w1]
-                };
-                let [c1_0] = {
-                    let mass_2: f64 = self.mass;
-                    let across: f64 = self.across;
-                    let arm: f64 = self.arm;
-                    [across + mass_2 * (arm * arm)]
-                };
-                let [c2_0] = {
-                    let mass_2: f64 = self.mass;
-                    let across: f64 = self.across;
-                    let arm: f64 = self.arm;
-                    [Real::recip(across + mass_2 * (arm * arm))]
-                };
-                [c0_0, c0_1, c0_2, c1_0, c2_0]
-            }
+            let mass_2: f64 = self.mass;
+            let across: f64 = self.across;
+            let along: f64 = self.along;
+            let arm: f64 = self.arm;
+            let g: f64 = self.g;
+            let w1 = across + mass_2 * (arm * arm);
+            [w1, mass_2 * arm * g, along - w1, Real::recip(w1)]
         }
         #[inline]
         fn jet_at<const ORDERS: usize>(
             &self,
-            constants: &[f64; 5],
+            constants: &[f64; 4],
             _t: f64,
             q: &[f64; 3],
             v: &[f64; 3],
@@ -549,24 +532,16 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
             let [_, theta, _] = *q;
             let [phi_dot, theta_dot, psi_dot] = *v;
             let along: f64 = self.along;
-            let [w1, mass_2_arm_g, w2, w14, theta_inverse_mass] = *constants;
-            let phi_dot_psi_dot: f64 = phi_dot * psi_dot;
-            let along_phi_dot_psi_dot: f64 = along * phi_dot_psi_dot;
-            let w3: f64 = mass_2_arm_g - along_phi_dot_psi_dot;
+            let [w1, mass_2_arm_g, w2, w3] = *constants;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let phi_dot_cos_theta: f64 = phi_dot * cos_theta;
-            let w4: f64 = psi_dot + phi_dot_cos_theta;
-            let sin_theta_squared: f64 = sin_theta * sin_theta;
-            let phi_dot_squared: f64 = phi_dot * phi_dot;
-            let phi_dot_squared_cos_theta: f64 = phi_dot_squared * cos_theta;
-            let w9: f64 = w2 * phi_dot_squared_cos_theta;
-            let w10: f64 = w3 - w9;
-            let w13: f64 = sin_theta * w10;
-            let theta_dot_cos_theta: f64 = theta_dot * cos_theta;
-            let theta_dot_sin_theta: f64 = theta_dot * sin_theta;
-            let minus_theta_dot_sin_theta: f64 = -theta_dot_sin_theta;
+            let phi_momentum_part = psi_dot + phi_dot * cos_theta;
+            let phi_dot_squared = phi_dot * phi_dot;
+            let theta_force_part = mass_2_arm_g - along * (phi_dot * psi_dot)
+                - w2 * (phi_dot_squared * cos_theta);
+            let sin_theta_plus_sin_theta = sin_theta + sin_theta;
+            let phi_dot_plus_phi_dot = phi_dot + phi_dot;
             let mut mass = [[0.0; 2]; 2];
-            mass[0][0] = along * (cos_theta * cos_theta) + w14 * (sin_theta * sin_theta);
+            mass[0][0] = along * (cos_theta * cos_theta) + w1 * (sin_theta * sin_theta);
             mass[1][0] = along * cos_theta;
             mass[1][1] = along;
             let ::core::option::Option::Some(phi_factors) = lagrange::solve::factor::<
@@ -579,29 +554,25 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
             let mut phi_dot_last: f64 = phi_dot;
             let mut phi_force: f64 = 0.0;
             let mut theta_dot_last: f64 = theta_dot;
-            let mut theta_force: f64 = w13;
+            let mut theta_force: f64 = sin_theta * theta_force_part;
             let mut psi_dot_last: f64 = psi_dot;
-            let mut psi_force: f64 = 0.0;
-            let mut phi_dot_first: f64 = 0.0;
-            let mut phi_dot_last_2: f64 = 0.0;
-            let mut psi_dot_first: f64 = 0.0;
-            let mut psi_dot_last_2: f64 = 0.0;
-            let mut cos_theta_first: f64 = 0.0;
-            let mut cos_theta_last: f64 = 0.0;
-            let mut w4_first: f64 = 0.0;
-            let mut w4_last: f64 = 0.0;
-            let mut sin_theta_first: f64 = 0.0;
-            let mut sin_theta_last: f64 = 0.0;
-            let mut sin_theta_squared_first: f64 = 0.0;
-            let mut sin_theta_squared_last: f64 = 0.0;
-            let mut phi_dot_squared_first: f64 = 0.0;
-            let mut phi_dot_squared_last: f64 = 0.0;
-            let mut w10_first: f64 = 0.0;
-            let mut w10_last: f64 = 0.0;
-            let mut theta_dot_first: f64 = 0.0;
-            let mut theta_dot_last_2: f64 = 0.0;
-            let mut sin_theta_flow: f64 = theta_dot_cos_theta;
-            let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
+            let mut sin_theta_flow: f64 = theta_dot * cos_theta;
+            let mut cos_theta_flow: f64 = -(theta_dot * sin_theta);
+            let mut products = lagrange::jets::Convolutions::new(
+                tables,
+                [
+                    [0, 1],
+                    [0, 2],
+                    [2, 3],
+                    [4, 4],
+                    [0, 5],
+                    [0, 0],
+                    [6, 2],
+                    [4, 7],
+                    [8, 2],
+                    [8, 4],
+                ],
+            );
             lagrange::jets::in_line::<
                 ORDERS,
             >(
@@ -609,111 +580,58 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                 #[inline(always)]
                 |order| {
                     let rate: f64 = lagrange::jets::rate(h, order);
-                    let inner = tables.interior(order);
-                    let phi_k: f64 = rate * phi_dot_last;
-                    let theta_k: f64 = rate * theta_dot_last;
-                    let psi_k: f64 = rate * psi_dot_last;
-                    let inner_0: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [phi_dot_first, phi_dot_last_2],
-                        [psi_dot_first, psi_dot_last_2],
-                        inner[0],
+                    let inner = products.sums(order);
+                    let phi_k = rate * phi_dot_last;
+                    let theta_k = rate * theta_dot_last;
+                    let psi_k = rate * psi_dot_last;
+                    let sin_theta_k = rate * sin_theta_flow;
+                    let cos_theta_k = rate * cos_theta_flow;
+                    let sin_theta_squared_k = Real::mul_add(
+                        sin_theta_plus_sin_theta,
+                        sin_theta_k,
+                        inner[3],
                     );
-                    let inner_1: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [phi_dot_first, phi_dot_last_2],
-                        [cos_theta_first, cos_theta_last],
+                    let phi_momentum_part_known = Real::mul_add(
+                        phi_dot,
+                        cos_theta_k,
                         inner[1],
                     );
-                    let inner_2: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [cos_theta_first, cos_theta_last],
-                        [w4_first, w4_last],
-                        inner[2],
+                    let phi_momentum_part_partial = Real::mul_add(
+                        cos_theta,
+                        phi_momentum_part_known,
+                        Real::mul_add(phi_momentum_part, cos_theta_k, inner[2]),
                     );
-                    let inner_3: f64 = lagrange::jets::squared::<
-                        ORDERS,
-                        _,
-                    >(order, [sin_theta_first, sin_theta_last], inner[3]);
-                    let inner_4: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [phi_dot_first, phi_dot_last_2],
-                        [sin_theta_squared_first, sin_theta_squared_last],
-                        inner[4],
+                    let phi_momentum_part_partial_2 = Real::mul_add(
+                        -w1,
+                        Real::mul_add(phi_dot, sin_theta_squared_k, inner[4]),
+                        -(along * phi_momentum_part_partial),
                     );
-                    let inner_5: f64 = lagrange::jets::squared::<
-                        ORDERS,
-                        _,
-                    >(order, [phi_dot_first, phi_dot_last_2], inner[5]);
-                    let inner_6: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [phi_dot_squared_first, phi_dot_squared_last],
-                        [cos_theta_first, cos_theta_last],
-                        inner[6],
-                    );
-                    let inner_7: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [sin_theta_first, sin_theta_last],
-                        [w10_first, w10_last],
+                    let theta_dot_k = rate * theta_force * w3;
+                    let w4 = Real::mul_add(phi_dot_squared, cos_theta_k, inner[6]);
+                    let theta_force_part_known = Real::mul_add(
+                        theta_force_part,
+                        sin_theta_k,
                         inner[7],
                     );
-                    let inner_8: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [cos_theta_first, cos_theta_last],
-                        inner[8],
+                    let w5 = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner[8]),
                     );
-                    let inner_9: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [sin_theta_first, sin_theta_last],
-                        inner[9],
+                    let w6 = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner[9]),
                     );
-                    let sin_theta_k: f64 = rate * sin_theta_flow;
-                    let cos_theta_k: f64 = rate * cos_theta_flow;
-                    let sin_theta_squared_k: f64 = Real::mul_add(
-                        (sin_theta + sin_theta),
-                        sin_theta_k,
-                        inner_3,
-                    );
-                    let w4_known: f64 = Real::mul_add(phi_dot, cos_theta_k, inner_1);
-                    let w5_known: f64 = Real::mul_add(w4, cos_theta_k, inner_2);
-                    let w5_partial: f64 = Real::mul_add(cos_theta, w4_known, w5_known);
-                    let w15: f64 = Real::mul_add(phi_dot, sin_theta_squared_k, inner_4);
                     let [phi_dot_k, psi_dot_k] = phi_factors
                         .solve([
+                            Real::mul_add(rate, phi_force, phi_momentum_part_partial_2),
                             Real::mul_add(
                                 rate,
                                 phi_force,
-                                Real::mul_add(-w1, w15, -(along * w5_partial)),
+                                -(along * phi_momentum_part_known),
                             ),
-                            Real::mul_add(rate, psi_force, (-(along * w4_known))),
                         ]);
-                    let theta_dot_k: f64 = (rate * theta_force) * theta_inverse_mass;
                     series
                         .set(
                             order,
@@ -723,119 +641,62 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                     if order == orders {
                         return false;
                     }
-                    let phi_dot_psi_dot_k: f64 = Real::mul_add(
-                        psi_dot,
+                    let phi_dot_squared_k = Real::mul_add(
+                        phi_dot_plus_phi_dot,
                         phi_dot_k,
-                        Real::mul_add(phi_dot, psi_dot_k, inner_0),
+                        inner[5],
                     );
-                    let w4_k: f64 = Real::mul_add(
-                        cos_theta,
-                        phi_dot_k,
-                        w4_known + psi_dot_k,
-                    );
-                    let w5_k: f64 = Real::mul_add(cos_theta, w4_k, w5_known);
-                    let w16: f64 = Real::mul_add(sin_theta_squared, phi_dot_k, w15);
-                    let phi_dot_squared_k: f64 = Real::mul_add(
-                        (phi_dot + phi_dot),
-                        phi_dot_k,
-                        inner_5,
-                    );
-                    let w17: f64 = Real::mul_add(
-                        cos_theta,
-                        phi_dot_squared_k,
-                        Real::mul_add(phi_dot_squared, cos_theta_k, inner_6),
-                    );
-                    let w10_k: f64 = Real::mul_add(
+                    let theta_force_part_known_2 = along
+                        * Real::mul_add(
+                            psi_dot,
+                            phi_dot_k,
+                            Real::mul_add(phi_dot, psi_dot_k, inner[0]),
+                        );
+                    let theta_force_part_k = Real::mul_add(
                         -w2,
-                        w17,
-                        -(along * phi_dot_psi_dot_k),
+                        Real::mul_add(cos_theta, phi_dot_squared_k, w4),
+                        -theta_force_part_known_2,
                     );
-                    if let ::core::option::Option::Some((left, right)) = tables
-                        .row(order)
-                    {
-                        left[0] = phi_dot_k;
-                        right[0] = psi_dot_k;
-                        left[1] = phi_dot_k;
-                        right[1] = cos_theta_k;
-                        left[2] = cos_theta_k;
-                        right[2] = w4_k;
-                        left[3] = sin_theta_k;
-                        right[3] = sin_theta_k;
-                        left[4] = phi_dot_k;
-                        right[4] = sin_theta_squared_k;
-                        left[5] = phi_dot_k;
-                        right[5] = phi_dot_k;
-                        left[6] = phi_dot_squared_k;
-                        right[6] = cos_theta_k;
-                        left[7] = sin_theta_k;
-                        right[7] = w10_k;
-                        left[8] = theta_dot_k;
-                        right[8] = cos_theta_k;
-                        left[9] = theta_dot_k;
-                        right[9] = sin_theta_k;
-                    }
-                    phi_dot_last = phi_dot_k;
-                    theta_dot_last = theta_dot_k;
-                    psi_dot_last = psi_dot_k;
-                    sin_theta_flow = Real::mul_add(
-                        cos_theta,
+                    products
+                        .add(
+                            order,
+                            [
+                                phi_dot_k,
+                                psi_dot_k,
+                                cos_theta_k,
+                                Real::mul_add(
+                                    cos_theta,
+                                    phi_dot_k,
+                                    phi_momentum_part_known + psi_dot_k,
+                                ),
+                                sin_theta_k,
+                                sin_theta_squared_k,
+                                phi_dot_squared_k,
+                                theta_force_part_k,
+                                theta_dot_k,
+                            ],
+                        );
+                    [
+                        phi_dot_last,
+                        phi_force,
+                        theta_dot_last,
+                        theta_force,
+                        psi_dot_last,
+                        sin_theta_flow,
+                        cos_theta_flow,
+                    ] = [
+                        phi_dot_k,
+                        0.0,
                         theta_dot_k,
-                        Real::mul_add(theta_dot, cos_theta_k, inner_8),
-                    );
-                    cos_theta_flow = Real::mul_add(
-                        -sin_theta,
-                        theta_dot_k,
-                        Real::mul_add(-theta_dot, sin_theta_k, -inner_9),
-                    );
-                    phi_force = 0.0;
-                    theta_force = Real::mul_add(
-                        sin_theta,
-                        w10_k,
-                        Real::mul_add(w10, sin_theta_k, inner_7),
-                    );
-                    psi_force = 0.0;
-                    phi_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, phi_dot_first, phi_dot_k);
-                    phi_dot_last_2 = phi_dot_k;
-                    psi_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, psi_dot_first, psi_dot_k);
-                    psi_dot_last_2 = psi_dot_k;
-                    cos_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, cos_theta_first, cos_theta_k);
-                    cos_theta_last = cos_theta_k;
-                    w4_first = lagrange::jets::first::<ORDERS, _>(order, w4_first, w4_k);
-                    w4_last = w4_k;
-                    sin_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, sin_theta_first, sin_theta_k);
-                    sin_theta_last = sin_theta_k;
-                    sin_theta_squared_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, sin_theta_squared_first, sin_theta_squared_k);
-                    sin_theta_squared_last = sin_theta_squared_k;
-                    phi_dot_squared_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, phi_dot_squared_first, phi_dot_squared_k);
-                    phi_dot_squared_last = phi_dot_squared_k;
-                    w10_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, w10_first, w10_k);
-                    w10_last = w10_k;
-                    theta_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, theta_dot_first, theta_dot_k);
-                    theta_dot_last_2 = theta_dot_k;
+                        Real::mul_add(
+                            sin_theta,
+                            theta_force_part_k,
+                            theta_force_part_known,
+                        ),
+                        psi_dot_k,
+                        w5,
+                        w6,
+                    ];
                     true
                 },
             );

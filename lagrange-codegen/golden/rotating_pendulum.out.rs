@@ -681,34 +681,24 @@ The first identity that does not hold, and by how much.*/
     #[automatically_derived]
     #[allow(clippy::all)]
     impl lagrange::Smooth<1usize, 0usize> for RotatingPendulum {
-        type JetConstants = [f64; 4];
+        type JetConstants = [f64; 3];
         type Tables<const ORDERS: usize> = lagrange::Tables<f64, 4, ORDERS>;
         #[inline]
-        fn jet_constants(&self) -> [f64; 4] {
+        fn jet_constants(&self) -> [f64; 3] {
             use lagrange::Real;
-            {
-                let [c0_0, c0_1, c0_2] = {
-                    let mass_2: f64 = self.mass;
-                    let length: f64 = self.length;
-                    let rate_2: f64 = self.rate;
-                    [
-                        length * (rate_2 * rate_2),
-                        mass_2 * (length * length),
-                        mass_2 * length,
-                    ]
-                };
-                let [c1_0] = {
-                    let mass_2: f64 = self.mass;
-                    let length: f64 = self.length;
-                    [Real::recip(mass_2 * (length * length))]
-                };
-                [c0_0, c0_1, c0_2, c1_0]
-            }
+            let mass_2: f64 = self.mass;
+            let length: f64 = self.length;
+            let rate_2: f64 = self.rate;
+            [
+                length * (rate_2 * rate_2),
+                mass_2 * length,
+                Real::recip(mass_2 * (length * length)),
+            ]
         }
         #[inline]
         fn jet_at<const ORDERS: usize>(
             &self,
-            constants: &[f64; 4],
+            constants: &[f64; 3],
             _t: f64,
             q: &[f64; 1],
             v: &[f64; 1],
@@ -722,29 +712,17 @@ The first identity that does not hold, and by how much.*/
             let [theta] = *q;
             let [theta_dot] = *v;
             let g: f64 = self.g;
-            let [length_rate_2_squared, mass_2_length_squared, mass_2_length,
-            theta_inverse_mass] = *constants;
+            let [length_rate_2_squared, mass_2_length, w1] = *constants;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let w1: f64 = length_rate_2_squared * cos_theta;
-            let w2: f64 = g - w1;
-            let w4: f64 = sin_theta * w2;
-            let w5: f64 = mass_2_length * w4;
-            let w6: f64 = -w5;
-            let theta_dot_cos_theta: f64 = theta_dot * cos_theta;
-            let theta_dot_sin_theta: f64 = theta_dot * sin_theta;
-            let minus_theta_dot_sin_theta: f64 = -theta_dot_sin_theta;
+            let theta_force_part = g - length_rate_2_squared * cos_theta;
             let mut theta_dot_last: f64 = theta_dot;
-            let mut theta_force: f64 = w6;
-            let mut sin_theta_first: f64 = 0.0;
-            let mut sin_theta_last: f64 = 0.0;
-            let mut w2_first: f64 = 0.0;
-            let mut w2_last: f64 = 0.0;
-            let mut theta_dot_first: f64 = 0.0;
-            let mut theta_dot_last_2: f64 = 0.0;
-            let mut cos_theta_first: f64 = 0.0;
-            let mut cos_theta_last: f64 = 0.0;
-            let mut sin_theta_flow: f64 = theta_dot_cos_theta;
-            let mut cos_theta_flow: f64 = minus_theta_dot_sin_theta;
+            let mut theta_force: f64 = -(mass_2_length * (sin_theta * theta_force_part));
+            let mut sin_theta_flow: f64 = theta_dot * cos_theta;
+            let mut cos_theta_flow: f64 = -(theta_dot * sin_theta);
+            let mut products = lagrange::jets::Convolutions::new(
+                tables,
+                [[0, 1], [2, 3], [2, 0]],
+            );
             lagrange::jets::in_line::<
                 ORDERS,
             >(
@@ -752,87 +730,48 @@ The first identity that does not hold, and by how much.*/
                 #[inline(always)]
                 |order| {
                     let rate: f64 = lagrange::jets::rate(h, order);
-                    let inner = tables.interior(order);
-                    let theta_k: f64 = rate * theta_dot_last;
-                    let inner_0: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [sin_theta_first, sin_theta_last],
-                        [w2_first, w2_last],
-                        inner[0],
-                    );
-                    let inner_1: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [cos_theta_first, cos_theta_last],
-                        inner[1],
-                    );
-                    let inner_2: f64 = lagrange::jets::convolution::<
-                        ORDERS,
-                        _,
-                    >(
-                        order,
-                        [theta_dot_first, theta_dot_last_2],
-                        [sin_theta_first, sin_theta_last],
-                        inner[2],
-                    );
-                    let sin_theta_k: f64 = rate * sin_theta_flow;
-                    let cos_theta_k: f64 = rate * cos_theta_flow;
-                    let w2_k: f64 = -(length_rate_2_squared * cos_theta_k);
-                    let w4_k: f64 = Real::mul_add(
-                        w2,
+                    let inner = products.sums(order);
+                    let theta_k = rate * theta_dot_last;
+                    let sin_theta_k = rate * sin_theta_flow;
+                    let cos_theta_k = rate * cos_theta_flow;
+                    let theta_force_part_known = length_rate_2_squared * cos_theta_k;
+                    let theta_force_part_k = Real::mul_add(
+                        theta_force_part,
                         sin_theta_k,
-                        Real::mul_add(sin_theta, w2_k, inner_0),
+                        Real::mul_add(sin_theta, -theta_force_part_known, inner[0]),
                     );
-                    let theta_dot_k: f64 = (rate * theta_force) * theta_inverse_mass;
+                    let theta_dot_k = rate * theta_force * w1;
+                    let theta_force_part_known_2 = mass_2_length * theta_force_part_k;
+                    let w2 = Real::mul_add(
+                        cos_theta,
+                        theta_dot_k,
+                        Real::mul_add(theta_dot, cos_theta_k, inner[1]),
+                    );
+                    let w3 = Real::mul_add(
+                        -sin_theta,
+                        theta_dot_k,
+                        Real::mul_add(-theta_dot, sin_theta_k, -inner[2]),
+                    );
                     series.set(order, [theta_k], [theta_dot_k]);
                     if order == orders {
                         return false;
                     }
-                    if let ::core::option::Option::Some((left, right)) = tables
-                        .row(order)
-                    {
-                        left[0] = sin_theta_k;
-                        right[0] = w2_k;
-                        left[1] = theta_dot_k;
-                        right[1] = cos_theta_k;
-                        left[2] = theta_dot_k;
-                        right[2] = sin_theta_k;
-                    }
-                    theta_dot_last = theta_dot_k;
-                    sin_theta_flow = Real::mul_add(
-                        cos_theta,
+                    products
+                        .add(
+                            order,
+                            [
+                                sin_theta_k,
+                                -theta_force_part_known,
+                                theta_dot_k,
+                                cos_theta_k,
+                            ],
+                        );
+                    [theta_dot_last, theta_force, sin_theta_flow, cos_theta_flow] = [
                         theta_dot_k,
-                        Real::mul_add(theta_dot, cos_theta_k, inner_1),
-                    );
-                    cos_theta_flow = Real::mul_add(
-                        -sin_theta,
-                        theta_dot_k,
-                        Real::mul_add(-theta_dot, sin_theta_k, -inner_2),
-                    );
-                    theta_force = -(mass_2_length * w4_k);
-                    sin_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, sin_theta_first, sin_theta_k);
-                    sin_theta_last = sin_theta_k;
-                    w2_first = lagrange::jets::first::<ORDERS, _>(order, w2_first, w2_k);
-                    w2_last = w2_k;
-                    theta_dot_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, theta_dot_first, theta_dot_k);
-                    theta_dot_last_2 = theta_dot_k;
-                    cos_theta_first = lagrange::jets::first::<
-                        ORDERS,
-                        _,
-                    >(order, cos_theta_first, cos_theta_k);
-                    cos_theta_last = cos_theta_k;
+                        -theta_force_part_known_2,
+                        w2,
+                        w3,
+                    ];
                     true
                 },
             );

@@ -12,6 +12,7 @@ use crate::emit::{
 };
 use crate::mechanics::{Equations, Turning};
 use crate::model::Model;
+use crate::orders::Expansions;
 use crate::schedule::{Operations, plan};
 use crate::structure::{Facts, Solution};
 use crate::syntax::Item;
@@ -72,6 +73,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         return None;
     }
     let jets = jets::derive(&mut model, solved);
+    let orders = jets.as_ref().map(|jets| Expansions::plan(&mut model, solved, &solution, jets));
     contacts_stand_alone(item, &model, diagnostics);
     let switching = regimes::derive(&model, equations.energy, jets.is_some(), diagnostics);
     if diagnostics.has_errors() {
@@ -86,6 +88,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         facts: &facts,
         solution: &solution,
         jets: jets.as_ref(),
+        orders: orders.as_ref(),
         method: None,
     };
     Some(emit(emission, switching, before, diagnostics))

@@ -13,6 +13,8 @@
 //! | [`mechanics`] | [`model::Model`] → [`mechanics::Equations`] |
 //! | [`structure`] | what is special about the equations, and how they are solved |
 //! | [`simplify`] | cheaper roots of equal value |
+//! | [`jets`] | which Taylor coefficients follow from which |
+//! | [`orders`] | one order of a series as a [`schedule::Program`] |
 //! | [`schedule`] | graph nodes → a straight-line [`schedule::Program`] |
 //! | `emit` | everything → tokens |
 //!
@@ -32,6 +34,7 @@ pub mod lower;
 pub mod mechanics;
 pub mod model;
 pub mod number;
+pub mod orders;
 pub mod regimes;
 pub mod schedule;
 pub mod simplify;

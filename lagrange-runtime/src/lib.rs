@@ -113,7 +113,8 @@ pub mod __private {
     pub mod solve {
         //! Solving for the accelerations.
         pub use crate::system::solve::{
-            check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric, unbounded,
+            are_finite, check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric,
+            unbounded,
         };
     }
     pub use crate::analysis::{
@@ -134,9 +135,7 @@ pub mod __private {
     pub mod jets {
         //! Recurrences of Taylor coefficients.
         pub use crate::series::columns::{Pattern, Products, column, product, square, tile};
-        pub use crate::series::tables::{
-            convolution, first, in_line, in_turn, index, multiplier, ramp, rate, squared,
-        };
+        pub use crate::series::tables::{Convolutions, in_line, in_turn, index, multiplier, rate, time};
     }
     pub use crate::analysis::verify::{self, Certificate, Verifiable, Violation};
     pub use crate::switching::{self, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching};

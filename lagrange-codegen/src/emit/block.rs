@@ -57,20 +57,6 @@ impl Reads {
             time: false,
         }
     }
-
-    /// Reads what another body reads, too.
-    pub fn join(&mut self, other: &Reads) {
-        let join = |own: &mut Vec<bool>, other: &Vec<bool>| {
-            own.iter_mut().zip(other).for_each(|(own, other)| *own |= other);
-        };
-        join(&mut self.coordinates, &other.coordinates);
-        join(&mut self.velocities, &other.velocities);
-        join(&mut self.accelerations, &other.accelerations);
-        join(&mut self.inputs, &other.inputs);
-        join(&mut self.entries, &other.entries);
-        join(&mut self.parameters, &other.parameters);
-        self.time |= other.time;
-    }
 }
 
 /// The variables that a body reads.
@@ -103,29 +89,30 @@ pub(super) fn write(
     names: &mut Names,
 ) -> Block {
     let mut writer = Writer::new(model, scalar, program, outputs, given);
-    for &slot in &writer.needed.clone() {
-        writer.visit(slot, names);
-    }
-    let outputs = outputs.iter().map(|&slot| writer.text(slot).text).collect();
-    Block { statements: writer.statements, outputs, reads: writer.reads }
+    let statements = writer.part(outputs, names);
+    Block { statements, outputs: writer.outputs(outputs), reads: writer.reads }
 }
 
-struct Writer<'a> {
+/// Writes a program part by part: what an earlier part has bound, later ones name.
+pub(super) struct Writer<'a> {
     model: &'a Model,
     scalar: &'a Scalar,
     program: &'a Program,
-    needed: Vec<Slot>,
     typed: bool,
     uses: Vec<u32>,
     is_output: Vec<bool>,
+    is_bound: Vec<bool>,
+    wishes: Vec<Option<String>>,
     texts: Vec<Option<Text>>,
     partner: Vec<Option<Slot>>,
     statements: Vec<String>,
-    reads: Reads,
+    /// What all parts so far read.
+    pub reads: Reads,
 }
 
 impl<'a> Writer<'a> {
-    fn new(
+    /// For the outputs of all parts.
+    pub fn new(
         model: &'a Model,
         scalar: &'a Scalar,
         program: &'a Program,
@@ -137,26 +124,16 @@ impl<'a> Writer<'a> {
             texts[slot.index()] = Some(Text { text: name.clone(), strength: Strength::Atom });
         }
         // Walk from the outputs, but not into what is given.
-        let mut member = vec![false; program.len()];
         let mut uses = vec![0; program.len()];
-        let mut stack = Vec::new();
         let mut is_output = vec![false; program.len()];
         for &slot in outputs {
             is_output[slot.index()] = true;
             uses[slot.index()] += 1;
-            stack.push(slot);
         }
-        while let Some(slot) = stack.pop() {
-            if texts[slot.index()].is_some() || std::mem::replace(&mut member[slot.index()], true) {
-                continue;
-            }
-            program.instruction(slot).operands(|operand| {
-                uses[operand.index()] += 1;
-                stack.push(operand);
-            });
+        let needed = reached(program, outputs, &texts);
+        for &slot in &needed {
+            program.instruction(slot).operands(|operand| uses[operand.index()] += 1);
         }
-        let needed: Vec<Slot> =
-            program.needed(outputs).into_iter().filter(|slot| member[slot.index()]).collect();
         let mut partner = vec![None; program.len()];
         let mut sines: Vec<(Slot, Slot, bool)> = Vec::new();
         for &slot in &needed {
@@ -179,14 +156,53 @@ impl<'a> Writer<'a> {
             model,
             scalar,
             program,
-            needed,
             uses,
             is_output,
+            is_bound: vec![false; program.len()],
+            wishes: vec![None; program.len()],
             texts,
             partner,
             statements: Vec::new(),
             reads,
         }
+    }
+
+    /// Has a result bound to a name, or to nothing more than a name.
+    pub fn bind_always(&mut self, slots: &[Slot]) {
+        slots.iter().for_each(|slot| self.is_bound[slot.index()] = true);
+    }
+
+    /// Prefers a name to the one that follows from the instruction.
+    pub fn wish(&mut self, slot: Slot, name: impl FnOnce() -> String) {
+        self.wishes[slot.index()].get_or_insert_with(name);
+    }
+
+    /// The statements that some of the outputs need beyond those that are written.
+    pub fn part(&mut self, outputs: &[Slot], names: &mut Names) -> Vec<String> {
+        for slot in reached(self.program, outputs, &self.texts) {
+            self.visit(slot, names);
+        }
+        std::mem::take(&mut self.statements)
+    }
+
+    /// The expression of a result.
+    pub fn output(&self, slot: Slot) -> String {
+        self.text(slot).text
+    }
+
+    /// The expressions of results.
+    pub fn outputs(&self, slots: &[Slot]) -> Vec<String> {
+        slots.iter().map(|&slot| self.output(slot)).collect()
+    }
+
+    /// Whether any part needs a result.
+    pub fn needs(&self, slot: Slot) -> bool {
+        self.uses[slot.index()] > 0
+    }
+
+    /// `: type`, where types are spelled out.
+    pub fn annotation(&self) -> String {
+        if self.typed { format!(": {}", self.scalar) } else { String::new() }
     }
 
     fn text(&self, slot: Slot) -> Text {
@@ -209,7 +225,7 @@ impl<'a> Writer<'a> {
             let hinted = self.program.source(slot).is_some_and(|node| self.model.hints.name(node).is_some());
             let cheap = matches!(instruction, Instruction::Neg(a) if self.text(a).strength == Strength::Atom);
             let wide = text.text.len() > WIDEST && !self.is_output[slot.index()];
-            if (self.uses[slot.index()] > 1 && !cheap) || hinted || wide {
+            if (self.uses[slot.index()] > 1 && !cheap) || hinted || wide || self.is_bound[slot.index()] {
                 text = self.bind(slot, &text, names);
             }
         }
@@ -217,9 +233,9 @@ impl<'a> Writer<'a> {
     }
 
     fn bind(&mut self, slot: Slot, text: &Text, names: &mut Names) -> Text {
-        let name = names.claim(describe(self.model, self.program, slot, 0));
-        let ty = if self.typed { format!(": {}", self.scalar) } else { String::new() };
-        self.statements.push(format!("let {name}{ty} = {};", text.text));
+        let wish = self.wishes[slot.index()].take();
+        let name = names.claim(wish.or_else(|| describe(self.model, self.program, slot, 0)));
+        self.statements.push(format!("let {name}{} = {};", self.annotation(), text.text));
         Text { text: name, strength: Strength::Atom }
     }
 
@@ -255,6 +271,10 @@ impl<'a> Writer<'a> {
                 Text { text: format!("-{}", within(self.text(a), Strength::Atom)), strength: Strength::Sign }
             }
             Instruction::Sqrt(a) => self.call("sqrt", &[a]),
+            Instruction::Recip(a) => self.call("recip", &[a]),
+            Instruction::MulAdd(a, b, c) => self.call("mul_add", &[a, b, c]),
+            // By the name that was given for it.
+            Instruction::Given(_) => Text { text: String::new(), strength: Strength::Atom },
             Instruction::Unary(function, a) => self.call(function.name(), &[a]),
             Instruction::Binary(Binary::Pivot, a, b) => {
                 let text = format!("lagrange::solve::pivot({}, {})", self.text(a).text, self.text(b).text);
@@ -303,6 +323,22 @@ impl<'a> Writer<'a> {
         }
         variable_label(self.model, variable)
     }
+}
+
+/// What some outputs need, not looking into what has a text, ascending.
+fn reached(program: &Program, outputs: &[Slot], texts: &[Option<Text>]) -> Vec<Slot> {
+    let mut member = vec![false; program.len()];
+    let mut stack = outputs.to_vec();
+    let mut needed = Vec::new();
+    while let Some(slot) = stack.pop() {
+        if texts[slot.index()].is_some() || std::mem::replace(&mut member[slot.index()], true) {
+            continue;
+        }
+        needed.push(slot);
+        program.instruction(slot).operands(|operand| stack.push(operand));
+    }
+    needed.sort_unstable();
+    needed
 }
 
 fn within(text: Text, strength: Strength) -> String {

@@ -35,6 +35,7 @@ use crate::diagnostics::Diagnostics;
 use crate::jets::Jets;
 use crate::mechanics::Equations;
 use crate::model::Model;
+use crate::orders::Expansions;
 use crate::regimes::Regimes;
 use crate::schedule::Operations;
 use crate::structure::{Facts, Solution};
@@ -60,6 +61,8 @@ pub(crate) struct Emission<'a> {
     pub solution: &'a Solution,
     /// The recurrences of a smooth system.
     pub jets: Option<&'a Jets>,
+    /// Their operations.
+    pub orders: Option<&'a Expansions>,
     /// The integrator, where it is another one than that of a smooth system or of one that is not.
     pub method: Option<String>,
 }
@@ -131,7 +134,8 @@ pub(crate) fn emit(
     methods.push_str(&events.methods);
     let regimes = switching.as_mut().map(|switching| regimes::regimes(&emission, switching));
     let report = report(&emission, switching.as_ref(), before, after);
-    let smooth = emission.jets.map(|jets| jets::jets(&mut emission, jets));
+    let smooth = emission.jets.zip(emission.orders);
+    let smooth = smooth.map(|(jets, orders)| jets::jets(&mut emission, jets, orders));
     let linearization = linearization::linearization(&mut emission);
     let over = emission.item.jacobians.then(|| over::over(&mut emission));
     let certificate = emission.item.analysis.then(|| {

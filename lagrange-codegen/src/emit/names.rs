@@ -6,8 +6,11 @@ use crate::expr::{Unary, Variable};
 use crate::model::{Constraint, Locals, Model, Parameter, Quantity};
 use crate::schedule::{Instruction, Program, Slot};
 
-/// Longer names are replaced by a numbered one.
+/// Longer descriptions are replaced by a numbered name.
 const LONGEST: usize = 26;
+
+/// So much more may say what is meant of what is described.
+const SUFFIX: usize = 16;
 
 /// Names that generated bodies use for something else.
 const RESERVED: &[&str] = &[
@@ -36,6 +39,7 @@ const RESERVED: &[&str] = &[
     "order",
     "orders",
     "inner",
+    "products",
     "tables",
     "series",
     "left",
@@ -65,8 +69,9 @@ impl Names {
 
     /// A free name, as close to the wish as possible.
     pub fn claim(&mut self, wish: Option<String>) -> String {
-        let wish =
-            wish.map(|wish| identifier(&wish)).filter(|wish| !wish.is_empty() && wish.len() <= LONGEST);
+        let wish = wish
+            .map(|wish| identifier(&wish))
+            .filter(|wish| !wish.is_empty() && wish.len() <= LONGEST + SUFFIX);
         let base = match wish {
             Some(wish) => {
                 if !self.taken.contains(&wish) && !is_keyword(&wish) {
@@ -176,6 +181,8 @@ pub(super) fn describe(model: &Model, program: &Program, slot: Slot, depth: u32)
             Instruction::Literal(one) if one.is_one() => format!("inverse_{}", of(b)?),
             _ => format!("{}_over_{}", of(a)?, of(b)?),
         },
+        Instruction::Recip(a) => format!("inverse_{}", of(a)?),
+        Instruction::MulAdd(..) | Instruction::Given(_) => return None,
         Instruction::Neg(a) => format!("minus_{}", of(a)?),
         Instruction::Sqrt(a) => format!("root_{}", of(a)?),
         Instruction::Unary(function, a) => format!("{}_{}", function.name(), of(a)?),

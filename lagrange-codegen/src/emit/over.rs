@@ -56,7 +56,7 @@ pub(super) fn numbers(
         }
         None => (system::system(emission).0, None),
     };
-    let smooth = emission.jets.map(|jets| jets::jets(emission, jets));
+    let smooth = emission.jets.zip(emission.orders).map(|(jets, orders)| jets::jets(emission, jets, orders));
     let mut methods = energy(emission);
     if system.contains("self.mass_matrix(") {
         methods.push_str(&methods::mass_matrix(emission));

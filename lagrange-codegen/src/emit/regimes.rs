@@ -92,6 +92,7 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
         facts: &switching.facts,
         solution: &switching.solution,
         jets: switching.jets.as_ref(),
+        orders: switching.orders.as_ref(),
         method: None,
     };
     let companion = over::numbers(&mut companion, NAME, |_| String::new());

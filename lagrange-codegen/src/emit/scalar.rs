@@ -33,11 +33,6 @@ pub(super) fn zero(scalar: &Scalar) -> String {
     literal(scalar, Number::ZERO, false)
 }
 
-/// One of the scalar type.
-pub(super) fn one(scalar: &Scalar) -> String {
-    literal(scalar, Number::ONE, false)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

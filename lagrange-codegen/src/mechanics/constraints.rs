@@ -56,6 +56,15 @@ pub struct Switched {
 }
 
 impl Conditions {
+    /// What a factorisation needs of rows that hold at times: their coupling, then whether they hold.
+    pub fn switches(&self) -> Vec<NodeId> {
+        let switched = self.switched.iter();
+        switched
+            .flat_map(|switched| switched.coupling.iter().flatten().chain(&switched.active))
+            .copied()
+            .collect()
+    }
+
     /// Differentiates all constraints of a system with this mass matrix.
     pub(super) fn of(model: &mut Model, motion: &Motion, mass: &[Vec<NodeId>]) -> Conditions {
         if model.constraints.is_empty() {

@@ -15,6 +15,7 @@ use crate::jets::{self, Jets};
 use crate::mechanics::{self, Equations};
 use crate::model::{Contact, Law, Model, Parameter};
 use crate::number::Number;
+use crate::orders::Expansions;
 use crate::structure::{Facts, Solution};
 
 /// A system whose equations switch.
@@ -46,6 +47,8 @@ pub struct Regimes {
     pub solution: Solution,
     /// The recurrences of its series; `None` where it is not smooth even so.
     pub jets: Option<Jets>,
+    /// Their operations.
+    pub orders: Option<Expansions>,
     /// What each row stands for.
     pub laws_of: Vec<Option<Law>>,
 }
@@ -107,6 +110,7 @@ pub fn derive(
     let told = (&equations, &facts);
     let solution = Solution::plan(&mut regime, told, told, diagnostics);
     let jets = jets::derive(&mut regime, &equations);
+    let orders = jets.as_ref().map(|jets| Expansions::plan(&mut regime, &equations, &solution, jets));
     if contacts.is_empty() && jets.is_none() {
         return None;
     }
@@ -126,6 +130,7 @@ pub fn derive(
         facts,
         solution,
         jets,
+        orders,
         laws_of,
     })
 }

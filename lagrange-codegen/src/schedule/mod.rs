@@ -11,7 +11,7 @@ pub mod program;
 mod sharing;
 
 pub use lowering::plan;
-pub use program::{Instruction, Operations, Program, Slot};
+pub use program::{Given, Instruction, Operations, Phase, Program, Slot};
 
 #[cfg(test)]
 mod tests;

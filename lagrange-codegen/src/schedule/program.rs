@@ -44,14 +44,68 @@ pub enum Instruction {
     Unary(Unary, Slot),
     /// A function of two arguments.
     Binary(Binary, Slot, Slot),
+    /// 1 / a.
+    Recip(Slot),
+    /// a · b + c, rounded once.
+    MulAdd(Slot, Slot, Slot),
+    /// What one order of a Taylor series is given.
+    Given(Given),
+}
+
+/// What one order of a Taylor series is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Given {
+    /// The unit of time over the order.
+    Rate,
+    /// The order.
+    Index,
+    /// The coefficient of time.
+    Time,
+    /// A convolution of coefficients of lower orders, by its lane.
+    Convolution(u32),
+    /// What the order before has left.
+    Carried(u32),
+    /// The coefficient of a velocity, from the solution of the order.
+    Velocity(u32),
+    /// The rate times a multiplier, from the same solution.
+    Impulse(u32),
+    /// The multiplier.
+    Multiplier(u32),
+}
+
+/// When a result is known: each phase has all that those before it have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Phase {
+    /// From parameters and constants alone, once per run.
+    Run,
+    /// From the state.
+    State,
+    /// From lower orders of a series.
+    Order,
+    /// From the solution of an order.
+    Solution,
+}
+
+impl Given {
+    /// When it is given.
+    fn phase(self) -> Phase {
+        match self {
+            Given::Rate | Given::Index | Given::Time | Given::Convolution(_) | Given::Carried(_) => {
+                Phase::Order
+            }
+            Given::Velocity(_) | Given::Impulse(_) | Given::Multiplier(_) => Phase::Solution,
+        }
+    }
 }
 
 impl Instruction {
     /// Calls `visit` with every operand.
     pub fn operands(self, mut visit: impl FnMut(Slot)) {
         match self {
-            Instruction::Variable(_) | Instruction::Literal(_) => {}
-            Instruction::Neg(a) | Instruction::Sqrt(a) | Instruction::Unary(_, a) => visit(a),
+            Instruction::Variable(_) | Instruction::Literal(_) | Instruction::Given(_) => {}
+            Instruction::Neg(a) | Instruction::Sqrt(a) | Instruction::Unary(_, a) | Instruction::Recip(a) => {
+                visit(a)
+            }
             Instruction::Add(a, b)
             | Instruction::Sub(a, b)
             | Instruction::Mul(a, b)
@@ -60,12 +114,34 @@ impl Instruction {
                 visit(a);
                 visit(b);
             }
+            Instruction::MulAdd(a, b, c) => {
+                visit(a);
+                visit(b);
+                visit(c);
+            }
         }
     }
 
-    /// Whether this is a variable or a constant.
+    /// The same operation on other operands.
+    pub fn map(self, mut of: impl FnMut(Slot) -> Slot) -> Instruction {
+        match self {
+            Instruction::Variable(_) | Instruction::Literal(_) | Instruction::Given(_) => self,
+            Instruction::Add(a, b) => Instruction::Add(of(a), of(b)),
+            Instruction::Sub(a, b) => Instruction::Sub(of(a), of(b)),
+            Instruction::Mul(a, b) => Instruction::Mul(of(a), of(b)),
+            Instruction::Div(a, b) => Instruction::Div(of(a), of(b)),
+            Instruction::Neg(a) => Instruction::Neg(of(a)),
+            Instruction::Sqrt(a) => Instruction::Sqrt(of(a)),
+            Instruction::Unary(function, a) => Instruction::Unary(function, of(a)),
+            Instruction::Binary(function, a, b) => Instruction::Binary(function, of(a), of(b)),
+            Instruction::Recip(a) => Instruction::Recip(of(a)),
+            Instruction::MulAdd(a, b, c) => Instruction::MulAdd(of(a), of(b), of(c)),
+        }
+    }
+
+    /// Whether this takes no operation.
     pub fn is_leaf(self) -> bool {
-        matches!(self, Instruction::Variable(_) | Instruction::Literal(_))
+        matches!(self, Instruction::Variable(_) | Instruction::Literal(_) | Instruction::Given(_))
     }
 }
 
@@ -73,7 +149,7 @@ impl Instruction {
 #[derive(Clone, Debug, Default)]
 pub struct Program {
     instructions: Vec<Instruction>,
-    fixed: Vec<bool>,
+    phases: Vec<Phase>,
     source: Vec<Option<NodeId>>,
     known: Lookup<Instruction, Slot>,
     /// The results, in the order of the roots.
@@ -96,9 +172,19 @@ impl Program {
         self.instructions.is_empty()
     }
 
+    /// All results, in evaluation order.
+    pub fn slots(&self) -> impl Iterator<Item = Slot> + use<> {
+        (0..self.len() as u32).map(Slot)
+    }
+
     /// Whether a result depends on parameters and constants alone.
     pub fn is_fixed(&self, slot: Slot) -> bool {
-        self.fixed[slot.index()]
+        self.phase(slot) == Phase::Run
+    }
+
+    /// When a result is known.
+    pub fn phase(&self, slot: Slot) -> Phase {
+        self.phases[slot.index()]
     }
 
     /// The graph node whose value a slot holds, if it holds that of one.
@@ -107,26 +193,27 @@ impl Program {
     }
 
     /// Appends an instruction, or finds the equal one.
-    pub(super) fn push(&mut self, instruction: Instruction) -> Slot {
+    pub fn push(&mut self, instruction: Instruction) -> Slot {
         if let Some(&slot) = self.known.get(&instruction) {
             return slot;
         }
-        let mut fixed = match instruction {
-            Instruction::Variable(Variable::Parameter(_)) | Instruction::Literal(_) => true,
-            Instruction::Variable(_) => false,
-            _ => true,
+        let mut phase = match instruction {
+            Instruction::Variable(Variable::Parameter(_)) => Phase::Run,
+            Instruction::Variable(_) => Phase::State,
+            Instruction::Given(given) => given.phase(),
+            _ => Phase::Run,
         };
-        instruction.operands(|operand| fixed &= self.fixed[operand.index()]);
+        instruction.operands(|operand| phase = phase.max(self.phase(operand)));
         let slot = Slot(self.instructions.len() as u32);
         self.instructions.push(instruction);
-        self.fixed.push(fixed);
+        self.phases.push(phase);
         self.source.push(None);
         self.known.insert(instruction, slot);
         slot
     }
 
     /// Notes that a slot holds the value of a graph node.
-    pub(super) fn set_source(&mut self, slot: Slot, node: NodeId) {
+    pub fn set_source(&mut self, slot: Slot, node: NodeId) {
         self.source[slot.index()].get_or_insert(node);
     }
 
@@ -158,6 +245,26 @@ impl Program {
         (0..self.len() as u32).map(Slot).filter(|slot| member[slot.index()]).collect()
     }
 
+    /// Results of a phase that cost an operation and that later phases use, or that are among the outputs,
+    /// which later phases ask for. A change of sign costs nothing.
+    pub fn settled(&self, phase: Phase, outputs: &[Slot]) -> Vec<Slot> {
+        let mut member = vec![false; self.len()];
+        let mut note = |slot: Slot| {
+            let mut slot = slot;
+            while let Instruction::Neg(a) = self.instruction(slot) {
+                slot = a;
+            }
+            member[slot.index()] |= self.phase(slot) == phase && !self.instruction(slot).is_leaf();
+        };
+        outputs.iter().copied().for_each(&mut note);
+        for slot in self.needed(outputs) {
+            if self.phase(slot) > phase {
+                self.instruction(slot).operands(&mut note);
+            }
+        }
+        (0..self.len() as u32).map(Slot).filter(|slot| member[slot.index()]).collect()
+    }
+
     /// Operations of one evaluation; fixed ones count only if `with_fixed`.
     pub fn operations(&self, with_fixed: bool) -> Operations {
         let mut operations = Operations::default();
@@ -166,12 +273,16 @@ impl Program {
                 continue;
             }
             match self.instruction(slot) {
-                Instruction::Variable(_) | Instruction::Literal(_) => {}
+                Instruction::Variable(_) | Instruction::Literal(_) | Instruction::Given(_) => {}
+                Instruction::MulAdd(..) => {
+                    operations.additions += 1;
+                    operations.multiplications += 1;
+                }
                 Instruction::Add(..) | Instruction::Sub(..) | Instruction::Neg(_) => {
                     operations.additions += 1
                 }
                 Instruction::Mul(..) => operations.multiplications += 1,
-                Instruction::Div(..) => operations.divisions += 1,
+                Instruction::Div(..) | Instruction::Recip(_) => operations.divisions += 1,
                 Instruction::Sqrt(_) => operations.square_roots += 1,
                 Instruction::Unary(Unary::Cos, a) => {
                     // One call gives the sine and the cosine of an argument.
@@ -188,6 +299,12 @@ impl Program {
 
     /// The values of the outputs in doubles.
     pub fn evaluate(&self, variable: impl Fn(Variable) -> f64) -> Vec<f64> {
+        let values = self.values(variable, |_| f64::NAN);
+        self.outputs.iter().map(|slot| values[slot.index()]).collect()
+    }
+
+    /// All values in doubles, by slot.
+    pub fn values(&self, variable: impl Fn(Variable) -> f64, given: impl Fn(Given) -> f64) -> Vec<f64> {
         let mut values: Vec<f64> = Vec::with_capacity(self.len());
         for &instruction in &self.instructions {
             let value = |slot: Slot| values[slot.index()];
@@ -202,10 +319,13 @@ impl Program {
                 Instruction::Sqrt(a) => value(a).sqrt(),
                 Instruction::Unary(function, a) => function.evaluate(value(a)),
                 Instruction::Binary(function, a, b) => function.evaluate(value(a), value(b)),
+                Instruction::Recip(a) => 1.0 / value(a),
+                Instruction::MulAdd(a, b, c) => value(a).mul_add(value(b), value(c)),
+                Instruction::Given(what) => given(what),
             };
             values.push(result);
         }
-        self.outputs.iter().map(|slot| values[slot.index()]).collect()
+        values
     }
 }
 

@@ -12,7 +12,7 @@ use proc_macro2::TokenTree;
 use tree::{Module, modules, modules_of};
 
 /// The engine: lower layers first; a module may name only modules of its own and lower layers.
-const ENGINE: [(&str, u32); 18] = [
+const ENGINE: [(&str, u32); 19] = [
     ("collections", 0),
     ("number", 0),
     ("diagnostics", 0),
@@ -28,9 +28,10 @@ const ENGINE: [(&str, u32); 18] = [
     ("structure", 5),
     ("schedule", 5),
     ("jets", 6),
-    ("regimes", 7),
-    ("emit", 8),
-    ("expand", 9),
+    ("orders", 7),
+    ("regimes", 8),
+    ("emit", 9),
+    ("expand", 10),
 ];
 
 /// The runtime: the same.
@@ -53,10 +54,9 @@ const DEBTS: [(&str, &str, &str); 2] = [
 ];
 
 /// Modules beside each other that need each other.
-const RINGS: [&str; 13] = [
+const RINGS: [&str; 12] = [
     "emit::eliminated, emit::methods",
     "emit::constraints::methods, emit::constraints::places",
-    "emit::jets::inertia, emit::jets::order, emit::jets::saddle, emit::jets::solution",
     "lower::coordinates, lower::interpreter, lower::parameter, lower::quaternion, lower::scalar, lower::scope, \
      lower::shape, lower::value",
     "mechanics::equations, mechanics::forces",
@@ -71,7 +71,7 @@ const RINGS: [&str; 13] = [
 ];
 
 /// Modules that know no tokens.
-const TOKEN_FREE: [&str; 13] = [
+const TOKEN_FREE: [&str; 14] = [
     "collections",
     "number",
     "expr",
@@ -84,6 +84,7 @@ const TOKEN_FREE: [&str; 13] = [
     "structure",
     "schedule",
     "jets",
+    "orders",
     "regimes",
 ];
 

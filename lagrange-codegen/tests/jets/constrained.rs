@@ -35,7 +35,7 @@ fn derived(args: TokenStream, item: TokenStream) -> (Model, Equations) {
 /// The method that generated code solves with.
 fn method(model: &mut Model, equations: &Equations) -> Saddle {
     let facts = Facts::of(model, equations);
-    let solution = Solution::plan(model, equations, &facts, &mut Diagnostics::new());
+    let solution = Solution::plan(model, (equations, &facts), (equations, &facts), &mut Diagnostics::new());
     solution.saddle.expect("there are constraints")
 }
 

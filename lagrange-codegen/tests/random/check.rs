@@ -171,6 +171,7 @@ pub fn flat(name: &str, value: Result<Value, Stop>) -> Result<Vec<f64>, String> 
         }
         Ok(other) => Err(format!("{name} is {other:?}")),
         Err(Stop::Failure(cause)) => Err(format!("{name} fails: {cause}")),
+        Err(Stop::Return(value)) => Err(format!("{name} returns {value:?} from inside")),
         Err(Stop::Unknown(what)) => Err(format!("{name} cannot be run: {what}")),
     }
 }

@@ -153,9 +153,12 @@ fn value(variable: Variable, point: &[f64; 5], t: f64, a: &[f64; 2]) -> f64 {
         Variable::Acceleration(i) => a[i as usize],
         Variable::Parameter(_) => point[4],
         Variable::Time => t,
-        Variable::Input(_) | Variable::Auxiliary(_) | Variable::Multiplier(_) | Variable::Position(_) => {
-            f64::NAN
-        }
+        Variable::Input(_)
+        | Variable::Auxiliary(_)
+        | Variable::Entry(_)
+        | Variable::Spin(_)
+        | Variable::Multiplier(_)
+        | Variable::Position(_) => f64::NAN,
     }
 }
 

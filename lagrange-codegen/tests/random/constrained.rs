@@ -48,26 +48,47 @@ fn product(a: &[Tracked], b: &[Tracked]) -> Tracked {
     sum(a.iter().zip(b).map(|(&a, &b)| a * b))
 }
 
+/// A and γ in any number.
+pub fn gradients<T: Number>(system: &System, at: &Instant<T>) -> (Vec<Vec<T>>, Vec<T>) {
+    let residuals = system.constraints(at, None);
+    let moving = at.in_motion();
+    let change = system.constraints(&moving, None);
+    let curvature = system.constraints(&moving.in_motion(), None);
+    let by_coordinates: Vec<_> =
+        (0..system.count()).map(|i| system.constraints(&at.by_coordinate(i), None)).collect();
+    let by_velocities: Vec<_> =
+        (0..system.count()).map(|i| system.constraints(&at.by_velocity(i), None)).collect();
+    let zero = T::constant(0.0);
+    let relaxation = system.baumgarte.as_ref().map_or(zero, |rate| Scope::new(system, at, 0).scalar(rate));
+    let (mut jacobian, mut gammas) = (Vec::new(), Vec::new());
+    for (c, kind) in system.kinds().into_iter().enumerate() {
+        let (slopes, gamma) = match kind {
+            Kind::Holonomic => {
+                let twice = relaxation + relaxation;
+                let spring = relaxation * relaxation * residuals[c];
+                (&by_coordinates, -curvature[c].slope.slope - twice * change[c].slope - spring)
+            }
+            Kind::Affine | Kind::Chetaev => (&by_velocities, -change[c].slope - relaxation * residuals[c]),
+        };
+        jacobian.push(slopes.iter().map(|slopes| slopes[c].slope).collect());
+        gammas.push(gamma);
+    }
+    (jacobian, gammas)
+}
+
 impl Held {
     /// What is known before the equations are solved.
     pub fn of(system: &System, at: &Instant<Tracked>) -> Held {
         let kinds = system.kinds();
         let residuals = system.constraints(at, None);
-        let moving = at.in_motion();
-        let change = system.constraints(&moving, None);
-        let curvature = system.constraints(&moving.in_motion(), None);
-        let by_coordinates: Vec<_> =
-            (0..system.count()).map(|i| system.constraints(&at.by_coordinate(i), None)).collect();
-        let by_velocities: Vec<_> =
-            (0..system.count()).map(|i| system.constraints(&at.by_velocity(i), None)).collect();
-        let relaxation =
-            system.baumgarte.as_ref().map_or(ZERO, |rate| Scope::new(system, at, 0).scalar(rate));
+        let change = system.constraints(&at.in_motion(), None);
+        let (jacobian, gamma) = gradients(system, at);
         let mut held = Held {
             positions: residuals.clone(),
             rates: residuals.clone(),
             residuals,
-            jacobian: Vec::new(),
-            gamma: Vec::new(),
+            jacobian,
+            gamma,
             multipliers: Vec::new(),
             forces: Vec::new(),
             power: ZERO,
@@ -75,20 +96,10 @@ impl Held {
             on_places: BTreeMap::new(),
         };
         for (c, kind) in kinds.into_iter().enumerate() {
-            let (slopes, gamma) = match kind {
-                Kind::Holonomic => {
-                    held.rates[c] = change[c].slope;
-                    let twice = relaxation + relaxation;
-                    let spring = relaxation * relaxation * held.positions[c];
-                    (&by_coordinates, -curvature[c].slope.slope - twice * held.rates[c] - spring)
-                }
-                Kind::Affine | Kind::Chetaev => {
-                    held.positions[c] = ZERO;
-                    (&by_velocities, -change[c].slope - relaxation * held.rates[c])
-                }
-            };
-            held.jacobian.push(slopes.iter().map(|slopes| slopes[c].slope).collect());
-            held.gamma.push(gamma);
+            match kind {
+                Kind::Holonomic => held.rates[c] = change[c].slope,
+                Kind::Affine | Kind::Chetaev => held.positions[c] = ZERO,
+            }
         }
         held
     }

@@ -19,6 +19,8 @@ pub struct Expansion {
     pub system: Functions,
     /// The items of `impl Surface`, which systems with constraints have.
     pub surface: Functions,
+    /// The items of `impl Smooth`.
+    pub smooth: Functions,
     /// The functions of `impl Linearized`, `Tangent` and `Sensitive`, where they are asked for.
     pub derivatives: Functions,
     /// The constants of these.
@@ -62,7 +64,8 @@ impl Expansion {
                         expansion.constants.extend(constants(&block));
                         collect(block, &mut expansion.derivatives)?;
                     }
-                    // Series and proofs have tests of their own.
+                    Some("Smooth") => collect(block, &mut expansion.smooth)?,
+                    // Proofs have tests of their own.
                     Some(_) => {}
                 }
             }

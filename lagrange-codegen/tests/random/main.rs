@@ -26,10 +26,12 @@ mod number;
 mod oracle;
 mod report;
 mod runner;
+mod series;
 mod source;
 mod strategy;
 mod surface;
 mod system;
+mod taylor;
 mod variation;
 mod writer;
 
@@ -96,6 +98,48 @@ fn systems_that_recur_agree_with_dual_numbers() {
     println!("{recurring} of {} recur\n{report}", formed + recurring);
     report.assert_but_for(60);
     assert!(recurring > formed, "{recurring} of {} recur", formed + recurring);
+}
+
+/// Compares the series of all samples, and counts: compared, not smooth, left out.
+fn compare_series(
+    strategy: impl Fn() -> BoxedStrategy<(System, [Sample; 2])> + Sync,
+    cases: usize,
+) -> [usize; 3] {
+    let total: Mutex<([usize; 3], close::Agreement)> = Mutex::default();
+    runner::run(cases, strategy, |(system, samples)| {
+        let source = Source::of(system);
+        let expansion = Expansion::of(&source).map_err(|error| format!("{error}\n{source}"))?;
+        for sample in samples {
+            let outcome = series::check(system, &expansion, sample)
+                .map_err(|error| format!("{error}\n{source}at {sample:?}"))?;
+            let mut total = total.lock().map_err(|error| error.to_string())?;
+            match outcome {
+                series::Outcome::Compared(agreement) => {
+                    total.0[0] += 1;
+                    total.1.join(agreement);
+                }
+                series::Outcome::NotSmooth => total.0[1] += 1,
+                series::Outcome::LeftOut => total.0[2] += 1,
+            }
+        }
+        Ok(())
+    });
+    let (counts, agreement) = total.into_inner().expect("a worker has failed");
+    println!("compared, not smooth, left out: {counts:?}; {agreement:?}");
+    counts
+}
+
+#[test]
+fn every_order_of_emitted_series_agrees_with_truncated_series() {
+    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 8);
+    assert!(2 * compared > kinked + left_out && 4 * compared > left_out);
+}
+
+#[test]
+fn series_of_systems_that_recur_agree_with_truncated_series() {
+    let cases = || (strategy::chained(), [strategy::sample(), strategy::sample()]).boxed();
+    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 32);
+    assert!(2 * compared > kinked + left_out);
 }
 
 #[test]

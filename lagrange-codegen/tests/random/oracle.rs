@@ -35,22 +35,7 @@ impl Quantities {
     pub fn of(system: &System, at: &Instant<Tracked>) -> Quantities {
         let count = system.count();
         let nothing = Tracked::constant(0.0);
-        let moving = at.in_motion();
-        let (mut momenta, mut bias) = (Vec::new(), Vec::new());
-        let mut mass = vec![vec![nothing; count]; count];
-        for i in 0..count {
-            // Outside the derivative by v[i], inside the one along the motion or by v[j].
-            let along_motion = system.energies(&moving.by_velocity(i)).lagrangian().slope;
-            let by_coordinate = system.energies(&at.by_coordinate(i)).lagrangian().slope;
-            momenta.push(along_motion.value);
-            bias.push(along_motion.slope - by_coordinate);
-            for j in 0..=i {
-                let entry = system.energies(&at.by_velocity(j).by_velocity(i)).lagrangian().slope.slope;
-                mass[i][j] = entry;
-                mass[j][i] = entry;
-            }
-        }
-        let applied: Vec<Tracked> = (0..count).map(|i| applied_force(system, at, i)).collect();
+        let Balance { mass, bias, applied, momenta } = balance(system, at);
         let sum = |terms: &[Tracked]| {
             terms.iter().zip(&at.v).fold(nothing, |sum, (&term, &velocity)| sum + term * velocity)
         };
@@ -81,6 +66,38 @@ impl Quantities {
             condition,
         }
     }
+}
+
+/// The equations of motion of free coordinates, M a + b = Q − ∂D/∂v.
+#[derive(Clone, Debug)]
+pub struct Balance<T> {
+    pub mass: Vec<Vec<T>>,
+    pub bias: Vec<T>,
+    pub applied: Vec<T>,
+    pub momenta: Vec<T>,
+}
+
+/// The equations of motion in any number.
+pub fn balance<T: Number>(system: &System, at: &Instant<T>) -> Balance<T> {
+    let count = system.count();
+    let nothing = T::constant(0.0);
+    let moving = at.in_motion();
+    let (mut momenta, mut bias) = (Vec::new(), Vec::new());
+    let mut mass = vec![vec![nothing; count]; count];
+    for i in 0..count {
+        // Outside the derivative by v[i], inside the one along the motion or by v[j].
+        let along_motion = system.energies(&moving.by_velocity(i)).lagrangian().slope;
+        let by_coordinate = system.energies(&at.by_coordinate(i)).lagrangian().slope;
+        momenta.push(along_motion.value);
+        bias.push(along_motion.slope - by_coordinate);
+        for j in 0..=i {
+            let entry = system.energies(&at.by_velocity(j).by_velocity(i)).lagrangian().slope.slope;
+            mass[i][j] = entry;
+            mass[j][i] = entry;
+        }
+    }
+    let applied: Vec<T> = (0..count).map(|i| applied_force(system, at, i)).collect();
+    Balance { mass, bias, applied, momenta }
 }
 
 /// Qᵢ − ∂D/∂vᵢ: the virtual power of all forces per unit of the velocity i.

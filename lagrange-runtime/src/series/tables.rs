@@ -162,51 +162,81 @@ pub fn index<R: Real>(order: usize) -> R {
     R::from_f64(order as f64)
 }
 
-/// order · coefficient.
-#[inline(always)]
-pub fn ramp<R: Real>(order: usize, coefficient: R) -> R {
-    R::from_f64(order as f64) * coefficient
-}
-
 /// μ from κ = rate · μ; zero in a step of no length.
 #[inline(always)]
 pub fn multiplier<R: Real>(impulse: R, rate: R) -> R {
     if rate == R::zero() { rate } else { impulse / rate }
 }
 
-/// Σ left\[j] right\[order − j] over 0 < j < order. Of each factor the coefficients of the orders 1 and order
-/// − 1 are given, the former as [`first`] keeps it.
+/// The coefficient of time, which is the unit of time in order 1.
 #[inline(always)]
-pub fn convolution<const P: usize, R: Real>(order: usize, left: [R; 2], right: [R; 2], interior: R) -> R {
-    match order {
-        1 if P <= LOW => R::zero(),
-        2 if P <= LOW => left[1] * right[1],
-        3 if P <= LOW => Real::mul_add(left[0], right[1], right[0] * left[1]),
-        _ => Real::mul_add(left[0], right[1], Real::mul_add(right[0], left[1], interior)),
-    }
+pub fn time<R: Real>(h: R, order: usize) -> R {
+    if order == 1 { h } else { R::zero() }
 }
 
-/// [`convolution`] of a factor with itself.
-#[inline(always)]
-pub fn squared<const P: usize, R: Real>(order: usize, factor: [R; 2], interior: R) -> R {
-    match order {
-        1 if P <= LOW => R::zero(),
-        2 if P <= LOW => factor[1] * factor[1],
-        3 if P <= LOW => (factor[0] + factor[0]) * factor[1],
-        _ => Real::mul_add(factor[0] + factor[0], factor[1], interior),
-    }
+/// The convolutions of `L` products of `F` factors. Their outermost terms, with coefficients of the first and of
+/// the last order, are kept out of the tables: a sweep over a row that was just written would wait for it.
+#[derive(Debug)]
+pub struct Convolutions<'a, R, const F: usize, const L: usize, const W: usize, const P: usize> {
+    tables: &'a mut Tables<R, W, P>,
+    /// The factors of each product.
+    products: [[usize; 2]; L],
+    /// The coefficients of order 1 for the orders after 3. Where an order is not known to the compiler, both
+    /// outermost terms are added in order 2 as well, where they are the same term: it is kept as half of
+    /// itself there.
+    first: [R; F],
+    /// The coefficients of the last order.
+    last: [R; F],
 }
 
-/// The coefficient of order 1 for the orders after 3. Where an order is not known to the compiler, both
-/// outermost terms are added in order 2 as well, where they are the same term: it is kept as half of itself
-/// there.
-#[inline(always)]
-pub fn first<const P: usize, R: Real>(order: usize, first: R, coefficient: R) -> R {
-    match order {
-        1 if P <= LOW => coefficient,
-        1 => R::from_f64(0.5) * coefficient,
-        2 if P > LOW => first + first,
-        _ => first,
+impl<'a, R: Real, const F: usize, const L: usize, const W: usize, const P: usize>
+    Convolutions<'a, R, F, L, W, P>
+{
+    /// Before the first order.
+    #[inline(always)]
+    pub fn new(tables: &'a mut Tables<R, W, P>, products: [[usize; 2]; L]) -> Self {
+        Self { tables, products, first: [R::zero(); F], last: [R::zero(); F] }
+    }
+
+    /// Σ a\[j] b\[order − j] over 0 < j < order, for all products a b.
+    #[inline(always)]
+    pub fn sums(&self, order: usize) -> [R; L] {
+        let interior = self.tables.interior(order);
+        let mut sums = [R::zero(); L];
+        for i in 0..L {
+            let [a, b] = self.products[i];
+            let ([first, other], [last, next]) =
+                ([self.first[a], self.first[b]], [self.last[a], self.last[b]]);
+            sums[i] = match order {
+                1 if P <= LOW => R::zero(),
+                2 if P <= LOW => last * next,
+                3 if P <= LOW && a == b => (first + first) * last,
+                3 if P <= LOW => Real::mul_add(first, next, other * last),
+                _ if a == b => Real::mul_add(first + first, last, interior[i]),
+                _ => Real::mul_add(first, next, Real::mul_add(other, last, interior[i])),
+            };
+        }
+        sums
+    }
+
+    /// Takes in the coefficients of all factors of an order.
+    #[inline(always)]
+    pub fn add(&mut self, order: usize, factors: [R; F]) {
+        for (i, &coefficient) in factors.iter().enumerate() {
+            let first = &mut self.first[i];
+            *first = match order {
+                1 if P <= LOW => coefficient,
+                1 => R::from_f64(0.5) * coefficient,
+                2 if P > LOW => *first + *first,
+                _ => *first,
+            };
+        }
+        self.last = factors;
+        if let Some((left, right)) = self.tables.row(order) {
+            for (i, &[a, b]) in self.products.iter().enumerate() {
+                (left[i], right[i]) = (factors[a], factors[b]);
+            }
+        }
     }
 }
 

@@ -102,6 +102,12 @@ impl<R: Real, const N: usize> Factor<R, N> for Lu<R, N> {
     }
 }
 
+/// Whether all of some numbers are finite.
+#[inline]
+pub fn are_finite<R: Real>(numbers: &[R]) -> bool {
+    numbers.iter().all(|x| x.is_finite())
+}
+
 /// Factors a block; the factorisation of a singular one is `None`.
 #[inline]
 pub fn factor<F: Factor<R, N>, R: Real, const N: usize>(lower: [[R; N]; N]) -> Option<F> {

@@ -54,16 +54,7 @@ pub(super) fn constructor(method: Saddle) -> &'static str {
     }
 }
 
-/// What a factorisation needs of rows that hold at times: their coupling, then whether they hold.
-pub(super) fn switches(conditions: &crate::mechanics::Conditions) -> Vec<crate::expr::NodeId> {
-    let switched = conditions.switched.iter();
-    switched
-        .flat_map(|switched| switched.coupling.iter().flatten().chain(&switched.active))
-        .copied()
-        .collect()
-}
-
-/// Statements that fill `coupling` and `active` from the values of [`switches`].
+/// Statements that fill `coupling` and `active` from the values of `Conditions::switches`.
 pub(super) fn filled_switches(scalar: &Scalar, count: usize, held: usize, values: &[String]) -> String {
     if values.is_empty() {
         return String::new();

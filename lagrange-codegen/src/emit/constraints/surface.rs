@@ -1,6 +1,6 @@
 //! `System` of a constrained model, and the runtime's `Surface` and `Constrained`.
 
-use super::{factored, filled_switches, record_ident, rows, saddle_type, switches};
+use super::{factored, filled_switches, record_ident, rows, saddle_type};
 use crate::emit::block;
 use crate::emit::body::{self, Source};
 use crate::emit::names::Names;
@@ -122,7 +122,7 @@ fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, St
     let mut roots = mass.clone();
     roots.extend(equations.conditions.roots());
     roots.extend(&equations.force);
-    let extra = switches(&equations.conditions);
+    let extra = equations.conditions.switches();
     roots.extend(&extra);
     let roots = simplify(&mut emission.model.graph, &mut emission.model.hints, &roots);
     let (model, scalar) = (&*emission.model, &emission.scalar);
@@ -208,7 +208,7 @@ fn saddle(emission: &mut Emission<'_>, method: Saddle) -> String {
     let mut roots = masses(emission, method);
     let split = roots.len();
     roots.extend(emission.equations.conditions.jacobian.iter().flatten());
-    roots.extend(switches(&emission.equations.conditions));
+    roots.extend(emission.equations.conditions.switches());
     let roots = simplify(&mut emission.model.graph, &mut emission.model.hints, &roots);
     let emission = &*emission;
     body::plain(emission.model, &emission.scalar, &roots, Source::Slices, |values| {

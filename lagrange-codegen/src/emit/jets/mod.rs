@@ -5,132 +5,269 @@
 //! | `jet_constants` | parameters alone, once per run: hoisted values, inverses and factorisations of constant blocks |
 //! | `jet_at` | values and the factorisation at the point of expansion, then one pass of a loop for each order |
 
-mod convolutions;
-mod inertia;
-mod order;
-mod saddle;
-mod solution;
-mod start;
-mod terms;
-mod wide;
+mod constants;
+mod names;
+mod solvers;
+mod tiles;
 
-use super::Emission;
-use super::body;
+use super::block::Writer;
 use super::gather::gather;
 use super::names::{Names, describe};
-use super::scalar;
-use super::turning;
-use crate::expr::Variable;
-use crate::jets::{Jets, Value};
-use crate::schedule::{Instruction, Slot};
-use inertia::Inertia;
-use start::Start;
-use wide::Wide;
+use super::{Emission, body, scalar, turning};
+use crate::jets::Jets;
+use crate::orders::{Expansion, Expansions, Numbers, Sums, Tiles};
+use crate::schedule::{Given, Instruction, Phase, Slot};
+use names::{Of, label_auxiliaries};
 
 /// Rows of the tables are padded to a multiple of this many lanes.
 const WIDTH: usize = 4;
 
+/// So many sums are made anew in each order; more are overwritten, which saves setting them to zero.
+const FRESH: usize = 32;
+
 /// The items of the trait, as text.
-pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
+pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expansions) -> String {
+    let is_own = emission.scalar == emission.item.scalar;
+    let expansion = expansions.of(if is_own { Numbers::Plain } else { Numbers::Carrying });
     label_auxiliaries(emission, jets);
-    let inertia = Inertia::plan(emission, jets);
-    let mut names = Names::new(emission.model);
-    let (model, scalar) = (&*emission.model, &emission.scalar);
-    let hoisted = jets.program.hoisted();
-    let (labels, fixed) = body::constants(model, scalar, &jets.program, &hoisted, &mut names);
-    let mut start = Start::new(model, scalar, jets, &hoisted, &labels);
-    let values = start.values(&mut names);
-    let mass = inertia.at_start(model, scalar, jets, &start, &mut names);
-    let mut reads = start.reads.clone();
-    reads.join(&mass.reads);
-    let wide = (jets.lanes.len() > convolutions::EDGED).then(|| Wide::of(emission.model, jets, &start));
-    let pass = order::pass(emission, jets, &start, &mass, wide.as_ref(), &mut names);
+    let emission = &*emission;
+    let (model, scalar, count) = (&*emission.model, &emission.scalar, emission.count());
+    let mut names = Names::new(model);
+    let of = Of::new(model, jets, expansion, &mut names);
+    let outputs = Outputs::of(expansion);
+    let all = outputs.all();
+    let hoisted = expansion.program.settled(Phase::Run, &all);
+    let (constants_type, constants_body) = constants::constants(emission, expansion, &hoisted);
+    let labels: Vec<String> =
+        hoisted.iter().map(|&slot| names.claim(describe(model, &expansion.program, slot, 0))).collect();
 
-    let mut text =
-        turning::entry(emission) + &body::prologue(model, scalar, &reads, super::body::Source::Slices);
-    let all: Vec<String> = labels.iter().chain(&mass.labels).cloned().collect();
-    let (constants_type, constants_body) = inertia.constants(model, scalar, &fixed);
-    if !all.is_empty() {
-        let place = if inertia.factored() > 0 { "constants.0" } else { "*constants" };
-        text.push_str(&format!("let [{}] = {place};\n", all.join(", ")));
+    let mut known: Vec<(Slot, String)> = hoisted.iter().copied().zip(labels.iter().cloned()).collect();
+    known.extend(given(expansion, &of));
+    let mut writer = Writer::new(model, scalar, &expansion.program, &all, &known);
+    wishes(model, expansion, &of, &mut writer);
+    let pass = Pass { emission, expansion, outputs: &outputs, of: &of };
+    let statements = pass.write(&mut writer, &mut names);
+
+    let reads = &writer.reads;
+    let mut text = turning::entry(emission) + &body::prologue(model, scalar, reads, body::Source::Slices);
+    let factored = constants_type.starts_with('(');
+    if !labels.is_empty() {
+        let place = if factored { "constants.0" } else { "*constants" };
+        text.push_str(&format!("let [{}] = {place};\n", labels.join(", ")));
     }
-    text.push_str(&values);
-    text.push_str(&mass.statements);
-    text.push_str(&pass);
-
-    let tables = match &wide {
-        Some(wide) => format!("Columns<{scalar}, {}, ORDERS>", wide.columns),
-        None => format!("Tables<{scalar}, {}, ORDERS>", jets.lanes.len().next_multiple_of(WIDTH)),
+    text.push_str(&statements);
+    let (tables, items) = match &expansion.sums {
+        Sums::Many(tiles) => (
+            format!("Columns<{scalar}, {}, ORDERS>", tiles.columns),
+            tiles::items(model, tiles, &expansion.factors, &of),
+        ),
+        Sums::Few(lanes) => (format!("Tables<{scalar}, {}, ORDERS>", padded(lanes)), String::new()),
     };
-    let items = wide.as_ref().map(Wide::items).unwrap_or_default();
-    let (vector, inputs, count) = (emission.vector_type(), emission.input_type(), emission.count());
-    let words: std::collections::BTreeSet<&str> =
-        text.split(|c: char| c != '_' && !c.is_alphanumeric()).collect();
-    let named = |name: &str| if words.contains(name) { name.to_owned() } else { format!("_{name}") };
+    let (vector, inputs) = (emission.vector_type(), emission.input_type());
+    let named = |is_read: bool, name: &str| if is_read { name.to_owned() } else { format!("_{name}") };
     // Types are spelled out: where the trait cannot be found, `Self::Tables` would be a second error.
     format!(
         "{}type JetConstants = {constants_type};\n\
          type Tables<const ORDERS: usize> = lagrange::{tables};\n\
          #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
-         #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, {}: &{vector}, \
+         #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, v: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
          series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n",
         if jets.is_steep { "const STEEP: bool = true;\n" } else { "" },
-        named("constants"),
-        named("t"),
-        named("q"),
-        named("v"),
-        named("u"),
-        named("tables"),
+        named(factored || !labels.is_empty(), "constants"),
+        named(reads.time, "t"),
+        named(reads.coordinates.contains(&true) || !emission.solved.turning.is_empty(), "q"),
+        named(reads.inputs.contains(&true), "u"),
+        named(!expansion.factors.is_empty(), "tables"),
         body::imported(gather(&text)),
     )
 }
 
-/// Gives the auxiliaries names from what they are functions of.
-fn label_auxiliaries(emission: &mut Emission<'_>, jets: &Jets) {
-    let index = |slot: Slot| match jets.program.instruction(slot) {
-        Instruction::Variable(Variable::Auxiliary(index)) => index as usize,
-        _ => 0,
-    };
-    let count = jets.auxiliaries.iter().map(|series| index(series.slot) + 1).max().unwrap_or(0);
-    emission.model.locals.auxiliaries = (0..count).map(|index| format!("y{index}")).collect();
-    for &slot in &jets.order {
-        let Some(series) = jets.auxiliary(slot) else { continue };
-        let of = |x: Slot| describe(emission.model, &jets.program, x, 0).unwrap_or_else(|| "x".to_owned());
-        let label = match series.value {
-            Value::Unary(function, x) => format!("{}_{}", function.name(), of(x)),
-            Value::Binary(function, x, y) => format!("{}_{}_{}", function.name(), of(x), of(y)),
-            Value::Same(x) => of(x),
-            Value::Power(x, exponent) => match exponent.0 {
-                1 => format!("root_{}", of(x)),
-                -2 => format!("inverse_{}", of(x)),
-                _ => format!("power_{}", of(x)),
-            },
-        };
-        emission.model.locals.auxiliaries[index(slot)] = label;
+/// The lanes of the tables of some products.
+fn padded(lanes: &[[usize; 2]]) -> usize {
+    lanes.len().next_multiple_of(WIDTH)
+}
+
+/// What is written, part by part.
+struct Outputs {
+    start: Vec<Slot>,
+    order: Vec<Slot>,
+    solution: Vec<Slot>,
+    end: Vec<Slot>,
+}
+
+impl Outputs {
+    fn of(expansion: &Expansion) -> Outputs {
+        let mut start: Vec<Slot> = expansion.carried.iter().map(|carried| carried.start).collect();
+        start.extend(solvers::at_start(expansion));
+        let mut end: Vec<Slot> = expansion.factors.iter().map(|factor| factor.coefficient).collect();
+        end.extend(expansion.carried.iter().map(|carried| carried.next));
+        let solution = expansion.coordinates.iter().chain(&expansion.velocities).copied().collect();
+        Outputs { start, order: solvers::in_order(expansion), solution, end }
+    }
+
+    /// What the loop over the orders evaluates.
+    fn in_loop(&self) -> Vec<Slot> {
+        [&self.order[..], &self.solution, &self.end].concat()
+    }
+
+    fn all(&self) -> Vec<Slot> {
+        [&self.start[..], &self.order, &self.solution, &self.end].concat()
     }
 }
 
-/// `let name: type = value;`
-fn binding(scalar: &crate::syntax::Scalar, name: &str, value: &str) -> String {
-    format!("let {name}: {scalar} = {};\n", bare(value))
+/// The texts of what an order is given.
+fn given(expansion: &Expansion, of: &Of) -> Vec<(Slot, String)> {
+    let text = |given: Given| match given {
+        Given::Rate => "rate".to_owned(),
+        Given::Index => "index".to_owned(),
+        Given::Time => of.time.clone(),
+        Given::Convolution(lane) => match &expansion.sums {
+            Sums::Few(_) => format!("inner[{lane}]"),
+            Sums::Many(tiles) => format!("inner[{}]", tiles.lanes[lane as usize]),
+        },
+        Given::Carried(place) => of.carried[place as usize].clone(),
+        Given::Velocity(i) => of.velocities[i as usize].clone(),
+        Given::Impulse(c) => of.impulses[c as usize].clone(),
+        Given::Multiplier(c) => of.multipliers[c as usize].clone(),
+    };
+    expansion
+        .program
+        .slots()
+        .filter_map(|slot| match expansion.program.instruction(slot) {
+            Instruction::Given(given) => Some((slot, text(given))),
+            _ => None,
+        })
+        .collect()
 }
 
-/// A text without the parentheses around the whole of it.
-fn bare(value: &str) -> &str {
-    let Some(inner) = value.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) else { return value };
-    let mut depth = 0_i32;
-    for c in inner.chars() {
-        depth += i32::from(c == '(') - i32::from(c == ')');
-        if depth < 0 {
-            return value;
+/// Names for coefficients, and for values that have none of their own.
+fn wishes(model: &crate::model::Model, expansion: &Expansion, of: &Of, writer: &mut Writer<'_>) {
+    for (slot, name) in expansion.coordinates.iter().zip(&model.locals.coordinates) {
+        writer.wish(*slot, || format!("{name}_k"));
+    }
+    for (slot, name) in expansion.velocities.iter().zip(&model.locals.velocities) {
+        writer.wish(*slot, || format!("{name}_k"));
+    }
+    for coefficient in &expansion.coefficients {
+        if let Some(name) = of.coefficient(coefficient.of, coefficient.part) {
+            writer.wish(coefficient.slot, || name);
         }
     }
-    inner
+    for (of_slot, &slot) in expansion.values.iter().enumerate() {
+        if describe(model, &expansion.program, slot, 0).is_none()
+            && let Some(name) = of.value(of_slot)
+        {
+            writer.wish(slot, || name);
+        }
+    }
 }
 
-/// A number of either sign as an expression of the scalar type.
-fn number(scalar: &crate::syntax::Scalar, value: crate::number::Number) -> String {
-    let text = scalar::literal(scalar, value.abs(), false);
-    if value.is_negative() { format!("(-{text})") } else { text }
+/// The statements of the body.
+struct Pass<'a> {
+    emission: &'a Emission<'a>,
+    expansion: &'a Expansion,
+    outputs: &'a Outputs,
+    of: &'a Of,
+}
+
+impl Pass<'_> {
+    fn write(&self, writer: &mut Writer<'_>, names: &mut Names) -> String {
+        let Pass { emission, expansion, outputs, of, .. } = *self;
+        let settled = expansion.program.settled(Phase::State, &outputs.in_loop());
+        writer.bind_always(&settled);
+        let mut text = lines(writer.part(&[&settled[..], &outputs.start].concat(), names));
+        let (start, solvers) = solvers::start(emission, expansion, writer, names);
+        text.push_str(&start);
+        let scalar = &emission.scalar;
+        for (carried, name) in expansion.carried.iter().zip(&of.carried) {
+            let value = writer.output(carried.start);
+            text.push_str(&format!("let mut {name}: {scalar} = {};\n", value));
+        }
+        let (before, sums) = self.sums(scalar);
+        text.push_str(&before);
+        let walk = match &expansion.sums {
+            Sums::Few(_) => "in_line::<ORDERS>",
+            Sums::Many(_) => "in_turn",
+        };
+        text.push_str(&format!(
+            "lagrange::jets::{walk}(orders, #[inline(always)] |order| {{\n\
+             let rate: {scalar} = lagrange::jets::rate(h, order);\n"
+        ));
+        let reads = |given: Given| {
+            let is = |slot: &Slot| expansion.program.instruction(*slot) == Instruction::Given(given);
+            expansion.program.slots().find(is).is_some_and(|slot| writer.needs(slot))
+        };
+        if reads(Given::Index) {
+            text.push_str(&format!("let index: {scalar} = lagrange::jets::index(order);\n"));
+        }
+        if reads(Given::Time) {
+            text.push_str(&format!("let {}: {scalar} = lagrange::jets::time(h, order);\n", of.time));
+        }
+        text.push_str(&sums);
+        // What does not need the solution is computed while that is waited for.
+        let early = expansion.program.settled(Phase::Order, &[&outputs.solution[..], &outputs.end].concat());
+        writer.bind_always(&early);
+        text.push_str(&lines(writer.part(&[&early[..], &outputs.order].concat(), names)));
+        text.push_str(&solvers::order(expansion, &solvers, writer, of));
+        text.push_str(&lines(writer.part(&outputs.solution, names)));
+        text.push_str(&format!(
+            "series.set(order, [{}], [{}]);\nif order == orders {{\nreturn false;\n}}\n",
+            writer.outputs(&expansion.coordinates).join(", "),
+            writer.outputs(&expansion.velocities).join(", ")
+        ));
+        text.push_str(&lines(writer.part(&outputs.end, names)));
+        text.push_str(&self.store(writer));
+        text + "true\n});\n" + &turning::series(emission) + "true"
+    }
+
+    /// The statements that sum the convolutions: before the loop, and in it.
+    fn sums(&self, scalar: &crate::syntax::Scalar) -> (String, String) {
+        if self.expansion.factors.is_empty() {
+            return Default::default();
+        }
+        match &self.expansion.sums {
+            Sums::Few(lanes) => (
+                format!("let mut products = lagrange::jets::Convolutions::new(tables, {lanes:?});\n"),
+                "let inner = products.sums(order);\n".to_owned(),
+            ),
+            Sums::Many(Tiles { sums, .. }) => {
+                let zero = scalar::zero(scalar);
+                let made = format!("let mut inner: [{scalar}; {sums}] = [{zero}; {sums}];\n");
+                let sum = "tables.interior::<Products, _>(order, &mut inner);\n";
+                if *sums > FRESH { (made, sum.to_owned()) } else { (String::new(), made + sum) }
+            }
+        }
+    }
+
+    /// The statements at the end of an order.
+    fn store(&self, writer: &Writer<'_>) -> String {
+        let expansion = self.expansion;
+        let mut text = String::new();
+        match &expansion.sums {
+            _ if expansion.factors.is_empty() => {}
+            Sums::Few(_) => {
+                let values: Vec<String> =
+                    expansion.factors.iter().map(|factor| writer.output(factor.coefficient)).collect();
+                text.push_str(&format!("products.add(order, [{}]);\n", values.join(", ")));
+            }
+            Sums::Many(tiles) => {
+                text.push_str("if let ::core::option::Option::Some(row) = tables.row(order) {\n");
+                for &(place, factor) in &tiles.factors {
+                    let value = writer.output(expansion.factors[factor].coefficient);
+                    text.push_str(&format!("row[{place}] = {value};\n"));
+                }
+                text.push_str("}\n");
+            }
+        }
+        let next: Vec<String> = expansion.carried.iter().map(|carried| writer.output(carried.next)).collect();
+        // All at once: a value may be made from another of the order before.
+        text.push_str(&format!("[{}] = [{}];\n", self.of.carried.join(", "), next.join(", ")));
+        text
+    }
+}
+
+/// Statements, a line each.
+fn lines(statements: Vec<String>) -> String {
+    statements.into_iter().map(|statement| statement + "\n").collect()
 }

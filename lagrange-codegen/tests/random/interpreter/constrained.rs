@@ -89,7 +89,7 @@ fn diagonal(inverses: &Value) -> Run<Vec<Vec<f64>>> {
 }
 
 /// (M −Aᵀ; A 0).
-fn equations(saddle: &Value) -> Run<Vec<Vec<f64>>> {
+pub(super) fn equations(saddle: &Value) -> Run<Vec<Vec<f64>>> {
     let (mut matrix, gradients) = (saddle.field("mass")?.to_rows()?, saddle.field("gradients")?.to_rows()?);
     if gradients.iter().any(|gradient| gradient.len() != matrix.len()) {
         return unknown("gradients that do not fit the mass matrix");

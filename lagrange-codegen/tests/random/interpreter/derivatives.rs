@@ -6,7 +6,8 @@ use super::value::{Run, Value, unknown};
 use super::{Interpreter, Point, find};
 
 /// The runtime's structs that generated code makes field by field.
-pub(super) const RECORDS: [&str; 5] = [
+pub(super) const RECORDS: [&str; 6] = [
+    "lagrange::RecursionStep",
     "lagrange::Residuals",
     "lagrange::Equations",
     "lagrange::Balance",

@@ -7,6 +7,7 @@
 mod constrained;
 mod derivatives;
 mod patterns;
+mod series;
 mod value;
 
 use std::collections::{BTreeMap, HashMap};
@@ -114,7 +115,8 @@ impl Interpreter<'_> {
                     patterns::bind(&local.pat, value, locals)?;
                     Value::Unit
                 }
-                Stmt::Item(syn::Item::Use(_)) => Value::Unit,
+                // What is summed where is read off the items themselves.
+                Stmt::Item(syn::Item::Use(_) | syn::Item::Struct(_) | syn::Item::Impl(_)) => Value::Unit,
                 Stmt::Expr(expr, semicolon) => {
                     let value = self.expression(expr, locals)?;
                     if semicolon.is_some() { Value::Unit } else { value }
@@ -159,11 +161,26 @@ impl Interpreter<'_> {
             Expr::Unary(unary) => match unary.op {
                 UnOp::Neg(_) => Ok(Value::Number(-self.number(&unary.expr, locals)?)),
                 UnOp::Deref(_) => self.expression(&unary.expr, locals),
+                UnOp::Not(_) => match self.expression(&unary.expr, locals)? {
+                    Value::Truth(truth) => Ok(Value::Truth(!truth)),
+                    other => unknown(format!("not {other:?}")),
+                },
                 _ => unknown(text(unary)),
+            },
+            Expr::If(branch) => self.conditional(branch, locals),
+            Expr::Return(result) => match &result.expr {
+                Some(result) => Err(Stop::Return(self.expression(result, locals)?)),
+                None => unknown("a `return` of nothing"),
             },
             Expr::Binary(binary) if matches!(binary.op, BinOp::Eq(_)) => {
                 match (self.expression(&binary.left, locals)?, self.expression(&binary.right, locals)?) {
                     (Value::Integer(left), Value::Integer(right)) => Ok(Value::Truth(left == right)),
+                    _ => unknown(text(binary)),
+                }
+            }
+            Expr::Binary(binary) if matches!(binary.op, BinOp::Or(_)) => {
+                match (self.expression(&binary.left, locals)?, self.expression(&binary.right, locals)?) {
+                    (Value::Truth(left), Value::Truth(right)) => Ok(Value::Truth(left || right)),
                     _ => unknown(text(binary)),
                 }
             }
@@ -208,6 +225,15 @@ impl Interpreter<'_> {
             }
             Expr::Assign(assign) => {
                 let value = self.expression(&assign.right, locals)?;
+                if let (Expr::Array(places), Value::List(values)) = (&*assign.left, &value) {
+                    if places.elems.len() != values.len() {
+                        return unknown(text(assign));
+                    }
+                    for (place, value) in places.elems.iter().zip(values) {
+                        *self.place(place, locals)? = value.clone();
+                    }
+                    return Ok(Value::Unit);
+                }
                 *self.place(&assign.left, locals)? = value;
                 Ok(Value::Unit)
             }
@@ -237,11 +263,18 @@ impl Interpreter<'_> {
                 }
                 _ => unknown(text(call)),
             },
+            Expr::Call(call) if matches!(call.args.last(), Some(Expr::Closure(_))) => {
+                self.with_closure(call, locals).unwrap_or_else(|| unknown(text(call)))
+            }
             Expr::Call(call) => {
                 let arguments = self.expressions(&call.args, locals)?;
                 self.call_path(&path_of(&call.func), arguments)
             }
+            Expr::MethodCall(call) if call.method == "is_some" => Ok(Value::Truth(false)),
             Expr::MethodCall(call) => {
+                if let Some(value) = self.of_struct(call, locals) {
+                    return value;
+                }
                 let receiver = self.expression(&call.receiver, locals)?;
                 match (call.method.to_string().as_str(), receiver) {
                     ("into", receiver) if call.args.is_empty() => Ok(receiver),
@@ -260,8 +293,10 @@ impl Interpreter<'_> {
     /// A call of a function by its path.
     fn call_path(&self, path: &str, arguments: Vec<Value>) -> Run<Value> {
         let numbers = |arguments: &[Value]| arguments.iter().map(Value::number).collect::<Run<Vec<f64>>>();
-        let of_runtime =
-            self.of_constraints(path, &arguments).or_else(|| self.of_derivatives(path, &arguments));
+        let of_runtime = self
+            .of_constraints(path, &arguments)
+            .or_else(|| self.of_derivatives(path, &arguments))
+            .or_else(|| self.of_series(path, &arguments));
         if let Some(value) = of_runtime {
             return value;
         }
@@ -373,7 +408,7 @@ fn literal_value(literal: &Lit) -> Run<Value> {
             Ok(value) => Ok(Value::Integer(value)),
             Err(error) => unknown(error.to_string()),
         },
-        Lit::Bool(boolean) => Ok(Value::Integer(usize::from(boolean.value))),
+        Lit::Bool(boolean) => Ok(Value::Truth(boolean.value)),
         _ => unknown(text(literal)),
     }
 }

@@ -40,6 +40,10 @@ fn take_apart(pattern: &Pat, value: Value, bound: &mut Vec<(String, Value)>) -> 
         }
         Pat::Type(typed) => return take_apart(&typed.pat, value, bound),
         Pat::Struct(parts) => return take_record_apart(parts, &value, bound),
+        // What cannot be had ends a run by itself.
+        Pat::TupleStruct(some) if some.path.segments.last().is_some_and(|last| last.ident == "Some") => {
+            return some.elems.first().map_or(Ok(()), |inner| take_apart(inner, value, bound));
+        }
         Pat::Slice(slice) => &slice.elems,
         Pat::Tuple(tuple) => &tuple.elems,
         other => return unknown(format!("the pattern `{}`", other.to_token_stream())),

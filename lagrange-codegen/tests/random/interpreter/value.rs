@@ -27,6 +27,8 @@ pub enum Value {
 /// Why a run of emitted code ended early.
 #[derive(Clone, Debug)]
 pub enum Stop {
+    /// `return`.
+    Return(Value),
     /// `?` on an error of the runtime.
     Failure(String),
     /// Something the interpreter does not know, or that rustc would refuse.
@@ -62,6 +64,17 @@ impl Value {
         match self {
             Value::Number(value) => Ok(*value),
             other => unknown(format!("a number expected, not {other:?}")),
+        }
+    }
+
+    /// Appends to a list.
+    pub fn push(&mut self, value: Value) -> Run<()> {
+        match self {
+            Value::List(elements) => {
+                elements.push(value);
+                Ok(())
+            }
+            other => unknown(format!("a list expected, not {other:?}")),
         }
     }
 
@@ -186,6 +199,7 @@ pub fn real(name: &str, arguments: &[f64]) -> Run<Value> {
         ("recip", [x]) => x.recip(),
         ("atan2", [y, x]) => y.atan2(*x),
         ("powf", [x, y]) => x.powf(*y),
+        ("mul_add", [a, b, c]) => a.mul_add(*b, *c),
         ("hypot", [x, y]) => x.hypot(*y),
         _ => return unknown(format!("Real::{name} of {} arguments", arguments.len())),
     };

@@ -40,23 +40,16 @@ fn the_sweep_is_the_convolution() {
 }
 
 fn completes<const P: usize>() {
-    let tables = filled::<4, P>();
-    let (mut firsts, mut lasts) = ([[0.0; 2]; 4], [[0.0; 2]; 4]);
+    let mut tables = Tables::<f64, 4, P>::default();
+    let products = [[0, 1], [1, 1], [2, 0]];
+    let mut convolutions = Convolutions::new(&mut tables, products);
     for order in 1..=P {
-        let inner = tables.interior(order);
-        for lane in 0..4 {
-            let [left, right] = [0, 1].map(|side| [firsts[lane][side], lasts[lane][side]]);
-            let whole: f64 = (1..order).map(|j| entry(j, lane, 0) * entry(order - j, lane, 1)).sum();
-            assert_eq!(convolution::<P, _>(order, left, right, inner[lane]), whole, "{P}, order {order}");
-            let inner = (2..order.saturating_sub(1)).map(|j| entry(j, lane, 0) * entry(order - j, lane, 0));
-            let whole: f64 = (1..order).map(|j| entry(j, lane, 0) * entry(order - j, lane, 0)).sum();
-            assert_eq!(squared::<P, _>(order, left, inner.sum()), whole, "{P}, order {order}");
-            for side in 0..2 {
-                let coefficient = entry(order, lane, side);
-                (firsts[lane][side], lasts[lane][side]) =
-                    (first::<P, _>(order, firsts[lane][side], coefficient), coefficient);
-            }
+        let found = convolutions.sums(order);
+        for ([a, b], found) in products.into_iter().zip(found) {
+            let whole: f64 = (1..order).map(|j| entry(j, a, 0) * entry(order - j, b, 0)).sum();
+            assert_eq!(found, whole, "{P}, order {order}, factors {a} and {b}");
         }
+        convolutions.add(order, [0, 1, 2].map(|factor| entry(order, factor, 0)));
     }
 }
 
@@ -77,5 +70,5 @@ fn rates_are_rounded_once() {
     for order in 1..=40 {
         assert_eq!(rate(0.3, order), 0.3 / order as f64);
     }
-    assert_eq!((ramp(3, 0.5), index::<f64>(8)), (1.5, 8.0));
+    assert_eq!((index::<f64>(8), time(0.3, 1), time(0.3, 2)), (8.0, 0.3, 0.0));
 }

@@ -1,0 +1,61 @@
+//! The items that tell the runtime what to sum in systems with many products.
+
+use super::names::Of;
+use crate::emit::names::Names;
+use crate::model::Model;
+use crate::orders::{Factor, Pattern, Tile, Tiles};
+
+/// The items.
+pub(super) fn items(model: &Model, tiles: &Tiles, factors: &[Factor], of: &Of) -> String {
+    let Tiles { columns, sums, patterns, .. } = tiles;
+    let mut text = format!(
+        "struct Products;\n\
+         impl lagrange::jets::Products<{columns}, {sums}> for Products {{\n\
+         #[inline(always)]\n\
+         fn sum<R: lagrange::Real>(rows: &[[R; {columns}]], sums: &mut [R; {sums}]) {{\n"
+    );
+    for &Tile { pattern, width, used, base, first } in &tiles.tiles {
+        text.push_str(&format!(
+            "lagrange::jets::tile::<Pattern{pattern}, _, _, _, {width}, {}>(rows, sums, ({base}, {first}, {used}));\n",
+            patterns[pattern].products.len()
+        ));
+    }
+    text.push_str("}\n}\n");
+    for (place, pattern) in patterns.iter().enumerate() {
+        let products = pattern.products.len();
+        text.push_str(&format!(
+            "struct Pattern{place};\n\
+             impl lagrange::jets::Pattern<{columns}, {products}> for Pattern{place} {{\n\
+             #[inline(always)]\n\
+             fn add<R: lagrange::Real, const W: usize>(low: &[R; {columns}], high: &[R; {columns}], \
+             place: usize, sum: &mut [[R; W]; {products}]) {{\n{}}}\n}}\n",
+            body(model, pattern, factors, of)
+        ));
+    }
+    text
+}
+
+fn body(model: &Model, pattern: &Pattern, factors: &[Factor], of: &Of) -> String {
+    let mut names = Names::new(model);
+    for name in ["low", "high", "sum"] {
+        names.claim(Some(name.to_owned()));
+    }
+    let mut text = String::new();
+    let mut columns = Vec::with_capacity(pattern.columns.len());
+    for (offset, &factor) in pattern.columns.iter().zip(&pattern.factors) {
+        let name = names.claim(of.factor(factors[factor].operand));
+        text.push_str(&format!(
+            "let {name} = lagrange::jets::column::<_, _, W>(low, high, place + {offset});\n"
+        ));
+        columns.push(name);
+    }
+    for (place, &[a, b]) in pattern.products.iter().enumerate() {
+        let (a, b) = (&columns[a], &columns[b]);
+        text.push_str(&if a == b {
+            format!("lagrange::jets::square(&mut sum[{place}], {a});\n")
+        } else {
+            format!("lagrange::jets::product(&mut sum[{place}], {a}, {b});\n")
+        });
+    }
+    text
+}

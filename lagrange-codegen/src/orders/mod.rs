@@ -1,0 +1,266 @@
+//! One order of a Taylor series as a program.
+//!
+//! The recurrences of [`Jets`] say which coefficients follow from which. Here they become instructions: values
+//! at the point of expansion, convolutions with what they lack, sums in the order in which their operands are
+//! known, the solution for the new velocities, and what goes on to the next order. Emission prints them.
+//!
+//! | file | what it plans |
+//! | --- | --- |
+//! | `values` | values at the point of expansion |
+//! | `order` | the coefficients of an order |
+//! | `recurrence` | each of them as a sum of products with known factors |
+//! | `terms` | sums of products as chains of multiply–adds |
+//! | `solution`, `saddle` | what solves for velocities and multipliers |
+//! | `tiles` | the tables of systems with many products |
+
+mod order;
+mod recurrence;
+mod saddle;
+mod solution;
+mod terms;
+mod tiles;
+mod values;
+
+use crate::collections::Lookup;
+use crate::jets::{Jets, Operand};
+use crate::mechanics::Equations;
+use crate::model::Model;
+use crate::schedule::{Given, Instruction, Program, Slot};
+use crate::structure::Solution;
+use order::Order;
+pub use saddle::SaddlePoint;
+pub use solution::{By, Solver};
+use solution::{Start, inverses, valued};
+pub use tiles::{Pattern, Tile, Tiles};
+
+/// Up to this many lanes, the outermost terms of the interior sums are kept out of the tables: their sweep
+/// would wait for the row that was just written, which more lanes hide behind each other.
+const FEW: usize = 16;
+
+/// What kind of numbers an expansion is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Numbers {
+    /// The user's scalar.
+    Plain,
+    /// Numbers that carry others with them, as derivatives.
+    Carrying,
+}
+
+/// The expansion of a motion at a state, order by order.
+#[derive(Clone, Debug)]
+pub struct Expansion {
+    /// All operations.
+    pub program: Program,
+    /// The coefficients of the coordinates.
+    pub coordinates: Vec<Slot>,
+    /// The coefficients of the velocities.
+    pub velocities: Vec<Slot>,
+    /// What goes from one order to the next.
+    pub carried: Vec<Carried>,
+    /// The factors of the convolutions.
+    pub factors: Vec<Factor>,
+    /// How these are summed.
+    pub sums: Sums,
+    /// What the runtime solves for velocities.
+    pub solvers: Vec<Solver>,
+    /// Reciprocals of pivots, which are finite where there is a solution.
+    pub pivots: Vec<Slot>,
+    /// With constraints, what the runtime solves for multipliers.
+    pub saddle: Option<SaddlePoint>,
+    /// Which coefficients are those of what.
+    pub coefficients: Vec<Coefficient>,
+    /// Values at the point of expansion, by slot of the recurrences.
+    pub values: Vec<Slot>,
+}
+
+/// A number that one order leaves to the next.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried {
+    /// What it is.
+    pub keeps: Keeps,
+    /// At order zero.
+    pub start: Slot,
+    /// The coefficient of an order.
+    pub next: Slot,
+}
+
+/// Whose coefficients go on to the next order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keeps {
+    /// Those of a velocity.
+    Velocity(usize),
+    /// Those of a momentum's rate.
+    Force(usize),
+    /// Those of a constraint's rate.
+    Relaxation(usize),
+    /// Those of the rate of an auxiliary, by its slot in the recurrences.
+    Flow(Slot),
+}
+
+/// A factor of convolutions.
+#[derive(Clone, Copy, Debug)]
+pub struct Factor {
+    /// What it is.
+    pub operand: Operand,
+    /// Its coefficient.
+    pub coefficient: Slot,
+}
+
+/// How convolutions are summed.
+#[derive(Clone, Debug)]
+pub enum Sums {
+    /// Each by itself: the places of their factors.
+    Few(Vec<[usize; 2]>),
+    /// In tiles.
+    Many(Tiles),
+}
+
+/// A slot that holds the coefficient of a slot of the recurrences.
+#[derive(Clone, Copy, Debug)]
+pub struct Coefficient {
+    /// Where it is.
+    pub slot: Slot,
+    /// How much of it.
+    pub part: Part,
+    /// Whose it is.
+    pub of: Slot,
+}
+
+/// How much of a coefficient.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// What lower orders give.
+    Known,
+    /// What there is with the unknowns at zero.
+    Partial,
+    /// All.
+    Whole,
+}
+
+/// The expansion of a smooth motion, for each kind of numbers.
+#[derive(Clone, Debug)]
+pub struct Expansions {
+    plain: Expansion,
+    /// Where it is another one.
+    carrying: Option<Expansion>,
+}
+
+impl Expansions {
+    /// Plans them.
+    pub fn plan(model: &mut Model, equations: &Equations, solution: &Solution, jets: &Jets) -> Expansions {
+        let plain = plan(model, equations, solution, jets, Numbers::Plain);
+        let differs = plain.solvers.iter().any(|solver| matches!(solver.by, By::Inverse { .. }));
+        let carrying = differs.then(|| plan(model, equations, solution, jets, Numbers::Carrying));
+        Expansions { plain, carrying }
+    }
+
+    /// That for some numbers.
+    pub fn of(&self, numbers: Numbers) -> &Expansion {
+        match (numbers, &self.carrying) {
+            (Numbers::Carrying, Some(carrying)) => carrying,
+            _ => &self.plain,
+        }
+    }
+}
+
+/// The expansion of a smooth motion.
+fn plan(
+    model: &mut Model,
+    equations: &Equations,
+    solution: &Solution,
+    jets: &Jets,
+    numbers: Numbers,
+) -> Expansion {
+    let nodes = solution.saddle_of_series.map(|method| saddle::Nodes::of(model, equations, jets, method));
+    let graph = &model.graph;
+    let count = model.coordinates.len();
+    let mut program = Program::default();
+    let values = values::values(jets, &mut program);
+    let mut pivots = Vec::new();
+    let mut valued = valued(graph, jets, &values);
+    let mut saddle = nodes.map(|nodes| nodes.values(&mut program, &mut valued));
+    let mut starts = Vec::with_capacity(solution.blocks.len());
+    for block in &solution.blocks {
+        let start = Start::of(block, equations, numbers, &mut program, &mut valued);
+        if let Start::Recursion(recursion, factors) = &start {
+            pivots.extend(inverses(recursion, factors));
+        }
+        starts.push((&block.coordinates, start));
+    }
+    drop(valued);
+
+    let mut order = Order::new(jets, program, values);
+    let mut coordinates = Vec::with_capacity(count);
+    let mut forces = Vec::with_capacity(count);
+    for i in 0..count {
+        coordinates.push(order.coordinate(i));
+        forces.push(order.carry(Keeps::Force(i), jets.rates[i]));
+    }
+    let relaxation: Vec<Slot> = jets
+        .relaxation
+        .iter()
+        .enumerate()
+        .map(|(c, &slot)| order.carry(Keeps::Relaxation(c), slot))
+        .collect();
+    order.early();
+    order.partially();
+    let nothing = order.zero();
+    let mut velocities = vec![nothing; count];
+    let solvers = match &mut saddle {
+        Some(saddle) => {
+            order.solve_saddle(saddle, &forces, &relaxation, &mut velocities);
+            Vec::new()
+        }
+        None => starts
+            .into_iter()
+            .filter_map(|(coordinates, start)| order.solve(coordinates, start, &forces, &mut velocities))
+            .collect(),
+    };
+    order.complete();
+    let factors = order.factors();
+    let carried = order.carried(&velocities);
+    let mut places: Lookup<Operand, usize> = Lookup::default();
+    for (place, factor) in factors.iter().enumerate() {
+        places.insert(factor.operand, place);
+    }
+    let place = |operand: Operand| places.get(&operand).copied().unwrap_or_default();
+    let sums = if jets.lanes.len() > FEW {
+        Sums::Many(Tiles::of(&jets.lanes, &place))
+    } else {
+        Sums::Few(jets.lanes.iter().map(|lane| [place(lane.left), place(lane.right)]).collect())
+    };
+    let Order { program, found, values, .. } = order;
+    Expansion {
+        program,
+        coordinates,
+        velocities,
+        carried,
+        factors,
+        sums,
+        solvers,
+        pivots,
+        saddle,
+        coefficients: found,
+        values,
+    }
+}
+
+impl Order<'_> {
+    /// The factors of all convolutions.
+    fn factors(&mut self) -> Vec<Factor> {
+        let mut factors: Vec<Factor> = Vec::new();
+        let mut known: Lookup<Operand, ()> = Default::default();
+        for operand in self.jets.lanes.iter().flat_map(|lane| [lane.left, lane.right]) {
+            if known.insert(operand, ()).is_some() {
+                continue;
+            }
+            let mut coefficient = self.coefficient(operand.slot);
+            if operand.ramp {
+                let index = self.given(Given::Index);
+                coefficient = self.program.push(Instruction::Mul(index, coefficient));
+            }
+            factors.push(Factor { operand, coefficient });
+        }
+        factors
+    }
+}

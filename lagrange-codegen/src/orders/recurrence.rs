@@ -1,0 +1,142 @@
+//! The coefficient of a slot as a sum of products with what is known at the point of expansion.
+
+use super::order::{Operand, Order};
+use super::terms::{Term, literal};
+use crate::jets::{Relation, Series};
+use crate::number::Number;
+use crate::schedule::{Given, Instruction, Program, Slot};
+
+impl Order<'_> {
+    /// Terms in the order in which their operands are known.
+    fn sorted(&self, mut terms: Vec<Term<Operand>>) -> Vec<Term<Operand>> {
+        terms.sort_by_key(|term| (self.when(term.value), term.factor.is_some()));
+        // A chain starts with a positive term where it can, which saves the change of sign.
+        let earliest = terms.first().map(|term| self.when(term.value));
+        if let Some(place) = terms.iter().position(|term| !term.negative)
+            && Some(self.when(terms[place].value)) == earliest
+        {
+            let term = terms.remove(place);
+            terms.insert(0, term);
+        }
+        terms
+    }
+
+    /// The terms of the coefficient of a slot, not looking at its own.
+    pub(super) fn terms(&mut self, slot: Slot) -> Vec<Term<Operand>> {
+        let mut terms = Vec::new();
+        match self.jets.auxiliary(slot) {
+            Some(series) => self.relation(series, &mut terms),
+            None => self.instruction(slot, false, &mut terms),
+        }
+        self.sorted(terms)
+    }
+
+    /// The coefficient of a slot by itself, or by its terms where it has none.
+    pub(super) fn read(&mut self, slot: Slot) -> Vec<Term<Operand>> {
+        let mut terms = Vec::new();
+        self.add(slot, false, &mut terms);
+        self.sorted(terms)
+    }
+
+    fn add(&mut self, slot: Slot, negative: bool, terms: &mut Vec<Term<Operand>>) {
+        if !self.jets.moves(slot) {
+            return;
+        }
+        if self.named[slot.index()] {
+            terms.push(Term::plain(negative, Operand::Coefficient(slot)));
+        } else {
+            self.instruction(slot, negative, terms);
+        }
+    }
+
+    fn instruction(&mut self, slot: Slot, negative: bool, terms: &mut Vec<Term<Operand>>) {
+        match self.jets.program.instruction(slot) {
+            Instruction::Add(a, b) => {
+                self.add(a, negative, terms);
+                self.add(b, negative, terms);
+            }
+            Instruction::Sub(a, b) => {
+                self.add(a, negative, terms);
+                self.add(b, !negative, terms);
+            }
+            Instruction::Neg(a) => self.add(a, !negative, terms),
+            Instruction::Mul(a, b) => self.product(a, b, negative, terms),
+            Instruction::Div(a, b) => {
+                let factor = self.program.push(Instruction::Recip(self.values[b.index()]));
+                terms.push(Term::product(negative, factor, Operand::Coefficient(a)));
+            }
+            other => unreachable!("orders: {other:?} has no series of its own"),
+        }
+    }
+
+    fn product(&mut self, a: Slot, b: Slot, negative: bool, terms: &mut Vec<Term<Operand>>) {
+        let value = |slot: Slot| self.values[slot.index()];
+        let term = |factor: Slot, slot: Slot| {
+            (!self.jets.vanishes(factor))
+                .then(|| Term::product(negative, value(factor), Operand::Coefficient(slot)))
+        };
+        match (self.jets.moves(a), self.jets.moves(b)) {
+            (true, true) => {
+                let (first, second) = (term(a, b), term(b, a));
+                let value = value(a);
+                terms.push(Term::plain(negative, self.convolution(self.jets.product_lane(a, b))));
+                if a == b {
+                    let twice = self.program.push(Instruction::Add(value, value));
+                    terms.push(Term::product(negative, twice, Operand::Coefficient(a)));
+                } else {
+                    terms.extend(first.into_iter().chain(second));
+                }
+            }
+            (true, false) => terms.extend(term(b, a)),
+            (false, true) => terms.extend(term(a, b)),
+            (false, false) => {}
+        }
+    }
+
+    fn convolution(&mut self, lane: usize) -> Operand {
+        Operand::Known(self.given(Given::Convolution(lane as u32)))
+    }
+
+    fn relation(&mut self, series: &Series, terms: &mut Vec<Term<Operand>>) {
+        let lanes = self.jets.relation_lanes(series);
+        match &series.relation {
+            Relation::Flow(_) => {}
+            Relation::Same(slot) => terms.push(Term::plain(false, Operand::Coefficient(*slot))),
+            Relation::Chain(arguments) => {
+                for (&(slope, argument), lane) in arguments.iter().zip(lanes) {
+                    if self.jets.moves(slope) {
+                        let (sum, index) =
+                            (self.given(Given::Convolution(lane as u32)), self.given(Given::Index));
+                        let share = self.program.push(Instruction::Div(sum, index));
+                        terms.push(Term::plain(false, Operand::Known(share)));
+                    }
+                    let slope = self.values[slope.index()];
+                    terms.push(Term::product(false, slope, Operand::Coefficient(argument)));
+                }
+            }
+            Relation::Power(base, exponent) => {
+                let Some(&(slope, reciprocal)) = self.powers.get(&series.slot) else { return };
+                if *exponent == Number::HALF {
+                    terms.push(Term::product(true, slope, self.convolution(lanes[0])));
+                } else if *exponent == Number::MINUS_ONE {
+                    terms.push(Term::product(true, reciprocal, self.convolution(lanes[0])));
+                } else {
+                    let above = *exponent + Number::ONE;
+                    let scaled = |program: &mut Program, number: Number| {
+                        if number.abs().is_one() {
+                            return reciprocal;
+                        }
+                        let number = literal(program, number.abs());
+                        program.push(Instruction::Mul(number, reciprocal))
+                    };
+                    let first = scaled(&mut self.program, *exponent);
+                    terms.push(Term::product(exponent.is_negative(), first, self.convolution(lanes[0])));
+                    let (second, index) = (scaled(&mut self.program, above), self.given(Given::Index));
+                    let second = self.program.push(Instruction::Div(second, index));
+                    terms.push(Term::product(!above.is_negative(), second, self.convolution(lanes[1])));
+                }
+                terms.push(Term::product(false, slope, Operand::Coefficient(*base)));
+            }
+        }
+    }
+}
