@@ -67,7 +67,7 @@ const RINGS: [&str; 12] = [
     "integrator::dense, integrator::dop853",
     "linear::saddle, linear::schur",
     "motion::roots::pieces, motion::roots::polynomial, motion::roots::zeros",
-    "switching::hybrid, switching::run",
+    "switching::hybrid, switching::run, switching::standstill",
 ];
 
 /// Modules that know no tokens.
