@@ -185,3 +185,6 @@ impl Equations {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
