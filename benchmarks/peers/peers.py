@@ -2,10 +2,12 @@
 
     python3 benchmarks/peers/peers.py run [--system S] [--subject NAME] [--json FILE]
     python3 benchmarks/peers/peers.py serve
+    python3 benchmarks/peers/peers.py nonsmooth
 
 The first call makes a virtual environment beside this file and installs `requirements.txt` into it. `run`
 prints and writes one record for each system, subject and tolerance. `serve` answers requests line by line,
-see `server.py`; the command `report` uses it to measure these subjects and ours in turn.
+see `server.py`; the command `report` uses it to measure these subjects and ours in turn. `nonsmooth` does so for systems
+with contacts, see `nonsmooth/serve.py`.
 """
 
 from __future__ import annotations
@@ -42,7 +44,8 @@ def install() -> None:
 def main() -> None:
     """Installs what is missing and hands over to the server inside the environment."""
     install()
-    os.execv(PYTHON, [str(PYTHON), str(HERE / "server.py"), *sys.argv[1:]])
+    script = HERE / ("nonsmooth/serve.py" if sys.argv[1:] == ["nonsmooth"] else "server.py")
+    os.execv(PYTHON, [str(PYTHON), str(script), *sys.argv[1:]])
 
 
 if __name__ == "__main__":

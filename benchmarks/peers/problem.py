@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Vector = NDArray[np.float64]
+REFERENCES = Path(__file__).resolve().parent.parent / "references.json"
 
 
 class Failure(Exception):
@@ -31,9 +32,8 @@ class Problem:
         return float(np.max(np.abs(found - self.end) / np.maximum(1.0, np.abs(self.end))))
 
 
-def problems() -> dict[str, Problem]:
+def problems(path: Path = REFERENCES) -> dict[str, Problem]:
     """The problems that Rust and Python share."""
-    path = Path(__file__).resolve().parent.parent / "references.json"
     return {
         name: Problem(name, entry["t_end"], np.array(entry["start"]), np.array(entry["end"]))
         for name, entry in json.loads(path.read_text()).items()

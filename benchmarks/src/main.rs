@@ -1,10 +1,11 @@
-//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report | stability | robots`.
+//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report | nonsmooth | stability | robots`.
 //!
 //! A figure counts only as a ratio within one run: all subjects of a system are timed in turn,
 //! on the same states, and absolute times drift between machines.
 
 mod fixed;
 mod native;
+mod nonsmooth;
 mod precision;
 mod problem;
 mod record;
@@ -51,9 +52,9 @@ struct Runs {
 }
 
 impl Runs {
-    /// Goes on in the right build, on one core.
-    fn prepare(&self) -> Result<Effort, Box<dyn Error>> {
-        native::enter(self.portable)?;
+    /// Goes on in the right build, with the integrators of other crates or without, on one core.
+    fn prepare(&self, peers: bool) -> Result<Effort, Box<dyn Error>> {
+        native::enter(self.portable, peers)?;
         native::pin();
         Ok(if self.quick { Effort::QUICK } else { Effort::FULL })
     }
@@ -90,6 +91,13 @@ enum Benchmark {
         #[command(flatten)]
         runs: Runs,
     },
+    /// Contacts, dry friction and kinks beside Siconos, MuJoCo and modes by hand, into NONSMOOTH.md.
+    Nonsmooth {
+        #[command(flatten)]
+        common: Common,
+        #[command(flatten)]
+        runs: Runs,
+    },
     /// Robots from URDF files: accelerations and their derivatives beside those of Pinocchio.
     Robots {
         #[command(flatten)]
@@ -115,13 +123,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     match Arguments::parse().benchmark {
         Benchmark::Rhs { common: Common { system, json } } => rhs::run(system.as_deref(), json.as_deref()),
         Benchmark::Fixed { common: Common { system, json }, runs } => {
-            fixed::run(system.as_deref(), json.as_deref(), runs.prepare()?)
+            fixed::run(system.as_deref(), json.as_deref(), runs.prepare(true)?)
         }
         Benchmark::Precision { common: Common { system, json }, svg, runs } => {
-            precision::run(system.as_deref(), json.as_deref(), svg.as_deref(), runs.prepare()?)
+            precision::run(system.as_deref(), json.as_deref(), svg.as_deref(), runs.prepare(true)?)
         }
         Benchmark::Report { common: Common { system, json }, runs } => {
-            report::run(system.as_deref(), json.as_deref(), runs.prepare()?)
+            report::run(system.as_deref(), json.as_deref(), runs.prepare(true)?)
+        }
+        Benchmark::Nonsmooth { common: Common { system, json }, runs } => {
+            nonsmooth::run(system.as_deref(), json.as_deref(), runs.prepare(false)?)
         }
         Benchmark::Robots { common: Common { system, json }, full, quick } => {
             robots::run(system.as_deref(), json.as_deref(), robots::Extent { full, quick })

@@ -11,8 +11,9 @@ use std::process::{Command, exit};
 /// Set while the second build compiles; the value says what for.
 const BUILT_FOR: Option<&str> = option_env!("BENCHMARKS_BUILT_FOR");
 
-/// Returns in the right build, and in any other one builds and runs the right one and does not return.
-pub fn enter(portable: bool) -> Result<(), Box<dyn Error>> {
+/// Returns in the right build, and in any other one builds and runs the right one and does not return. `peers` says
+/// whether it holds the integrators of other crates.
+pub fn enter(portable: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     let wanted = if portable { "portable" } else { "native" };
     match BUILT_FOR {
         Some(target) if target == wanted => return Ok(()),
@@ -25,19 +26,12 @@ pub fn enter(portable: bool) -> Result<(), Box<dyn Error>> {
     if !portable {
         flags += " -C target-cpu=native";
     }
-    eprintln!("benchmarks: building for the {wanted} target with the peers, then running that build");
+    let with = if peers { " with the peers in Rust" } else { "" };
+    eprintln!("benchmarks: building for the {wanted} target{with}, then running that build");
     let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args([
-            "run",
-            "--quiet",
-            "--profile",
-            "measured",
-            "-p",
-            "benchmarks",
-            "--features",
-            "peers",
-            "--manifest-path",
-        ])
+        .args(["run", "--quiet", "--profile", "measured", "-p", "benchmarks"])
+        .args(if peers { &["--features", "peers"][..] } else { &[] })
+        .arg("--manifest-path")
         .arg(root.join("Cargo.toml"))
         .arg("--target-dir")
         .arg(target.join(wanted))

@@ -14,7 +14,7 @@ const FREE: [&str; 12] = [
 pub const CONSTRAINED: [&str; 4] = ["pendc", "slider", "andrews", "caraxis"];
 
 /// All systems.
-pub fn names() -> impl Iterator<Item = &'static str> {
+pub fn names() -> impl Iterator<Item = &'static str> + Clone {
     FREE.into_iter().chain(CONSTRAINED)
 }
 
@@ -48,13 +48,23 @@ impl Problem {
 
 /// All problems, or the one that is named. The peers in Python read the same file.
 pub fn problems(only: Option<&str>) -> Result<Vec<Problem>, Box<dyn Error>> {
-    let mut known: BTreeMap<String, Problem> = serde_json::from_str(include_str!("../references.json"))?;
-    let chosen: Vec<Problem> = names()
+    chosen(include_str!("../references.json"), names(), only)
+}
+
+/// Those of a file, by these names, or the one that is named.
+pub fn chosen(
+    file: &str,
+    names: impl Iterator<Item = &'static str> + Clone,
+    only: Option<&str>,
+) -> Result<Vec<Problem>, Box<dyn Error>> {
+    let mut known: BTreeMap<String, Problem> = serde_json::from_str(file)?;
+    let chosen: Vec<Problem> = names
+        .clone()
         .filter(|name| only.is_none_or(|only| only == *name))
         .filter_map(|name| known.remove(name).map(|problem| Problem { name, ..problem }))
         .collect();
     if chosen.is_empty() {
-        return Err(format!("no such system; there are {}", names().collect::<Vec<_>>().join(", ")).into());
+        return Err(format!("no such system; there are {}", names.collect::<Vec<_>>().join(", ")).into());
     }
     Ok(chosen)
 }

@@ -24,6 +24,7 @@
 //! | `double-double` | | `DoubleDouble`, a scalar with 31 digits |
 //! | `libm` | the `libm` crate's | bare metal; the same bits on every target; wins over `std` |
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "std")]
@@ -75,7 +76,7 @@ pub use number::real::Lanes;
 pub use number::real::{self, Dual, Ordered, Real};
 pub use switching::{Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
 pub use system::System;
-pub use system::attitude::{self, PoseVelocity};
+pub use system::attitude::{self, BodyAxes, ByName, PoseVelocity};
 #[cfg(feature = "double-double")]
 pub use system::digits::Digits;
 pub use system::error::{self, Cause, Function, Magnitude, MotionError};
@@ -108,6 +109,7 @@ pub mod __private {
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
     };
     pub use crate::system::reading;
+    pub use num_traits::{One, Zero};
     pub mod solve {
         //! Solving for the accelerations.
         pub use crate::system::solve::{

@@ -40,7 +40,7 @@ impl Effort {
     pub const QUICK: Self = Self { rounds: 1, turn: 0.005 };
 }
 
-/// A run that takes longer [s] is not repeated and ends the series of its subject.
+/// [`Plan::slow`] of these systems.
 const SLOW: f64 = 0.3;
 
 /// Measures all systems or one, ours and the peers in Rust.
@@ -76,33 +76,58 @@ pub fn measure(
         #[cfg(feature = "peers")]
         subjects.extend(crates::subjects(&problem));
         subjects.extend(server.into_iter().flat_map(|server| server.subjects(problem.name)));
-        series(&problem, &mut subjects, effort, &mut records);
+        let plan =
+            Plan { benchmark: "precision", setting: |_, place| TOLERANCES.get(place).copied(), slow: SLOW };
+        series(&problem, &mut subjects, &plan, effort, &mut records);
     }
     Ok(records)
 }
 
+/// What a benchmark asks of its subjects.
+pub struct Plan {
+    pub benchmark: &'static str,
+    /// The tolerances of a subject one after the other, or whatever takes their place.
+    pub setting: fn(&str, usize) -> Option<f64>,
+    /// A run that takes longer [s] is not repeated and ends the series of its subject.
+    pub slow: f64,
+}
+
 /// All tolerances of a system.
-fn series(problem: &Problem, subjects: &mut [Box<dyn Subject>], effort: Effort, records: &mut Vec<Record>) {
+pub fn series(
+    problem: &Problem,
+    subjects: &mut [Box<dyn Subject>],
+    plan: &Plan,
+    effort: Effort,
+    records: &mut Vec<Record>,
+) {
     let mut slow = HashSet::new();
-    for tolerance in TOLERANCES {
-        let mut turns: Vec<(usize, Vec<Sample>)> = Vec::new();
+    for setting in 0.. {
+        let mut turns: Vec<(usize, f64, Vec<Sample>)> = Vec::new();
+        let mut is_over = true;
         for (place, subject) in subjects.iter_mut().enumerate().filter(|(place, _)| !slow.contains(place)) {
+            let Some(tolerance) = (plan.setting)(subject.name(), setting) else { continue };
+            is_over = false;
             // The first run warms up and tells what to expect.
             match subject.sample(problem, tolerance, 0.0) {
-                Ok(sample) => turns.push((place, vec![sample])),
+                Ok(sample) => turns.push((place, tolerance, vec![sample])),
                 Err(cause) => println!("{:10} {:26} {tolerance:9.0e} {cause}", problem.name, subject.name()),
             }
         }
+        if is_over {
+            return;
+        }
         for _ in 0..effort.rounds {
-            for (place, samples) in turns.iter_mut().filter(|(_, samples)| samples[0].us < SLOW * 1e6) {
-                samples.extend(subjects[*place].sample(problem, tolerance, effort.turn));
+            for (place, tolerance, samples) in
+                turns.iter_mut().filter(|(.., samples)| samples[0].us < plan.slow * 1e6)
+            {
+                samples.extend(subjects[*place].sample(problem, *tolerance, effort.turn));
             }
         }
-        for (place, samples) in turns {
-            if samples[0].us >= SLOW * 1e6 {
+        for (place, tolerance, samples) in turns {
+            if samples[0].us >= plan.slow * 1e6 {
                 slow.insert(place);
             }
-            let record = summary(problem, subjects[place].name(), tolerance, &samples);
+            let record = summary(plan.benchmark, problem, subjects[place].name(), tolerance, &samples);
             println!(
                 "{:10} {:26} {:9.0e} {:9.1e} {:12.1} {:9}",
                 record.system, record.subject, record.tolerance, record.error, record.us, record.steps
@@ -113,11 +138,11 @@ fn series(problem: &Problem, subjects: &mut [Box<dyn Subject>], effort: Effort, 
 }
 
 /// The record of a subject; the warming up does not count if there is anything else.
-fn summary(problem: &Problem, subject: &str, tolerance: f64, samples: &[Sample]) -> Record {
+fn summary(benchmark: &str, problem: &Problem, subject: &str, tolerance: f64, samples: &[Sample]) -> Record {
     let timed = if samples.len() > 1 { &samples[1..] } else { samples };
     let us = subject::median(timed.iter().map(|sample| sample.us).collect());
     Record {
-        benchmark: "precision".into(),
+        benchmark: benchmark.into(),
         system: problem.name.into(),
         subject: subject.into(),
         tolerance,

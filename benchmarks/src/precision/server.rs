@@ -85,16 +85,20 @@ pub struct Server {
 }
 
 impl Server {
-    /// Starts the child, which stays on the core of this thread and installs what is missing.
+    /// Starts the peers from PyPI; installs what is missing.
     pub fn start() -> Result<Self, Box<dyn Error>> {
-        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers/peers.py");
-        let mut child = Command::new("python3")
-            .arg(script)
-            .arg("serve")
+        Self::of("python3", "peers/peers.py", "serve")
+    }
+
+    /// Starts a script of this folder as the child, which stays on the core of this thread.
+    pub fn of(python: &str, script: &str, command: &str) -> Result<Self, Box<dyn Error>> {
+        let mut child = Command::new(python)
+            .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join(script))
+            .arg(command)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
-            .map_err(|error| format!("python3 does not start: {error}"))?;
+            .map_err(|error| format!("{python} does not start: {error}"))?;
         let requests = child.stdin.take();
         let answers = BufReader::new(child.stdout.take().ok_or("no standard output")?);
         let mut line = Line { child, requests, answers };

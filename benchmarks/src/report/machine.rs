@@ -19,14 +19,21 @@ pub fn describe(server: &Server) -> Result<String, Box<dyn Error>> {
     Ok(format!(
         "# Results\n\n\
          Written by `cargo run --release -p benchmarks -- report`; [README.md](README.md) says how, and what is fair \
-         about it.\n\n\
-         * Machine: one core of {}\n* Built by {} for {}\n* Peers: {}\n* Date: {}\n",
+         about it.\n\n{}",
+        circumstances(&versions)
+    ))
+}
+
+/// On what, by which compiler, beside which peers, and when.
+pub fn circumstances(versions: &[String]) -> String {
+    format!(
+        "* Machine: one core of {}\n* Built by {} for {}\n* Peers: {}\n* Date: {}\n",
         processor(),
         compiler(),
         if native::portable() { "any processor of this architecture" } else { "the present processor" },
         versions.join(", "),
         date()
-    ))
+    )
 }
 
 /// The version of a package in the lock file.

@@ -21,10 +21,13 @@ use crate::number::real::{Ordered, Real};
 /// The number of coefficients.
 pub(crate) const TERMS: usize = HIGHEST + 1;
 
-/// A polynomial Σ cₖ θᵏ on θ in \[0, 1].
+/// A number known by its value alone, and the bound of its roundings.
+pub(crate) type Rounded<R> = Taylor<R, 1>;
+
+/// A polynomial Σ cₖ θᵏ on θ in \[0, 1] with so many coefficients at most.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Taylor<R> {
-    pub(crate) coefficients: [R; TERMS],
+pub(crate) struct Taylor<R, const T: usize = TERMS> {
+    pub(crate) coefficients: [R; T],
     /// The highest coefficient that is not known to be zero.
     pub(crate) degree: usize,
     /// The order to which functions are expanded.
@@ -35,13 +38,15 @@ pub(crate) struct Taylor<R> {
     pub(crate) is_whole: bool,
 }
 
-impl<R: Ordered> Taylor<R> {
+impl<R: Ordered, const T: usize> Taylor<R, T> {
     /// A number that does not change.
     #[inline]
     pub(crate) fn constant(value: R) -> Self {
-        let mut coefficients = [R::zero(); TERMS];
-        coefficients[0] = value;
-        Self { coefficients, degree: 0, orders: HIGHEST, error: R::zero(), is_whole: true }
+        let mut coefficients = [R::zero(); T];
+        if let Some(first) = coefficients.first_mut() {
+            *first = value;
+        }
+        Self { coefficients, degree: 0, orders: T.saturating_sub(1), error: R::zero(), is_whole: true }
     }
 
     /// A number that changes by these terms, the first of order one, in the unit `scale`. It and they are rounded.
@@ -49,7 +54,7 @@ impl<R: Ordered> Taylor<R> {
     pub(crate) fn variable(value: R, terms: impl Iterator<Item = R>, scale: R) -> Self {
         let mut variable = Self::constant(value);
         let mut power = R::one();
-        for (order, term) in (1..TERMS).zip(terms) {
+        for (order, term) in (1..T).zip(terms) {
             power *= scale;
             variable.coefficients[order] = term * power;
             if !term.is_zero() {
@@ -63,7 +68,13 @@ impl<R: Ordered> Taylor<R> {
     /// A number known by its value alone.
     #[inline]
     pub(crate) fn value(value: R) -> Self {
-        Self { orders: 0, error: R::epsilon() * value.abs(), ..Self::constant(value) }
+        Self { error: R::epsilon() * value.abs(), ..Self::constant(value) }
+    }
+
+    /// A number known by its value alone, a sum whose summands have this size.
+    #[inline]
+    pub(crate) fn sum_of(value: R, size: R) -> Self {
+        Self { error: R::epsilon() * size, ..Self::constant(value) }
     }
 
     /// The coefficients up to the degree.
@@ -81,7 +92,7 @@ impl<R: Ordered> Taylor<R> {
     /// The value at the start.
     #[inline]
     pub(crate) fn start(&self) -> R {
-        self.coefficients[0]
+        self.coefficients.first().copied().unwrap_or(R::zero())
     }
 
     /// The value at the end.
@@ -179,41 +190,41 @@ pub(crate) fn shift<R: Real>(coefficients: &mut [R], from: R, width: R) {
     }
 }
 
-impl<R: Ordered> PartialEq for Taylor<R> {
+impl<R: Ordered, const T: usize> PartialEq for Taylor<R, T> {
     fn eq(&self, other: &Self) -> bool {
         self.coefficients == other.coefficients
     }
 }
 
-impl<R: Ordered> Add for Taylor<R> {
+impl<R: Ordered, const T: usize> Add for Taylor<R, T> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         self.plus(&other, R::one())
     }
 }
 
-impl<R: Ordered> Sub for Taylor<R> {
+impl<R: Ordered, const T: usize> Sub for Taylor<R, T> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self.plus(&other, -R::one())
     }
 }
 
-impl<R: Ordered> Mul for Taylor<R> {
+impl<R: Ordered, const T: usize> Mul for Taylor<R, T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         self.times(&other)
     }
 }
 
-impl<R: Ordered> Div for Taylor<R> {
+impl<R: Ordered, const T: usize> Div for Taylor<R, T> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         self.times(&other.recip())
     }
 }
 
-impl<R: Ordered> Neg for Taylor<R> {
+impl<R: Ordered, const T: usize> Neg for Taylor<R, T> {
     type Output = Self;
     fn neg(mut self) -> Self {
         for term in self.coefficients.iter_mut().take(self.degree + 1) {
@@ -225,7 +236,7 @@ impl<R: Ordered> Neg for Taylor<R> {
 
 macro_rules! assign {
     ($($trait:ident $method:ident $operator:tt;)*) => {$(
-        impl<R: Ordered> $trait for Taylor<R> {
+        impl<R: Ordered, const T: usize> $trait for Taylor<R, T> {
             fn $method(&mut self, other: Self) {
                 *self = *self $operator other;
             }
@@ -235,13 +246,13 @@ macro_rules! assign {
 
 assign! { AddAssign add_assign +; SubAssign sub_assign -; MulAssign mul_assign *; DivAssign div_assign /; }
 
-impl<R: Ordered> Sum for Taylor<R> {
+impl<R: Ordered, const T: usize> Sum for Taylor<R, T> {
     fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
         terms.fold(Self::zero(), |sum, term| sum + term)
     }
 }
 
-impl<R: Ordered> Zero for Taylor<R> {
+impl<R: Ordered, const T: usize> Zero for Taylor<R, T> {
     fn zero() -> Self {
         Self::constant(R::zero())
     }
@@ -250,7 +261,7 @@ impl<R: Ordered> Zero for Taylor<R> {
     }
 }
 
-impl<R: Ordered> One for Taylor<R> {
+impl<R: Ordered, const T: usize> One for Taylor<R, T> {
     fn one() -> Self {
         Self::constant(R::one())
     }

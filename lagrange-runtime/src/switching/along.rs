@@ -7,9 +7,9 @@
 use super::guards::{Guard, Guards};
 use super::scene::above;
 use super::{Functions, Switching};
-use crate::motion::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach};
+use crate::motion::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach, stays_above};
 use crate::number::real::{Ordered, Real, larger, smaller};
-use crate::series::taylor::Taylor;
+use crate::series::taylor::{Rounded, Taylor};
 use crate::system::method::Terms;
 use crate::system::state::State;
 
@@ -109,6 +109,14 @@ where
                 }
                 continue;
             }
+            if self.along().all(|guard| stays_above(&self.guard(guard, &functions, number))) {
+                from += width;
+                if one - from <= S::Scalar::epsilon() {
+                    return Ok(None);
+                }
+                width = smaller(width + width, one - from);
+                continue;
+            }
             if width > clearest {
                 let parts = self.along().map(|guard| clear(&self.guard(guard, &functions, number)));
                 let part = parts.fold(one, smaller);
@@ -144,17 +152,19 @@ where
 
     /// The part of the step where a guard itself is zero beside a fall of its polynomial, which has the roundings of
     /// the whole part of the step that it is taken on. Where the guard is within those of its own value already, or
-    /// does not change its sign as the polynomial does, the place as it is.
+    /// does not change its sign as the polynomial does, the place as it is. `sizes` bound the summands of the state there.
     pub(super) fn at_zero(
         &self,
         guard: Guard,
         fall: Fall<S::Scalar>,
+        sizes: &State<S::Scalar, N>,
         mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
     ) -> S::Scalar {
         let half = S::Scalar::from_f64(0.5);
         let Fall { place, fallen } = fall;
         let mut value = |place: S::Scalar| {
-            at(place).map_or(Taylor::value(S::Scalar::from_f64(f64::NAN)), |state| self.value(guard, &state))
+            let nothing = Rounded::value(S::Scalar::from_f64(f64::NAN));
+            at(place).map_or(nothing, |state| self.value(guard, &state, sizes))
         };
         let there = value(place);
         // A start has no place before it, and what is no number nowhere to go.
@@ -169,15 +179,15 @@ where
 
     /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its zero.
     fn agrees(&self, part: &Path<S::Scalar, N>, functions: &Functions<Taylor<S::Scalar>, C, W>) -> bool {
-        let number = Taylor::constant;
-        if self.along().all(|guard| self.guard(guard, functions, number).is_whole) {
+        if functions.rows.iter().chain(&functions.kinks).all(|function| function.is_whole) {
             return true;
         }
-        let end = |x: &Taylor<S::Scalar>| Taylor::value(x.end());
+        let end = |x: &Taylor<S::Scalar>| Rounded::value(x.end());
         let (q, v) = (part.q.each_ref().map(end), part.v.each_ref().map(end));
-        let values = S::functions_in(self.in_regime, number, end(&part.t), &q, &v);
+        let values = S::functions_in(self.in_regime, Taylor::constant, end(&part.t), &q, &v);
         self.along().all(|guard| {
-            let [series, value] = [functions, &values].map(|functions| self.guard(guard, functions, number));
+            let series = self.guard(guard, functions, Taylor::constant);
+            let value = self.guard(guard, &values, Taylor::constant);
             let summed = S::Scalar::from_f64(2.0 * series.degree as f64) * S::Scalar::epsilon();
             let bound = series.error + value.error + summed * series.extent();
             // What has left no number at the end is no reason to look at a shorter part.

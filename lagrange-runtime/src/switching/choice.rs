@@ -9,7 +9,6 @@
 
 use super::scene::{Scene, Status, above, extent, most, product, rounding};
 use super::trials::{Options, Part, combine, regime};
-use super::turning::{TURNS, Turning, pairs};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
@@ -23,6 +22,8 @@ pub(super) struct Choice<R, const N: usize, const C: usize, const W: usize> {
     pub(super) regime: Regime<R, C, W>,
     /// Velocities: those of the state, but for a slip in two directions that begins.
     pub(super) velocities: [R; N],
+    /// How much later the motion has these velocities, where that is known.
+    pub(super) later: R,
     pub(super) accelerations: [R; N],
     pub(super) multipliers: [R; C],
     /// Whether the motion determines each multiplier.
@@ -137,11 +138,16 @@ where
                 && self.status[row] == Status::Rests
                 && regime.slip[row] != num_traits::Zero::zero()
         };
-        let velocities = if (0..C).any(begins) { self.begun(&regime, begins)? } else { self.state.v };
+        let has_begun = (0..C).any(begins);
+        let velocities = if has_begun { self.begun(&regime, begins)? } else { self.state.v };
         let balance = self.balance(&regime, &velocities)?;
+        let zero = num_traits::Zero::zero();
+        let later =
+            if has_begun { self.later(&regime, begins, &velocities, &balance).unwrap_or(zero) } else { zero };
         Some(Choice {
             regime,
             velocities,
+            later,
             accelerations: balance.accelerations,
             multipliers: balance.multipliers,
             is_unique: balance.independence.rank == balance.independence.rows,
@@ -149,7 +155,7 @@ where
     }
 
     /// The accelerations and multipliers of a regime.
-    fn balance(
+    pub(super) fn balance(
         &self,
         regime: &Regime<S::Scalar, C, W>,
         v: &[S::Scalar; N],
@@ -161,81 +167,13 @@ where
         numbers.all(|x| x.is_finite()).then_some(balance)
     }
 
-    /// Velocities with a slip so small that it counts as none, in the directions in which slips begin: that of
-    /// their accelerations, which friction against these directions leaves.
-    #[cold]
-    fn begun(
-        &self,
-        regime: &Regime<S::Scalar, C, W>,
-        begins: impl Fn(usize) -> bool,
-    ) -> Option<[S::Scalar; N]> {
-        let zero: S::Scalar = num_traits::Zero::zero();
-        let State { t, q, v } = &self.state;
-        let mut stuck = *regime;
-        for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
-            stuck.slip[row] = zero;
-            (stuck.active[row], stuck.active[other]) = (true, true);
-        }
-        let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
-        let mut slips = held.balance().multipliers.map(|force| -force);
-        let (mut turning, mut is_scaled) = (Turning::new(), false);
-        let mut velocities = *v;
-        for _ in 0..TURNS {
-            let mut lack = [zero; C];
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
-                let length = slips[row].hypot(slips[other]);
-                if !length.is_positive() {
-                    return None;
-                }
-                let size = most(self.speeds[row], self.speeds[other]);
-                let size = if size.is_positive() { size } else { S::Scalar::epsilon() };
-                let size = size * S::Scalar::epsilon() * S::Scalar::from_f64(16.0);
-                for row in [row, other] {
-                    lack[row] = size * slips[row] / length - self.laws.rows.rates[row];
-                }
-            }
-            let (change, _) = held.saddle.solve(&[zero; N], &lack);
-            velocities = core::array::from_fn(|i| v[i] + change[i]);
-            let balance = self.balance(regime, &velocities)?;
-            let sizes = self.sizes(regime, &balance.accelerations, &balance.multipliers);
-            let (mut lacks, mut is_done) = ([zero; C], true);
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
-                let rates = [row, other].map(|row| self.rate(row, &balance.accelerations));
-                let speed = rates[0].hypot(rates[1]);
-                let noise = rounding::<S::Scalar>() * extent(&self.gradients[row], &sizes.accelerations);
-                // Where nothing accelerates the slip, it goes where the force drives it.
-                if !above(speed, noise) {
-                    continue;
-                }
-                if !is_scaled {
-                    let share = speed / slips[row].hypot(slips[other]);
-                    (slips[row], slips[other]) = (share * slips[row], share * slips[other]);
-                }
-                (lacks[row], lacks[other]) = (rates[0] - slips[row], rates[1] - slips[other]);
-                is_done = is_done && !above(lacks[row].hypot(lacks[other]), noise);
-            }
-            if is_done {
-                break;
-            }
-            is_scaled = true;
-            slips = turning.next(&slips, &lacks);
-        }
-        Some(velocities)
-    }
-
-    /// What velocities change at a row.
-    fn change(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
-        let change = core::array::from_fn(|i| velocities[i] - self.state.v[i]);
-        product(&self.gradients[row], &change)
-    }
-
     /// The rate of the rate of a row.
     pub(super) fn rate(&self, row: usize, accelerations: &[S::Scalar; N]) -> S::Scalar {
         product(&self.gradients[row], accelerations) - self.gamma[row]
     }
 
     /// What forces and accelerations are made of.
-    fn sizes(
+    pub(super) fn sizes(
         &self,
         regime: &Regime<S::Scalar, C, W>,
         accelerations: &[S::Scalar; N],
@@ -371,9 +309,9 @@ fn parts_at<R: Real, const C: usize, const W: usize>(
 }
 
 /// The magnitudes of what forces and accelerations are made of.
-struct Sizes<R, const N: usize> {
-    forces: [R; N],
-    accelerations: [R; N],
+pub(super) struct Sizes<R, const N: usize> {
+    pub(super) forces: [R; N],
+    pub(super) accelerations: [R; N],
 }
 
 /// Whether the reaction of a row limits a friction.

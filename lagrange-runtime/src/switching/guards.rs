@@ -6,7 +6,7 @@ use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::number::real::{Ordered, Real};
-use crate::series::taylor::Taylor;
+use crate::series::taylor::{Rounded, Taylor};
 use crate::system::error::Cause;
 use crate::system::state::State;
 
@@ -163,14 +163,24 @@ where
     }
 
     /// The functions of guards that are no reactions, at a state, with their roundings.
-    fn functions(&self, state: &State<S::Scalar, N>) -> Functions<Taylor<S::Scalar>, C, W> {
+    fn functions(&self, state: &State<S::Scalar, N>) -> Functions<Rounded<S::Scalar>, C, W> {
         let [q, v] = [state.q, state.v].map(|numbers| numbers.map(Taylor::value));
         S::functions_in(self.in_regime, Taylor::constant, Taylor::value(state.t), &q, &v)
     }
 
-    /// One of those guards at a state, with its roundings.
-    pub(super) fn value(&self, guard: Guard, state: &State<S::Scalar, N>) -> Taylor<S::Scalar> {
-        self.guard(guard, &self.functions(state), Taylor::constant)
+    /// One of those guards at a state, whose numbers are sums of summands of these sizes, with its roundings.
+    pub(super) fn value(
+        &self,
+        guard: Guard,
+        state: &State<S::Scalar, N>,
+        sizes: &State<S::Scalar, N>,
+    ) -> Rounded<S::Scalar> {
+        let rounded = |numbers: &[S::Scalar; N], sizes: &[S::Scalar; N]| {
+            core::array::from_fn(|i| Rounded::sum_of(numbers[i], sizes[i]))
+        };
+        let (q, v) = (rounded(&state.q, &sizes.q), rounded(&state.v, &sizes.v));
+        let t = Rounded::sum_of(state.t, sizes.t);
+        self.guard(guard, &S::functions_in(self.in_regime, Taylor::constant, t, &q, &v), Taylor::constant)
     }
 
     /// The multipliers at a state, and the forces at their rows that they are differences of: what bears nothing,

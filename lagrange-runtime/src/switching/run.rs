@@ -2,7 +2,9 @@
 
 use super::guards::{Guard, Guards};
 use super::hybrid::{Memory, sum};
+use super::memory::shift;
 use super::scene::{Known, Scene, above, most};
+use super::standstill::is_at_rest;
 use super::{Regime, Row, Switching};
 use crate::motion::roots::Unresolved;
 use crate::number::real::{Ordered, Real};
@@ -55,10 +57,11 @@ where
         memory.constants = memory.in_regime.constants();
         M::go_on(&mut memory.inner, &memory.in_regime, state);
         (memory.start, memory.end, memory.next) = (state, state, None);
+        memory.is_way = false;
     }
 
     /// What follows a state: its impact, the regime that goes on, and the state projected onto that, so much later
-    /// as the time of the state is rounded.
+    /// as the time of the state is rounded. Where a slip in two directions begins it may be a little later yet.
     pub(super) fn settle(
         &mut self,
         state: &mut State<S::Scalar, N>,
@@ -67,7 +70,8 @@ where
         avoid: bool,
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
-        if C > 0 {
+        self.memory.way = [num_traits::Zero::zero(); N];
+        if S::ROWS.iter().any(|row| *row != Row::Bilateral) {
             let inputs = &self.control.0;
             let scales = &mut self.memory.scales;
             scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
@@ -91,8 +95,14 @@ where
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
-            state.v = choice.velocities;
-            shift(state, &choice.accelerations, late);
+            self.memory.way = choice.accelerations;
+            if choice.later.is_positive() {
+                state.t += choice.later;
+                shift(state, &choice.accelerations, late + choice.later);
+            } else {
+                state.v = choice.velocities;
+                shift(state, &choice.accelerations, late);
+            }
             let in_regime = self.system.in_regime(&choice.regime);
             in_regime.project_at(&in_regime.constants(), state, None)?;
             first.still(&mut state.v);
@@ -100,14 +110,17 @@ where
         }
         let in_regime = self.system.in_regime(present);
         let State { t, q, v } = *state;
-        let a = in_regime.accelerations_at(&in_regime.constants(), t, &q, &v, &self.control.0);
+        let constants = in_regime.constants();
+        let a = in_regime.accelerations_at(&constants, t, &q, &v, &self.control.0);
         shift(state, &a, late);
+        in_regime.project_at(&constants, state, None)?;
         Ok(*present)
     }
 
     /// One piece, towards time `t`.
     pub(super) fn step(&mut self, t: S::Scalar, attempts: &mut u64) -> Result<(), MotionError<S::Scalar>> {
         let at = |state: &State<S::Scalar, N>, cause| MotionError { cause, t: state.t };
+        self.memory.scales.relative = self.limits.relative;
         if let Some(cause) = self.memory.stuck {
             return Err(at(&self.memory.end, cause));
         }
@@ -117,18 +130,27 @@ where
                 opened.map_err(|cause| at(&self.memory.end, cause))?;
             }
             if let Some((regime, state)) = self.memory.next {
+                if self.memory.go_on_way() {
+                    return Ok(());
+                }
                 self.enter(regime, state);
             }
             let here = self.memory.end;
-            if S::InRegime::CONSTRAINED && is_at_rest(&self.memory.start, &here) {
-                // Nothing bounds the length of a step by that of one before it.
-                M::restart(&mut self.memory.inner, here);
-            }
+            let rests = is_at_rest(&self.memory.start, &here);
             if here.t == t {
                 return Ok(());
             }
             if t < here.t && S::ROWS.iter().any(|row| *row != Row::Bilateral) {
                 return Err(at(&here, Cause::Irreversible));
+            }
+            if rests && S::AUTONOMOUS && self.stays() {
+                (self.memory.start, self.memory.end) = (here, here.at_time(t));
+                M::restart(&mut self.memory.inner, self.memory.end);
+                return Ok(());
+            }
+            if rests && S::InRegime::CONSTRAINED {
+                // Nothing bounds the length of a step by that of one before it.
+                M::restart(&mut self.memory.inner, here);
             }
             let memory = &mut *self.memory;
             let (in_regime, constants) = (&memory.in_regime, &memory.constants);
@@ -211,7 +233,10 @@ where
         let mut fall = None;
         if let Some(terms) = terms {
             let found = guards.first_along(&start, &terms, memory.fired).map_err(Unresolved::cause)?;
-            fall = found.map(|found| (found, terms.length * terms.unit, terms.residue));
+            fall = found.map(|found| {
+                let sizes = terms.sizes(&start, found.0.place);
+                (found, sizes, terms.length * terms.unit, terms.residue)
+            });
         }
         let inner = &mut memory.inner;
         let (control, limits) = (self.control, self.limits);
@@ -221,9 +246,11 @@ where
             }
             M::within(inner, in_regime, constants, control, limits, part).ok()
         };
-        let mut first = fall.map(|((fall, guard), ..)| (guards.at_zero(guard, fall, &mut at), guard));
+        let mut first = fall
+            .as_ref()
+            .map(|((fall, guard), sizes, ..)| (guards.at_zero(*guard, *fall, sizes, &mut at), *guard));
         // The time since the start that a part of the step is, without the rounding of times.
-        let mut passed = first.zip(fall).map(|((part, _), (_, length, residue))| part * length + residue);
+        let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
         let until = first.map_or(one, |(part, _)| part);
         let sampled = guards.first(&memory.scales, [start.t, end.t], until, &mut at)?;
         if sampled.is_some() {
@@ -267,6 +294,9 @@ where
                 if above(jumps[kink].abs(), S::Scalar::epsilon().sqrt() * sizes[kink]) {
                     return Err(Cause::EnergyJumps { kink, name: S::KINKS[kink] });
                 }
+                if self.has_corner(kink, &state) {
+                    return Err(Cause::MomentumJumps { kink, name: S::KINKS[kink] });
+                }
             }
             Guard::Row(row) => {
                 if memory.changes > CHANGES * (C + W) {
@@ -294,54 +324,33 @@ where
         Ok(())
     }
 
-    /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
-    fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
-        let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
-        let least = S::Scalar::from_f64(256.0) * S::Scalar::epsilon();
-        let scales = &self.memory.scales;
-        let size = most(scales.speeds[row], scales.speeds[other]);
-        let slip = rows.rates[row].hypot(rows.rates[other]);
-        !above(slip, most(self.limits.relative, least) * size)
-    }
-
-    /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there, and
-    /// steps, which end before, become shorter and shorter. From within the tolerance the rest is a straight line.
-    fn come_to_rest(&mut self) -> Result<(), Cause> {
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            let Row::Friction { pair: Some(other), .. } = *kind else { continue };
-            let slips = self.memory.regime.slip[row] != num_traits::Zero::zero();
-            if !slips || other < row || !self.rests(row, other, &self.memory.end) {
-                continue;
+    /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through it as
+    /// they are. At the kink itself a function may be no more than roundings: its size is that along the piece.
+    fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
+        let part = S::Scalar::epsilon().sqrt();
+        let mut middle = None;
+        let mut place = 0;
+        let mut found = false;
+        let system = self.system;
+        let memory = &mut *self.memory;
+        let (inner, in_regime, constants) = (&mut memory.inner, &memory.in_regime, &memory.constants);
+        let (control, limits, start) = (self.control, self.limits, memory.start);
+        system.corners_at(state.t, &state.q, &state.v, |own, gain, size| {
+            place += 1;
+            if own != kink || !above(gain.abs(), part * size) {
+                return;
             }
-            let (memory, inputs) = (&*self.memory, &self.control.0);
-            let State { t, q, v } = memory.end;
-            let known = Known { closed: memory.regime.active, fired: None, settled: true };
-            let scene =
-                Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
-            let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
-            let mut a = equations.balance().accelerations;
-            let (x, y) = (scene.laws.rows.rates[row], scene.laws.rows.rates[other]);
-            let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
-            let mut left = (x * x + y * y) / falls;
-            if x == num_traits::Zero::zero() && y == num_traits::Zero::zero() {
-                // It is there, and has no direction any more.
-                (left, a) = (num_traits::Zero::zero(), [num_traits::Zero::zero(); N]);
-            } else if !falls.is_positive() {
-                continue;
-            }
-            let half = S::Scalar::from_f64(0.5);
-            let mut state = State {
-                t: t + left,
-                q: core::array::from_fn(|i| q[i] + left * (v[i] + half * left * a[i])),
-                v: core::array::from_fn(|i| v[i] + left * a[i]),
-            };
-            let present = memory.regime;
-            let known = Known { closed: present.active, fired: Some(row), settled: false };
-            let regime = self.settle(&mut state, &present, known, true, num_traits::Zero::zero())?;
-            self.memory.next = Some((regime, state));
-            return Ok(());
-        }
-        Ok(())
+            let half = S::Scalar::from_f64(0.5) * (start.t + state.t);
+            let state = *middle.get_or_insert_with(|| {
+                M::sample(inner, in_regime, constants, control, limits, half, &mut 0).unwrap_or(start)
+            });
+            let mut other = 0;
+            system.corners_at(state.t, &state.q, &state.v, |_, _, size| {
+                other += 1;
+                found = found || other == place && above(gain.abs(), part * size);
+            });
+        });
+        found
     }
 
     /// The state at time `t`.
@@ -358,6 +367,12 @@ where
                 }
                 if self.memory.covers(t) {
                     let memory = &mut *self.memory;
+                    if memory.is_way {
+                        return Ok(memory.on_way(t));
+                    }
+                    if is_at_rest(&memory.start, &memory.end) {
+                        return Ok(memory.start.at_time(t));
+                    }
                     let (in_regime, constants) = (&memory.in_regime, &memory.constants);
                     let inner = &mut memory.inner;
                     return M::sample(inner, in_regime, constants, self.control, self.limits, t, &mut 0);
@@ -375,24 +390,7 @@ where
         let is_behind = if start.t <= end.t { t < start.t } else { t > start.t };
         if is_behind && start.t != end.t {
             M::restart(&mut memory.inner, start);
-            (memory.end, memory.next) = (start, None);
+            (memory.end, memory.next, memory.is_way) = (start, None, false);
         }
-    }
-}
-
-/// Whether nothing moves.
-fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
-    start.t != end.t && end.v.iter().all(|&v| v == R::zero()) && start.q == end.q
-}
-
-/// Moves a state by a time that is shorter than the resolution of its own.
-fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
-    // Where a slip in two directions has come to rest, its regime has no accelerations.
-    if dt == R::zero() || !accelerations.iter().all(|a| a.is_finite()) {
-        return;
-    }
-    for ((q, v), &a) in state.q.iter_mut().zip(&mut state.v).zip(accelerations) {
-        *q += dt * *v;
-        *v += dt * a;
     }
 }

@@ -5,7 +5,7 @@ use super::System;
 use super::error::{Cause, MotionError};
 use super::limits::Limits;
 use super::state::State;
-use crate::number::real::Ordered;
+use crate::number::real::{Ordered, Real};
 
 /// A method that takes steps of a size chosen by the caller.
 pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
@@ -44,6 +44,21 @@ pub struct Terms<'a, R, const N: usize> {
     pub unit: R,
     /// What rounding took from the time of the start \[s].
     pub residue: R,
+}
+
+impl<R: Real, const N: usize> Terms<'_, R, N> {
+    /// Σ |summands| of the state after a part of the step, which bound its roundings.
+    pub(crate) fn sizes(&self, start: &State<R, N>, part: R) -> State<R, N> {
+        let theta = (part * self.length).abs();
+        let sums = |numbers: &[R; N], rows: &[[R; N]]| {
+            let gains = rows.iter().rev().fold([R::zero(); N], |sums, row| {
+                core::array::from_fn(|i| R::mul_add(sums[i], theta, row[i].abs()))
+            });
+            core::array::from_fn(|i| R::mul_add(gains[i], theta, numbers[i].abs()))
+        };
+        let t = start.t.abs() + (theta * self.unit).abs();
+        State { t, q: sums(&start.q, self.q), v: sums(&start.v, self.v) }
+    }
 }
 
 /// Counts of a motion so far.

@@ -1,12 +1,15 @@
 //! Contacts, dry friction and kinks: published cases (N01 to N14) and what their laws imply.
 
 mod balls;
+mod corners;
 mod friction;
 mod kinks;
 mod nested;
+mod random;
 mod reactions;
 mod refused;
 mod rocking;
+mod slips;
 
 /// Tolerance of the motions.
 const TIGHT: f64 = 1e-13;

@@ -67,7 +67,7 @@ pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fal
     let place = if starts_at_zero && low == zero {
         behind_zero(polynomial, start, noise, high)
     } else {
-        root(polynomial, low, high)
+        root(polynomial, low, high, noise)
     };
     Some(Fall { place, fallen: high })
 }
@@ -114,37 +114,60 @@ enum Changes {
     Several,
 }
 
+/// Coefficients of Bernstein from those of powers: divided by binomial coefficients, then summed as differences are.
+fn to_bernstein<R: Ordered>(powers: &mut [R]) {
+    let two = R::one() + R::one();
+    let degree = R::from_f64(powers.len() as f64 - 1.0);
+    let (mut weight, mut order) = (R::one(), R::zero());
+    for term in powers.iter_mut().skip(1) {
+        order += R::one();
+        weight *= order / (degree - order + R::one());
+        *term *= weight;
+    }
+    // Two sums at a time, of which the second leaves out one term more.
+    let mut rest = powers;
+    while let [before, first, others @ ..] = rest {
+        let (mut last, mut next_to_last) = (*first, *before);
+        *first += *before;
+        for term in others {
+            let own = *term;
+            *term = R::mul_add(two, last, own + next_to_last);
+            (next_to_last, last) = (last, own);
+        }
+        rest = rest.get_mut(2..).unwrap_or_default();
+    }
+}
+
+/// Whether a guard is above zero on the whole of its interval, by more than its roundings.
+pub(crate) fn stays_above<R: Ordered>(guard: &Taylor<R>) -> bool {
+    let terms = guard.terms();
+    let down =
+        terms.iter().skip(1).fold(R::zero(), |sum, &term| if term < R::zero() { sum + term } else { sum });
+    let summed = R::from_f64(2.0 * guard.degree as f64 + 2.0) * R::epsilon();
+    let noise = guard.error + summed * guard.extent();
+    if guard.start() + down > noise {
+        return true;
+    }
+    if !(guard.start() > noise && guard.end() > noise) {
+        return false;
+    }
+    let mut part = [R::zero(); TERMS];
+    let Some(part) = part.get_mut(..terms.len()) else { return false };
+    part.copy_from_slice(terms);
+    to_bernstein(part);
+    part.iter().all(|&term| term > noise)
+}
+
 /// Those of a polynomial of this much more than itself.
 fn changes<R: Ordered>(powers: &mut [R], more: R) -> Changes {
-    let (zero, one) = (R::zero(), R::one());
-    let degree = R::from_f64(powers.len() as f64 - 1.0);
     if let Some(first) = powers.first_mut() {
         *first += more;
     }
-    // Divided by binomial coefficients, then summed as differences are.
-    let (mut weight, mut order) = (one, zero);
-    for term in powers.iter_mut().skip(1) {
-        order += one;
-        weight *= order / (degree - order + one);
-        *term *= weight;
-    }
-    for first in 1..powers.len() {
-        let Some((mut before, others)) = powers
-            .get_mut(first - 1..)
-            .and_then(|rest| rest.split_first_mut().map(|(first, others)| (*first, others)))
-        else {
-            continue;
-        };
-        for term in others {
-            let own = *term;
-            *term = own + before;
-            before = own;
-        }
-    }
+    to_bernstein(powers);
     let mut count = 0;
-    let mut above = powers.first().is_some_and(|&first| first > zero);
+    let mut above = powers.first().is_some_and(|&first| first > R::zero());
     for &term in powers.iter() {
-        if (term > zero) != above {
+        if (term > R::zero()) != above {
             above = !above;
             count += 1;
         }
@@ -169,7 +192,7 @@ fn behind_zero<R: Ordered>(polynomial: &[R], start: R, noise: R, mut high: R) ->
                 return low;
             }
             let here = value(polynomial, middle);
-            if here < -noise || here <= zero && slope(polynomial, middle) < zero {
+            if here < -noise || here <= zero && with_slope(polynomial, middle)[1] < zero {
                 high = middle;
             } else {
                 low = middle;
@@ -179,33 +202,33 @@ fn behind_zero<R: Ordered>(polynomial: &[R], start: R, noise: R, mut high: R) ->
             }
         }
     }
-    let place = root(rest, low, high);
+    let place = root(rest, low, high, noise);
     // There the guard is again what it was at the start.
-    let slope = place * slope(rest, place);
+    let slope = place * with_slope(rest, place)[1];
     let correction = start / slope;
     let corrected = place - correction;
     if correction.abs() <= half * place && corrected <= high { corrected } else { place }
 }
 
 /// The root between a place where a polynomial is not below zero and one where it is, to the last bit or two.
-fn root<R: Ordered>(polynomial: &[R], mut low: R, mut high: R) -> R {
-    let (zero, half) = (R::zero(), R::from_f64(0.5));
+fn root<R: Ordered>(polynomial: &[R], mut low: R, mut high: R, noise: R) -> R {
+    let half = R::from_f64(0.5);
     let (from, to) = (value(polynomial, low), value(polynomial, high));
-    if from <= zero {
+    if from <= R::zero() {
         return low;
     }
-    if to >= zero {
+    if to >= R::zero() {
         return high;
     }
-    // The chord, then Newton's steps as long as they stay in the bracket and halve it or themselves.
+    // The chord, then Newton's steps as long as they stay in the bracket and halve.
     let mut place = low + (high - low) * (from / (from - to));
     let mut last = high - low;
     loop {
-        let (here, rate) = (value(polynomial, place), slope(polynomial, place));
-        if here == zero {
+        let [here, rate] = with_slope(polynomial, place);
+        if here.is_zero() {
             return place;
         }
-        if here > zero {
+        if here > R::zero() {
             low = place;
         } else {
             high = place;
@@ -213,6 +236,10 @@ fn root<R: Ordered>(polynomial: &[R], mut low: R, mut high: R) -> R {
         let step = -(here / rate);
         let next = place + step;
         let is_good = next > low && next < high && step.abs() <= half * last;
+        // Where roundings make the value, they make the step, and no other place is better.
+        if !is_good && rate < R::zero() && here.abs() <= noise {
+            return place;
+        }
         let next = if is_good { next } else { half * (low + high) };
         let moved = (next - place).abs();
         if next <= low || next >= high || moved <= R::epsilon() * place.abs() {
@@ -235,15 +262,21 @@ fn value<R: Ordered>(polynomial: &[R], theta: R) -> R {
     R::mul_add(odd, theta, even)
 }
 
-/// The derivative of a polynomial.
-fn slope<R: Ordered>(polynomial: &[R], theta: R) -> R {
-    let mut order = R::from_f64(polynomial.len() as f64);
-    let mut slope = R::zero();
-    for &term in polynomial.iter().skip(1).rev() {
-        order -= R::one();
-        slope = R::mul_add(slope, theta, order * term);
+/// The value of a polynomial and its derivative, likewise.
+fn with_slope<R: Ordered>(polynomial: &[R], theta: R) -> [R; 2] {
+    let square = theta * theta;
+    let (pairs, rest) = polynomial.as_chunks::<2>();
+    let mut even = rest.first().copied().unwrap_or(R::zero());
+    let [mut odd, mut even_slope, mut odd_slope] = [R::zero(); 3];
+    for [low, high] in pairs.iter().rev() {
+        even_slope = R::mul_add(even_slope, square, even);
+        odd_slope = R::mul_add(odd_slope, square, odd);
+        even = R::mul_add(even, square, *low);
+        odd = R::mul_add(odd, square, *high);
     }
-    slope
+    // The slopes are those by the square of the argument.
+    let slope = R::mul_add(odd_slope, theta, even_slope) * (theta + theta) + odd;
+    [R::mul_add(odd, theta, even), slope]
 }
 
 /// The part of the interval on which what has been left away of a guard is less than its roundings.

@@ -5,7 +5,7 @@ use num_traits::One;
 use super::Taylor;
 use crate::number::real::{Ordered, Real};
 
-impl<R: Ordered> Taylor<R> {
+impl<R: Ordered, const T: usize> Taylor<R, T> {
     /// A series whose coefficients follow from those of lower order, the first of which is a value. `slope` bounds the
     /// derivative by this number, whose roundings it carries on.
     fn series(&self, value: R, mut next: impl FnMut(usize, &[R]) -> R) -> Self {
@@ -78,17 +78,19 @@ impl<R: Ordered> Taylor<R> {
     /// The square root of what leaves zero with a fixed acceleration: the polynomial divided by θ², its root times θ.
     fn root_from_zero(&self) -> Self {
         let mut rest = *self;
-        rest.coefficients.rotate_left(2);
+        rest.coefficients.rotate_left(2.min(T));
         rest.degree = self.degree.saturating_sub(2);
         let mut root = rest.sqrt();
-        root.coefficients.rotate_right(1);
-        root.coefficients[0] = R::zero();
+        root.coefficients.rotate_right(1.min(T));
+        if let Some(first) = root.coefficients.first_mut() {
+            *first = R::zero();
+        }
         root.degree = (root.degree + 1).min(self.orders);
         root
     }
 }
 
-impl<R: Ordered> Real for Taylor<R> {
+impl<R: Ordered, const T: usize> Real for Taylor<R, T> {
     type Lane = R::Lane;
 
     fn splat(lane: R::Lane) -> Self {
@@ -125,8 +127,12 @@ impl<R: Ordered> Real for Taylor<R> {
     }
     fn sqrt(self) -> Self {
         let zero = R::zero();
-        let [value, rate, bend, ..] = self.coefficients;
-        if value == zero && rate == zero && bend > zero && self.degree >= 2 && self.orders >= 2 {
+        let value = self.start();
+        if value == zero
+            && let [_, rate, bend, ..] = *self.terms()
+            && rate == zero
+            && bend > zero
+        {
             return self.root_from_zero();
         }
         let half = R::from_f64(0.5);

@@ -1,0 +1,143 @@
+"""Writes `../../nonsmooth.json`: where each case starts, when it stops and where it is then, to thirty digits.
+
+Between events the motions are elementary where they can be, else Taylor series of mpmath; events are roots of these.
+
+    python3 benchmarks/peers/nonsmooth/references.py
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import mpmath as mp
+
+import cases
+
+mp.mp.dps = 40
+G = mp.mpf("9.81")
+# (start, time to stop); of `slope` the state is (downhill, across) and its rates.
+RUNS = {
+    "ball": (["1", "0"], "3"),
+    "wall": (["1.3", "0"], "4.5"),
+    "coulomb": (["0.7", "0"], "3"),
+    "belt": (["0", "0.2"], "300"),
+    "block": (None, "1.5"),
+    "hoop": (["1.2", "0"], "1"),
+    "bilinear": (["1", "0"], "1000"),
+    "valley": (["1", "0"], "1000"),
+}
+
+
+def pendulum(slope, state, time):
+    """The motion of x'' = slope(x, v) from a state, as a function of time."""
+    flow = mp.odefun(lambda _, s: [s[1], slope(s[0], s[1])], 0, state)
+    return lambda t: flow(t) if t > 0 else list(state)
+
+
+def oscillator(square, centre, state):
+    """The motion of x'' = −square (x − centre)."""
+    w, x, v = mp.sqrt(square), state[0] - centre, state[1]
+    return lambda t: [
+        centre + x * mp.cos(w * t) + v / w * mp.sin(w * t),
+        v * mp.cos(w * t) - x * w * mp.sin(w * t),
+    ]
+
+
+def parabola(a, state):
+    """The motion of x'' = a."""
+    return lambda t: [state[0] + state[1] * t + a * t * t / 2, state[1] + a * t]
+
+
+def motion(name, state, p):
+    """The motion of a case in a mode, with exact decimals for its parameters."""
+    d = mp.mpf
+    if name == "ball":
+        return parabola(-G, state)
+    if name == "valley":
+        return parabola(-d(p), state)
+    if name == "bilinear":
+        return oscillator(d("6.5") - d("2.5") * d(p), 0, state)
+    if name == "coulomb":
+        return oscillator(d(25), -d(p) * G / 100, state) if p else lambda t: state
+    if name == "belt":
+        return oscillator(d(9), d("2.4") / 9, state) if p else parabola(0, state)
+    if name == "wall":
+        return pendulum(lambda x, v: -G / d("0.8") * mp.sin(x), state, None)
+    if name == "block":
+        b, h = d("0.2"), d("0.5")
+        square, alpha = 3 * G / (4 * mp.hypot(b, h)), mp.atan(b / h)
+        return pendulum(lambda x, v: -square * mp.sin(p * alpha - x), state, None)
+    if name == "hoop":
+        g, mu = G / d("0.5"), d("0.2")
+        return pendulum(lambda x, v: -g * mp.sin(x) - p * mu * (v * v + g * mp.cos(x)), state, None)
+    raise KeyError(name)
+
+
+def after(name, s, p):
+    """What follows an event."""
+    d = mp.mpf
+    if name in ("ball", "wall"):
+        return [d(0), -d("0.8" if name == "ball" else "0.9") * s[1]], p
+    if name == "block":
+        b, h = d("0.2"), d("0.5")
+        return [d(0), (1 - d("1.5") * b * b / (b * b + h * h)) * s[1]], -p
+    if name == "belt":
+        return ([d(4) / 9, s[1]], 1.0) if p == 0 else ([s[0], d("0.2")], 0.0)
+    if name in ("bilinear", "valley"):
+        return [d(0), s[1]], -p
+    return cases.CASES[name].after(s, p)
+
+
+def run(name, state, end):
+    """The state at the end, event by event."""
+    case, t = cases.CASES[name], mp.mpf(0)
+    p = case.mode
+    while t < end:
+        path = motion(name, state, p)
+        guard = lambda s: case.guard(path(s)[0], path(s)[1], p)
+        # Steps a tenth of the shortest piece or less, from beside the start, where the guard is zero.
+        step = mp.mpf("0.01")
+        low = step
+        while t + low < end and guard(low + step) > 0:
+            low += step
+        if t + low + step >= end and (t + low >= end or guard(end - t) > 0):
+            return path(end - t)
+        at = mp.findroot(guard, (low, low + step), solver="anderson", tol=mp.mpf(10) ** -70)
+        state, p = after(name, [+x for x in path(at)], p)
+        t += at
+    return state
+
+
+def slope():
+    """Slides across a slope of 0.3 rad with 0.45 until it rests: from v' = g sin a cos b − m, v b' = −g sin a sin b."""
+    d = mp.mpf
+    down, drag = G * mp.sin(d("0.3")), d("0.45") * G * mp.cos(d("0.3"))
+    # b: from downhill to the velocity, v sin b times a power of tan(b / 2) stays.
+    k = drag / down
+    speed = lambda b: 2 / mp.sin(b) * mp.tan(b / 2) ** k
+    time = lambda b: speed(b) / (down * mp.sin(b))
+    x = mp.quad(lambda b: speed(b) * mp.cos(b) * time(b), [0, mp.pi / 4, mp.pi / 2])
+    y = mp.quad(lambda b: speed(b) * mp.sin(b) * time(b), [0, mp.pi / 4, mp.pi / 2])
+    return [x, y, 0, 0]
+
+
+def main():
+    """All cases."""
+    text = lambda x: float(mp.nstr(x, 25))
+    out = {}
+    for name, (start, end) in RUNS.items():
+        if start is None:
+            start = [mp.mpf("0.6") * mp.atan(mp.mpf("0.2") / mp.mpf("0.5")), mp.mpf(0)]
+        start = [mp.mpf(x) for x in start]
+        found = run(name, start, mp.mpf(end))
+        out[name] = {"t_end": float(end), "start": [text(x) for x in start], "end": [text(x) for x in found]}
+        print(name, out[name], flush=True)
+    out["slope"] = {"t_end": 2.0, "start": [0.0, 0.0, 0.0, 2.0], "end": [text(x) for x in slope()]}
+    print(out["slope"])
+    path = Path(__file__).resolve().parents[2] / "nonsmooth.json"
+    path.write_text(json.dumps(out, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()

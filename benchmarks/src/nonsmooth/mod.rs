@@ -1,0 +1,131 @@
+//! Contacts, dry friction and kinks: time against error, beside peers.
+//!
+//! Peers that take a contact as such step over events (Siconos, MuJoCo); heyoka and SciPy integrate modes that were
+//! written and switched by hand. References are closed forms, quadratures and series by mpmath.
+
+mod page;
+mod systems;
+
+use std::error::Error;
+use std::path::Path;
+
+use lagrangian::prelude::*;
+
+use crate::precision::server::Server;
+use crate::precision::subject::{Function, Outcome, Subject};
+use crate::precision::{Effort, Plan, TOLERANCES, series};
+use crate::problem::{Problem, chosen};
+use crate::record;
+use systems as s;
+
+/// The cases in the order of the page.
+const CASES: [&str; 9] = ["ball", "wall", "coulomb", "belt", "block", "hoop", "slope", "bilinear", "valley"];
+
+/// Lengths of steps [s] of the peers that take a contact as such.
+const STEPS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+
+/// A run that takes longer [s] is not repeated, and no finer one follows it.
+const SLOW: f64 = 2.0;
+
+/// What of ours is measured.
+const OURS: &str = "jets";
+
+/// Measures all cases or one. All of them are written to the page.
+pub fn run(system: Option<&str>, json: Option<&Path>, effort: Effort) -> Result<(), Box<dyn Error>> {
+    let problems = chosen(include_str!("../../nonsmooth.json"), CASES.into_iter(), system)?;
+    let servers = [
+        ("heyoka, SciPy, MuJoCo", Server::of("python3", "peers/peers.py", "nonsmooth")),
+        ("Siconos", Server::of("/usr/bin/python3", "peers/nonsmooth/serve.py", "serve")),
+    ];
+    let mut running = Vec::new();
+    for (peers, server) in servers {
+        match server {
+            Ok(server) => running.push(server),
+            Err(cause) => eprintln!("benchmarks: {peers} are left out: {cause}"),
+        }
+    }
+    let mut records = Vec::new();
+    for problem in &problems {
+        let mut subjects = vec![ours(problem)];
+        for peer in running.iter().flat_map(|server| server.subjects(problem.name)) {
+            // What both Pythons have takes part once.
+            if subjects.iter().all(|subject| subject.name() != peer.name()) {
+                subjects.push(peer);
+            }
+        }
+        let plan = Plan { benchmark: "nonsmooth", setting, slow: SLOW };
+        series(problem, &mut subjects, &plan, effort, &mut records);
+    }
+    if let Some(path) = json {
+        record::write(&records, path)?;
+    }
+    let mut versions: Vec<String> = running
+        .iter()
+        .flat_map(|server| server.versions())
+        .map(|(name, version)| format!("{name} {version}"))
+        .collect();
+    versions.dedup();
+    let page = page::of(&records, &versions);
+    if system.is_some() {
+        println!("{page}");
+        return Ok(());
+    }
+    Ok(std::fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("NONSMOOTH.md"), page)?)
+}
+
+/// What a subject is asked for: a tolerance or the length of a step.
+fn setting(subject: &str, place: usize) -> Option<f64> {
+    let all: &[f64] = if ["siconos", "mujoco"].contains(&subject) { &STEPS } else { &TOLERANCES };
+    all.get(place).copied()
+}
+
+/// The library on a case.
+fn ours(problem: &Problem) -> Box<dyn Subject> {
+    let t_end = problem.t_end;
+    macro_rules! motion {
+        ($system:expr, $start:expr, |$end:ident| $state:expr) => {{
+            let start = $start;
+            let run = move |tolerance| {
+                let mut motion = $system.simulate(start).with_tolerance(tolerance);
+                motion.advance_to(t_end).map_err(|error| error.to_string())?;
+                let $end = *motion.state();
+                Ok(Outcome { end: $state, steps: motion.steps().accepted })
+            };
+            Box::new(Function { name: OURS, trajectories: 1, run }) as Box<dyn Subject>
+        }};
+    }
+    let line = || State::new([problem.start[0]], [problem.start[1]]);
+    let angle = problem.start[0];
+    match problem.name {
+        "ball" => motion!(s::Ball, line(), |end| end.iter().collect()),
+        "wall" => motion!(s::Wall, line(), |end| end.iter().collect()),
+        "coulomb" => motion!(s::Coulomb, line(), |end| end.iter().collect()),
+        "belt" => motion!(s::Belt, line(), |end| end.iter().collect()),
+        "bilinear" => motion!(s::Bilinear, line(), |end| end.iter().collect()),
+        "valley" => motion!(s::Valley, line(), |end| end.iter().collect()),
+        "block" => motion!(s::Block, s::Block::tilted(angle), |end| vec![-end.q[2], -end.v[2]]),
+        "hoop" => {
+            let start = State::at_rest([0.5 * angle.sin(), -0.5 * angle.cos()]);
+            motion!(s::Hoop, start, |end| {
+                let ([x, y], [u, w]) = (end.q, end.v);
+                vec![x.atan2(-y), (x * w - y * u) / (x * x + y * y)]
+            })
+        }
+        _ => motion!(s::Slope, State::new([0.0; 2], [0.0, 2.0]), |end| end.iter().collect()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The descriptions are the systems that the references belong to.
+    #[test]
+    fn descriptions_reach_the_references() {
+        let problems = chosen(include_str!("../../nonsmooth.json"), CASES.into_iter(), None);
+        for problem in problems.expect("the table of references") {
+            let sample = ours(&problem).sample(&problem, 1e-12, 0.0).expect("a motion");
+            assert!(sample.error < 1e-8, "{}: {:e}", problem.name, sample.error);
+        }
+    }
+}
