@@ -35,7 +35,7 @@ mod scope;
 mod shape;
 mod statement;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod value;
 mod vector;
 mod velocity;

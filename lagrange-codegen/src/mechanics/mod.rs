@@ -192,3 +192,6 @@ impl Equations {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
