@@ -63,6 +63,7 @@ where
             start,
             end: start,
             next: None,
+            impulses: [num_traits::Zero::zero(); C],
             is_fresh: true,
             stuck: None,
             fired: None,

@@ -24,6 +24,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) end: State<R, N>,
     /// The regime and the state that follow the piece; `None` where it ended without an event.
     pub(super) next: Option<(Regime<R, C, W>, State<R, N>)>,
+    /// The impulses of the last change of regime, zero where it was no impact.
+    pub(super) impulses: [R; C],
     /// Whether the motion has to find its regime first.
     pub(super) is_fresh: bool,
     /// Why it cannot go on.
@@ -55,6 +57,11 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
     /// The states before and after the change of regime that ends the piece.
     pub(super) fn switch(&self) -> Option<(State<R, N>, State<R, N>)> {
         self.next.map(|(_, state)| (self.end, state))
+    }
+
+    /// The impulses of the last change of the regime.
+    pub fn impulses(&self) -> &[R; C] {
+        &self.impulses
     }
 
     /// Which contacts are closed and which frictions stick or slip after the piece.

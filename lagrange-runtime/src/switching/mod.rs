@@ -98,6 +98,9 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     /// What the rows stand for, in the order of `NAMES.constraints`.
     const ROWS: [Row; C];
 
+    /// Contacts whose restitution is Poisson's.
+    const POISSON: [bool; C] = [false; C];
+
     /// The user's function that each kink stands in.
     const KINKS: [Name; W] = [Name::NONE; W];
 

@@ -3,10 +3,12 @@
 mod balls;
 mod friction;
 mod kinks;
+mod laws;
 mod nested;
 mod reactions;
 mod refused;
 mod rocking;
+mod woodpecker;
 
 /// Tolerance of the motions.
 const TIGHT: f64 = 1e-13;
