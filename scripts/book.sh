@@ -17,7 +17,7 @@ END
 }
 
 # Each is what an example of that name draws.
-pictures=(chain_modes double_pendulum heavy_top rocking_block stick_slip whirling_hoop)
+pictures=(arm_control chain_modes double_pendulum heavy_top rocking_block stick_slip whirling_hoop)
 
 staged=target/book-src
 built=target/book

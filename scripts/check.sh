@@ -12,6 +12,8 @@ usage: scripts/check.sh NAME …
   book        its programs with all features; its pictures are what the examples draw; where mdbook is there, it builds
               and its links resolve
   random      10 000 random systems (or CASES of them) against dual numbers
+  command     `cargo lagrange new`, its program and `verify`, in a package from nothing
+  packages    each package is complete: it is built from what would be published
   benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
   lanes       several motions in the lanes of SIMD vectors
   digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
@@ -44,6 +46,10 @@ book() {
 
 random() { PROPTEST_CASES=${CASES:-10000} cargo test --release -p lagrange-codegen --test random; }
 
+command_line() { cargo test -p cargo-lagrange --test models -- --ignored; }
+
+packages() { cargo package --workspace --exclude benchmarks --allow-dirty --quiet; }
+
 benchmarks() { cargo build --release -p benchmarks; }
 
 lanes() { cargo test --features wide --test batch; }
@@ -66,9 +72,10 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
-        fmt | clippy | docs | book | random | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
-        all) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; firmware ;;
-        ci) fmt; clippy; docs; book; random; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
+        command) command_line ;;
+        fmt | clippy | docs | book | random | packages | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
+        all) fmt; clippy; docs; book; random; command_line; packages; benchmarks; lanes; digits; long; drift; firmware ;;
+        ci) fmt; clippy; docs; book; random; command_line; packages; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
 done

@@ -16,7 +16,7 @@ usage: scripts/firmware.sh NAME …
   size          flash and RAM of a program for each system and method
   instructions  instructions and stack of a step, counted and painted in QEMU
   figures       writes both, with the errors of the steps, into firmware/README.md and book/src/bare-metal.md
-  example       the cart-pole balances, with the gains that its equations give
+  example       the cart-pole balances and the arm follows its motion, with the gains that their equations give; flash of the controllers
   features      a crate without math does not build and says why
   lint          formatting and lints of the programs
   miri          the tests of the runtime under Miri (needs a nightly toolchain)
@@ -85,7 +85,7 @@ build() {
     cargo build -q --release -p bare --target $m0
     cargo build -q --release -p bare --bin bits --target $rv32
     cargo build -q --release -p wasm --target $wasm
-    cargo build -q --release -p cart_pole --target $m4f
+    cargo build -q --release -p cart_pole -p arm --target $m4f
 }
 
 # The bits of all motions on a target, by `cargo run`, whose runner is an emulator.
@@ -143,6 +143,9 @@ table() {
     done
 }
 
+# The controllers of the arm alone.
+controllers="computed_torque,f32 regulator,f32"
+
 # Programs with more in them.
 larger="double_pendulum,simulate,f32 rod,simulate,f32 rod,jet6,f32,consistent rod,jet6,f32,reactions \
     double_pendulum,jet6,f32,energy"
@@ -154,7 +157,7 @@ panics() {
         no_allocator "$program"
         count=$((count + 1))
     done < <(table)
-    for features in $larger double_pendulum,dop853,f32; do
+    for features in $larger $controllers double_pendulum,dop853,f32; do
         program=$(footprint $m4f "$features")
         no_allocator "$program"
         count=$((count + 1))
@@ -175,7 +178,7 @@ double_operations() {
 }
 
 doubles() {
-    local target system method scalar features found count=0
+    local target system method scalar features program found count=0
     while read -r target system method scalar; do
         if [ "$target" = $m4f ] && [ "$scalar" = f32 ]; then
             found=$(double_operations "$(footprint $m4f "$system,$method,f32")")
@@ -184,16 +187,19 @@ doubles() {
         fi
     done < <(table)
     # All but Dormand–Prince, which converts its table where a stage fails.
-    for features in $larger; do
+    for features in $larger $controllers; do
         found=$(double_operations "$(footprint $m4f "$features")")
         [ "$found" = 0 ] || fail "$features holds $found operations of doubles"
         count=$((count + 1))
     done
-    cargo build -q --release -p cart_pole --target $m4f
-    found=$(double_operations "$built/$m4f/release/cart_pole")
-    [ "$found" = 0 ] || fail "the cart-pole in f32 holds $found operations of doubles"
+    cargo build -q --release -p cart_pole -p arm --target $m4f
+    for program in cart_pole arm; do
+        found=$(double_operations "$built/$m4f/release/$program")
+        [ "$found" = 0 ] || fail "$program in f32 holds $found operations of doubles"
+        count=$((count + 1))
+    done
     [ "$(double_operations "$(footprint $m4f double_pendulum,jet6,f64)")" -gt 10 ] || fail "doubles are not noticed"
-    echo "doubles: none in $((count + 1)) programs in f32"
+    echo "doubles: none in $count programs in f32"
 }
 
 # Code and constants of a program.
@@ -247,11 +253,18 @@ figures() {
 }
 
 example() {
-    cargo test -q --release -p cart_pole
-    cargo build -q --release -p cart_pole --target $m4f
-    timeout 120 qemu-system-arm -machine mps2-an386 -icount shift=5,sleep=off -nographic \
-        -semihosting-config enable=on,target=native -kernel "$built/$m4f/release/cart_pole" | tee "$results/cart_pole"
+    local program features
+    cargo test -q --release -p cart_pole -p arm
+    cargo build -q --release -p cart_pole -p arm --target $m4f
+    for program in cart_pole arm; do
+        timeout 120 qemu-system-arm -machine mps2-an386 -icount shift=5,sleep=off -nographic \
+            -semihosting-config enable=on,target=native -kernel "$built/$m4f/release/$program" | tee "$results/$program"
+    done
     grep -qx balanced "$results/cart_pole" || fail "the pole fell"
+    grep -qx followed "$results/arm" || fail "the arm is astray"
+    for features in $controllers; do
+        echo "$features: $(flash "$(footprint $m4f "$features")") bytes of flash"
+    done
 }
 
 features() {
@@ -269,8 +282,9 @@ lint() {
     cargo clippy -q --release --all-targets -- -D warnings
     cargo clippy -q --release -p bare --target $m4f -- -D warnings
     cargo clippy -q --release -p bare --bin bits --target $rv32 -- -D warnings
-    cargo clippy -q --release -p cart_pole --bins --target $m4f -- -D warnings
+    cargo clippy -q --release -p cart_pole -p arm --bins --target $m4f -- -D warnings
     cargo clippy -q --release -p footprint --features rod,jet6,f32,energy,reactions,consistent --target $m4f -- -D warnings
+    cargo clippy -q --release -p footprint --features regulator,f32 --target $m4f -- -D warnings
     cargo clippy -q --release -p wasm --target $wasm -- -D warnings
 }
 

@@ -103,6 +103,7 @@
 //! # }
 //! ```
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 /// Many motions: threads, files that survive a kill, array jobs.
@@ -152,6 +153,7 @@ mod documents {
         Analysis "../book/src/analysis.md"
         Integrators "../book/src/integrators.md"
         Accuracy "../book/src/accuracy.md"
+        Command "../book/src/command.md"
         Errors "../book/src/errors.md"
         ManyMotions "../book/src/many-motions.md"
         BareMetal "../book/src/bare-metal.md"

@@ -19,6 +19,7 @@ macro_rules! run {
 }
 
 run! {
+    arm_control,
     cart_pole,
     cartesian_pendulum,
     chain_modes,
@@ -39,6 +40,8 @@ run! {
     whirling_hoop,
 }
 
+#[path = "../examples/arm_control.rs"]
+mod arm_control;
 #[path = "../examples/cart_pole.rs"]
 mod cart_pole;
 #[path = "../examples/cartesian_pendulum.rs"]

@@ -184,7 +184,7 @@ A singular mass matrix, with the coordinate and the time.*/
             let cart_mass: R = self.cart_mass;
             let pole_mass: R = self.pole_mass;
             let length: R = self.length;
-            let mut mass = [[R::zero(); 2]; 2];
+            let mut mass = [[<R as lagrange::Zero>::zero(); 2]; 2];
             mass[0][0] = cart_mass + pole_mass;
             mass[1][0] = pole_mass * length * Real::cos(theta);
             mass[1][1] = pole_mass * (length * length);
@@ -256,9 +256,10 @@ A singular mass matrix, with the coordinate and the time.*/
             let pole_mass: R = self.pole_mass;
             let length: R = self.length;
             let w1 = pole_mass * length * (theta_dot * Real::cos(theta))
-                + R::from_f64(0.5) * (cart_mass + pole_mass) * x_dot;
-            R::from_f64(0.5) * pole_mass * (length * length) * (theta_dot * theta_dot)
-                + x_dot * w1
+                + <R as lagrange::Real>::from_f64(0.5) * (cart_mass + pole_mass) * x_dot;
+            let w2 = <R as lagrange::Real>::from_f64(0.5) * pole_mass * (length * length)
+                * (theta_dot * theta_dot);
+            w2 + x_dot * w1
         }
         /**Potential energy V \[J\].
 
@@ -324,9 +325,9 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 pole_mass_length * g,
                 pole_mass / cart_mass_plus_pole_mass,
                 pole_mass_length / cart_mass_plus_pole_mass,
-                R::one() / length,
-                R::one() / cart_mass_plus_pole_mass,
-                R::one() / (pole_mass * (length * length)),
+                <R as lagrange::One>::one() / length,
+                <R as lagrange::One>::one() / cart_mass_plus_pole_mass,
+                <R as lagrange::One>::one() / (pole_mass * (length * length)),
             ]
         }
         #[inline]
@@ -346,13 +347,13 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let [pole_mass_length, pole_mass_length_g, w1, w2, inverse_length, w3, w4] = *constants;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
             let w5 = motor + pole_mass_length * (theta_dot * theta_dot * sin_theta);
-            let w6 = (pole_mass_length_g * sin_theta - damping * theta_dot
-                - w2 * (cos_theta * w5))
-                / lagrange::solve::pivot(
-                    R::one() - w1 * (cos_theta * cos_theta),
-                    R::one(),
-                );
-            [w3 * (w5 - inverse_length * (cos_theta * w6)), w4 * w6]
+            let w6 = lagrange::solve::pivot(
+                <R as lagrange::One>::one() - w1 * (cos_theta * cos_theta),
+                <R as lagrange::One>::one(),
+            );
+            let w7 = (pole_mass_length_g * sin_theta - damping * theta_dot
+                - w2 * (cos_theta * w5)) / w6;
+            [w3 * (w5 - inverse_length * (cos_theta * w7)), w4 * w7]
         }
         fn check_at(
             &self,
@@ -368,6 +369,8 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let length: R = self.length;
             let cos_theta = Real::cos(theta);
             let cart_mass_plus_pole_mass = cart_mass + pole_mass;
+            let w1 = <R as lagrange::One>::one()
+                - pole_mass / cart_mass_plus_pole_mass * (cos_theta * cos_theta);
             let pole_mass_length_squared = pole_mass * (length * length);
             lagrange::solve::check(
                 cart_mass_plus_pole_mass,
@@ -375,10 +378,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 0,
             )?;
             lagrange::solve::check(
-                pole_mass_length_squared
-                    * (R::one()
-                        - pole_mass / cart_mass_plus_pole_mass
-                            * (cos_theta * cos_theta)),
+                pole_mass_length_squared * w1,
                 pole_mass_length_squared,
                 1,
             )?;
@@ -422,7 +422,8 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let abs_theta_dot = Real::abs(theta_dot);
             let tip_y = length * cos_theta;
             let gravity = pole_mass * length * g * cos_theta;
-            let bearing = R::from_f64(0.5) * damping * (theta_dot * theta_dot);
+            let bearing = <R as lagrange::Real>::from_f64(0.5) * damping
+                * (theta_dot * theta_dot);
             use lagrange::reading::Numbers;
             let __coordinates = <CartPoleCoordinates<
                 R,
@@ -441,8 +442,8 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                     ],
                 ),
                 |take| self.cart(&__coordinates).each_number(take),
-                &[x, R::zero()],
-                &[abs_x, R::zero()],
+                &[x, <R as lagrange::Zero>::zero()],
+                &[abs_x, <R as lagrange::Zero>::zero()],
             )?;
             lagrange::reading::compare(
                 lagrange::Function(
@@ -479,7 +480,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 |take| self.bearing(&__velocities).each_number(take),
                 &[bearing],
                 &[
-                    R::from_f64(0.5) * Real::abs(damping)
+                    <R as lagrange::Real>::from_f64(0.5) * Real::abs(damping)
                         * (abs_theta_dot * abs_theta_dot),
                 ],
             )?;
@@ -491,8 +492,8 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                     ],
                 ),
                 |take| self.motor(&__inputs).each_number(take),
-                &[motor, R::zero()],
-                &[Real::abs(motor), R::zero()],
+                &[motor, <R as lagrange::Zero>::zero()],
+                &[Real::abs(motor), <R as lagrange::Zero>::zero()],
             )?;
             ::core::result::Result::Ok(())
         }
@@ -561,7 +562,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let w7: R = damping_theta_dot - w6;
             let w9: R = -w7;
             let minus_theta_dot_sin_theta: R = -theta_dot_sin_theta;
-            let mut mass = [[R::zero(); 2]; 2];
+            let mut mass = [[<R as lagrange::Zero>::zero(); 2]; 2];
             mass[0][0] = cart_mass_plus_pole_mass_2;
             mass[1][0] = pole_mass_length_2 * cos_theta;
             mass[1][1] = pole_mass_length_squared;
@@ -576,16 +577,16 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
             let mut x_force: R = motor;
             let mut theta_dot_last: R = theta_dot;
             let mut theta_force: R = w9;
-            let mut theta_dot_first: R = R::zero();
-            let mut theta_dot_last_2: R = R::zero();
-            let mut sin_theta_first: R = R::zero();
-            let mut sin_theta_last: R = R::zero();
-            let mut x_dot_first: R = R::zero();
-            let mut x_dot_last_2: R = R::zero();
-            let mut cos_theta_first: R = R::zero();
-            let mut cos_theta_last: R = R::zero();
-            let mut w10: R = R::zero();
-            let mut theta_dot_sin_theta_2_last: R = R::zero();
+            let mut theta_dot_first: R = <R as lagrange::Zero>::zero();
+            let mut theta_dot_last_2: R = <R as lagrange::Zero>::zero();
+            let mut sin_theta_first: R = <R as lagrange::Zero>::zero();
+            let mut sin_theta_last: R = <R as lagrange::Zero>::zero();
+            let mut x_dot_first: R = <R as lagrange::Zero>::zero();
+            let mut x_dot_last_2: R = <R as lagrange::Zero>::zero();
+            let mut cos_theta_first: R = <R as lagrange::Zero>::zero();
+            let mut cos_theta_last: R = <R as lagrange::Zero>::zero();
+            let mut w10: R = <R as lagrange::Zero>::zero();
+            let mut theta_dot_sin_theta_2_last: R = <R as lagrange::Zero>::zero();
             let mut sin_theta_flow: R = theta_dot_cos_theta;
             let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
             lagrange::jets::in_line::<
@@ -700,7 +701,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                     theta_dot_last = theta_dot_k;
                     sin_theta_flow = theta_dot_cos_theta_k;
                     cos_theta_flow = -theta_dot_sin_theta_k;
-                    x_force = R::zero();
+                    x_force = <R as lagrange::Zero>::zero();
                     theta_force = Real::mul_add(
                         -damping,
                         theta_dot_k,

@@ -909,9 +909,10 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let length: R = self.parameters[3];
             let r_minus_length = r - length;
             let w1 = mass_2 * g * (r * Real::cos(theta))
-                - R::from_f64(0.5) * stiffness * (r_minus_length * r_minus_length);
-            R::from_f64(0.5) * mass_2 * (r_dot * r_dot + r * r * (theta_dot * theta_dot))
-                + -w1
+                - <R as lagrange::Real>::from_f64(0.5) * stiffness
+                    * (r_minus_length * r_minus_length);
+            <R as lagrange::Real>::from_f64(0.5) * mass_2
+                * (r_dot * r_dot + r * r * (theta_dot * theta_dot)) + -w1
         }
     }
     #[automatically_derived]
@@ -929,7 +930,11 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let mass_2: R = self.parameters[0];
             let stiffness: R = self.parameters[2];
             let length: R = self.parameters[3];
-            [stiffness / mass_2, stiffness * length / mass_2, R::one() / mass_2]
+            [
+                stiffness / mass_2,
+                stiffness * length / mass_2,
+                <R as lagrange::One>::one() / mass_2,
+            ]
         }
         #[inline]
         fn accelerations_at(
@@ -948,13 +953,12 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let g: R = self.parameters[1];
             let [stiffness_over_mass_2, w1, inverse_mass_2] = *constants;
             let (sin_theta, cos_theta) = Real::sin_cos(theta);
-            let w2 = inverse_mass_2
-                * (motor
-                    - mass_2
-                        * (r
-                            * (g * sin_theta + R::from_f64(2.0) * (theta_dot * r_dot))));
+            let w2 = mass_2
+                * (r
+                    * (g * sin_theta
+                        + <R as lagrange::Real>::from_f64(2.0) * (theta_dot * r_dot)));
             [
-                w2 / (r * r),
+                inverse_mass_2 * (motor - w2) / (r * r),
                 r * (theta_dot * theta_dot - stiffness_over_mass_2)
                     + (g * cos_theta + w1),
             ]
@@ -1048,18 +1052,18 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
             let mut theta_force: R = w5;
             let mut r_dot_last: R = r_dot;
             let mut r_force: R = w6;
-            let mut theta_dot_first: R = R::zero();
-            let mut theta_dot_last_2: R = R::zero();
-            let mut r_first: R = R::zero();
-            let mut r_last: R = R::zero();
-            let mut w1_first: R = R::zero();
-            let mut w1_last: R = R::zero();
-            let mut sin_theta_first: R = R::zero();
-            let mut sin_theta_last: R = R::zero();
-            let mut r_squared_first: R = R::zero();
-            let mut r_squared_last: R = R::zero();
-            let mut cos_theta_first: R = R::zero();
-            let mut cos_theta_last: R = R::zero();
+            let mut theta_dot_first: R = <R as lagrange::Zero>::zero();
+            let mut theta_dot_last_2: R = <R as lagrange::Zero>::zero();
+            let mut r_first: R = <R as lagrange::Zero>::zero();
+            let mut r_last: R = <R as lagrange::Zero>::zero();
+            let mut w1_first: R = <R as lagrange::Zero>::zero();
+            let mut w1_last: R = <R as lagrange::Zero>::zero();
+            let mut sin_theta_first: R = <R as lagrange::Zero>::zero();
+            let mut sin_theta_last: R = <R as lagrange::Zero>::zero();
+            let mut r_squared_first: R = <R as lagrange::Zero>::zero();
+            let mut r_squared_last: R = <R as lagrange::Zero>::zero();
+            let mut cos_theta_first: R = <R as lagrange::Zero>::zero();
+            let mut cos_theta_last: R = <R as lagrange::Zero>::zero();
             let mut sin_theta_flow: R = theta_dot_cos_theta;
             let mut cos_theta_flow: R = minus_theta_dot_sin_theta;
             lagrange::jets::in_line::<

@@ -4,6 +4,7 @@
 //! Contributions of several functions to one role are kept apart until mechanics adds them.
 
 mod constraints;
+mod levers;
 pub mod orientation;
 mod velocities;
 
@@ -13,6 +14,7 @@ use crate::expr::{Graph, NodeId};
 pub use constraints::{
     Constraint, ConstraintKind, Contact, Eliminated, Elimination, Law, Place, component_of_one,
 };
+pub use levers::{Lever, Levers};
 pub use velocities::{Rates, Spin, Twist, Velocity};
 
 /// A lowered description.
@@ -62,6 +64,8 @@ pub struct Model {
     /// Particles and bodies in the order of declaration, as places where constraint forces act; empty
     /// without holonomic constraints.
     pub places: Vec<Place>,
+    /// How places are carried by rotations.
+    pub levers: Levers,
     /// Constraints that are to be solved for a coordinate, in the order of declaration.
     pub eliminations: Vec<Elimination>,
     /// Coordinates that constraints have eliminated, in declaration order.

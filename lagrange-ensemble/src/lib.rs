@@ -67,6 +67,7 @@
 //! Motions run one by one in each thread, systems with constraints and contacts like all others. The lanes of
 //! `Batch` are no part of it: all lanes of a batch expand anew when one of them needs another unit of time, and
 //! lanes of constrained systems share their pivots, so the last bits of a motion would depend on its neighbours.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 mod block;

@@ -24,6 +24,7 @@
 //! | `double-double` | | `DoubleDouble`, a scalar with 31 digits |
 //! | `libm` | the `libm` crate's | bare metal; the same bits on every target; wins over `std` |
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "std")]
@@ -108,6 +109,7 @@ pub mod __private {
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
     };
     pub use crate::system::reading;
+    pub use num_traits::{One, Zero};
     pub mod solve {
         //! Solving for the accelerations.
         pub use crate::system::solve::{

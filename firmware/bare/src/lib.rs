@@ -1,5 +1,8 @@
-//! What the programs for bare metal share: text by semihosting.
+//! What the programs for bare metal share: text by semihosting, and a count of instructions.
 #![no_std]
+
+#[cfg(target_arch = "arm")]
+pub mod count;
 
 use core::fmt;
 

@@ -1,69 +1,30 @@
 //! The smallest program that steps one system by one method: what it links is what they take.
 //!
 //! Features choose: `--features double_pendulum,jet6,f32`. More of them add what is not linked unless a program calls it,
-//! and `panic` something that may not be in it: a program that can panic does not link.
+//! and `panic` something that may not be in it: a program that can panic does not link. `computed_torque` and `regulator`
+//! link a controller of the arm alone.
 #![no_std]
 #![no_main]
 #![allow(unsafe_code, reason = "the symbol that does not exist")]
 
 use core::hint::black_box;
 
-use lagrangian::prelude::*;
-use systems::Experiment;
-
-#[cfg(feature = "f32")]
-type R = f32;
-#[cfg(feature = "f64")]
-type R = f64;
-
-#[cfg(feature = "double_pendulum")]
-type S = systems::DoublePendulum<R>;
-#[cfg(feature = "rod")]
-type S = systems::Rod<R>;
-#[cfg(feature = "cart_pole")]
-type S = systems::CartPole<R>;
-
-/// Inputs of the system.
-const K: usize = if cfg!(feature = "cart_pole") { 1 } else { 0 };
-
-#[cfg(feature = "rk4")]
-type M = Rk4;
-#[cfg(feature = "jet4")]
-type M = Jet<4>;
-#[cfg(feature = "jet6")]
-type M = Jet<6>;
-
+#[cfg(any(feature = "computed_torque", feature = "regulator"))]
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    // What the compiler cannot know: parameters, start and step.
-    let system = black_box(<S as Experiment<K>>::new());
-    let start = black_box(<S as Experiment<K>>::start());
-    let h = black_box(R::from_f64(1e-3));
-    #[cfg(feature = "consistent")]
-    let start = system.consistent(start).unwrap_or(start);
-    #[cfg(feature = "simulate")]
-    let mut motion = system.simulate(start);
-    #[cfg(feature = "dop853")]
-    let mut motion = system.simulate_with::<Dop853>(start);
-    #[cfg(not(any(feature = "simulate", feature = "dop853")))]
-    let mut motion = system.stepper::<M>(start);
+    use arm::Control;
+    let control = if cfg!(feature = "regulator") { Control::Regulator } else { Control::ComputedTorque };
+    let mut state = black_box(arm::wanted(0.0_f32).state);
+    let mut sample = 0;
     loop {
-        let inputs = <S as Experiment<K>>::inputs(motion.state());
-        #[cfg(any(feature = "simulate", feature = "dop853"))]
-        {
-            motion.set_inputs(inputs);
-            let _ = black_box(motion.advance_to(motion.state().t + h));
-        }
-        #[cfg(not(any(feature = "simulate", feature = "dop853")))]
-        let _ = black_box(motion.step(h, &inputs));
-        #[cfg(feature = "energy")]
-        black_box(motion.energy());
-        #[cfg(feature = "reactions")]
-        black_box(motion.reactions(&inputs));
-        #[cfg(feature = "panic")]
-        assert!(motion.state().t < h);
+        let _ = black_box(control.torque(sample, &state));
+        state = black_box(state);
+        sample = sample.wrapping_add(1);
     }
 }
+
+#[cfg(not(any(feature = "computed_torque", feature = "regulator")))]
+mod steps;
 
 unsafe extern "C" {
     /// Defined nowhere, so that a program that can panic does not link.

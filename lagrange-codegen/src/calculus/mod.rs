@@ -17,6 +17,6 @@ mod tests;
 pub use degree::{Degrees, beyond_degree, velocity_degrees};
 pub use forward::pushforward;
 pub use local::{binary as partial_derivatives, unary as derivative};
-pub use reverse::pullback;
+pub use reverse::{pullback, pullback_to};
 pub use sizes::sizes;
 pub use substitute::{rebuild, substitute};

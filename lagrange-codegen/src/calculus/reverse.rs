@@ -9,10 +9,26 @@ use crate::number::Number;
 /// The adjoint of a shared node is one sum, so the adjoints of partial sums are partial sums
 /// again and the result stays linear in the size of the graph.
 pub fn pullback(graph: &mut Graph, seeds: &[(NodeId, NodeId)], wrt: &[NodeId]) -> Vec<NodeId> {
+    pullback_to(graph, seeds, &[], wrt).1
+}
+
+/// The same as a function of the nodes of `held` and of those of `wrt`: what passes through the former counts
+/// there alone. A node that `held` has more than once counts at its first place.
+pub fn pullback_to(
+    graph: &mut Graph,
+    seeds: &[(NodeId, NodeId)],
+    held: &[NodeId],
+    wrt: &[NodeId],
+) -> (Vec<NodeId>, Vec<NodeId>) {
     let size = graph.len();
     let mut active = vec![false; size];
     for &variable in wrt {
         active[variable.index()] = true;
+    }
+    // A variable is no function of another.
+    let mut ends = vec![false; size];
+    for &node in held.iter().filter(|node| !matches!(graph.node(**node), Node::Variable(_))) {
+        ends[node.index()] = true;
     }
     let cone = graph.cone(seeds.iter().map(|&(output, _)| output));
     for &id in &cone {
@@ -35,10 +51,18 @@ pub fn pullback(graph: &mut Graph, seeds: &[(NodeId, NodeId)], wrt: &[NodeId]) -
             continue;
         }
         finished[id.index()] = Some(adjoint);
+        if ends[id.index()] {
+            continue;
+        }
         distribute(graph, id, adjoint, &active, &mut adjoints);
     }
     let zero = graph.zero();
-    wrt.iter().map(|variable| finished[variable.index()].unwrap_or(zero)).collect()
+    let mut at_held = Vec::with_capacity(held.len());
+    for node in held {
+        let ended = ends[node.index()].then(|| finished[node.index()].take()).flatten();
+        at_held.push(ended.unwrap_or(zero));
+    }
+    (at_held, wrt.iter().map(|variable| finished[variable.index()].unwrap_or(zero)).collect())
 }
 
 /// Adds the share of `adjoint` to the adjoints of the operands of `id`.

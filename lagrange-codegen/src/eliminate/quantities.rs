@@ -2,7 +2,7 @@
 
 use crate::calculus::substitute;
 use crate::expr::{Node, NodeId};
-use crate::model::{Action, Attitude, Contact, Model, Rotation, RotationForm};
+use crate::model::{Action, Attitude, Contact, Lever, Model, Rotation, RotationForm};
 
 /// Replaces nodes in all quantities of a model. Names and places in the source go with what they belong to.
 pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
@@ -56,6 +56,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         contacts,
         events,
         places,
+        levers,
         eliminations: _,
         eliminated: _,
         sensitivities: _,
@@ -111,6 +112,12 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
     }
     for place in places {
         place.position.iter_mut().for_each(&mut *each);
+    }
+    for mut lever in levers.take() {
+        let Lever { place, base, rotation: turn, arm } = &mut lever;
+        place.iter_mut().chain(base).chain(arm).for_each(&mut *each);
+        rotation(turn, each);
+        levers.insert(lever);
     }
 }
 

@@ -9,7 +9,7 @@ use super::constraints::record_ident;
 use super::tokens::placeholder;
 use super::{Emission, names, names_of_parts, over};
 use crate::calculus::sizes;
-use crate::expr::NodeId;
+use crate::expr::{Dependence, NodeId};
 use crate::model::Law;
 use crate::regimes::Regimes;
 use crate::syntax::Scalar;
@@ -77,8 +77,9 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
         regime(emission, switching),
         laws(emission, switching),
         jumps(emission, switching),
+        corners(emission, switching),
         functions(emission, switching),
-        equations(emission, rows),
+        if switching.has_contacts() { equations(emission, rows) } else { String::new() },
     ];
     let items = items.concat();
     let constrained = switching.has_contacts().then(|| constrained(emission, rows, kinks));
@@ -155,15 +156,29 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
     } else {
         String::new()
     };
+    let timeless = if is_autonomous(switching) { "const AUTONOMOUS: bool = true;\n" } else { "" };
     let generic = if let Scalar::Generic(ident) = scalar { format!("<{ident}>") } else { String::new() };
     format!(
         "type InRegime = {NAME}{generic};\n\
-         const ROWS: [lagrange::Row; {rows}] = [{}];\n{poisson}{named}\
+         const ROWS: [lagrange::Row; {rows}] = [{}];\n{poisson}{named}{timeless}\
          fn in_regime(&self, __regime: &lagrange::Regime<{scalar}, {rows}, {kinks}>) -> {NAME}{generic} {{\n\
          {values}{NAME} {{ parameters: [{}] }}\n}}\n",
         kinds.join(", "),
         numbers.join(", ")
     )
+}
+
+/// Whether time stands in none of the equations and laws.
+fn is_autonomous(switching: &Regimes) -> bool {
+    let conditions = &switching.laws.conditions;
+    let coefficients = switching.laws_of.iter().flatten().flat_map(|law| match law {
+        Law::Unilateral { restitution } => [*restitution; 2],
+        Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
+    });
+    let rows = conditions.positions.iter().chain(&conditions.rates).chain(&switching.kinks);
+    let mut laws = rows.copied().chain(coefficients);
+    switching.facts.autonomous
+        && !laws.any(|node| switching.rows.graph.dependence(node).meets(Dependence::TIME))
 }
 
 /// `laws_at`.
@@ -236,6 +251,28 @@ fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     )
 }
 
+/// `corners_at`, where momenta or constraints have two values at a kink.
+fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> String {
+    if switching.corners.is_empty() {
+        return String::new();
+    }
+    let functions: Vec<NodeId> = switching.corners.iter().map(|corner| corner.function).collect();
+    let sizes = sizes(&mut switching.rows.graph, &functions);
+    let roots: Vec<NodeId> = switching.corners.iter().map(|corner| corner.gain).chain(sizes).collect();
+    let (scalar, vector) = (&emission.scalar, emission.vector_type());
+    let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
+        let (gains, sizes) = values.split_at(switching.corners.len());
+        let visits = switching.corners.iter().zip(gains.iter().zip(sizes));
+        let visits =
+            visits.map(|(corner, (gain, size))| format!("__visit({}, {gain}, {size});", corner.kink));
+        visits.collect::<Vec<String>>().join("\n")
+    });
+    format!(
+        "fn corners_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, \
+         mut __visit: impl ::core::ops::FnMut(usize, {scalar}, {scalar})) {{\n{body}\n}}\n"
+    )
+}
+
 /// `functions_in`: gaps, slip velocities and switching functions in one regime, over any numbers.
 fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
     let numbers = Scalar::Generic(format_ident!("{NUMBER}"));
@@ -252,11 +289,8 @@ fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
     )
 }
 
-/// `equations_in` of a system with rows.
+/// `equations_in` of a system with contacts.
 fn equations(emission: &Emission<'_>, rows: usize) -> String {
-    if rows == 0 {
-        return String::new();
-    }
     let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
     let (count, given) = (emission.count(), emission.model.inputs.len());
     format!(

@@ -5,7 +5,8 @@ use crate::syntax::Scalar;
 
 /// A nonnegative constant as an expression of the scalar type, exact to the last bit. With `typed`
 /// nothing is left to inference, which the compiler takes quadratic time for in long functions.
-/// Zero is the same text either way, because what is zero is told from that.
+/// Zero is the same text either way, because what is zero is told from that. A type parameter may have other
+/// bounds beside `Real`, so calls name the trait.
 pub(super) fn literal(scalar: &Scalar, number: Number, typed: bool) -> String {
     let value = number.value();
     match scalar {
@@ -15,12 +16,14 @@ pub(super) fn literal(scalar: &Scalar, number: Number, typed: bool) -> String {
         Scalar::F64 => format!("{value:?}"),
         // The suffix keeps inference from meeting an open float type in a trait call.
         Scalar::F32 => format!("{value:?}_f32"),
-        Scalar::Generic(ident) if number.is_one() => format!("{ident}::one()"),
-        Scalar::Generic(ident) if number.is_zero() => format!("{ident}::zero()"),
-        Scalar::Generic(ident) if value.is_infinite() => format!("{ident}::from_f64(f64::INFINITY)"),
+        Scalar::Generic(ident) if number.is_one() => format!("<{ident} as lagrange::One>::one()"),
+        Scalar::Generic(ident) if number.is_zero() => format!("<{ident} as lagrange::Zero>::zero()"),
+        Scalar::Generic(ident) if value.is_infinite() => {
+            format!("<{ident} as lagrange::Real>::from_f64(f64::INFINITY)")
+        }
         Scalar::Generic(ident) => match number.parts() {
-            (_, 0.0) => format!("{ident}::from_f64({value:?})"),
-            (_, rest) => format!("{ident}::from_parts({value:?}, {rest:?})"),
+            (_, 0.0) => format!("<{ident} as lagrange::Real>::from_f64({value:?})"),
+            (_, rest) => format!("<{ident} as lagrange::Real>::from_parts({value:?}, {rest:?})"),
         },
     }
 }
@@ -28,6 +31,11 @@ pub(super) fn literal(scalar: &Scalar, number: Number, typed: bool) -> String {
 /// Zero of the scalar type.
 pub(super) fn zero(scalar: &Scalar) -> String {
     literal(scalar, Number::ZERO, false)
+}
+
+/// One of the scalar type.
+pub(super) fn one(scalar: &Scalar) -> String {
+    literal(scalar, Number::ONE, false)
 }
 
 #[cfg(test)]

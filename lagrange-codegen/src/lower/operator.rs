@@ -204,12 +204,14 @@ impl<'a> Interpreter<'a> {
         match (&left, &right) {
             (Value::Unknown, _) | (_, Value::Unknown) => Value::Unknown,
             (Value::Scalar(a, ..), Value::Scalar(b, ..)) => Value::scalar(combine(self.graph(), *a, *b)),
-            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
-                Value::Vector(self.zip_nodes(a, b, combine))
-            }
-            (Value::Point(a), Value::Vector(b)) if a.len() == b.len() => {
-                Value::Point(self.zip_nodes(a, b, combine))
-            }
+            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => Value::Vector(match operator {
+                BinaryOperator::Subtract => self.zip_nodes(a, b, combine),
+                _ => self.add_nodes(a, b),
+            }),
+            (Value::Point(a), Value::Vector(b)) if a.len() == b.len() => Value::Point(match operator {
+                BinaryOperator::Subtract => self.zip_nodes(a, b, combine),
+                _ => self.add_nodes(a, b),
+            }),
             (Value::Point(a), Value::Point(b))
                 if a.len() == b.len() && operator == BinaryOperator::Subtract =>
             {

@@ -73,9 +73,12 @@ impl Interpreter<'_> {
         self.extend_parameter(id, &format!("[({row}, {column})]"), &format!("{row}_{column}"), origin)
     }
 
-    /// `path.name()`.
-    pub fn parameter_method(&mut self, id: ParameterId, name: &str, origin: Origin) -> ParameterId {
-        self.extend_parameter(id, &format!(".{name}()"), name, origin)
+    /// `name(&path)` of the runtime's algebra, for any scalar.
+    pub fn parameter_function(&mut self, id: ParameterId, name: &str, origin: Origin) -> ParameterId {
+        let path = self.parameters.text(id);
+        let text = format!("{}::__private::algebra::{name}(&{path})", self.crate_text());
+        let label = format!("{}_{name}", self.parameters.label(id));
+        self.parameters.intern(text, label, origin)
     }
 
     /// `*path`.

@@ -10,7 +10,7 @@ use super::value::{Matrix, Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::{NodeId, Unary};
 use crate::kinematics::transposed;
-use crate::model::{Rotation, RotationForm};
+use crate::model::{Lever, Rotation, RotationForm};
 use crate::number::Number;
 
 impl Interpreter<'_> {
@@ -137,7 +137,14 @@ impl Interpreter<'_> {
                 ];
                 Rc::from([graph.sub(products[0], products[1]), graph.add(products[2], products[3])])
             }
-            Turn::Space(rotation) => rotation.matrix.iter().map(|row| self.dot(row, nodes)).collect(),
+            Turn::Space(rotation) => {
+                let turned: Rc<[NodeId]> = rotation.matrix.iter().map(|row| self.dot(row, nodes)).collect();
+                if let (Some(place), Some(arm)) = (three(&turned), three(nodes)) {
+                    let base = [self.graph().zero(); 3];
+                    self.model.levers.insert(Lever { place, base, rotation: rotation.as_ref().clone(), arm });
+                }
+                turned
+            }
         }
     }
 
@@ -231,7 +238,23 @@ impl Interpreter<'_> {
 
     /// The sum of two vectors of equal length.
     pub fn add_nodes(&mut self, a: &[NodeId], b: &[NodeId]) -> Rc<[NodeId]> {
-        a.iter().zip(b).map(|(&a, &b)| self.graph().add(a, b)).collect()
+        let sum: Rc<[NodeId]> = a.iter().zip(b).map(|(&a, &b)| self.graph().add(a, b)).collect();
+        self.carry(&sum, a, b);
+        sum
+    }
+
+    /// Notes of a sum of a place and a turned vector what carries it.
+    fn carry(&mut self, sum: &[NodeId], a: &[NodeId], b: &[NodeId]) {
+        let zero = [self.graph().zero(); 3];
+        let (Some(place), Some(a), Some(b)) = (three(sum), three(a), three(b)) else { return };
+        for (base, turned) in [(a, b), (b, a)] {
+            if let Some(lever) = self.model.levers.of(&turned)
+                && lever.base == zero
+            {
+                let lever = Lever { place, base, ..lever.clone() };
+                return self.model.levers.insert(lever);
+            }
+        }
     }
 
     /// The rotation of a vector along a fixed axis, whose length is the angle.
@@ -281,4 +304,8 @@ impl Interpreter<'_> {
         let yaw_pitch = self.rotation_product(&about_z, &about_y);
         Value::Rotation(Turn::Space(Rc::new(self.rotation_product(&yaw_pitch, &about_x))))
     }
+}
+
+fn three(nodes: &[NodeId]) -> Option<[NodeId; 3]> {
+    nodes.try_into().ok()
 }

@@ -268,7 +268,7 @@ impl<'a> Interpreter<'a> {
                 Value::Matrix(Rc::new(Matrix { rows: *rows, columns: *columns, entries }))
             }
             Shape::Rotation(2) => {
-                let angle = self.parameter_method(id, "angle", origin);
+                let angle = self.parameter_function(id, "angle", origin);
                 match self.scalar_parameter(angle, origin) {
                     Some(angle) => Value::Rotation(Turn::Plane(angle)),
                     None => Value::Unknown,
@@ -279,7 +279,7 @@ impl<'a> Interpreter<'a> {
                 _ => Value::Unknown,
             },
             Shape::Quaternion => {
-                let matrix = self.parameter_method(id, "to_rotation_matrix", origin);
+                let matrix = self.parameter_function(id, "rotation_matrix", origin);
                 self.unfold(matrix, &Shape::Rotation(3), origin)
             }
             Shape::AnyQuaternion => {
@@ -310,16 +310,10 @@ impl<'a> Interpreter<'a> {
             Shape::Isometry(dimension) => {
                 let shift = self.parameter_field(id, "translation", origin);
                 let shift = self.unfold(shift, &Shape::Translation(*dimension), origin);
+                // In space it may be a quaternion or a matrix.
                 let turn = match dimension {
-                    2 => {
-                        let turn = self.parameter_field(id, "rotation", origin);
-                        self.unfold(turn, &Shape::Rotation(2), origin)
-                    }
-                    // The rotation may be a quaternion or a matrix.
-                    _ => {
-                        let matrix = self.parameter_method(id, "to_homogeneous", origin);
-                        self.unfold(matrix, &Shape::Rotation(3), origin)
-                    }
+                    2 => self.unfold(id, &Shape::Rotation(2), origin),
+                    _ => self.unfold(id, &Shape::Quaternion, origin),
                 };
                 match (shift, turn) {
                     (Value::Translation(shift), Value::Rotation(turn)) => Value::Isometry(shift, turn),

@@ -1,10 +1,10 @@
 //! Momenta, mass matrix and bias.
 
 use super::forces;
-use super::motion::Motion;
-use crate::calculus::{pullback, pushforward};
-use crate::expr::NodeId;
-use crate::kinematics::{cross, time_direction, times};
+use super::motion::{Motion, Translation};
+use crate::calculus::{pullback, pullback_to, pushforward};
+use crate::expr::{Graph, NodeId};
+use crate::kinematics::{cross, time_direction, times, transposed_times};
 use crate::model::Model;
 use crate::number::Number;
 
@@ -43,8 +43,8 @@ impl Loads {
     /// One generalized force for each coordinate.
     pub fn sweep(self, model: &mut Model, motion: &Motion) -> Vec<NodeId> {
         let graph = &mut model.graph;
-        let through_q = pullback(graph, &self.through_q, &motion.q);
-        let through_v = pullback(graph, &self.through_v, &motion.v);
+        let (through_q, on_carried) = through_places(graph, &self.through_q, motion);
+        let through_v = pullback(graph, &[self.through_v, on_carried].concat(), &motion.v);
         let mut terms: Vec<Vec<(NodeId, Number)>> = (0..motion.q.len())
             .map(|i| vec![(through_q[i], Number::ONE), (through_v[i], Number::ONE)])
             .collect();
@@ -55,12 +55,39 @@ impl Loads {
     }
 }
 
+/// What loads on functions of the coordinates are to each coordinate, and to the velocities of places that
+/// rotations carry, in the axes of these: (∂r/∂q)ᵀ F = (∂ṙ/∂v)ᵀ F.
+fn through_places(
+    graph: &mut Graph,
+    seeds: &[(NodeId, NodeId)],
+    motion: &Motion,
+) -> (Vec<NodeId>, Vec<(NodeId, NodeId)>) {
+    let places = motion.carried.iter().flat_map(|carried| carried.place);
+    let (forces, through_q) = pullback_to(graph, seeds, &places.collect::<Vec<_>>(), &motion.q);
+    let mut loads = Vec::new();
+    for (carried, force) in motion.carried.iter().zip(forces.chunks_exact(3)) {
+        let turned = transposed_times(graph, &carried.matrix, &[force[0], force[1], force[2]]);
+        let moving = carried.velocity.into_iter().zip(turned);
+        loads.extend(moving.filter(|&(_, load)| !graph.is_zero(load)).collect::<Vec<_>>());
+    }
+    (through_q, loads)
+}
+
+/// The seeds of a load on something that moves in straight lines.
+fn push(loads: &mut Loads, body: &Translation, component: usize, load: NodeId) {
+    match &body.position {
+        Some(position) => loads.through_q.push((position[component], load)),
+        None => loads.through_v.push((body.velocity[component], load)),
+    }
+}
+
 /// p = ∂L/∂v.
 pub(super) fn momenta(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
     let mut loads = Loads::default();
     for body in &motion.translations {
-        for (&position, &velocity) in body.position.iter().zip(&body.velocity) {
-            loads.through_q.push((position, model.graph.mul(body.mass, velocity)));
+        for (component, &velocity) in body.velocity.iter().enumerate() {
+            let momentum = model.graph.mul(body.mass, velocity);
+            push(&mut loads, body, component, momentum);
         }
     }
     for body in &motion.rotations {
@@ -93,8 +120,9 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
     let mut loads = Loads::default();
     let graph = &mut model.graph;
     for body in &motion.translations {
-        for (&position, &acceleration) in body.position.iter().zip(&body.acceleration) {
-            loads.through_q.push((position, graph.mul(body.mass, acceleration)));
+        for (component, &acceleration) in body.acceleration.iter().enumerate() {
+            let change = graph.mul(body.mass, acceleration);
+            push(&mut loads, body, component, change);
         }
     }
     for body in &motion.rotations {

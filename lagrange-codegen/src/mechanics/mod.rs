@@ -10,6 +10,7 @@ mod constraints;
 mod energy;
 mod equations;
 mod forces;
+mod frames;
 mod linearization;
 mod motion;
 mod places;
@@ -20,9 +21,9 @@ pub use linearization::{Linearization, Sensitivities};
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::NodeId;
-use crate::model::Model;
-use crate::simplify::simplify;
-use motion::Motion;
+use crate::model::{Hints, Model};
+use crate::simplify::{price, simplify};
+use motion::{Axes, Motion};
 
 /// The equations of motion and the scalars that go with them.
 #[derive(Clone, Debug)]
@@ -99,45 +100,72 @@ pub fn derive(
     allows: &dyn Fn(&str) -> bool,
     diagnostics: &mut Diagnostics,
 ) -> Option<Equations> {
-    let motion = Motion::of(model);
     validate::contributions(model, allows, diagnostics);
     validate::constants(model, diagnostics);
     let independent = validate::constraints(model, allows, diagnostics);
-    let momenta = equations::momenta(model, &motion);
-    let mass = equations::mass_matrix(model, &motion, &momenta);
-    validate::inertia(model, &mass, &independent, diagnostics);
-    let inertial = equations::inertial(model, &motion, &momenta);
-    let conservative = equations::conservative(model);
-    let applied_loads = forces::loads(model, &motion);
-    let bias = inertial.clone().joined(conservative.clone()).sweep(model, &motion);
-    let applied = applied_loads.clone().negated(model).sweep(model, &motion);
-    let applied = equations::negated(model, &applied);
-    let total = inertial.joined(conservative).joined(applied_loads.negated(model)).sweep(model, &motion);
-    let force = equations::negated(model, &total);
-    let momentum_rates = equations::momentum_rates(model, &motion);
-    validate::inputs(model, &force, &mass, allows, diagnostics);
-    let conditions = Conditions::of(model, &motion, &mass);
-    let energies = energy::energies(model, &motion, &momenta);
-    let power = energy::power(model, &motion, &applied);
-    let energy_rate = (conditions.count() > 0).then(|| {
-        energy::rate(&mut model.graph, &momenta, energies.total, energies.jacobi, power, &conditions)
+    let equations = cheapest(model);
+    validate::inertia(model, &equations.mass, &independent, diagnostics);
+    validate::inputs(model, &equations.force, &equations.mass, allows, diagnostics);
+    (!diagnostics.has_errors()).then_some(equations)
+}
+
+/// The equations in the axes in which they take fewer operations: a single top is written best in space axes,
+/// where its spin does not appear, and an arm in those of its links.
+fn cheapest(model: &mut Model) -> Equations {
+    if !Motion::is_carried(model) {
+        return Equations::in_axes(model, Axes::Space);
+    }
+    let mut trial = model.clone();
+    let own = Equations::in_axes(&mut trial, Axes::Own);
+    let space = Equations::in_axes(model, Axes::Space);
+    let [of_own, of_space] = [(&trial, &own), (&*model, &space)].map(|(model, equations)| {
+        let mut hints = Hints::default();
+        price(&mut model.graph.clone(), &mut hints, &equations.roots())
     });
-    (!diagnostics.has_errors()).then_some(Equations {
-        mass,
-        bias,
-        applied,
-        force,
-        momenta,
-        momentum_rates,
-        kinetic_energy: energies.kinetic,
-        inertia: energies.kinetic,
-        potential_energy: energies.potential,
-        whole: energies.whole,
-        energy: energies.total,
-        jacobi_integral: energies.jacobi,
-        power,
-        energy_rate,
-        conditions,
-        definite: model.lagrangian.is_empty(),
-    })
+    if of_own < of_space {
+        *model = trial;
+        return own;
+    }
+    space
+}
+
+impl Equations {
+    fn in_axes(model: &mut Model, axes: Axes) -> Equations {
+        let motion = Motion::of(model, axes);
+        let momenta = equations::momenta(model, &motion);
+        let mass = equations::mass_matrix(model, &motion, &momenta);
+        let inertial = equations::inertial(model, &motion, &momenta);
+        let conservative = equations::conservative(model);
+        let applied_loads = forces::loads(model, &motion);
+        let bias = inertial.clone().joined(conservative.clone()).sweep(model, &motion);
+        let applied = applied_loads.clone().negated(model).sweep(model, &motion);
+        let applied = equations::negated(model, &applied);
+        let total = inertial.joined(conservative).joined(applied_loads.negated(model)).sweep(model, &motion);
+        let force = equations::negated(model, &total);
+        let momentum_rates = equations::momentum_rates(model, &motion);
+        let conditions = Conditions::of(model, &motion, &mass);
+        let energies = energy::energies(model, &motion, &momenta);
+        let power = energy::power(model, &motion, &applied);
+        let energy_rate = (conditions.count() > 0).then(|| {
+            energy::rate(&mut model.graph, &momenta, energies.total, energies.jacobi, power, &conditions)
+        });
+        Equations {
+            mass,
+            bias,
+            applied,
+            force,
+            momenta,
+            momentum_rates,
+            kinetic_energy: energies.kinetic,
+            inertia: energies.kinetic,
+            potential_energy: energies.potential,
+            whole: energies.whole,
+            energy: energies.total,
+            jacobi_integral: energies.jacobi,
+            power,
+            energy_rate,
+            conditions,
+            definite: model.lagrangian.is_empty(),
+        }
+    }
 }

@@ -1,9 +1,19 @@
 //! Velocities and velocity-dependent accelerations of particles and bodies.
 
+use super::frames::Frames;
 use crate::calculus::pushforward;
-use crate::expr::NodeId;
+use crate::expr::{Graph, NodeId};
 use crate::kinematics::{body_rate, time_direction};
-use crate::model::{Attitude, Model};
+use crate::model::{Attitude, Body, Model, Point, Rotation};
+
+/// The axes in which the velocities of what rotations carry have their components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Axes {
+    /// Those of space.
+    Space,
+    /// Those of the rotation that carries it.
+    Own,
+}
 
 /// Kinematics of a model at a = 0, with the nodes of its variables.
 #[derive(Clone, Debug)]
@@ -16,6 +26,8 @@ pub(super) struct Motion {
     pub translations: Vec<Translation>,
     /// Spatial rotations.
     pub rotations: Vec<Turning>,
+    /// Places at which forces are turned into the axes of what carries them.
+    pub carried: Vec<Carried>,
 }
 
 /// Quantities r(q, t) with inertia m: T = ½ m ṙ·ṙ.
@@ -23,8 +35,8 @@ pub(super) struct Motion {
 pub(super) struct Translation {
     /// Mass, or moment of inertia for an angle.
     pub mass: NodeId,
-    /// r.
-    pub position: Vec<NodeId>,
+    /// r, where the components below are those in space axes.
+    pub position: Option<Vec<NodeId>>,
     /// ṙ.
     pub velocity: Vec<NodeId>,
     /// r̈ at a = 0.
@@ -42,62 +54,126 @@ pub(super) struct Turning {
     pub acceleration: [NodeId; 3],
 }
 
+/// A place that a rotation carries.
+#[derive(Clone, Debug)]
+pub(super) struct Carried {
+    /// Where it is, in space axes.
+    pub place: [NodeId; 3],
+    /// The rotation.
+    pub matrix: [[NodeId; 3]; 3],
+    /// Its velocity in the axes of the rotation.
+    pub velocity: [NodeId; 3],
+}
+
 impl Motion {
+    /// Whether a rotation carries anything that has inertia.
+    pub fn is_carried(model: &Model) -> bool {
+        let spatial = |body: &Body| matches!(body.attitude, Attitude::Spatial { .. });
+        let carried = |point: &Point| model.levers.carrying(&point.position).is_some();
+        model.bodies.iter().any(spatial) || model.points.iter().any(carried)
+    }
+
     /// Differentiates every position and attitude twice.
-    pub fn of(model: &mut Model) -> Motion {
+    pub fn of(model: &mut Model, axes: Axes) -> Motion {
         let count = model.coordinates.len();
-        let graph = &mut model.graph;
+        let Model { graph, hints, levers, points, bodies, .. } = model;
         let direction = time_direction(graph, count);
         let q: Vec<_> = direction[..count].iter().map(|&(q, _)| q).collect();
         let v: Vec<_> = direction[..count].iter().map(|&(_, v)| v).collect();
 
-        let mut moving: Vec<(NodeId, Vec<NodeId>, String)> = Vec::new();
-        for point in &model.points {
-            moving.push((point.mass, point.position.clone(), point.name.clone()));
-        }
+        let mut frames = Frames::new(levers, &direction);
+        let mut translations = Vec::new();
+        let mut moving: Vec<(NodeId, Vec<NodeId>)> = Vec::new();
         let mut turning = Vec::new();
-        for body in &model.bodies {
-            moving.push((body.mass, body.position.clone(), body.name.clone()));
+        for point in points {
+            match levers.carrying(&point.position) {
+                Some(lever) if axes == Axes::Own => {
+                    translations.push(Translation::carried(
+                        graph,
+                        &mut frames,
+                        point.mass,
+                        &lever.rotation,
+                        &lever.place,
+                    ));
+                }
+                _ => moving.push((point.mass, point.position.clone())),
+            }
+        }
+        for body in bodies {
+            let place = <[NodeId; 3]>::try_from(body.position.as_slice());
+            match (&body.attitude, place) {
+                (Attitude::Spatial { rotation, .. }, Ok(place)) if axes == Axes::Own => {
+                    translations.push(Translation::carried(graph, &mut frames, body.mass, rotation, &place));
+                }
+                _ => moving.push((body.mass, body.position.clone())),
+            }
             match &body.attitude {
-                Attitude::Planar { angle, inertia } => {
-                    moving.push((*inertia, vec![*angle], body.name.clone()))
-                }
-                Attitude::Spatial { rotation, inertia } => {
-                    turning.push((rotation.clone(), *inertia, body.name.clone()))
-                }
+                Attitude::Planar { angle, inertia } => moving.push((*inertia, vec![*angle])),
+                Attitude::Spatial { rotation, inertia } => turning.push((rotation, *inertia, &body.name)),
             }
         }
 
         // One forward sweep for all positions, so that shared parts are differentiated once.
-        let all: Vec<NodeId> = moving.iter().flat_map(|(_, position, _)| position.iter().copied()).collect();
+        let all: Vec<NodeId> = moving.iter().flat_map(|(_, position)| position.iter().copied()).collect();
         let velocities = pushforward(graph, &all, &direction);
         let accelerations = pushforward(graph, &velocities, &direction);
         let mut offset = 0;
-        let mut translations = Vec::with_capacity(moving.len());
-        for (mass, position, _) in moving {
+        for (mass, position) in moving {
             let range = offset..offset + position.len();
             offset = range.end;
             translations.push(Translation {
                 mass,
                 velocity: velocities[range.clone()].to_vec(),
                 acceleration: accelerations[range].to_vec(),
-                position,
+                position: Some(position),
             });
         }
 
         let mut rotations = Vec::with_capacity(turning.len());
         for (rotation, inertia, name) in turning {
-            let rate = body_rate(graph, &rotation, &direction);
-            let acceleration = pushforward(graph, &rate, &direction);
+            let (rate, acceleration) = match axes {
+                Axes::Own => {
+                    let spin = frames.spin(graph, rotation);
+                    (spin.rate, spin.change)
+                }
+                Axes::Space => {
+                    let rate = body_rate(graph, rotation, &direction);
+                    let change = pushforward(graph, &rate, &direction);
+                    (rate, [change[0], change[1], change[2]])
+                }
+            };
             for (component, axis) in rate.iter().zip(["x", "y", "z"]) {
-                model.hints.suggest(*component, format!("{name}_rate_{axis}"));
+                hints.suggest(*component, format!("{name}_rate_{axis}"));
             }
-            rotations.push(Turning {
-                inertia,
-                rate,
-                acceleration: [acceleration[0], acceleration[1], acceleration[2]],
-            });
+            rotations.push(Turning { inertia, rate, acceleration });
         }
-        Motion { q, v, translations, rotations }
+        let mut carried = Vec::new();
+        if axes == Axes::Own {
+            for lever in levers.iter() {
+                let motion = frames.motion(graph, &lever.rotation, &lever.place);
+                let (place, matrix) = (lever.place, lever.rotation.matrix);
+                carried.push(Carried { place, matrix, velocity: motion.velocity });
+            }
+        }
+        Motion { q, v, translations, rotations, carried }
+    }
+}
+
+impl Translation {
+    /// Of a place in the axes of a rotation.
+    fn carried(
+        graph: &mut Graph,
+        frames: &mut Frames<'_>,
+        mass: NodeId,
+        rotation: &Rotation,
+        place: &[NodeId; 3],
+    ) -> Translation {
+        let motion = frames.motion(graph, rotation, place);
+        Translation {
+            mass,
+            position: None,
+            velocity: motion.velocity.to_vec(),
+            acceleration: motion.acceleration.to_vec(),
+        }
     }
 }

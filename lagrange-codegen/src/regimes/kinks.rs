@@ -50,18 +50,49 @@ fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
 /// What the energy gains where the argument of each kink passes zero upwards: nothing, unless a function of the
 /// energy jumps.
 pub(super) fn jumps(model: &mut Model, equations: &Equations, kinks: &[NodeId]) -> Vec<NodeId> {
+    kinks.iter().map(|&argument| across(&mut model.graph, argument, &[equations.energy])[0]).collect()
+}
+
+/// A function of the motion that has two values where a kink is: a momentum, or the rate of a constraint.
+#[derive(Clone, Copy, Debug)]
+pub struct Corner {
+    /// The kink.
+    pub kink: usize,
+    /// What the function gains where the argument of the kink passes zero upwards.
+    pub gain: NodeId,
+    /// The function.
+    pub function: NodeId,
+}
+
+/// The corners at each kink. Velocities go through a kink as they are, which momenta and constraints permit where
+/// they are continuous.
+pub(super) fn corners(
+    model: &mut Model,
+    equations: &Equations,
+    held: usize,
+    kinks: &[NodeId],
+) -> Vec<Corner> {
+    let functions: Vec<NodeId> =
+        equations.momenta.iter().chain(equations.conditions.rates.iter().take(held)).copied().collect();
     let graph = &mut model.graph;
+    let mut corners = Vec::new();
+    for (kink, &argument) in kinks.iter().enumerate() {
+        let gains = across(graph, argument, &functions);
+        let both = gains.into_iter().zip(&functions).filter(|&(gain, _)| !graph.is_zero(gain));
+        corners.extend(both.map(|(gain, &function)| Corner { kink, gain, function }));
+    }
+    corners
+}
+
+/// What some functions gain where the argument of a kink passes zero upwards.
+fn across(graph: &mut Graph, argument: NodeId, functions: &[NodeId]) -> Vec<NodeId> {
     let one = graph.one();
     let minus_one = graph.neg(one);
-    let mut jumps = Vec::with_capacity(kinks.len());
-    for &argument in kinks {
-        let [above, below] = [one, minus_one].map(|side| {
-            let replacements = on_side(graph, argument, side);
-            substitute(graph, &[equations.energy], &replacements)[0]
-        });
-        jumps.push(graph.sub(above, below));
-    }
-    jumps
+    let [above, below] = [one, minus_one].map(|side| {
+        let replacements = on_side(graph, argument, side);
+        substitute(graph, functions, &replacements)
+    });
+    above.into_iter().zip(below).map(|(above, below)| graph.sub(above, below)).collect()
 }
 
 /// The user's function that each kink stands in, the first of several; no name where none shows it.

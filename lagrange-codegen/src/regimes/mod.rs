@@ -7,6 +7,8 @@
 
 mod kinks;
 
+pub use kinks::Corner;
+
 use crate::diagnostics::Diagnostics;
 use crate::expr::{Exponent, Graph, NodeId, Variable};
 use crate::jets::{self, Jets};
@@ -28,6 +30,8 @@ pub struct Regimes {
     pub kink_names: Vec<String>,
     /// What the energy gains where each passes zero, likewise.
     pub jumps: Vec<NodeId>,
+    /// What else has two values at a kink, likewise.
+    pub corners: Vec<Corner>,
     /// The system of one regime, with its switches as its last parameters.
     pub model: Model,
     /// Gaps and slip velocities in one regime, in the graph of `model`.
@@ -80,6 +84,7 @@ pub fn derive(
     }
     let kink_names = kinks::names(&mut rows, &kinks);
     let jumps = kinks::jumps(&mut rows, &laws, &kinks);
+    let corners = kinks::corners(&mut rows, &laws, held, &kinks);
     let count = held + contacts.len();
     let mut regime = rows.clone();
     let switches = Switches::new(&mut regime, count, kinks.len());
@@ -112,6 +117,7 @@ pub fn derive(
         kinks,
         kink_names,
         jumps,
+        corners,
         model: regime,
         rows_in,
         kinks_in,

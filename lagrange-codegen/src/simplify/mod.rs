@@ -34,6 +34,15 @@ pub fn simplify(graph: &mut Graph, hints: &mut Hints, roots: &[NodeId]) -> Vec<N
     best
 }
 
+/// What the roots cost: simplified where cancellations are searched for, else as they are.
+pub fn price(graph: &mut Graph, hints: &mut Hints, roots: &[NodeId]) -> u32 {
+    if graph.cone(roots.iter().copied()).len() > COMPARABLE {
+        return cost(graph, roots);
+    }
+    let simpler = simplify(graph, hints, roots);
+    cost(graph, &simpler)
+}
+
 /// Takes a proposal root by root where it lowers the cost of the whole.
 fn cheaper_of_each(graph: &Graph, mut roots: Vec<NodeId>, proposal: &[NodeId]) -> Vec<NodeId> {
     let mut lowest = cost(graph, &roots);

@@ -228,6 +228,7 @@ impl Generalizer<'_> {
             "norm_squared" | "magnitude_squared" => "norm_squared",
             "normalize" => "normalize",
             "metric_distance" => "distance",
+            "to_rotation_matrix" => "rotation_matrix",
             _ => return None,
         };
         let takes = usize::from(method == "distance");
@@ -248,6 +249,7 @@ impl Generalizer<'_> {
             ("Rotation2", "new") => "rotation2",
             ("Rotation3", "from_axis_angle") => "rotation3_axis_angle",
             ("Rotation3", "from_euler_angles") => "rotation3_euler_angles",
+            ("Isometry2" | "Isometry3" | "IsometryMatrix2" | "IsometryMatrix3", "from_parts") => "pose",
             _ => return None,
         };
         let name = Ident::new(name, function.ident.span());

@@ -4,8 +4,8 @@
 //! yaw about z of the fixed frame.
 
 use nalgebra::{
-    DefaultAllocator, Dim, Matrix, Matrix2, Matrix3, OMatrix, RawStorage, Rotation2, Rotation3, U1, Unit,
-    Vector3, allocator::Allocator,
+    DefaultAllocator, Dim, Isometry, Matrix, Matrix2, Matrix3, OMatrix, RawStorage, Rotation2, Rotation3,
+    Translation, U1, Unit, UnitComplex, UnitQuaternion, Vector3, allocator::Allocator,
 };
 
 use crate::number::real::Real;
@@ -94,6 +94,101 @@ pub fn rotation3_euler_angles<R: Real>(roll: R, pitch: R, yaw: R) -> Rotation3<R
     ))
 }
 
+/// What has a rotation, as a matrix of nalgebra.
+pub trait Turned {
+    /// `Rotation2` or `Rotation3`.
+    type Matrix;
+
+    /// The rotation.
+    fn rotation_matrix(&self) -> Self::Matrix;
+}
+
+impl<T: Turned + ?Sized> Turned for &T {
+    type Matrix = T::Matrix;
+
+    #[inline]
+    fn rotation_matrix(&self) -> T::Matrix {
+        (**self).rotation_matrix()
+    }
+}
+
+impl<R: Real> Turned for Rotation2<R> {
+    type Matrix = Self;
+
+    #[inline]
+    fn rotation_matrix(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: Real> Turned for UnitComplex<R> {
+    type Matrix = Rotation2<R>;
+
+    #[inline]
+    fn rotation_matrix(&self) -> Rotation2<R> {
+        Rotation2::from_matrix_unchecked(Matrix2::new(self.re, -self.im, self.im, self.re))
+    }
+}
+
+impl<R: Real> Turned for Rotation3<R> {
+    type Matrix = Self;
+
+    #[inline]
+    fn rotation_matrix(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: Real> Turned for UnitQuaternion<R> {
+    type Matrix = Rotation3<R>;
+
+    /// 1 + 2 w \[u\]ₓ + 2 \[u\]ₓ² of a unit quaternion w + u.
+    #[inline]
+    fn rotation_matrix(&self) -> Rotation3<R> {
+        let [i, j, k, w]: [R; 4] = self.as_ref().coords.into();
+        let (one, two) = (R::one(), R::from_f64(2.0));
+        Rotation3::from_matrix_unchecked(Matrix3::new(
+            one - two * (j * j + k * k),
+            two * (i * j - w * k),
+            two * (i * k + w * j),
+            two * (i * j + w * k),
+            one - two * (i * i + k * k),
+            two * (j * k - w * i),
+            two * (i * k - w * j),
+            two * (j * k + w * i),
+            one - two * (i * i + j * j),
+        ))
+    }
+}
+
+impl<R, T: Turned, const D: usize> Turned for Isometry<R, T, D> {
+    type Matrix = T::Matrix;
+
+    #[inline]
+    fn rotation_matrix(&self) -> T::Matrix {
+        self.rotation.rotation_matrix()
+    }
+}
+
+/// The rotation of a rotation, a quaternion or a pose.
+#[inline]
+pub fn rotation_matrix<T: Turned>(turned: &T) -> T::Matrix {
+    turned.rotation_matrix()
+}
+
+/// The angle \[rad] of a rotation of the plane, in (−π, π].
+#[inline]
+pub fn angle<R: Real, T: Turned<Matrix = Rotation2<R>>>(turned: &T) -> R {
+    let rotation = turned.rotation_matrix();
+    rotation[(1, 0)].atan2(rotation[(0, 0)])
+}
+
+/// The pose of a translation and a rotation.
+#[inline]
+pub fn pose<R, T, const D: usize>(translation: Translation<R, D>, rotation: T) -> Isometry<R, T, D> {
+    Isometry { rotation, translation }
+}
+
 /// The inertia of a spatial body about its principal axes.
 #[diagnostic::on_unimplemented(
     message = "`inertia` of a spatial body takes three principal moments (`[R; 3]` or `Vector3`)",
@@ -150,6 +245,18 @@ mod tests {
         let ours = rotation3_euler_angles(0.1, 0.2, 0.3);
         assert!(near(*ours.matrix(), *Rotation3::from_euler_angles(0.1, 0.2, 0.3).matrix()));
         assert!(!near(*ours.matrix(), *Rotation3::from_euler_angles(0.3, 0.2, 0.1).matrix()));
+    }
+
+    #[test]
+    fn every_kind_of_turn_is_its_matrix() {
+        let quaternion = UnitQuaternion::from_euler_angles(0.3, -0.7, 1.9);
+        let matrix = quaternion.to_rotation_matrix();
+        let pose = pose(Translation::<f64, 3>::new(1.0, 2.0, 3.0), quaternion);
+        assert!(near(*rotation_matrix(&quaternion).matrix(), *matrix.matrix()));
+        assert!(near(*rotation_matrix(&&pose).matrix(), *matrix.matrix()));
+        assert_eq!(rotation_matrix(&matrix), matrix);
+        assert!((angle(&UnitComplex::new(2.5_f64)) - 2.5).abs() < 1e-15);
+        assert!((angle(&Rotation2::new(-2.5_f64)) + 2.5).abs() < 1e-15);
     }
 
     #[test]

@@ -40,7 +40,11 @@ where
         let closed = self.penetrating(&state, &laws)?;
         let known = Known { closed, fired: None, settled: false };
         let regime = self.settle(&mut state, &present, known, false, num_traits::Zero::zero())?;
-        self.enter(regime, state);
+        if state.t == self.memory.end.t {
+            self.enter(regime, state);
+        } else {
+            (self.memory.start, self.memory.next) = (self.memory.end, Some((regime, state)));
+        }
         self.memory.fired = None;
         let counts = &mut self.memory.counts;
         counts.evaluations += 1;
@@ -64,8 +68,14 @@ where
                 return Err(Cause::InvalidContact { constraint: row, name: S::NAMES.constraint(row) });
             }
         }
-        let rows = laws.rows.positions.iter().chain(&laws.rows.rates).chain(&laws.kinks);
-        if rows.copied().all(Real::is_finite) { Ok(()) } else { Err(Cause::NotFinite) }
+        if !laws.rows.positions.iter().chain(&laws.kinks).copied().all(Real::is_finite) {
+            return Err(Cause::NotFinite);
+        }
+        // What has a value but no rate has no gradient, as the distance from a centre at the centre.
+        match laws.rows.rates.iter().position(|rate| !rate.is_finite()) {
+            Some(row) => Err(Cause::VanishingGradient { constraint: row, name: S::NAMES.constraint(row) }),
+            None => Ok(()),
+        }
     }
 
     /// Refuses a start that penetrates by more than the last digits of nine-digit numbers; gaps within that

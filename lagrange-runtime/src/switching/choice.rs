@@ -17,12 +17,18 @@ use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
 
+/// A slip in two directions begins with so many times what is lost in the errors of velocities, so that they turn
+/// it by no more than the inverse of that.
+const LAUNCHED: f64 = 16.0;
+
 /// A regime, and what follows from it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Choice<R, const N: usize, const C: usize, const W: usize> {
     pub(super) regime: Regime<R, C, W>,
     /// Velocities: those of the state, but for a slip in two directions that begins.
     pub(super) velocities: [R; N],
+    /// How much later the motion has these velocities, where that is known.
+    pub(super) later: R,
     pub(super) accelerations: [R; N],
     pub(super) multipliers: [R; C],
     /// Whether the motion determines each multiplier.
@@ -139,11 +145,16 @@ where
                 && self.status[row] == Status::Rests
                 && regime.slip[row] != num_traits::Zero::zero()
         };
-        let velocities = if (0..C).any(begins) { self.begun(&regime, begins)? } else { self.state.v };
+        let has_begun = (0..C).any(begins);
+        let velocities = if has_begun { self.begun(&regime, begins)? } else { self.state.v };
         let balance = self.balance(&regime, &velocities)?;
+        let zero = num_traits::Zero::zero();
+        let later =
+            if has_begun { self.later(&regime, begins, &velocities, &balance).unwrap_or(zero) } else { zero };
         Some(Choice {
             regime,
             velocities,
+            later,
             accelerations: balance.accelerations,
             multipliers: balance.multipliers,
             is_unique: balance.independence.rank == balance.independence.rows,
@@ -163,8 +174,8 @@ where
         numbers.all(|x| x.is_finite()).then_some(balance)
     }
 
-    /// Velocities with a slip so small that it counts as none, in the directions in which slips begin: that of
-    /// their accelerations, which friction against these directions leaves.
+    /// Velocities with the smallest slip that has a direction for the motion, in the directions in which slips
+    /// begin: that of their accelerations, which friction against these directions leaves.
     #[cold]
     fn begun(
         &self,
@@ -191,7 +202,7 @@ where
                 }
                 let size = most(self.speeds[row], self.speeds[other]);
                 let size = if size.is_positive() { size } else { S::Scalar::epsilon() };
-                let size = size * S::Scalar::epsilon() * S::Scalar::from_f64(16.0);
+                let size = size * self.lost * S::Scalar::from_f64(LAUNCHED);
                 for row in [row, other] {
                     lack[row] = size * slips[row] / length - self.laws.rows.rates[row];
                 }
@@ -223,6 +234,34 @@ where
             slips = turning.next(&slips, &lacks);
         }
         Some(velocities)
+    }
+
+    /// The time that slips need which begin, until they have grown to those of `velocities`. Where that is so long
+    /// that accelerations are others by then than they are now, it is not known.
+    #[cold]
+    fn later(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        begins: impl Fn(usize) -> bool,
+        velocities: &[S::Scalar; N],
+        balance: &Balance<S::Scalar, N, C>,
+    ) -> Option<S::Scalar> {
+        let sizes = self.sizes(regime, &balance.accelerations, &balance.multipliers);
+        let mut later = num_traits::Zero::zero();
+        for rows in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
+            let [x, y] = rows.map(|row| self.laws.rows.rates[row] + self.change(row, velocities));
+            let [turn_x, turn_y] = rows.map(|row| self.rate(row, &balance.accelerations));
+            let [a, b] = rows.map(|row| extent(&self.gradients[row], &sizes.accelerations));
+            let (speed, strength) = (turn_x.hypot(turn_y), most(a, b));
+            let time = x.hypot(y) / speed;
+            // The motion as a whole changes in the time that its speed is of its accelerations.
+            let whole = most(self.speeds[rows[0]], self.speeds[rows[1]]);
+            if !time.is_finite() || above(time * strength * strength, whole * speed) {
+                return None;
+            }
+            later = most(later, time);
+        }
+        Some(later)
     }
 
     /// What velocities change at a row.

@@ -10,7 +10,7 @@
 use core::marker::PhantomData;
 
 use super::memory::HybridMemory;
-use super::run::Run;
+use super::run::{Run, is_at_rest};
 use super::scene::Scales;
 use super::{Regime, Switching};
 use crate::number::real::Ordered;
@@ -64,6 +64,8 @@ where
             end: start,
             next: None,
             impulses: [num_traits::Zero::zero(); C],
+            way: [num_traits::Zero::zero(); N],
+            is_way: false,
             is_fresh: true,
             stuck: None,
             fired: None,
@@ -84,7 +86,7 @@ where
         {
             memory.regime = regime;
         }
-        (memory.start, memory.end) = (state, state);
+        (memory.start, memory.end, memory.is_way) = (state, state, false);
         (memory.is_fresh, memory.stuck) = (true, None);
     }
 
@@ -129,6 +131,13 @@ where
         }
         if part == num_traits::One::one() {
             return Ok(memory.end);
+        }
+        let t = memory.start.t + part * (memory.end.t - memory.start.t);
+        if memory.is_way {
+            return Ok(memory.on_way(t));
+        }
+        if is_at_rest(&memory.start, &memory.end) {
+            return Ok(memory.start.at_time(t));
         }
         // The piece may be the beginning of a step that was cut.
         let whole = M::end(&memory.inner).t - memory.start.t;

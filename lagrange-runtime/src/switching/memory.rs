@@ -22,10 +22,15 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     /// The last piece.
     pub(super) start: State<R, N>,
     pub(super) end: State<R, N>,
-    /// The regime and the state that follow the piece; `None` where it ended without an event.
+    /// The regime and the state that follow the piece; `None` where it ended without an event. The state may be a
+    /// little later than the end of the piece.
     pub(super) next: Option<(Regime<R, C, W>, State<R, N>)>,
     /// The impulses of the last change of regime, zero where it was no impact.
     pub(super) impulses: [R; C],
+    /// The accelerations on the way to it.
+    pub(super) way: [R; N],
+    /// Whether the piece is such a way, which no method has gone.
+    pub(super) is_way: bool,
     /// Whether the motion has to find its regime first.
     pub(super) is_fresh: bool,
     /// Why it cannot go on.
@@ -52,6 +57,25 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
     /// The state after the piece.
     pub(super) fn after(&self) -> State<R, N> {
         self.next.map_or(self.end, |(_, state)| state)
+    }
+
+    /// The state at a time on the way to the next regime.
+    pub(super) fn on_way(&self, t: R) -> State<R, N> {
+        let mut state = self.after();
+        let dt = t - state.t;
+        shift(&mut state, &self.way, dt);
+        State { t, ..state }
+    }
+
+    /// Makes the way to the state that follows a piece of its own. Where that state is not later than the piece
+    /// there is none.
+    pub(super) fn go_on_way(&mut self) -> bool {
+        let from = self.end.t;
+        self.is_way = self.after().t != from;
+        if self.is_way {
+            (self.start, self.end) = (self.on_way(from), self.after());
+        }
+        self.is_way
     }
 
     /// The states before and after the change of regime that ends the piece.
@@ -86,5 +110,18 @@ where
             .field("end", &self.end)
             .field("next", &self.next)
             .finish_non_exhaustive()
+    }
+}
+
+/// Moves a state by a short time.
+pub(super) fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
+    // Where a slip in two directions has come to rest, its regime has no accelerations.
+    if dt == R::zero() || !accelerations.iter().all(|a| a.is_finite()) {
+        return;
+    }
+    let half = R::from_f64(0.5);
+    for ((q, v), &a) in state.q.iter_mut().zip(&mut state.v).zip(accelerations) {
+        *q += dt * (*v + half * dt * a);
+        *v += dt * a;
     }
 }

@@ -101,6 +101,9 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     /// Contacts whose restitution is Poisson's.
     const POISSON: [bool; C] = [false; C];
 
+    /// Whether time stands in none of the equations and laws: what is at rest then stays so.
+    const AUTONOMOUS: bool = false;
+
     /// The user's function that each kink stands in.
     const KINKS: [Name; W] = [Name::NONE; W];
 
@@ -135,7 +138,18 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         [[num_traits::Zero::zero(); W]; 2]
     }
 
-    /// The equations of a mode at a state, factored; `None` of a system without rows.
+    /// Visits momenta and rates of constraints that have two values where a switching function is zero: the number
+    /// of the function, what is gained where it passes zero upwards, and Σ |summands| of the momentum or rate.
+    fn corners_at(
+        &self,
+        _t: Self::Scalar,
+        _q: &[Self::Scalar; N],
+        _v: &[Self::Scalar; N],
+        _visit: impl FnMut(usize, Self::Scalar, Self::Scalar),
+    ) {
+    }
+
+    /// The equations of a mode at a state, factored; `None` of a system without contacts.
     fn equations_in(
         _in_regime: &Self::InRegime,
         _t: Self::Scalar,

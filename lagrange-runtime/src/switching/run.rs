@@ -2,6 +2,7 @@
 
 use super::guards::{Guard, Guards};
 use super::hybrid::{Memory, sum};
+use super::memory::shift;
 use super::scene::{Known, Scene, above, most};
 use super::{Regime, Row, Switching};
 use crate::motion::roots::Unresolved;
@@ -55,10 +56,11 @@ where
         memory.constants = memory.in_regime.constants();
         M::go_on(&mut memory.inner, &memory.in_regime, state);
         (memory.start, memory.end, memory.next) = (state, state, None);
+        memory.is_way = false;
     }
 
     /// What follows a state: its impact, the regime that goes on, and the state projected onto that, so much later
-    /// as the time of the state is rounded.
+    /// as the time of the state is rounded. Where a slip in two directions begins it may be a little later yet.
     pub(super) fn settle(
         &mut self,
         state: &mut State<S::Scalar, N>,
@@ -67,7 +69,8 @@ where
         avoid: bool,
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
-        if C > 0 {
+        self.memory.way = [num_traits::Zero::zero(); N];
+        if S::ROWS.iter().any(|row| *row != Row::Bilateral) {
             let inputs = &self.control.0;
             let scales = &mut self.memory.scales;
             let impulses = &mut self.memory.impulses;
@@ -94,8 +97,14 @@ where
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
-            state.v = choice.velocities;
-            shift(state, &choice.accelerations, late);
+            self.memory.way = choice.accelerations;
+            if choice.later.is_positive() {
+                state.t += choice.later;
+                shift(state, &choice.accelerations, late + choice.later);
+            } else {
+                state.v = choice.velocities;
+                shift(state, &choice.accelerations, late);
+            }
             let in_regime = self.system.in_regime(&choice.regime);
             in_regime.project_at(&in_regime.constants(), state, None)?;
             first.still(&mut state.v);
@@ -103,14 +112,17 @@ where
         }
         let in_regime = self.system.in_regime(present);
         let State { t, q, v } = *state;
-        let a = in_regime.accelerations_at(&in_regime.constants(), t, &q, &v, &self.control.0);
+        let constants = in_regime.constants();
+        let a = in_regime.accelerations_at(&constants, t, &q, &v, &self.control.0);
         shift(state, &a, late);
+        in_regime.project_at(&constants, state, None)?;
         Ok(*present)
     }
 
     /// One piece, towards time `t`.
     pub(super) fn step(&mut self, t: S::Scalar, attempts: &mut u64) -> Result<(), MotionError<S::Scalar>> {
         let at = |state: &State<S::Scalar, N>, cause| MotionError { cause, t: state.t };
+        self.memory.scales.relative = self.limits.relative;
         if let Some(cause) = self.memory.stuck {
             return Err(at(&self.memory.end, cause));
         }
@@ -120,18 +132,27 @@ where
                 opened.map_err(|cause| at(&self.memory.end, cause))?;
             }
             if let Some((regime, state)) = self.memory.next {
+                if self.memory.go_on_way() {
+                    return Ok(());
+                }
                 self.enter(regime, state);
             }
             let here = self.memory.end;
-            if S::InRegime::CONSTRAINED && is_at_rest(&self.memory.start, &here) {
-                // Nothing bounds the length of a step by that of one before it.
-                M::restart(&mut self.memory.inner, here);
-            }
+            let rests = is_at_rest(&self.memory.start, &here);
             if here.t == t {
                 return Ok(());
             }
             if t < here.t && S::ROWS.iter().any(|row| *row != Row::Bilateral) {
                 return Err(at(&here, Cause::Irreversible));
+            }
+            if rests && S::AUTONOMOUS {
+                self.memory.end = here.at_time(t);
+                M::restart(&mut self.memory.inner, self.memory.end);
+                return Ok(());
+            }
+            if rests && S::InRegime::CONSTRAINED {
+                // Nothing bounds the length of a step by that of one before it.
+                M::restart(&mut self.memory.inner, here);
             }
             let memory = &mut *self.memory;
             let (in_regime, constants) = (&memory.in_regime, &memory.constants);
@@ -275,6 +296,9 @@ where
                 if above(jumps[kink].abs(), S::Scalar::epsilon().sqrt() * sizes[kink]) {
                     return Err(Cause::EnergyJumps { kink, name: S::KINKS[kink] });
                 }
+                if self.has_corner(kink, &state) {
+                    return Err(Cause::MomentumJumps { kink, name: S::KINKS[kink] });
+                }
             }
             Guard::Row(row) => {
                 if memory.changes > CHANGES * (C + W) {
@@ -302,14 +326,42 @@ where
         Ok(())
     }
 
+    /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through it as
+    /// they are. At the kink itself a function may be no more than roundings: its size is that along the piece.
+    fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
+        let part = S::Scalar::epsilon().sqrt();
+        let mut middle = None;
+        let mut place = 0;
+        let mut found = false;
+        let system = self.system;
+        let memory = &mut *self.memory;
+        let (inner, in_regime, constants) = (&mut memory.inner, &memory.in_regime, &memory.constants);
+        let (control, limits, start) = (self.control, self.limits, memory.start);
+        system.corners_at(state.t, &state.q, &state.v, |own, gain, size| {
+            place += 1;
+            if own != kink || !above(gain.abs(), part * size) {
+                return;
+            }
+            let half = S::Scalar::from_f64(0.5) * (start.t + state.t);
+            let state = *middle.get_or_insert_with(|| {
+                M::sample(inner, in_regime, constants, control, limits, half, &mut 0).unwrap_or(start)
+            });
+            let mut other = 0;
+            system.corners_at(state.t, &state.q, &state.v, |_, _, size| {
+                other += 1;
+                found = found || other == place && above(gain.abs(), part * size);
+            });
+        });
+        found
+    }
+
     /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
     fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
         let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
-        let least = S::Scalar::from_f64(256.0) * S::Scalar::epsilon();
         let scales = &self.memory.scales;
         let size = most(scales.speeds[row], scales.speeds[other]);
         let slip = rows.rates[row].hypot(rows.rates[other]);
-        !above(slip, most(self.limits.relative, least) * size)
+        !above(slip, scales.lost() * size)
     }
 
     /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there, and
@@ -337,15 +389,15 @@ where
             } else if !falls.is_positive() {
                 continue;
             }
-            let half = S::Scalar::from_f64(0.5);
-            let mut state = State {
-                t: t + left,
-                q: core::array::from_fn(|i| q[i] + left * (v[i] + half * left * a[i])),
-                v: core::array::from_fn(|i| v[i] + left * a[i]),
-            };
+            let mut state = State { t: t + left, q, v };
+            shift(&mut state, &a, left);
             let present = memory.regime;
             let known = Known { closed: present.active, fired: Some(row), settled: false };
             let regime = self.settle(&mut state, &present, known, true, num_traits::Zero::zero())?;
+            // Where another slip begins at once, that is the way.
+            if state.t == t + left {
+                self.memory.way = a;
+            }
             self.memory.next = Some((regime, state));
             return Ok(());
         }
@@ -366,6 +418,12 @@ where
                 }
                 if self.memory.covers(t) {
                     let memory = &mut *self.memory;
+                    if memory.is_way {
+                        return Ok(memory.on_way(t));
+                    }
+                    if is_at_rest(&memory.start, &memory.end) {
+                        return Ok(memory.start.at_time(t));
+                    }
                     let (in_regime, constants) = (&memory.in_regime, &memory.constants);
                     let inner = &mut memory.inner;
                     return M::sample(inner, in_regime, constants, self.control, self.limits, t, &mut 0);
@@ -383,24 +441,12 @@ where
         let is_behind = if start.t <= end.t { t < start.t } else { t > start.t };
         if is_behind && start.t != end.t {
             M::restart(&mut memory.inner, start);
-            (memory.end, memory.next) = (start, None);
+            (memory.end, memory.next, memory.is_way) = (start, None, false);
         }
     }
 }
 
 /// Whether nothing moves.
-fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
+pub(super) fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
     start.t != end.t && end.v.iter().all(|&v| v == R::zero()) && start.q == end.q
-}
-
-/// Moves a state by a time that is shorter than the resolution of its own.
-fn shift<R: Real, const N: usize>(state: &mut State<R, N>, accelerations: &[R; N], dt: R) {
-    // Where a slip in two directions has come to rest, its regime has no accelerations.
-    if dt == R::zero() || !accelerations.iter().all(|a| a.is_finite()) {
-        return;
-    }
-    for ((q, v), &a) in state.q.iter_mut().zip(&mut state.v).zip(accelerations) {
-        *q += dt * *v;
-        *v += dt * a;
-    }
 }

@@ -45,12 +45,20 @@ pub(super) struct Scales<R, const C: usize> {
     pub(super) impacts: [R; C],
     /// The largest reactions where regimes began.
     pub(super) reactions: [R; C],
+    /// The tolerance of the motion.
+    pub(super) relative: R,
 }
 
 impl<R: Real, const C: usize> Scales<R, C> {
     pub(super) fn new() -> Self {
         let none = [R::zero(); C];
-        Self { gaps: none, speeds: none, impacts: none, reactions: none }
+        Self { gaps: none, speeds: none, impacts: none, reactions: none, relative: R::zero() }
+    }
+
+    /// The part of a speed below which a slip in two directions has none that the motion knows: errors of its
+    /// velocities have any direction.
+    pub(super) fn lost(&self) -> R {
+        most(self.relative, rounding())
     }
 
     /// Takes in an impact.
@@ -115,6 +123,8 @@ where
     pub(super) is_closed: [bool; C],
     /// Sizes of rates and slip velocities.
     pub(super) speeds: [S::Scalar; C],
+    /// The part of them that a slip in two directions has to exceed for its direction to be known.
+    pub(super) lost: S::Scalar,
     /// The gradients of all rows, active or not.
     pub(super) gradients: [[S::Scalar; N]; C],
     /// γ of all rows.
@@ -153,6 +163,7 @@ where
             status: [Status::Apart; C],
             is_closed: [false; C],
             speeds,
+            lost: scales.lost(),
             gradients,
             gamma,
             units,

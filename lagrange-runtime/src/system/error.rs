@@ -57,7 +57,8 @@ pub enum Cause {
         /// Its name.
         name: Name,
     },
-    /// The gradient of a constraint vanishes, so that it restricts nothing and has no reaction.
+    /// The gradient of a constraint or of a gap vanishes or has no value, as that of a distance has none at its
+    /// centre: it restricts nothing and has no reaction.
     VanishingGradient {
         /// Index of the constraint.
         constraint: usize,
@@ -134,6 +135,14 @@ pub enum Cause {
         /// The function that it stands in.
         name: Name,
     },
+    /// A momentum, or the rate of a constraint, has two values where a switching function is zero, so that no force
+    /// of finite size leads across: a corner in a position or a constraint, or a mass that jumps.
+    MomentumJumps {
+        /// Index of the kink, in the order of the description.
+        kink: usize,
+        /// The function that it stands in.
+        name: Name,
+    },
     /// Impacts and friction cannot be followed backward in time.
     Irreversible,
     /// A fixed step is too long for the constraints: bringing its end back onto them would change the state
@@ -193,7 +202,7 @@ impl fmt::Display for Cause {
             ),
             Self::VanishingGradient { constraint, name } => write!(
                 out,
-                "the gradient of constraint {constraint} is zero here: if the function is a square, write its base instead; otherwise \
+                "the gradient of constraint {constraint} is zero here, or has no value: if the function is a square, write its base instead; otherwise \
                  stay away from this configuration",
                 constraint = Part(*constraint, *name)
             ),
@@ -238,6 +247,12 @@ impl fmt::Display for Cause {
                 out,
                 "the energy jumps where what is switched (`if`, `signum`, …) in {function} is zero: make both sides of the energy \
                  equal there, or give the force by `#[force]`",
+                function = Part(*kink, *name)
+            ),
+            Self::MomentumJumps { kink, name } => write!(
+                out,
+                "momenta jump where what is switched (`abs`, `if`, …) in {function} is zero: make positions, masses and constraints \
+                 smooth there, or let a `#[unilateral]` contact strike",
                 function = Part(*kink, *name)
             ),
             Self::HeldAtKink { kink, name } => write!(
@@ -309,6 +324,7 @@ impl Cause {
             Self::Misread { .. }
             | Self::HeldAtKink { .. }
             | Self::EnergyJumps { .. }
+            | Self::MomentumJumps { .. }
             | Self::Irreversible
             | Self::StepTooLong
             | Self::NotFinite

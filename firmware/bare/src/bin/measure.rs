@@ -1,27 +1,22 @@
 //! Prints how many instructions a step takes and how much stack it uses, for all systems and methods.
 //!
-//! QEMU counts: with `-icount shift=6` an instruction takes 64 ns of virtual time, and SysTick, which runs on that time, is
-//! read before and after each step. How many ticks an instruction has is found by a loop of known length, so that no
-//! clock of the emulated board needs to be known.
+//! QEMU counts: with `-icount shift=6` an instruction takes 64 ns of virtual time.
 #![no_std]
 #![no_main]
-#![allow(unsafe_code, reason = "the stack is painted, and the loop of known length is written in assembly")]
+#![allow(unsafe_code, reason = "the stack is painted")]
 
 use core::fmt::{self, Write};
 use core::hint::black_box;
 use core::ptr;
 
 use bare::Console;
-use cortex_m::peripheral::{SYST, syst::SystClkSource};
+use bare::count::{Counter, KNOWN};
 use lagrangian::FixedStep;
 use lagrangian::prelude::*;
 use systems::{Bits, Experiment, Visitor, each};
 
 /// Steps whose instructions are counted.
 const STEPS: u32 = 64;
-
-/// Iterations of the loop of known length; each is two instructions.
-const ITERATIONS: u32 = 100_000;
 
 /// What the stack is painted with.
 const PAINT: u32 = 0xcccc_cccc;
@@ -30,43 +25,17 @@ const PAINT: u32 = 0xcccc_cccc;
 fn main() -> ! {
     bare::run(|out| {
         let Some(core) = cortex_m::Peripherals::take() else { return Err(fmt::Error) };
-        let mut timer = core.SYST;
-        timer.set_clock_source(SystClkSource::Core);
-        timer.set_reload(0x00ff_ffff);
-        timer.clear_current();
-        timer.enable_counter();
-        let nothing = ticks(|| ());
-        let calibration = ticks(known_loop) - nothing;
-        writeln!(out, "# {} instructions take {calibration} ticks", 2 * ITERATIONS)?;
-        let mut table = Table { out, nothing, calibration };
+        let counter = Counter::start(core.SYST);
+        writeln!(out, "# {KNOWN} instructions take {} ticks", counter.calibration)?;
+        let mut table = Table { out, counter };
         each::<f32, _>(&mut table)?;
         each::<f64, _>(&mut table)
     })
 }
 
-/// Ticks that something takes, less than 2²⁴.
-#[inline(always)]
-fn ticks<T>(what: impl FnOnce() -> T) -> u32 {
-    let before = SYST::get_current();
-    black_box(what());
-    let after = SYST::get_current();
-    before.wrapping_sub(after) & 0x00ff_ffff
-}
-
-/// Takes 2 · ITERATIONS instructions and a few.
-fn known_loop() {
-    // SAFETY: counts a register down.
-    unsafe {
-        core::arch::asm!("2:", "subs {left}, #1", "bne 2b", left = inout(reg) ITERATIONS => _, options(nomem, nostack));
-    }
-}
-
 struct Table<'a> {
     out: &'a mut Console,
-    /// Ticks of measuring nothing.
-    nothing: u32,
-    /// Ticks of the loop of known length.
-    calibration: u32,
+    counter: Counter,
 }
 
 impl<R: Bits> Visitor<R> for Table<'_> {
@@ -78,17 +47,17 @@ impl<R: Bits> Visitor<R> for Table<'_> {
         M: FixedStep<S, 2, K>,
     {
         let paint = Paint::new();
-        let total = steps::<S, M, K>(self.nothing);
+        let total = steps::<S, M, K>(&self.counter);
         let stack = paint.used();
         let Some(total) = total else { return Err(fmt::Error) };
-        let instructions = total * u64::from(2 * ITERATIONS) / u64::from(self.calibration) / u64::from(STEPS);
+        let instructions = self.counter.instructions(total) / u64::from(STEPS);
         writeln!(self.out, "{} {method} {} {instructions} {stack}", S::NAME, R::NAME)
     }
 }
 
 /// Ticks of all steps.
 #[inline(never)]
-fn steps<S, M, const K: usize>(nothing: u32) -> Option<u64>
+fn steps<S, M, const K: usize>(counter: &Counter) -> Option<u64>
 where
     S: Experiment<K>,
     M: FixedStep<S, 2, K>,
@@ -100,8 +69,7 @@ where
     for _ in 0..STEPS {
         let inputs = black_box(S::inputs(motion.state()));
         let mut good = false;
-        let ticks = ticks(|| good = motion.step(h, &inputs).is_ok());
-        total += u64::from(ticks - nothing);
+        total += u64::from(counter.ticks(|| good = motion.step(h, &inputs).is_ok()));
         if !good {
             return None;
         }

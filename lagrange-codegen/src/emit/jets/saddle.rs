@@ -122,11 +122,11 @@ impl SaddlePoint {
                 row.into_iter().zip(&labels).map(|(value, label)| bind(value, wish(label))).collect()
             })
             .collect();
-        let zero = scalar::zero(scalar);
+        let (zero, one) = (scalar::zero(scalar), scalar::one(scalar));
         let mut weighted = gradients.clone();
         for (row, constraint) in weighted.iter_mut().zip(&model.constraints) {
             for ((entry, inverse), label) in row.iter_mut().zip(&inverses).zip(&labels) {
-                if *entry != zero && *inverse != one(&zero) {
+                if *entry != zero && *inverse != one {
                     let wish = format!("{}_{label}_weighted", constraint.label());
                     *entry = bind(format!("{entry} * {inverse}"), wish);
                 }
@@ -152,11 +152,6 @@ impl SaddlePoint {
         ));
         (text, SaddleStart::Diagonal { inverses, gradients, weighted })
     }
-}
-
-/// The text of one, beside that of zero.
-fn one(zero: &str) -> String {
-    zero.replacen('0', "1", 1).replace("zero", "one")
 }
 
 /// Rows as an array of arrays.
@@ -235,7 +230,7 @@ impl Writer<'_, '_> {
                     .map(|(coordinate, _)| self.names.claim(Some(format!("{coordinate}_free"))))
                     .collect();
                 for ((name, momentum), inverse) in free.iter().zip(&momenta).zip(inverses) {
-                    let is_one = *inverse == one(&zero);
+                    let is_one = *inverse == scalar::one(&self.emission.scalar);
                     self.bind(
                         name,
                         &if is_one { momentum.clone() } else { format!("{inverse} * ({momentum})") },

@@ -299,10 +299,10 @@ impl Interpreter<'_> {
             ("lagrange::System::accelerations_at", _) => {
                 self.call(find(&self.expansion.system, "accelerations_at")?, arguments)
             }
-            ("R::zero", []) => Ok(Value::Number(0.0)),
-            ("R::one", []) => Ok(Value::Number(1.0)),
-            ("R::from_f64", [value]) => value.number().map(Value::Number),
-            ("R::from_parts", [value, _]) => value.number().map(Value::Number),
+            ("lagrange::Zero::zero", []) => Ok(Value::Number(0.0)),
+            ("lagrange::One::one", []) => Ok(Value::Number(1.0)),
+            ("lagrange::Real::from_f64", [value]) => value.number().map(Value::Number),
+            ("lagrange::Real::from_parts", [value, _]) => value.number().map(Value::Number),
             _ => match path.strip_prefix("Real::") {
                 Some(name) => real(name, &numbers(&arguments)?),
                 None => unknown(format!("`{path}(…)`")),

@@ -1,25 +1,13 @@
-//! The command line: arguments, files, standard output and error.
+//! `cargo lagrange import`: arguments, files, standard output and error.
 
-use std::ffi::OsString;
 use std::fs;
 use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
 use cargo_lagrange::import::{Following, Inputs, Options, Parameters, import};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, ValueEnum};
 
-/// Mechanical models for the `lagrangian` crate.
-#[derive(Parser)]
-#[command(name = "cargo-lagrange", bin_name = "cargo lagrange", version)]
-struct Cli {
-    #[command(subcommand)]
-    command: Command,
-}
-
-#[derive(Subcommand)]
-enum Command {
-    Import(ImportArguments),
-}
+use super::print;
 
 /// The program in the help is compiled and run by `tests/compiled/`.
 const AFTER_HELP: &str = concat!(
@@ -33,7 +21,7 @@ use arm::Arm;
 use lagrangian::prelude::*;
 
 ",
-    include_str!("../tests/files/usage.rs"),
+    include_str!("../../tests/files/usage.rs"),
     "
 A description is ordinary Rust: change it, add constraints, contacts and forces to it."
 );
@@ -43,7 +31,7 @@ A description is ordinary Rust: change it, add constraints, contacts and forces 
 /// The description goes to standard output, notes on what was decided and left out go to standard error.
 #[derive(Args)]
 #[command(after_help = AFTER_HELP)]
-struct ImportArguments {
+pub struct ImportArguments {
     /// The URDF or MJCF file.
     file: PathBuf,
     /// The name of the struct, such as `Ur5`; by default that of the robot.
@@ -119,18 +107,8 @@ enum ParametersArgument {
     Lengths,
 }
 
-/// Runs a command line, called as `cargo-lagrange …` or, by cargo, as `cargo-lagrange lagrange …`.
-pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<(), String> {
-    let mut arguments: Vec<OsString> = arguments.collect();
-    if arguments.get(1).is_some_and(|first| first == "lagrange") {
-        arguments.remove(1);
-    }
-    match Cli::parse_from(arguments).command {
-        Command::Import(arguments) => run_import(&arguments),
-    }
-}
-
-fn run_import(arguments: &ImportArguments) -> Result<(), String> {
+/// Runs the command.
+pub fn run(arguments: &ImportArguments) -> Result<(), String> {
     let file = arguments.file.display().to_string();
     let text = fs::read_to_string(&arguments.file).map_err(|error| format!("error: {file}: {error}"))?;
     let options = options(arguments)?;
@@ -139,11 +117,7 @@ fn run_import(arguments: &ImportArguments) -> Result<(), String> {
         eprintln!("{note}");
     }
     let Some(output) = &arguments.output else {
-        return match std::io::stdout().write_all(import.text.as_bytes()) {
-            // Whoever reads has read enough.
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-            result => result.map_err(|error| format!("error: standard output: {error}")),
-        };
+        return print(&import.text);
     };
     let opened = fs::OpenOptions::new()
         .write(true)

@@ -1,0 +1,7 @@
+#[lagrangian(coordinates = [x])]
+impl Elsewhere {
+    #[kinetic]
+    fn kinetic(&self, v: &Velocities) -> f64 {
+        0.5 * self.mass * v.x.powi(2)
+    }
+}
