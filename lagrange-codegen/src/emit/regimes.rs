@@ -172,7 +172,7 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
 fn is_autonomous(switching: &Regimes) -> bool {
     let conditions = &switching.laws.conditions;
     let coefficients = switching.laws_of.iter().flatten().flat_map(|law| match law {
-        Law::Unilateral { restitution } => [*restitution; 2],
+        Law::Unilateral { restitution, .. } => [*restitution; 2],
         Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
     });
     let rows = conditions.positions.iter().chain(&conditions.rates).chain(&switching.kinks);
