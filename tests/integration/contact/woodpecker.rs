@@ -77,24 +77,30 @@ fn rests(tolerance: f64, count: usize) -> Vec<State<f64, 3>> {
     states
 }
 
-/// The period, the way down, and the velocity of the bird at rest of the sleeve.
-fn cycle(states: &[State<f64, 3>]) -> [f64; 3] {
-    let [before, last] = states.last_chunk().unwrap();
-    [last.t - before.t, before.q[0] - last.q[0], last.v[2]]
+/// The limit of a sequence whose deviations fall by the same factor (Aitken), and that factor.
+fn limit(sequence: &[f64]) -> [f64; 2] {
+    let [a, b, c] = *sequence.last_chunk().unwrap();
+    let factor = (c - b) / (b - a);
+    [c + (c - b) * factor / (1.0 - factor), factor]
 }
 
 #[test]
 fn a_woodpecker_pecks_in_a_limit_cycle() {
-    let states = rests(TIGHT, 250);
-    let [ours, theirs] = [cycle(&states), cycle(&rests(1e-10, 250))];
-    // A deviation changes its sign from cycle to cycle and decays; what is left does not depend on the steps.
-    for (ours, theirs) in ours.into_iter().zip(theirs) {
-        close_on(1.0, ours / theirs, 1.0, 1e-8);
+    let states = rests(TIGHT, 24);
+    let rates: Vec<f64> = states.iter().map(|state| state.v[2]).collect();
+    let periods: Vec<f64> = states.windows(2).map(|pair| pair[1].t - pair[0].t).collect();
+    // A deviation changes its sign from cycle to cycle and decays.
+    for number in 6..rates.len() {
+        let [_, factor] = limit(&rates[..number]);
+        assert!(factor < -0.8 && factor > -0.9, "{factor}");
     }
-    let [before, last] = states.last_chunk().unwrap();
-    close_on(1.0, last.v[2], before.v[2], 1e-10);
+    let [rate, _] = limit(&rates);
+    close_on(1.0, limit(&rates[..rates.len() - 1])[0] / rate, 1.0, 1e-6);
+    let [period, _] = limit(&periods);
+    close_on(1.0, limit(&periods[..periods.len() - 1])[0] / period, 1.0, 1e-6);
+    // Other steps lead there as well.
+    let others: Vec<f64> = rests(1e-10, 24).iter().map(|state| state.v[2]).collect();
+    close_on(1.0, limit(&others)[0] / rate, 1.0, 1e-6);
     // The published state leads to this rest within its digits, of which the way there takes one.
-    close_on(1.0, states[0].q[2] / last.q[2], 1.0, 2e-3);
-    close_on(1.0, states[0].v[2] / last.v[2], 1.0, 2e-3);
-    eprintln!("{ours:?} {theirs:?} {:?} {:?}", states[0], last);
+    close_on(1.0, rates[0] / rate, 1.0, 2e-3);
 }
