@@ -11,6 +11,7 @@ usage: scripts/check.sh NAME …
   docs        rustdoc, warnings denied
   book        its programs with all features; its pictures are what the examples draw; where mdbook is there, it builds
               and its links resolve
+  ui          messages about mistakes that the compiler finds in types
   random      10 000 random systems (or CASES of them) against dual numbers
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
   packages    each package is complete: it is built from what would be published
@@ -19,8 +20,10 @@ usage: scripts/check.sh NAME …
   digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
-  stack       analyses of 100 coordinates on the stack of a common thread, in release: the compiler needs more than 16 GB for it, so it is
-              in no list; in debug it is part of `cargo test`
+  contacts    ten thousand random systems with contacts and friction
+  stack       analyses of 100 coordinates on the stack of a common thread
+  stack-release
+              the same in release: the compiler needs more than 16 GB for it, so it is in no list
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
               names another part of scripts/firmware.sh
   all         everything above
@@ -44,6 +47,8 @@ book() {
     scripts/book.sh check
 }
 
+ui() { cargo test --test ui_types; }
+
 random() { PROPTEST_CASES=${CASES:-10000} cargo test --release -p lagrange-codegen --test random; }
 
 command_line() { cargo test -p cargo-lagrange --test models -- --ignored; }
@@ -61,11 +66,15 @@ digits() {
     cargo run --release --features double-double --example true_digits
 }
 
-long() { cargo test --release --test integration jets::long:: -- --ignored --nocapture; }
+long() { cargo test --release --test long free:: -- --nocapture; }
 
-drift() { cargo test --release --test integration jets::long_constrained:: -- --ignored --nocapture; }
+drift() { cargo test --release --test long constrained:: -- --nocapture; }
 
-stack() { cargo test --release --test stack; }
+contacts() { cargo test --release --test integration contact::random::ten_thousand -- --ignored --nocapture; }
+
+stack() { cargo test --test stack; }
+
+stack-release() { cargo test --release --test stack; }
 
 firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 
@@ -73,9 +82,12 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | book | random | packages | benchmarks | lanes | digits | long | drift | stack | firmware) "$name" ;;
-        all) fmt; clippy; docs; book; random; command_line; packages; benchmarks; lanes; digits; long; drift; firmware ;;
-        ci) fmt; clippy; docs; book; random; command_line; packages; benchmarks; lanes; digits; long; drift; FIRMWARE=ci firmware ;;
+        fmt | clippy | docs | book | ui | random | packages | benchmarks | lanes | digits | long | drift | contacts | stack | stack-release | firmware)
+            "$name" ;;
+        all) fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift; contacts; firmware ;;
+        ci)
+            fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift; contacts
+            FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
 done

@@ -1,16 +1,20 @@
 //! What a user is told about a mistake: `tests/ui/<area>_<mistake>.rs` with the compiler's output beside it.
 //!
+//! Here are the mistakes that the macro reports. Those that the compiler finds in types, errors with a code, need a
+//! build each: `ui_types.rs`.
+//!
 //! After an intended change of a message, `TRYBUILD=overwrite cargo test --test ui` writes the output anew;
 //! read the difference as prose before committing it.
 
-use std::collections::BTreeSet;
+#[path = "ui/cases/mod.rs"]
+mod cases;
+
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// rustc's part of the output (how a place is drawn, its own errors about types) differs between versions.
-const RUSTC: &str = "rustc 1.95.";
+use cases::{outputs, stems};
 
 /// Messages that no description can produce, each with the reason.
 const OUT_OF_REACH: [(&str, &str); 1] =
@@ -18,16 +22,78 @@ const OUT_OF_REACH: [(&str, &str); 1] =
 
 #[test]
 fn every_mistake_is_reported_where_it_is() {
-    let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-    let version = Command::new(&compiler).arg("--version").output().expect("rustc runs");
-    let version = String::from_utf8_lossy(&version.stdout);
-    if !version.starts_with(RUSTC) {
-        // Past the capture of the test harness: nobody should believe that the messages were checked.
-        let reason = format!("tests/ui SKIPPED: written for {RUSTC}x, but this is {}", version.trim());
-        writeln!(std::io::stderr(), "{reason}").expect("stderr can be written");
+    if !cases::is_known_compiler() {
         return;
     }
-    trybuild::TestCases::new().compile_fail("tests/ui/*.rs");
+    let found = report(&cases::of_the_macro());
+    let mut wrong = Vec::new();
+    for (name, found) in &found {
+        let path = format!("{}/{name}.stderr", cases::directory());
+        let expected = fs::read_to_string(&path).unwrap_or_default();
+        if *found == expected {
+            continue;
+        }
+        if std::env::var("TRYBUILD").is_ok_and(|wish| wish == "overwrite") && !found.is_empty() {
+            fs::write(&path, found).expect("the output can be written");
+        } else {
+            wrong.push(format!("{name}, expected:\n{expected}\nfound:\n{found}"));
+        }
+    }
+    let help = "where nothing is found, the compiler reports it later: `cargo test --test ui_types`";
+    assert!(wrong.is_empty(), "{} of {} cases\n{}\n{help}", wrong.len(), found.len(), wrong.join("\n"));
+}
+
+/// What the compiler says of each case, all of them being modules of one crate. What it reports before it
+/// looks at types is the same as of a crate for each.
+fn report(names: &BTreeSet<String>) -> BTreeMap<String, String> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let source = folder.join("ui.rs");
+    let module = |name: &String| format!("#[path = \"{}/{name}.rs\"]\nmod {name};\n", cases::directory());
+    fs::write(&source, names.iter().map(module).collect::<String>()).expect("the crate can be written");
+    let deps = std::env::current_exe().expect("the test is a file");
+    let deps = deps.parent().expect("it stands in a folder");
+    let mut compiler = Command::new(cases::compiler());
+    compiler.args([
+        "--edition=2024",
+        "--crate-type=lib",
+        "--emit=metadata",
+        "--error-format=json",
+        "-Adead_code",
+    ]);
+    compiler.arg("--out-dir").arg(folder).arg("-L").arg(format!("dependency={}", deps.display()));
+    compiler.arg("--extern").arg(format!("lagrangian={}", newest(deps, "liblagrangian-").display()));
+    let output = compiler.arg(&source).output().expect("rustc runs");
+    let output = String::from_utf8(output.stderr).expect("rustc writes text");
+    let mut found: BTreeMap<String, String> =
+        names.iter().map(|name| (name.clone(), String::new())).collect();
+    let place = format!("{}/", cases::directory());
+    for line in output.lines() {
+        let message: serde_json::Value = serde_json::from_str(line).expect("rustc writes JSON");
+        let text = message["rendered"].as_str().expect("a message has a text");
+        // Without a place it says how many errors there were.
+        let Some((_, name)) = text.split_once(&place) else { continue };
+        let (name, _) = name.split_once(".rs:").expect("a place is a line of a file");
+        let text = text.replace(&place, "tests/ui/");
+        found.get_mut(name).expect("it is a case").push_str(&(text.trim_end().to_owned() + "\n\n"));
+    }
+    // As trybuild has it: errors are one line apart.
+    for text in found.values_mut() {
+        text.truncate(text.trim_end().len() + usize::from(!text.is_empty()));
+    }
+    found
+}
+
+/// The library as this test was built with it: what was built last. Libraries of other features stand beside it,
+/// which are as new as their sources.
+fn newest(folder: &Path, start: &str) -> PathBuf {
+    let files = fs::read_dir(folder).expect("the folder of the test can be read");
+    let files = files.map(|file| file.expect("it can be read to its end").path()).filter(|path| {
+        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+        name.starts_with(start) && name.ends_with(".rlib")
+    });
+    let age =
+        |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).expect("a file has a time");
+    files.max_by_key(age).unwrap_or_else(|| panic!("no {start}*.rlib in {}", folder.display()))
 }
 
 #[test]
@@ -67,29 +133,6 @@ fn every_message_is_shown_by_a_case() {
 /// The text of an error, also of one that the compiler found for us in a constant.
 fn message(line: &str) -> Option<&str> {
     line.strip_prefix("error: ").or_else(|| line.strip_prefix("error[E0080]: evaluation panicked: "))
-}
-
-/// The outputs by the name of their case.
-fn outputs() -> Vec<(String, String)> {
-    let read = |name: String| {
-        let output = fs::read_to_string(format!("{}/{name}.stderr", directory())).expect("outputs are text");
-        (name, output)
-    };
-    stems("stderr").into_iter().map(read).collect()
-}
-
-fn directory() -> String {
-    format!("{}/tests/ui", env!("CARGO_MANIFEST_DIR"))
-}
-
-/// The names of the files with an extension.
-fn stems(extension: &str) -> BTreeSet<String> {
-    let files = fs::read_dir(directory()).expect("tests/ui is there");
-    files
-        .map(|file| file.expect("tests/ui can be read").path())
-        .filter(|path| path.extension().is_some_and(|found| found == extension))
-        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
-        .collect()
 }
 
 /// The messages in a source file of the engine: name and texts. A message is an entry of `messages!`, which

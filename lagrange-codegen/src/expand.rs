@@ -10,7 +10,7 @@ use crate::emit::{
     ANALYSIS_METHODS, COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, STATE_METHOD, emit,
     is_force_on_place, stubs,
 };
-use crate::mechanics::Equations;
+use crate::mechanics::{Equations, Turning};
 use crate::model::Model;
 use crate::schedule::{Operations, plan};
 use crate::structure::{Facts, Solution};
@@ -54,6 +54,8 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
+    let turning = Turning::of(&mut model);
+    eliminate::in_parameters(&mut model);
     let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
     names_are_free(item, &model, &equations, diagnostics);
     let before = as_derived(&mut model, &equations, diagnostics);
@@ -62,11 +64,14 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     }
     let equations = equations.simplified(&mut model);
     let facts = Facts::of(&model, &equations);
-    let solution = Solution::plan(&mut model, &equations, &facts, diagnostics);
+    let turned = turning.map(|turning| equations.turned(&mut model, turning));
+    let solved = turned.as_ref().unwrap_or(&equations);
+    let of_solved = turned.as_ref().map_or_else(|| facts.clone(), |turned| Facts::of(&model, turned));
+    let solution = Solution::plan(&mut model, (&equations, &facts), (solved, &of_solved), diagnostics);
     if diagnostics.has_errors() {
         return None;
     }
-    let jets = jets::derive(&mut model, &equations);
+    let jets = jets::derive(&mut model, solved);
     contacts_stand_alone(item, &model, diagnostics);
     let switching = regimes::derive(&model, equations.energy, jets.is_some(), diagnostics);
     if diagnostics.has_errors() {
@@ -77,6 +82,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
         scalar: item.scalar.clone(),
         model: &mut model,
         equations: &equations,
+        solved,
         facts: &facts,
         solution: &solution,
         jets: jets.as_ref(),
@@ -122,6 +128,7 @@ fn contacts_stand_alone(item: &Item, model: &Model, diagnostics: &mut Diagnostic
 /// Operations of the accelerations before anything is simplified, shared or hoisted, for the report.
 fn as_derived(model: &mut Model, equations: &Equations, diagnostics: &mut Diagnostics) -> Operations {
     let facts = Facts::of(model, equations);
-    let solution = Solution::plan(model, equations, &facts, diagnostics);
+    let told = (equations, &facts);
+    let solution = Solution::plan(model, told, told, diagnostics);
     plan(&model.graph, &solution.roots(equations)).operations(true)
 }

@@ -7,20 +7,78 @@
 //! same with + for u × u̇, 2 q̇ q* / |q|², ω(AB) = ω(A) + A ω(B), ω(A⁻¹) of the one is −ω(A) of the other, and Ṙ Rᵀ. Goldstein, *Classical
 //! Mechanics*, 3rd ed., section 4.9.
 
-use crate::calculus::pushforward;
+use crate::calculus::{pullback_to, pushforward};
 use crate::expr::{Graph, NodeId, Unary, Variable};
 use crate::model::{Rotation, RotationForm, orientation};
 use crate::number::Number;
 
 /// The direction (v, 0, 1) of (q, v, t): total time derivatives at a = 0.
 pub(crate) fn time_direction(graph: &mut Graph, coordinates: usize) -> Vec<(NodeId, NodeId)> {
-    let mut direction = Vec::with_capacity(coordinates + 1);
+    turning_direction(graph, coordinates, &[], Variable::Spin)
+}
+
+/// The same where the matrices of these orientations are variables: R′ = R \[ω]ₓ. In the places of the three
+/// numbers of one stands ω, variables of this kind.
+pub(crate) fn turning_direction(
+    graph: &mut Graph,
+    coordinates: usize,
+    turning: &[usize],
+    spin: fn(u32) -> Variable,
+) -> Vec<(NodeId, NodeId)> {
+    let mut direction = Vec::with_capacity(coordinates + 9 * turning.len() + 1);
     for i in 0..coordinates as u32 {
-        direction.push((graph.variable(Variable::Coordinate(i)), graph.variable(Variable::Velocity(i))));
+        let turns = turning.iter().any(|&first| (first..first + 3).contains(&(i as usize)));
+        let rate = if turns { spin(i) } else { Variable::Velocity(i) };
+        direction.push((graph.variable(Variable::Coordinate(i)), graph.variable(rate)));
+    }
+    for (place, &first) in turning.iter().enumerate() {
+        let spin = [0, 1, 2].map(|i| graph.variable(spin(first as u32 + i)));
+        for row in orientation::entries(graph, place) {
+            direction.extend(row.into_iter().zip(cross(graph, &row, &spin)));
+        }
     }
     let one = graph.one();
     direction.push((graph.variable(Variable::Time), one));
     direction
+}
+
+/// The slopes of Σ seed · output by the coordinates: by turns about body axes, δR = R \[δφ]ₓ, in the places of
+/// the numbers of an orientation whose matrix is a variable.
+pub(crate) fn slopes(
+    graph: &mut Graph,
+    seeds: &[(NodeId, NodeId)],
+    coordinates: &[NodeId],
+    turning: &[usize],
+) -> Vec<NodeId> {
+    slopes_to(graph, seeds, &[], coordinates, turning).1
+}
+
+/// The same with what passes through the nodes of `held` counted there alone, before the slopes.
+pub(crate) fn slopes_to(
+    graph: &mut Graph,
+    seeds: &[(NodeId, NodeId)],
+    held: &[NodeId],
+    coordinates: &[NodeId],
+    turning: &[usize],
+) -> (Vec<NodeId>, Vec<NodeId>) {
+    let mut by = coordinates.to_vec();
+    let matrices: Vec<_> = (0..turning.len()).map(|place| orientation::entries(graph, place)).collect();
+    by.extend(matrices.as_flattened().as_flattened());
+    let (at_held, mut slopes) = pullback_to(graph, seeds, held, &by);
+    let by_entries = slopes.split_off(coordinates.len());
+    for ((&first, matrix), by_entries) in turning.iter().zip(&matrices).zip(by_entries.as_chunks::<9>().0) {
+        // δφ · Σ g × r over the rows r with their slopes g.
+        let mut torque: [Vec<(NodeId, Number)>; 3] = Default::default();
+        for (row, slope) in matrix.iter().zip(by_entries.as_chunks::<3>().0) {
+            for (sum, share) in torque.iter_mut().zip(cross(graph, slope, row)) {
+                sum.push((share, Number::ONE));
+            }
+        }
+        for (slope, sum) in slopes[first..].iter_mut().zip(torque) {
+            *slope = graph.sum(Number::ZERO, &sum);
+        }
+    }
+    (at_held, slopes)
 }
 
 /// The angular velocity in body axes, for total time derivatives along `direction`.
@@ -32,7 +90,7 @@ pub(crate) fn body_rate(
     match &rotation.form {
         RotationForm::Axis { axis, angle } => axis_rate(graph, axis, *angle, Frame::Body, direction),
         RotationForm::Quaternion(parts) => quaternion_rate(graph, parts, Frame::Body, direction),
-        RotationForm::Parameters(rho) => parameter_rate(graph, rho, Frame::Body, direction),
+        RotationForm::Turning(rate) => *rate,
         RotationForm::Product(left, right) => {
             let of_left = body_rate(graph, left, direction);
             let of_right = body_rate(graph, right, direction);
@@ -62,7 +120,7 @@ pub(crate) fn space_rate(
     match &rotation.form {
         RotationForm::Axis { axis, angle } => axis_rate(graph, axis, *angle, Frame::Space, direction),
         RotationForm::Quaternion(parts) => quaternion_rate(graph, parts, Frame::Space, direction),
-        RotationForm::Parameters(rho) => parameter_rate(graph, rho, Frame::Space, direction),
+        RotationForm::Turning(rate) => times(graph, &rotation.matrix, rate),
         RotationForm::Product(left, right) => {
             let of_left = space_rate(graph, left, direction);
             let of_right = space_rate(graph, right, direction);
@@ -116,17 +174,6 @@ fn axis_rate(
         let (turned, across) = (graph.mul(sine, moves[i]), graph.mul(versine, across[i]));
         graph.sum(Number::ZERO, &[(along[i], Number::ONE), (turned, Number::ONE), (across, frame.sign())])
     })
-}
-
-/// That of an orientation by three parameters.
-fn parameter_rate(
-    graph: &mut Graph,
-    rho: &[NodeId; 3],
-    frame: Frame,
-    direction: &[(NodeId, NodeId)],
-) -> [NodeId; 3] {
-    let rates = pushforward(graph, rho, direction);
-    orientation::angular_rate(graph, rho, &[rates[0], rates[1], rates[2]], frame.sign())
 }
 
 /// 2 (w u̇ − ẇ u ± u × u̇) / |q|² of a quaternion q = w + u.

@@ -27,6 +27,9 @@ pub struct Model {
     pub coordinates: Vec<Quantity>,
     /// Where the three numbers of each orientation begin among the coordinates.
     pub orientations: Vec<usize>,
+    /// The same while quantities are functions of their matrices and angular velocities, which are variables:
+    /// until [`orientation::in_parameters`].
+    pub turning: Vec<usize>,
     /// Inputs, arrays flattened, in declaration order.
     pub inputs: Vec<Quantity>,
     /// Parameters in order of their first use: `Variable::Parameter(i)` is the i-th.
@@ -104,6 +107,8 @@ pub struct Locals {
     pub inputs: Vec<String>,
     /// Names of the parameters.
     pub parameters: Vec<String>,
+    /// Names of the entries of the matrices of orientations.
+    pub entries: Vec<String>,
     /// Names of the auxiliaries of a Taylor expansion.
     pub auxiliaries: Vec<String>,
     /// Names of the multipliers.
@@ -258,8 +263,8 @@ pub enum RotationForm {
     Product(Box<Rotation>, Box<Rotation>),
     /// The inverse.
     Inverse(Box<Rotation>),
-    /// By three parameters, see [`orientation`].
-    Parameters([NodeId; 3]),
+    /// Of an orientation among the coordinates, by its angular velocity in body axes: see [`orientation`].
+    Turning([NodeId; 3]),
     /// Given by its entries alone.
     Entries,
 }

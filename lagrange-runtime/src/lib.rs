@@ -76,7 +76,7 @@ pub use number::real::Lanes;
 pub use number::real::{self, Dual, Ordered, Real};
 pub use switching::{Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
 pub use system::System;
-pub use system::attitude::{self, PoseVelocity};
+pub use system::attitude::{self, BodyAxes, ByName, PoseVelocity};
 #[cfg(feature = "double-double")]
 pub use system::digits::Digits;
 pub use system::error::{self, Cause, Function, Magnitude, MotionError};

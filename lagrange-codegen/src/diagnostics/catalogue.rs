@@ -249,8 +249,11 @@ messages! {
     record_as_value(holder, kind, field) = "`{holder}` holds all {kind}; write the one that is meant, as in \
         `{field}`";
     self_as_value() = "`self` is no quantity; use one of its fields";
-    axis_not_fixed() = "the axis of this rotation vector moves, and at zero it has none; give the axis by itself, \
-        `Rotation3::from_axis_angle(&axis, angle)`, or compose rotations about fixed axes";
+    axis_not_fixed() = "the axis of this rotation vector moves, and a Taylor series of its rotation is not known near zero; make the \
+        orientation a coordinate (`attitude: Rotation`), give the axis by itself, `Rotation3::from_axis_angle(&axis, angle)`, or \
+        compose rotations about fixed axes";
+    component_of_rotation(name) = "an orientation has two quaternions of opposite signs, so `{name}` is no function of it; compare \
+        directions, `rotation * Vector3::z()`, or use an entry, `rotation.to_rotation_matrix()[(2, 2)]`";
     unchecked_quaternion() = "whether this quaternion has length one is not known here; write \
         `UnitQuaternion::from_quaternion(…)`, which divides by its length";
     pattern_mismatch(value) = "this pattern does not fit {value}; name the value as a whole";

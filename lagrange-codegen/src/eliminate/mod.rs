@@ -11,8 +11,8 @@ pub(crate) mod quantities;
 use crate::calculus::{pullback, pushforward, sizes, substitute};
 use crate::diagnostics::{Diagnostics, Origin, physics};
 use crate::expr::{Exponent, Graph, Node, NodeId, Variable};
-use crate::kinematics::time_direction;
-use crate::model::{Action, Eliminated, Elimination, Model};
+use crate::kinematics::{slopes, turning_direction};
+use crate::model::{Action, Eliminated, Elimination, Force, Model, orientation};
 use crate::simplify::simplify;
 
 /// A coordinate with what takes its place.
@@ -25,8 +25,10 @@ struct Solved {
 pub fn eliminate(model: &mut Model, diagnostics: &mut Diagnostics) {
     // Sizes are those of the functions as written: from here on the eliminated coordinate cancels in its
     // constraint, but not in the user's function.
+    let known = orientation::of_parameters(&mut model.graph, &model.turning);
     for reading in &mut model.readings {
-        reading.sizes = sizes(&mut model.graph, &reading.nodes);
+        let nodes = substitute(&mut model.graph, &reading.nodes, &known);
+        reading.sizes = sizes(&mut model.graph, &nodes);
     }
     let eliminations = std::mem::take(&mut model.eliminations);
     let Some(first) = eliminations.first() else { return };
@@ -53,6 +55,13 @@ pub fn eliminate(model: &mut Model, diagnostics: &mut Diagnostics) {
         solved.sort_by_key(|one| one.coordinate);
         remove(model, &solved);
     }
+}
+
+/// Matrices of orientations and angular velocities as functions of a state's numbers, in every quantity.
+pub fn in_parameters(model: &mut Model) {
+    let turning = std::mem::take(&mut model.turning);
+    let known = orientation::of_parameters(&mut model.graph, &turning);
+    quantities::rewrite(model, &known);
 }
 
 /// Solves a constraint for a coordinate.
@@ -150,16 +159,18 @@ fn remove(model: &mut Model, solved: &[Solved]) {
     let place = |coordinate: usize| solved.iter().position(|one| one.coordinate == coordinate);
     let rest: Vec<usize> = (0..count).filter(|&coordinate| place(coordinate).is_none()).collect();
     let graph = &mut model.graph;
-    let direction = time_direction(graph, count);
+    let direction = turning_direction(graph, count, &model.turning, Variable::Spin);
     let (q, v): (Vec<NodeId>, Vec<NodeId>) = direction[..count].iter().copied().unzip();
     let positions: Vec<NodeId> = solved.iter().map(|one| one.position).collect();
     let velocities = pushforward(graph, &positions, &direction);
 
     let one = graph.one();
     let weights: Vec<Vec<NodeId>> =
-        positions.iter().map(|&position| pullback(graph, &[(position, one)], &q)).collect();
+        positions.iter().map(|&position| slopes(graph, &[(position, one)], &q, &model.turning)).collect();
+    let mut torques = Vec::new();
     for force in &mut model.forces {
         let Action::Generalized(entries) = &mut force.action else { continue };
+        let mut turned = Vec::new();
         let mut shared = Vec::with_capacity(entries.len());
         for &(coordinate, load) in entries.iter() {
             let Some(place) = place(coordinate) else {
@@ -168,8 +179,12 @@ fn remove(model: &mut Model, solved: &[Solved]) {
             };
             for &i in &rest {
                 let share = model.graph.mul(weights[place][i], load);
-                if !model.graph.is_zero(share) {
-                    shared.push((i, share));
+                if model.graph.is_zero(share) {
+                    continue;
+                }
+                match model.turning.iter().any(|&first| (first..first + 3).contains(&i)) {
+                    true => turned.push((v[i], share)),
+                    false => shared.push((i, share)),
                 }
             }
         }
@@ -177,11 +192,19 @@ fn remove(model: &mut Model, solved: &[Solved]) {
             *coordinate = rest.iter().position(|i| i == coordinate).unwrap_or_default();
         }
         *entries = shared;
+        if !turned.is_empty() {
+            torques.push(Force { action: Action::Along(turned), ..force.clone() });
+        }
     }
+    model.forces.extend(torques);
 
     let mut replacements: Vec<(NodeId, NodeId)> = Vec::with_capacity(2 * count);
     for (new, &old) in rest.iter().enumerate() {
-        replacements.extend([(q[old], q[new]), (v[old], v[new])]);
+        replacements.push((q[old], q[new]));
+        for of in [Variable::Velocity, Variable::Spin] {
+            let [from, to] = [old, new].map(|i| model.graph.variable(of(i as u32)));
+            replacements.push((from, to));
+        }
     }
     let both = [positions, velocities].concat();
     let both = substitute(&mut model.graph, &both, &replacements);
@@ -192,7 +215,7 @@ fn remove(model: &mut Model, solved: &[Solved]) {
     }
     quantities::rewrite(model, &replacements);
 
-    for first in &mut model.orientations {
+    for first in model.orientations.iter_mut().chain(&mut model.turning) {
         *first = rest.iter().position(|i| i == first).unwrap_or_default();
     }
     for (declared_index, quantity) in std::mem::take(&mut model.coordinates).into_iter().enumerate() {

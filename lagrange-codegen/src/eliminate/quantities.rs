@@ -2,7 +2,7 @@
 
 use crate::calculus::substitute;
 use crate::expr::{Node, NodeId};
-use crate::model::{Action, Attitude, Contact, Lever, Model, Rotation, RotationForm};
+use crate::model::{Action, Attitude, Contact, Eliminated, Lever, Model, Rotation, RotationForm};
 
 /// Replaces nodes in all quantities of a model. Names and places in the source go with what they belong to.
 pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
@@ -37,6 +37,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         graph: _,
         coordinates: _,
         orientations: _,
+        turning: _,
         inputs: _,
         parameters: _,
         lengths: _,
@@ -58,7 +59,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         places,
         levers,
         eliminations: _,
-        eliminated: _,
+        eliminated,
         sensitivities: _,
         baumgarte: _,
         hints: _,
@@ -119,6 +120,10 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         rotation(turn, each);
         levers.insert(lever);
     }
+    for Eliminated { quantity: _, declared_index: _, position, velocity } in eliminated {
+        each(position);
+        each(velocity);
+    }
 }
 
 fn rotation(turn: &mut Rotation, each: &mut dyn FnMut(&mut NodeId)) {
@@ -134,7 +139,7 @@ fn rotation(turn: &mut Rotation, each: &mut dyn FnMut(&mut NodeId)) {
             rotation(right, each);
         }
         RotationForm::Inverse(inner) => rotation(inner, each),
-        RotationForm::Parameters(rho) => rho.iter_mut().for_each(each),
+        RotationForm::Turning(rate) => rate.iter_mut().for_each(each),
         RotationForm::Entries => {}
     }
 }

@@ -52,6 +52,7 @@ impl Reads {
             velocities: vec![false; model.coordinates.len()],
             accelerations: vec![false; model.coordinates.len()],
             inputs: vec![false; model.inputs.len()],
+            entries: vec![false; 9 * model.orientations.len()],
             parameters: vec![false; model.parameters.len()],
             time: false,
         }
@@ -66,6 +67,7 @@ impl Reads {
         join(&mut self.velocities, &other.velocities);
         join(&mut self.accelerations, &other.accelerations);
         join(&mut self.inputs, &other.inputs);
+        join(&mut self.entries, &other.entries);
         join(&mut self.parameters, &other.parameters);
         self.time |= other.time;
     }
@@ -82,6 +84,8 @@ pub(super) struct Reads {
     pub accelerations: Vec<bool>,
     /// By input.
     pub inputs: Vec<bool>,
+    /// By orientation and entry of its matrix.
+    pub entries: Vec<bool>,
     /// By parameter.
     pub parameters: Vec<bool>,
     /// Time.
@@ -294,7 +298,8 @@ impl<'a> Writer<'a> {
                 }
             }
             Variable::Parameter(i) => self.reads.parameters[i as usize] = true,
-            Variable::Auxiliary(_) | Variable::Multiplier(_) | Variable::Position(_) => {}
+            Variable::Entry(i) => self.reads.entries[i as usize] = true,
+            Variable::Auxiliary(_) | Variable::Multiplier(_) | Variable::Position(_) | Variable::Spin(_) => {}
         }
         variable_label(self.model, variable)
     }

@@ -101,6 +101,14 @@ pub(super) fn prologue(model: &Model, scalar: &Scalar, reads: &Reads, source: So
     let (a, place) = ("accelerations", "*accelerations");
     text.push_str(&take_apart(model, &reads.accelerations, Variable::Acceleration, a, place, source));
     text.push_str(&take_apart(model, &reads.inputs, Variable::Input, "u", u, source));
+    for (place, read) in
+        reads.entries.as_chunks::<9>().0.iter().enumerate().filter(|(_, read)| read.contains(&true))
+    {
+        let name = |i: usize| if read[i] { model.locals.entries[9 * place + i].as_str() } else { "_" };
+        let rows = [0, 3, 6].map(|i| format!("[{}, {}, {}]", name(i), name(i + 1), name(i + 2)));
+        let first = model.orientations[place];
+        text.push_str(&format!("let [{}] = lagrange::attitude::axes(q, {first});\n", rows.join(", ")));
+    }
     if reads.time && matches!(source, Source::State) {
         text.push_str("let t = state.t;\n");
     }

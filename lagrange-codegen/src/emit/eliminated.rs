@@ -31,10 +31,9 @@ fn completion(emission: &mut Emission<'_>, record: Record) -> String {
         Record::Coordinates | Record::Inputs => (coordinates, "coordinates", ""),
     };
     let mut nodes = declared(emission, record);
-    let mut conversion = "as ::core::convert::From<_>>::from";
-    if record == Record::Velocities && emission.item.has_orientations() {
+    let by_name = record == Record::Velocities && emission.item.has_orientations();
+    if by_name {
         angular(emission, &mut nodes);
-        conversion = ">::__of";
     }
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, &nodes);
     let model = &*emission.model;
@@ -42,7 +41,7 @@ fn completion(emission: &mut Emission<'_>, record: Record) -> String {
     if !model.eliminated.is_empty() {
         doc.push_str(", those included that constraints have eliminated");
     }
-    if emission.item.has_orientations() && record == Record::Velocities {
+    if by_name {
         doc.push_str("; angular velocities in body axes [rad/s]");
     }
     doc.push('.');
@@ -54,7 +53,9 @@ fn completion(emission: &mut Emission<'_>, record: Record) -> String {
     let result = format!("{}<{scalar}>", emission.item.record_ident(record));
     let signature = format!("{name}({}) -> {result}", methods::arguments(emission, &nodes));
     let body = body::plain(model, scalar, &nodes, Source::State, |values| {
-        format!("<{result} {conversion}([{}])", values.join(", "))
+        let numbers = format!("[{}]", values.join(", "));
+        let numbers = if by_name { format!("lagrange::attitude::ByName({numbers})") } else { numbers };
+        format!("<{result} as ::core::convert::From<_>>::from({numbers})")
     });
     methods::method(&doc, &signature, &body)
 }

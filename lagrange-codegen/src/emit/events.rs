@@ -74,7 +74,7 @@ fn guard(item: &Item, count: usize, body: &TokenStream) -> TokenStream {
 /// The enum of the events of these names.
 fn named(item: &Item, names: &[&str]) -> TokenStream {
     let ident = format_ident!("{}Event", item.name);
-    let doc = format!("The events of [`{}`]: guards for `advance_to_event` and `events`.", item.name);
+    let doc = format!("The events of [`{}`]: guards for `advance_to_event` and `events`.", item.title);
     let variants = names.iter().map(|name| {
         let (variant, doc) = (format_ident!("{}", camel(name)), format!("A zero of `{name}`."));
         quote!(#[doc = #doc] #variant)

@@ -96,7 +96,7 @@ fn accelerations(emission: &Emission<'_>) -> String {
     let doc = format!(
         "Accelerations a that solve M(q, v, t) a = Q − ∂D/∂v − b(q, v, t){reactions}.\n\n\
          The mass matrix is {}.\n\n# Errors\n\nA singular {singular} and the time.",
-        emission.solution.describe(emission.facts)
+        emission.solution.describe()
     );
     let signature = format!(
         "accelerations(&self, state: &{}{parameter}) -> ::core::result::Result<{}, lagrange::MotionError<{}>>",

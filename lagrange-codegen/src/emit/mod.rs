@@ -25,6 +25,7 @@ mod scalar;
 mod stubs;
 mod system;
 mod tokens;
+mod turning;
 mod velocities;
 
 use proc_macro2::TokenStream;
@@ -53,6 +54,8 @@ pub(crate) struct Emission<'a> {
     pub scalar: Scalar,
     pub model: &'a mut Model,
     pub equations: &'a Equations,
+    /// The same as the motion is solved for: with orientations by angular velocities.
+    pub solved: &'a Equations,
     pub facts: &'a Facts,
     pub solution: &'a Solution,
     /// The recurrences of a smooth system.
@@ -335,8 +338,8 @@ fn report(
     };
     let (before, after) = (cost(before), cost(after));
     let mass_matrix = match switching.filter(|switching| switching.has_contacts()) {
-        Some(switching) => switching.solution.describe(&switching.facts),
-        None => emission.solution.describe(emission.facts),
+        Some(switching) => switching.solution.describe(),
+        None => emission.solution.describe(),
     };
     let has_contacts = switching.is_some_and(Regimes::has_contacts);
     let (mut facts, mut skipped) =
@@ -351,7 +354,8 @@ fn report(
     }
     match emission.jets.filter(|_| !has_contacts) {
         Some(jets) => {
-            facts.push(jets.describe());
+            let kinematics = turning::described(emission);
+            facts.push(jets.describe() + kinematics);
             if jets.is_momentum_linear() {
                 let line = "in Taylor series: momenta, which are the velocities times constants";
                 skipped.push(line.to_owned());

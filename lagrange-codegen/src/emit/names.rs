@@ -108,6 +108,11 @@ pub(super) fn locals(model: &Model) -> Locals {
     let velocities =
         model.coordinates.iter().map(|quantity| claim(format!("{}_dot", quantity.label()))).collect();
     let inputs = model.inputs.iter().map(|quantity| claim(quantity.label())).collect();
+    let entries = model.orientations.iter().flat_map(|&first| {
+        let label = model.coordinates[first].label();
+        (0..9).map(move |place| format!("{label}_axes_{}{}", place / 3, place % 3))
+    });
+    let entries = entries.collect::<Vec<_>>().into_iter().map(&mut claim).collect();
     let label = |parameter: &Parameter| claim(identifier(&parameter.label));
     let parameters = model.parameters.iter().map(label).collect();
     let accelerations = Vec::new();
@@ -119,6 +124,7 @@ pub(super) fn locals(model: &Model) -> Locals {
         accelerations,
         inputs,
         parameters,
+        entries,
         auxiliaries: Vec::new(),
         multipliers,
     }
@@ -141,6 +147,8 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
         Variable::Input(i) => model.locals.inputs[i as usize].clone(),
         Variable::Parameter(i) => model.locals.parameters[i as usize].clone(),
         Variable::Auxiliary(i) => model.locals.auxiliaries[i as usize].clone(),
+        Variable::Entry(i) => model.locals.entries[i as usize].clone(),
+        Variable::Spin(i) => model.locals.velocities[i as usize].clone(),
         Variable::Position(i) => format!("r{i}"),
         Variable::Multiplier(i) => model.locals.multipliers[i as usize].clone(),
     }

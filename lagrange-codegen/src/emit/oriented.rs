@@ -64,71 +64,93 @@ pub(super) fn conversions(item: &Item, record: Record) -> TokenStream {
             None => quote!(#ident: #(#parts)*),
         }
     });
-    if record == Record::Velocities {
-        let rates = elements.iter().map(|Element { kind, numbers, place }| {
-            let rates = match kind {
-                Kind::Scalar => quote!([self.#place]),
-                Kind::Rotation => quote!(#attitude::rates([#(#numbers),*], &self.#place)),
-                Kind::Pose => quote!(#attitude::pose_rates([#(#numbers),*], &self.#place)),
+    let bound = quote!(impl<R: #path::__private::Real>);
+    let (source, numbers_of) = match record {
+        // What a state holds of velocities depends on the coordinates.
+        Record::Velocities => {
+            let rates = elements.iter().map(|Element { kind, numbers, place }| {
+                let rates = match kind {
+                    Kind::Scalar => quote!([self.#place]),
+                    Kind::Rotation => quote!(#attitude::rates([#(#numbers),*], &self.#place)),
+                    Kind::Pose => quote!(#attitude::pose_rates([#(#numbers),*], &self.#place)),
+                };
+                quote!(let [#(#numbers),*] = #rates;)
+            });
+            let numbers_of = quote! {
+                #bound #name<R> {
+                    /// What a state holds of these velocities at coordinates of it.
+                    #[doc(hidden)]
+                    #[allow(unused_variables)]
+                    pub fn __rates(&self, [#(#all),*]: [R; #count]) -> [R; #count] {
+                        #(#rates)*
+                        [#(#all),*]
+                    }
+                }
             };
-            quote!(let [#(#numbers),*] = #rates;)
-        });
-        return quote! {
-            impl<R: #path::__private::Real> #name<R> {
-                #[doc(hidden)]
-                pub fn __of([#(#all),*]: [R; #count]) -> Self {
-                    Self { #(#fields),* }
+            (quote!(#attitude::ByName([#(#all),*]): #attitude::ByName<R, #count>), numbers_of)
+        }
+        Record::Coordinates | Record::Inputs => {
+            let numbers = elements.iter().map(|Element { kind, numbers, place }| {
+                let found = match kind {
+                    Kind::Scalar => quote!([named.#place]),
+                    Kind::Rotation => quote!(#attitude::parameters(&named.#place)),
+                    Kind::Pose => quote!(#attitude::pose_parameters(&named.#place)),
+                };
+                quote!(let [#(#numbers),*] = #found;)
+            });
+            let numbers_of = quote! {
+                #bound ::core::convert::From<#name<R>> for [R; #count] {
+                    fn from(named: #name<R>) -> Self {
+                        #(#numbers)*
+                        [#(#all),*]
+                    }
                 }
-
-                /// What a state holds of these velocities at coordinates of it.
-                #[doc(hidden)]
-                #[allow(unused_variables)]
-                pub fn __rates(&self, [#(#all),*]: [R; #count]) -> [R; #count] {
-                    #(#rates)*
-                    [#(#all),*]
-                }
-            }
-        };
-    }
-    let numbers = elements.iter().map(|Element { kind, numbers, place }| {
-        let found = match kind {
-            Kind::Scalar => quote!([named.#place]),
-            Kind::Rotation => quote!(#attitude::parameters(&named.#place)),
-            Kind::Pose => quote!(#attitude::pose_parameters(&named.#place)),
-        };
-        quote!(let [#(#numbers),*] = #found;)
-    });
+            };
+            (quote!([#(#all),*]: [R; #count]), numbers_of)
+        }
+    };
+    let source_type = match record {
+        Record::Velocities => quote!(#attitude::ByName<R, #count>),
+        Record::Coordinates | Record::Inputs => quote!([R; #count]),
+    };
     quote! {
-        impl<R: #path::__private::Real> ::core::convert::From<[R; #count]> for #name<R> {
-            fn from([#(#all),*]: [R; #count]) -> Self {
+        #bound ::core::convert::From<#source_type> for #name<R> {
+            fn from(#source) -> Self {
                 Self { #(#fields),* }
             }
         }
 
-        impl<R: #path::__private::Real> ::core::convert::From<#name<R>> for [R; #count] {
-            fn from(named: #name<R>) -> Self {
-                #(#numbers)*
-                [#(#all),*]
-            }
-        }
+        #numbers_of
     }
 }
 
-/// `state`, as text; nothing where a state does not hold all coordinates.
+/// `state`, as text. Of what constraints have eliminated the state holds nothing.
 pub(super) fn state(emission: &Emission<'_>) -> String {
     let item = emission.item;
-    if !item.has_orientations() || !emission.model.eliminated.is_empty() {
+    if !item.has_orientations() {
         return String::new();
     }
     let (scalar, state) = (&emission.scalar, emission.state_type());
     let [coordinates, velocities] =
         [Record::Coordinates, Record::Velocities].map(|record| item.record_ident(record));
+    let eliminated = &emission.model.eliminated;
+    let declared = emission.count() + eliminated.len();
+    let (mut q, mut v, mut note) = ("q".to_owned(), "velocities.__rates(q)".to_owned(), "");
+    if !eliminated.is_empty() {
+        let is_left = |place: &usize| eliminated.iter().all(|eliminated| eliminated.declared_index != *place);
+        let left = |of: &str| {
+            let numbers = (0..declared).filter(is_left).map(|i| format!("{of}[{i}]"));
+            format!("[{}]", numbers.collect::<Vec<_>>().join(", "))
+        };
+        v = format!("{{ let v = {v};\n{} }}", left("v"));
+        q = left("q");
+        note = " What constraints have eliminated follows from the rest and is not read here.";
+    }
     format!(
-        "/// The state at time zero with these coordinates and velocities: angular velocities in body axes [rad/s].\n\
+        "/// The state at time zero with these coordinates and velocities: angular velocities in body axes [rad/s].{note}\n\
          #[inline]\npub fn {METHOD}(&self, coordinates: {coordinates}<{scalar}>, velocities: {velocities}<{scalar}>) -> {state} {{\n\
-         let q: {} = ::core::convert::Into::into(coordinates);\n\
-         lagrange::State::new(q, velocities.__rates(q))\n}}\n",
-        emission.vector_type()
+         let q: [{scalar}; {declared}] = ::core::convert::Into::into(coordinates);\n\
+         lagrange::State::new({q}, {v})\n}}\n"
     )
 }
 

@@ -68,8 +68,8 @@ impl Part<NodeId> {
         let lower =
             |place: usize| block.coordinates[..=place].iter().map(move |&j| (block.coordinates[place], j));
         let entries =
-            (0..coordinates.len()).flat_map(lower).map(|(i, j)| emission.equations.mass[i][j]).collect();
-        let results = coordinates.iter().map(|&i| emission.equations.force[i]).collect();
+            (0..coordinates.len()).flat_map(lower).map(|(i, j)| emission.solved.mass[i][j]).collect();
+        let results = coordinates.iter().map(|&i| emission.solved.force[i]).collect();
         Part { coordinates, kind: Kind::Runtime { factor, constant }, entries, results }
     }
 }

@@ -24,7 +24,7 @@ fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenSt
     let name = item.record_ident(record);
     let oriented = record != Record::Inputs && item.has_orientations();
     let shown = name.to_string();
-    let doc = format!("{title} of [`{}`].", item.name);
+    let doc = format!("{title} of [`{}`].", item.title);
     let count: usize = groups.iter().map(Group::size).sum();
     let (mut fields, mut patterns, mut flat, mut debug) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for group in groups {

@@ -5,6 +5,7 @@ use super::block;
 use super::body::{self, Source};
 use super::names::Names;
 use super::parts::{Kind, Part};
+use super::turning;
 use crate::expr::NodeId;
 use crate::schedule::{Operations, Program, Slot, plan};
 use crate::simplify::simplify;
@@ -122,7 +123,8 @@ fn accelerations(
     let given: Vec<(Slot, String)> = hoisted.iter().copied().zip(labels.iter().cloned()).collect();
     let written = block::write(model, scalar, program, &program.outputs, &given, names);
     let once = parts.iter().any(Part::factored_once);
-    let mut text = body::prologue(model, scalar, &written.reads, Source::Slices);
+    let (entry, door) = turning::accelerations(emission);
+    let mut text = entry + &body::prologue(model, scalar, &written.reads, Source::Slices);
     if !labels.is_empty() {
         let place = if once { "constants.0" } else { "*constants" };
         text.push_str(&format!("let [{}] = {place};\n", labels.join(", ")));
@@ -163,7 +165,7 @@ fn accelerations(
             solution[coordinate] = result;
         }
     }
-    text.push_str(&format!("[{}]", solution.join(", ")));
+    text.push_str(&door(format!("[{}]", solution.join(", "))));
     body::imported(text)
 }
 
@@ -207,12 +209,13 @@ fn check(emission: &mut Emission<'_>) -> Option<String> {
         })
         .flatten()
         .collect();
-    Some(body::plain(emission.model, &emission.scalar, &nodes, Source::Slices, |values| {
+    let pivots = body::plain(emission.model, &emission.scalar, &nodes, Source::Slices, |values| {
         let pivots = values.chunks(2).zip(coordinates).map(|(pair, coordinate)| {
             format!("lagrange::solve::check({}, {coordinate})?;\n", pair.join(", "))
         });
-        pivots.collect::<String>() + &factored + "::core::result::Result::Ok(())"
-    }))
+        pivots.collect::<String>() + "::core::result::Result::Ok(())"
+    });
+    Some(factored + &turning::entry(emission) + &pivots)
 }
 
 /// Whether a body mentions an identifier.

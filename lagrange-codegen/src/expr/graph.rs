@@ -52,6 +52,10 @@ pub enum Variable {
     Auxiliary(u32),
     /// A Lagrange multiplier of a constraint.
     Multiplier(u32),
+    /// An entry of the matrix of an orientation: nine an orientation, row by row.
+    Entry(u32),
+    /// A component of the angular velocity of an orientation in its own axes, at the place of its coordinate.
+    Spin(u32),
     /// A component of the position of a particle or body, where a constraint is a function of that.
     Position(u32),
 }
@@ -249,10 +253,10 @@ impl Graph {
         }
         let dependence = match &node {
             Node::Constant(_) => Dependence::NONE,
-            Node::Variable(Variable::Coordinate(_) | Variable::Auxiliary(_) | Variable::Position(_)) => {
-                Dependence::COORDINATES
-            }
-            Node::Variable(Variable::Velocity(_)) => Dependence::VELOCITIES,
+            Node::Variable(
+                Variable::Coordinate(_) | Variable::Entry(_) | Variable::Auxiliary(_) | Variable::Position(_),
+            ) => Dependence::COORDINATES,
+            Node::Variable(Variable::Velocity(_) | Variable::Spin(_)) => Dependence::VELOCITIES,
             Node::Variable(Variable::Acceleration(_)) => Dependence::ACCELERATIONS,
             Node::Variable(Variable::Multiplier(_)) => Dependence::MULTIPLIERS,
             Node::Variable(Variable::Time) => Dependence::TIME,

@@ -13,7 +13,7 @@
 use crate::calculus::{derivative, partial_derivatives, pushforward, substitute, velocity_degrees};
 use crate::collections::Lookup;
 use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Variable};
-use crate::kinematics::time_direction;
+use crate::kinematics::turning_direction;
 use crate::number::Number;
 
 /// What changes in the course of a step; inputs are held.
@@ -74,8 +74,9 @@ pub(super) struct Rewriter<'g> {
 pub(super) struct NotSmooth;
 
 impl<'g> Rewriter<'g> {
-    pub fn new(graph: &'g mut Graph, coordinates: usize) -> Self {
-        let direction = time_direction(graph, coordinates);
+    /// Of a system in which the matrices of some orientations are variables.
+    pub fn new(graph: &'g mut Graph, coordinates: usize, turning: &[usize]) -> Self {
+        let direction = turning_direction(graph, coordinates, turning, Variable::Velocity);
         Rewriter {
             graph,
             direction,
@@ -109,6 +110,7 @@ impl<'g> Rewriter<'g> {
             return Ok(id);
         }
         match self.graph.node(id).clone() {
+            Node::Variable(Variable::Entry(_)) => self.entry(id),
             Node::Constant(_) | Node::Variable(_) => Ok(id),
             Node::Sum { offset, terms } => {
                 let terms: Vec<_> = terms.iter().map(|&(term, c)| (self.of(term), c)).collect();
@@ -181,6 +183,16 @@ impl<'g> Rewriter<'g> {
         let index = self.auxiliaries.len();
         self.auxiliaries.push(Auxiliary { origin, value, relation });
         (self.graph.variable(Variable::Auxiliary(index as u32)), index)
+    }
+
+    /// R′ = R \[ω]ₓ.
+    fn entry(&mut self, id: NodeId) -> Result<NodeId, NotSmooth> {
+        let (variable, index) = self.auxiliary(id, Value::Same(id), Relation::Chain(Vec::new()));
+        // Its rate is one of the others in its row, theirs of this one.
+        self.images.insert(id, variable);
+        let rate = self.rates(&[id])[0];
+        self.auxiliaries[index].relation = Relation::Flow(self.polynomial(rate)?);
+        Ok(variable)
     }
 
     fn unary(&mut self, id: NodeId, function: Unary, argument: NodeId) -> Result<NodeId, NotSmooth> {
@@ -276,7 +288,9 @@ impl<'g> Rewriter<'g> {
         let rates = self.rates(&arguments);
         let bent = Dependence::COORDINATES.union(Dependence::TIME).union(Dependence::INPUTS);
         let straight = |graph: &Graph, argument: NodeId, rate: NodeId| {
-            if let Node::Variable(_) = graph.node(argument) {
+            if let Node::Variable(variable) = graph.node(argument)
+                && !matches!(variable, Variable::Entry(_))
+            {
                 return !graph.dependence(argument).meets(Dependence::VELOCITIES);
             }
             !graph.dependence(argument).meets(Dependence::VELOCITIES)

@@ -70,7 +70,7 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     let mut best: Option<Jets> = None;
     for form in forms {
         for meeting in [false, true] {
-            let jets = recurrences(&mut model.graph, shape, &form, meeting).ok()?;
+            let jets = recurrences(&mut model.graph, shape, &equations.turning, &form, meeting).ok()?;
             if best.as_ref().is_none_or(|best| jets.cost() < best.cost()) {
                 best = Some(jets);
             }
@@ -84,8 +84,14 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
 }
 
 /// The recurrences of d/dt p = f for the roots p, f, and of a constrained system Aᵀμ, w and dw/dt.
-fn recurrences(graph: &mut Graph, shape: Shape, roots: &[NodeId], meeting: bool) -> Result<Jets, NotSmooth> {
-    let mut rewriter = Rewriter::new(graph, shape.coordinates);
+fn recurrences(
+    graph: &mut Graph,
+    shape: Shape,
+    turning: &[usize],
+    roots: &[NodeId],
+    meeting: bool,
+) -> Result<Jets, NotSmooth> {
+    let mut rewriter = Rewriter::new(graph, shape.coordinates, turning);
     let mut polynomials = rewriter.polynomials(roots)?;
     let mut auxiliaries = std::mem::take(&mut rewriter.auxiliaries);
     if meeting {

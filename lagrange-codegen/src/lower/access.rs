@@ -2,7 +2,7 @@
 
 use super::advice::{counted, valid_entries, valid_indices};
 use super::interpreter::Interpreter;
-use super::value::Value;
+use super::value::{Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
 use crate::syntax::Record;
 use crate::syntax::body::{Expr, ExprKind, Name, Word};
@@ -51,6 +51,9 @@ impl<'a> Interpreter<'a> {
                 "rotation" => Value::Rotation(turn.clone()),
                 _ => self.unknown_field(&base, word),
             },
+            Value::Rotation(Turn::Space(_)) if matches!(name, "w" | "i" | "j" | "k" | "coords") => {
+                self.refuse(word.origin, catalogue::component_of_rotation(name))
+            }
             Value::PoseVelocity(linear, angular) => match name {
                 "linear" => Value::Vector(linear.clone()),
                 "angular" => Value::Vector(angular.clone()),

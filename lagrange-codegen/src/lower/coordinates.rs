@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::value::{Turn, Value};
 use crate::expr::{Graph, NodeId, Variable};
-use crate::model::{Quantity, orientation};
+use crate::model::{Quantity, Rotation, RotationForm, orientation};
 use crate::syntax::item::Kind;
 use crate::syntax::{Group, Record};
 
@@ -38,14 +38,16 @@ pub fn orientations(groups: &[Group]) -> Vec<usize> {
 
 /// The fields of a record.
 pub fn fields(graph: &mut Graph, groups: &[Group], record: Record) -> Vec<Value> {
-    let mut next = 0;
+    let (mut next, mut turned) = (0, 0);
     groups
         .iter()
         .map(|group| {
             let mut element = || {
                 let first = next;
                 next += group.kind.width() as u32;
-                element(graph, group.kind, record, first)
+                let place = turned;
+                turned += usize::from(group.kind != Kind::Scalar);
+                element(graph, group.kind, record, first, place)
             };
             match group.length {
                 None => element(),
@@ -55,8 +57,8 @@ pub fn fields(graph: &mut Graph, groups: &[Group], record: Record) -> Vec<Value>
         .collect()
 }
 
-/// One element, whose numbers begin at a place.
-fn element(graph: &mut Graph, kind: Kind, record: Record, first: u32) -> Value {
+/// One element, whose numbers begin at a place; the place of its orientation among all.
+fn element(graph: &mut Graph, kind: Kind, record: Record, first: u32, place: usize) -> Value {
     let variable =
         |graph: &mut Graph, of: fn(u32) -> Variable, offset: u32| graph.variable(of(first + offset));
     let three = |graph: &mut Graph, of: fn(u32) -> Variable, from: u32| -> [NodeId; 3] {
@@ -71,17 +73,16 @@ fn element(graph: &mut Graph, kind: Kind, record: Record, first: u32) -> Value {
     match (kind, record) {
         (Kind::Scalar, _) => Value::scalar(variable(graph, of, 0)),
         (Kind::Rotation | Kind::Pose, Record::Velocities) => {
-            let rho = three(graph, Variable::Coordinate, turned);
-            let rates = three(graph, Variable::Velocity, turned);
-            let angular: Rc<[NodeId]> = Rc::from(orientation::body_rate(graph, &rho, &rates));
+            let angular: Rc<[NodeId]> = Rc::from(orientation::spin(graph, (first + turned) as usize));
             match kind {
                 Kind::Pose => Value::PoseVelocity(Rc::from(three(graph, of, 0)), angular),
                 Kind::Scalar | Kind::Rotation => Value::Vector(angular),
             }
         }
         (Kind::Rotation | Kind::Pose, Record::Coordinates | Record::Inputs) => {
-            let rho = three(graph, of, turned);
-            let turn = Turn::Space(Rc::new(orientation::rotation(graph, rho)));
+            let matrix = orientation::entries(graph, place);
+            let form = RotationForm::Turning(orientation::spin(graph, (first + turned) as usize));
+            let turn = Turn::Space(Rc::new(Rotation { matrix, form }));
             match kind {
                 Kind::Pose => Value::Isometry(Rc::from(three(graph, of, 0)), turn),
                 Kind::Scalar | Kind::Rotation => Value::Rotation(turn),

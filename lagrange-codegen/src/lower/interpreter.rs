@@ -95,6 +95,7 @@ impl<'a> Interpreter<'a> {
         let mut model = Model {
             coordinates: coordinates::quantities(&item.coordinates),
             orientations: coordinates::orientations(&item.coordinates),
+            turning: coordinates::orientations(&item.coordinates),
             inputs: coordinates::quantities(&item.inputs),
             ..Model::default()
         };

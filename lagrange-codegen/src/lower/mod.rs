@@ -40,8 +40,9 @@ mod value;
 mod vector;
 mod velocity;
 
+use crate::calculus::substitute;
 use crate::diagnostics::Diagnostics;
-use crate::model::Model;
+use crate::model::{Model, orientation};
 use crate::syntax::Item;
 use interpreter::Interpreter;
 
@@ -49,5 +50,12 @@ use interpreter::Interpreter;
 pub fn lower(item: &Item, diagnostics: &mut Diagnostics) -> Model {
     let mut interpreter = Interpreter::new(item, diagnostics);
     interpreter.roles();
-    interpreter.model
+    let mut model = interpreter.model;
+    // These are functions of all declared coordinates, which nothing changes any more.
+    let known = orientation::of_parameters(&mut model.graph, &model.turning);
+    for velocity in &mut model.velocities {
+        let nodes = substitute(&mut model.graph, &velocity.rates.nodes(), &known);
+        velocity.rates.set(&nodes);
+    }
+    model
 }

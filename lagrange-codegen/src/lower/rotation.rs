@@ -98,10 +98,7 @@ impl Interpreter<'_> {
                         RotationForm::Quaternion([*w, i, j, k])
                     }
                     RotationForm::Inverse(original) => original.form.clone(),
-                    RotationForm::Parameters(rho) => {
-                        RotationForm::Parameters(rho.map(|component| self.graph().neg(component)))
-                    }
-                    RotationForm::Product(..) | RotationForm::Entries => {
+                    RotationForm::Turning(_) | RotationForm::Product(..) | RotationForm::Entries => {
                         RotationForm::Inverse(Box::new(Rotation::clone(rotation)))
                     }
                 };

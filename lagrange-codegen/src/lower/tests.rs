@@ -36,6 +36,8 @@ pub fn value(model: &Model, node: NodeId, parameter: impl Fn(&str) -> f64) -> f6
         Variable::Velocity(i) => -0.4 + 0.5 * f64::from(i),
         Variable::Acceleration(_)
         | Variable::Auxiliary(_)
+        | Variable::Entry(_)
+        | Variable::Spin(_)
         | Variable::Multiplier(_)
         | Variable::Position(_)
         | Variable::Time => 0.9,

@@ -160,7 +160,9 @@ impl Value {
             Value::Point(components) => format!("a Point{}", components.len()),
             Value::Matrix(matrix) => matrix_name(matrix.rows, matrix.columns),
             Value::Translation(components) => format!("a Translation{}", components.len()),
-            Value::Rotation(turn) => format!("a Rotation{}", turn.dimension()),
+            // Of a quaternion as of a matrix.
+            Value::Rotation(Turn::Plane(_)) => "a rotation in the plane".into(),
+            Value::Rotation(Turn::Space(_)) => "a rotation in space".into(),
             Value::Isometry(_, turn) => format!("an Isometry{}", turn.dimension()),
             Value::PoseVelocity(..) => "a PoseVelocity".into(),
             Value::Quaternion(_) => "a Quaternion".into(),

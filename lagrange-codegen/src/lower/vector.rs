@@ -308,18 +308,12 @@ impl Interpreter<'_> {
             ("inverse" | "transpose" | "conjugate", []) => Value::Rotation(self.inverse_turn(&turn)),
             ("matrix", []) => self.rotation_matrix(&turn),
             ("to_rotation_matrix", []) => Value::Rotation(turn),
-            ("angle", []) => match &turn {
-                // Between −π and π, as nalgebra gives it, whatever the rotation was made from.
-                Turn::Plane(angle) => {
-                    let graph = self.graph();
-                    let (sine, cosine) = (graph.unary(Unary::Sin, *angle), graph.unary(Unary::Cos, *angle));
-                    Value::scalar(graph.atan2(sine, cosine))
-                }
-                Turn::Space(_) => {
-                    let message = catalogue::wrong_dimension("angle", Value::Rotation(turn).describe());
-                    self.refuse(word.origin, message)
-                }
-            },
+            // Between −π and π, as nalgebra gives it, whatever the rotation was made from.
+            ("angle", []) if let Turn::Plane(angle) = turn => {
+                let graph = self.graph();
+                let (sine, cosine) = (graph.unary(Unary::Sin, angle), graph.unary(Unary::Cos, angle));
+                Value::scalar(graph.atan2(sine, cosine))
+            }
             ("transform_vector", [value]) => self.turned(&turn, value, false, origin),
             ("transform_point", [value]) => self.turned(&turn, value, true, origin),
             ("inverse_transform_vector", [value]) => {

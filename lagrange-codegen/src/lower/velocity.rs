@@ -9,7 +9,7 @@ use super::value::{Turn, Value};
 use crate::calculus::{pushforward, substitute};
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::{NodeId, Unary, Variable};
-use crate::kinematics::{body_rate, space_rate, time_direction, transposed_times};
+use crate::kinematics::{body_rate, space_rate, transposed_times, turning_direction};
 use crate::model::{Rates, Spin, Twist, Velocity};
 use crate::syntax::body::Word;
 use crate::syntax::item::Argument;
@@ -146,8 +146,8 @@ impl<'a> Interpreter<'a> {
 
     fn pushed(&mut self, nodes: &[NodeId]) -> Vec<NodeId> {
         let count = self.model.coordinates.len();
-        let graph = self.graph();
-        let direction = time_direction(graph, count);
+        let graph = &mut self.model.graph;
+        let direction = turning_direction(graph, count, &self.model.turning, Variable::Spin);
         pushforward(graph, nodes, &direction)
     }
 
@@ -165,8 +165,8 @@ impl<'a> Interpreter<'a> {
                 (Spin::Plane(rate), vec![along, across])
             }
             Turn::Space(rotation) => {
-                let graph = self.graph();
-                let direction = time_direction(graph, count);
+                let graph = &mut self.model.graph;
+                let direction = turning_direction(graph, count, &self.model.turning, Variable::Spin);
                 let in_body = body_rate(graph, rotation, &direction);
                 let in_space = space_rate(graph, rotation, &direction);
                 let turned =

@@ -13,7 +13,7 @@ use super::motion::Motion;
 use super::places;
 use crate::calculus::{pullback, pushforward, substitute, velocity_degrees};
 use crate::expr::{Exponent, Graph, Node, NodeId, Unary, Variable};
-use crate::kinematics::time_direction;
+use crate::kinematics::slopes;
 use crate::model::{Constraint, ConstraintKind, Model};
 use crate::number::Number;
 
@@ -63,23 +63,25 @@ impl Conditions {
         }
         let (constraints, baumgarte) = (model.constraints.clone(), model.baumgarte);
         let graph = &mut model.graph;
-        let direction = time_direction(graph, motion.q.len());
         let (zero, one) = (graph.zero(), graph.one());
         let values: Vec<NodeId> = constraints.iter().map(|constraint| constraint.value).collect();
-        let changes = pushforward(graph, &values, &direction);
+        let changes = pushforward(graph, &values, &motion.direction);
         let time = graph.variable(Variable::Time);
         let explicit = pushforward(graph, &values, &[(time, one)]);
         let rates: Vec<NodeId> = (0..values.len())
             .map(|c| if is_holonomic(&constraints[c]) { changes[c] } else { values[c] })
             .collect();
-        let curvature = pushforward(graph, &rates, &direction);
+        let curvature = pushforward(graph, &rates, &motion.direction);
         let mut gamma: Vec<NodeId> = curvature.into_iter().map(|change| graph.neg(change)).collect();
 
         let jacobian: Vec<Vec<NodeId>> = constraints
             .iter()
             .map(|constraint| {
-                let to = if is_holonomic(constraint) { &motion.q } else { &motion.v };
-                pullback(graph, &[(constraint.value, one)], to)
+                let seeds = [(constraint.value, one)];
+                match is_holonomic(constraint) {
+                    true => slopes(graph, &seeds, &motion.q, &motion.turning),
+                    false => pullback(graph, &seeds, &motion.v),
+                }
             })
             .collect();
         let multipliers: Vec<NodeId> =
@@ -186,7 +188,7 @@ fn reactions(
             .map(|(constraint, &multiplier)| (constraint.value, multiplier))
             .collect()
     };
-    let through_q = pullback(graph, &seeds(true), &motion.q);
+    let through_q = slopes(graph, &seeds(true), &motion.q, &motion.turning);
     let through_v = pullback(graph, &seeds(false), &motion.v);
     through_q.into_iter().zip(through_v).map(|(q, v)| graph.add(q, v)).collect()
 }

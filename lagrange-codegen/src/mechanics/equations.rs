@@ -2,9 +2,9 @@
 
 use super::forces;
 use super::motion::{Motion, Translation};
-use crate::calculus::{pullback, pullback_to, pushforward};
+use crate::calculus::{pullback, pushforward};
 use crate::expr::{Graph, NodeId};
-use crate::kinematics::{cross, time_direction, times, transposed_times};
+use crate::kinematics::{cross, slopes_to, times, transposed_times};
 use crate::model::Model;
 use crate::number::Number;
 
@@ -27,6 +27,15 @@ impl Loads {
         self.through_v.extend(other.through_v);
         self.direct.extend(other.direct);
         self
+    }
+
+    /// A load on what moves, by ∂r/∂q or by ∂ṙ/∂v, which is the same.
+    fn on(&mut self, body: &Translation, load: &[NodeId]) {
+        let load = load.iter().copied();
+        match &body.position {
+            Some(position) => self.through_q.extend(position.iter().copied().zip(load)),
+            None => self.through_v.extend(body.velocity.iter().copied().zip(load)),
+        }
     }
 
     /// The seeds with the opposite sign.
@@ -63,7 +72,8 @@ fn through_places(
     motion: &Motion,
 ) -> (Vec<NodeId>, Vec<(NodeId, NodeId)>) {
     let places = motion.carried.iter().flat_map(|carried| carried.place);
-    let (forces, through_q) = pullback_to(graph, seeds, &places.collect::<Vec<_>>(), &motion.q);
+    let places: Vec<NodeId> = places.collect();
+    let (forces, through_q) = slopes_to(graph, seeds, &places, &motion.q, &motion.turning);
     let mut loads = Vec::new();
     for (carried, force) in motion.carried.iter().zip(forces.chunks_exact(3)) {
         let turned = transposed_times(graph, &carried.matrix, &[force[0], force[1], force[2]]);
@@ -73,22 +83,13 @@ fn through_places(
     (through_q, loads)
 }
 
-/// The seeds of a load on something that moves in straight lines.
-fn push(loads: &mut Loads, body: &Translation, component: usize, load: NodeId) {
-    match &body.position {
-        Some(position) => loads.through_q.push((position[component], load)),
-        None => loads.through_v.push((body.velocity[component], load)),
-    }
-}
-
 /// p = ∂L/∂v.
 pub(super) fn momenta(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
     let mut loads = Loads::default();
     for body in &motion.translations {
-        for (component, &velocity) in body.velocity.iter().enumerate() {
-            let momentum = model.graph.mul(body.mass, velocity);
-            push(&mut loads, body, component, momentum);
-        }
+        let momentum: Vec<_> =
+            body.velocity.iter().map(|&velocity| model.graph.mul(body.mass, velocity)).collect();
+        loads.on(body, &momentum);
     }
     for body in &motion.rotations {
         let momentum = times(&mut model.graph, &body.inertia, &body.rate);
@@ -120,10 +121,9 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
     let mut loads = Loads::default();
     let graph = &mut model.graph;
     for body in &motion.translations {
-        for (component, &acceleration) in body.acceleration.iter().enumerate() {
-            let change = graph.mul(body.mass, acceleration);
-            push(&mut loads, body, component, change);
-        }
+        let force: Vec<_> =
+            body.acceleration.iter().map(|&acceleration| graph.mul(body.mass, acceleration)).collect();
+        loads.on(body, &force);
     }
     for body in &motion.rotations {
         let momentum = times(graph, &body.inertia, &body.rate);
@@ -147,9 +147,11 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
         let seeds: Vec<_> = functions.iter().map(|&value| (value, one)).collect();
         pullback(graph, &seeds, &motion.v)
     };
-    let direction = time_direction(graph, motion.q.len());
-    let changes = pushforward(graph, &of_functions, &direction);
+    let changes = pushforward(graph, &of_functions, &motion.direction);
     loads.direct.extend(changes.into_iter().enumerate());
+    for (coordinate, torque) in carried(graph, motion, &of_functions) {
+        loads.direct.push((coordinate, graph.neg(torque)));
+    }
     loads.through_q.extend(functions.into_iter().map(|value| (value, minus_one)));
     loads
 }
@@ -157,9 +159,10 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
 /// ∂L/∂q + Q − ∂D/∂v, the right-hand side of d/dt p = f.
 ///
 /// Unlike the bias this is not d'Alembert's form: nothing is differentiated by time.
-pub(super) fn momentum_rates(model: &mut Model, motion: &Motion) -> Vec<NodeId> {
+pub(super) fn momentum_rates(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -> Vec<NodeId> {
     let mut loads = forces::loads(model, motion);
     let graph = &mut model.graph;
+    loads.direct.extend(carried(graph, motion, momenta));
     for body in &motion.translations {
         for &velocity in &body.velocity {
             loads.through_q.push((velocity, graph.mul(body.mass, velocity)));
@@ -177,6 +180,17 @@ pub(super) fn momentum_rates(model: &mut Model, motion: &Motion) -> Vec<NodeId> 
         loads.through_q.push((term.value, minus_one));
     }
     loads.sweep(model, motion)
+}
+
+/// p × ω: what changes the angular momentum of an orientation because its axes turn.
+fn carried(graph: &mut Graph, motion: &Motion, momenta: &[NodeId]) -> Vec<(usize, NodeId)> {
+    let mut carried = Vec::with_capacity(3 * motion.turning.len());
+    for &first in &motion.turning {
+        let three = |all: &[NodeId]| [all[first], all[first + 1], all[first + 2]];
+        let torque = cross(graph, &three(momenta), &three(&motion.v));
+        carried.extend((first..).zip(torque));
+    }
+    carried
 }
 
 /// Conservative part of the bias: ∂V/∂q.

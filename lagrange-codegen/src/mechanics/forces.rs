@@ -2,7 +2,7 @@
 
 use super::equations::Loads;
 use super::motion::Motion;
-use crate::kinematics::{body_rate, time_direction, transposed_times};
+use crate::kinematics::{body_rate, transposed_times};
 use crate::model::{Action, Model};
 use crate::number::Number;
 
@@ -10,7 +10,6 @@ use crate::number::Number;
 pub(super) fn loads(model: &mut Model, motion: &Motion) -> Loads {
     let mut loads = Loads::default();
     let graph = &mut model.graph;
-    let direction = time_direction(graph, motion.q.len());
     for force in &model.forces {
         match &force.action {
             Action::Generalized(entries) => loads.direct.extend(entries.iter().copied()),
@@ -21,7 +20,7 @@ pub(super) fn loads(model: &mut Model, motion: &Motion) -> Loads {
             Action::Along(along) => loads.through_v.extend(along.iter().copied()),
             Action::SpatialTorque { rotation, torque } => {
                 // The torque turns into body axes, where the angular velocity is known.
-                let rate = body_rate(graph, rotation, &direction);
+                let rate = body_rate(graph, rotation, &motion.direction);
                 let torque = transposed_times(graph, &rotation.matrix, torque);
                 loads.through_v.extend(rate.into_iter().zip(torque));
             }

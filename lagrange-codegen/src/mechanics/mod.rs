@@ -6,6 +6,7 @@
 //! the same vector without the terms that cancel between d/dt ∂T/∂v and ∂T/∂q.
 
 pub mod analysis;
+mod axes;
 mod constraints;
 mod energy;
 mod equations;
@@ -14,16 +15,21 @@ mod frames;
 mod linearization;
 mod motion;
 mod places;
+pub(crate) mod quadratic;
+mod turning;
 mod validate;
 
 pub use constraints::{Conditions, Switched};
 pub use linearization::{Linearization, Sensitivities};
+pub use turning::Turning;
 
 use crate::diagnostics::Diagnostics;
-use crate::expr::NodeId;
+use crate::expr::{Graph, NodeId};
 use crate::model::{Hints, Model};
+use crate::simplify::cost::cost;
 use crate::simplify::{price, simplify};
 use motion::{Axes, Motion};
+use quadratic::Quadratic;
 
 /// The equations of motion and the scalars that go with them.
 #[derive(Clone, Debug)]
@@ -59,6 +65,9 @@ pub struct Equations {
     pub energy_rate: Option<NodeId>,
     /// What the constraints contribute.
     pub conditions: Conditions,
+    /// Orientations whose matrices are variables, and whose angular velocities stand in the places of their
+    /// velocities.
+    pub turning: Vec<usize>,
     /// Whether the mass matrix is symmetric positive semidefinite by construction or by the
     /// meaning of a kinetic energy; a Lagrangian given as a whole may have any signature.
     pub definite: bool,
@@ -73,24 +82,20 @@ impl Equations {
     /// The same with cheaper roots where the motion is solved for and facts are read: the mass
     /// matrix, the right-hand side, and the energies.
     pub fn simplified(&self, model: &mut Model) -> Equations {
-        let mut simpler = simplify(&mut model.graph, &mut model.hints, &self.roots()).into_iter();
-        let mut take = |count: usize| simpler.by_ref().take(count).collect::<Vec<_>>();
-        let mass = self.mass.iter().map(|row| take(row.len())).collect();
-        let force = take(self.force.len());
-        let mut conditions = self.conditions.clone();
-        conditions.jacobian.iter_mut().for_each(|row| *row = take(row.len()));
-        conditions.gamma = take(conditions.gamma.len());
+        let mut simpler = self.clone();
+        simpler.simplify_motion(model);
         let energies = [self.kinetic_energy, self.potential_energy, self.whole];
         let energies = simplify(&mut model.graph, &mut model.hints, &energies);
-        Equations {
-            mass,
-            force,
-            conditions,
-            kinetic_energy: energies[0],
-            potential_energy: energies[1],
-            whole: energies[2],
-            ..self.clone()
-        }
+        [simpler.kinetic_energy, simpler.potential_energy, simpler.whole] =
+            [energies[0], energies[1], energies[2]];
+        simpler
+    }
+
+    fn simplify_motion(&mut self, model: &mut Model) {
+        let mut simpler = simplify(&mut model.graph, &mut model.hints, &self.roots()).into_iter();
+        let Conditions { jacobian, gamma, .. } = &mut self.conditions;
+        let rows = self.mass.iter_mut().chain([&mut self.force]).chain(jacobian).chain([gamma]);
+        rows.flatten().zip(simpler.by_ref()).for_each(|(node, new)| *node = new);
     }
 }
 
@@ -103,24 +108,28 @@ pub fn derive(
     validate::contributions(model, allows, diagnostics);
     validate::constants(model, diagnostics);
     let independent = validate::constraints(model, allows, diagnostics);
-    let equations = cheapest(model);
+    let equations = cheapest(model, Equations::in_axes, Equations::roots);
     validate::inertia(model, &equations.mass, &independent, diagnostics);
     validate::inputs(model, &equations.force, &equations.mass, allows, diagnostics);
     (!diagnostics.has_errors()).then_some(equations)
 }
 
-/// The equations in the axes in which they take fewer operations: a single top is written best in space axes,
+/// What is derived in the axes in which its roots take fewer operations: a single top is written best in space axes,
 /// where its spin does not appear, and an arm in those of its links.
-fn cheapest(model: &mut Model) -> Equations {
+fn cheapest<T>(
+    model: &mut Model,
+    derived: impl Fn(&mut Model, Axes) -> T,
+    roots: impl Fn(&T) -> Vec<NodeId>,
+) -> T {
     if !Motion::is_carried(model) {
-        return Equations::in_axes(model, Axes::Space);
+        return derived(model, Axes::Space);
     }
     let mut trial = model.clone();
-    let own = Equations::in_axes(&mut trial, Axes::Own);
-    let space = Equations::in_axes(model, Axes::Space);
+    let own = derived(&mut trial, Axes::Own);
+    let space = derived(model, Axes::Space);
     let [of_own, of_space] = [(&trial, &own), (&*model, &space)].map(|(model, equations)| {
         let mut hints = Hints::default();
-        price(&mut model.graph.clone(), &mut hints, &equations.roots())
+        price(&mut model.graph.clone(), &mut hints, &roots(equations))
     });
     if of_own < of_space {
         *model = trial;
@@ -129,11 +138,25 @@ fn cheapest(model: &mut Model) -> Equations {
     space
 }
 
+/// M from composite inertias, where that takes fewer operations than a sweep for each column.
+fn composed(graph: &mut Graph, mass: Vec<Vec<NodeId>>, energy: NodeId) -> Vec<Vec<NodeId>> {
+    let all: Vec<usize> = (0..mass.len()).collect();
+    let Some(form) = Quadratic::of(graph, energy, &all) else { return mass };
+    let formed = form.formed(graph);
+    let [of_formed, of_mass] = [&formed, &mass].map(|rows| cost(graph, &rows.concat()));
+    if of_formed < of_mass { formed } else { mass }
+}
+
 impl Equations {
     fn in_axes(model: &mut Model, axes: Axes) -> Equations {
         let motion = Motion::of(model, axes);
         let momenta = equations::momenta(model, &motion);
         let mass = equations::mass_matrix(model, &motion, &momenta);
+        let energies = energy::energies(model, &motion, &momenta);
+        let mass = match axes {
+            Axes::Own => composed(&mut model.graph, mass, energies.kinetic),
+            Axes::Space => mass,
+        };
         let inertial = equations::inertial(model, &motion, &momenta);
         let conservative = equations::conservative(model);
         let applied_loads = forces::loads(model, &motion);
@@ -142,9 +165,8 @@ impl Equations {
         let applied = equations::negated(model, &applied);
         let total = inertial.joined(conservative).joined(applied_loads.negated(model)).sweep(model, &motion);
         let force = equations::negated(model, &total);
-        let momentum_rates = equations::momentum_rates(model, &motion);
+        let momentum_rates = equations::momentum_rates(model, &motion, &momenta);
         let conditions = Conditions::of(model, &motion, &mass);
-        let energies = energy::energies(model, &motion, &momenta);
         let power = energy::power(model, &motion, &applied);
         let energy_rate = (conditions.count() > 0).then(|| {
             energy::rate(&mut model.graph, &momenta, energies.total, energies.jacobi, power, &conditions)
@@ -165,6 +187,7 @@ impl Equations {
             power,
             energy_rate,
             conditions,
+            turning: Vec::new(),
             definite: model.lagrangian.is_empty(),
         }
     }

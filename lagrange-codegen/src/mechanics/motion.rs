@@ -1,15 +1,16 @@
 //! Velocities and velocity-dependent accelerations of particles and bodies.
 
+use super::axes::{InAxes, in_axes};
 use super::frames::Frames;
 use crate::calculus::pushforward;
-use crate::expr::{Graph, NodeId};
-use crate::kinematics::{body_rate, time_direction};
+use crate::expr::{Graph, NodeId, Variable};
+use crate::kinematics::{body_rate, turning_direction};
 use crate::model::{Attitude, Body, Model, Point, Rotation};
 
 /// The axes in which the velocities of what rotations carry have their components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axes {
-    /// Those of space.
+    /// Those of space, and of an orientation what this carries.
     Space,
     /// Those of the rotation that carries it.
     Own,
@@ -22,6 +23,10 @@ pub(super) struct Motion {
     pub q: Vec<NodeId>,
     /// Nodes of the velocities.
     pub v: Vec<NodeId>,
+    /// The direction of total time derivatives at a = 0.
+    pub direction: Vec<(NodeId, NodeId)>,
+    /// Orientations whose matrices and angular velocities are variables.
+    pub turning: Vec<usize>,
     /// What moves in straight lines: particles, centres of mass, and planar angles.
     pub translations: Vec<Translation>,
     /// Spatial rotations.
@@ -39,7 +44,7 @@ pub(super) struct Translation {
     pub position: Option<Vec<NodeId>>,
     /// ṙ.
     pub velocity: Vec<NodeId>,
-    /// r̈ at a = 0.
+    /// r̈ at a = 0, in the same axes.
     pub acceleration: Vec<NodeId>,
 }
 
@@ -76,8 +81,8 @@ impl Motion {
     /// Differentiates every position and attitude twice.
     pub fn of(model: &mut Model, axes: Axes) -> Motion {
         let count = model.coordinates.len();
-        let Model { graph, hints, levers, points, bodies, .. } = model;
-        let direction = time_direction(graph, count);
+        let Model { graph, hints, levers, points, bodies, turning: orientations, .. } = model;
+        let direction = turning_direction(graph, count, orientations, Variable::Spin);
         let q: Vec<_> = direction[..count].iter().map(|&(q, _)| q).collect();
         let v: Vec<_> = direction[..count].iter().map(|&(_, v)| v).collect();
 
@@ -113,19 +118,30 @@ impl Motion {
             }
         }
 
+        let in_orientations: Vec<Option<InAxes>> =
+            moving.iter().map(|(_, position)| in_axes(graph, position, orientations)).collect();
+        for ((_, position), carried) in moving.iter_mut().zip(&in_orientations) {
+            if let Some(InAxes { arm, .. }) = carried {
+                *position = arm.to_vec();
+            }
+        }
+
         // One forward sweep for all positions, so that shared parts are differentiated once.
         let all: Vec<NodeId> = moving.iter().flat_map(|(_, position)| position.iter().copied()).collect();
         let velocities = pushforward(graph, &all, &direction);
         let accelerations = pushforward(graph, &velocities, &direction);
         let mut offset = 0;
-        for (mass, position) in moving {
+        for ((mass, position), carried) in moving.into_iter().zip(in_orientations) {
             let range = offset..offset + position.len();
             offset = range.end;
-            translations.push(Translation {
-                mass,
-                velocity: velocities[range.clone()].to_vec(),
-                acceleration: accelerations[range].to_vec(),
-                position: Some(position),
+            let (velocity, acceleration) =
+                (velocities[range.clone()].to_vec(), accelerations[range].to_vec());
+            translations.push(match carried {
+                None => Translation { mass, velocity, acceleration, position: Some(position) },
+                Some(carried) => {
+                    let (velocity, acceleration) = carried.motion(graph, &direction, &velocity);
+                    Translation { mass, velocity, acceleration, position: None }
+                }
             });
         }
 
@@ -155,7 +171,8 @@ impl Motion {
                 carried.push(Carried { place, matrix, velocity: motion.velocity });
             }
         }
-        Motion { q, v, translations, rotations, carried }
+        let turning = orientations.clone();
+        Motion { q, v, direction, turning, translations, rotations, carried }
     }
 }
 

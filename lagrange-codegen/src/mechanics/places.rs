@@ -7,7 +7,6 @@
 use super::motion::Motion;
 use crate::calculus::{pullback, pushforward, substitute};
 use crate::expr::{Graph, NodeId};
-use crate::kinematics::time_direction;
 use crate::model::{Constraint, ConstraintKind, Place, component_of_one};
 
 /// The force of a unit multiplier by constraint, place and component.
@@ -25,13 +24,12 @@ pub(super) fn forces(
         .iter()
         .flat_map(|place| place.variables.iter().copied().zip(place.position.iter().copied()))
         .collect();
-    let direction = time_direction(graph, motion.q.len());
     let moving: Vec<(NodeId, NodeId)> = places
         .iter()
         .flat_map(|place| place.rates.iter().copied().zip(place.position.iter().copied()))
         .collect();
     let positions: Vec<NodeId> = moving.iter().map(|&(_, position)| position).collect();
-    let velocities = pushforward(graph, &positions, &direction);
+    let velocities = pushforward(graph, &positions, &motion.direction);
     let rates: Vec<(NodeId, NodeId)> = moving.iter().map(|&(rate, _)| rate).zip(velocities).collect();
     let one = graph.one();
     let mut forces = Vec::with_capacity(constraints.len());

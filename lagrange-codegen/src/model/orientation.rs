@@ -4,9 +4,12 @@
 //! orientation at half a turn. The map is conformal: |ω| = |ρ′|/(1 + |ρ|²/16), so that no direction is
 //! weighed more than another. Schaub and Junkins, *Analytical Mechanics of Space Systems*, 4th ed., section 3.5
 //! (there σ = ρ/4); ρ is near the rotation vector, and ρ′ near the angular velocity.
+//!
+//! A description is read as one of rotation matrices R and angular velocities ω in body axes, which are
+//! variables of their own with R′ = R \[ω]ₓ. In these the motion is solved for (`mechanics`, by Euler–Poincaré
+//! equations), because there they are simplest; in ρ and ρ′ a system tells everything else.
 
-use super::{Rotation, RotationForm};
-use crate::expr::{Graph, NodeId};
+use crate::expr::{Graph, NodeId, Variable};
 use crate::number::Number;
 
 const TWO: Number = Number::Ratio(2, 1);
@@ -30,10 +33,10 @@ fn quaternion(graph: &mut Graph, rho: &[NodeId; 3]) -> Quaternion {
     Quaternion { scalar, vector, reciprocal }
 }
 
-/// The rotation from body axes to space axes: 1 + 2 w \[u]ₓ + 2 \[u]ₓ².
-pub fn rotation(graph: &mut Graph, rho: [NodeId; 3]) -> Rotation {
-    let Quaternion { scalar, vector, .. } = quaternion(graph, &rho);
-    let matrix = [0, 1, 2].map(|i| {
+/// The matrix from body axes to space axes: 1 + 2 w \[u]ₓ + 2 \[u]ₓ².
+fn matrix(graph: &mut Graph, rho: &[NodeId; 3]) -> [[NodeId; 3]; 3] {
+    let Quaternion { scalar, vector, .. } = quaternion(graph, rho);
+    [0, 1, 2].map(|i| {
         [0, 1, 2].map(|j| {
             if i == j {
                 let others = [(i + 1) % 3, (i + 2) % 3];
@@ -46,18 +49,11 @@ pub fn rotation(graph: &mut Graph, rho: [NodeId; 3]) -> Rotation {
             let (outer, turned) = (graph.mul(vector[i], vector[j]), graph.mul(scalar, vector[k]));
             graph.sum(Number::ZERO, &[(outer, TWO), (turned, sign)])
         })
-    });
-    Rotation { matrix, form: RotationForm::Parameters(rho) }
+    })
 }
 
-/// The angular velocity in body axes.
+/// The angular velocity in body axes, D (w ρ′ − u × ρ′ + ¼ u (ρ·ρ′)) with D = 1/(1 + |ρ|²/16).
 pub fn body_rate(graph: &mut Graph, rho: &[NodeId; 3], rates: &[NodeId; 3]) -> [NodeId; 3] {
-    angular_rate(graph, rho, rates, Number::MINUS_ONE)
-}
-
-/// The angular velocity D (w ρ′ ± u × ρ′ + ¼ u (ρ·ρ′)) with D = 1/(1 + |ρ|²/16): in space axes with the sign
-/// plus, in body axes with minus.
-pub fn angular_rate(graph: &mut Graph, rho: &[NodeId; 3], rates: &[NodeId; 3], sign: Number) -> [NodeId; 3] {
     let Quaternion { scalar, vector, reciprocal } = quaternion(graph, rho);
     let scaled = rates.map(|rate| graph.mul(reciprocal, rate));
     let products: Vec<_> = (0..3).map(|i| (graph.mul(rho[i], scaled[i]), QUARTER)).collect();
@@ -65,10 +61,34 @@ pub fn angular_rate(graph: &mut Graph, rho: &[NodeId; 3], rates: &[NodeId; 3], s
     [(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|(i, j, k)| {
         let terms = [
             (graph.mul(scalar, scaled[i]), Number::ONE),
-            (graph.mul(vector[j], scaled[k]), sign),
-            (graph.mul(vector[k], scaled[j]), -sign),
+            (graph.mul(vector[j], scaled[k]), Number::MINUS_ONE),
+            (graph.mul(vector[k], scaled[j]), Number::ONE),
             (graph.mul(vector[i], along), Number::ONE),
         ];
         graph.sum(Number::ZERO, &terms)
     })
+}
+
+/// The variables of the matrix of an orientation, the one at this place among all.
+pub fn entries(graph: &mut Graph, place: usize) -> [[NodeId; 3]; 3] {
+    let entry = |row: u32, column: u32| Variable::Entry(9 * place as u32 + 3 * row + column);
+    [0, 1, 2].map(|row| [0, 1, 2].map(|column| graph.variable(entry(row, column))))
+}
+
+/// The variables of the angular velocity of the orientation whose numbers begin at a coordinate.
+pub fn spin(graph: &mut Graph, first: usize) -> [NodeId; 3] {
+    [0, 1, 2].map(|i| graph.variable(Variable::Spin(first as u32 + i)))
+}
+
+/// What matrices and angular velocities are as functions of a state's numbers.
+pub fn of_parameters(graph: &mut Graph, orientations: &[usize]) -> Vec<(NodeId, NodeId)> {
+    let mut known = Vec::with_capacity(12 * orientations.len());
+    for (place, &first) in orientations.iter().enumerate() {
+        let rho = [0, 1, 2].map(|i| graph.variable(Variable::Coordinate(first as u32 + i)));
+        let rates = [0, 1, 2].map(|i| graph.variable(Variable::Velocity(first as u32 + i)));
+        let (entries, values) = (entries(graph, place), matrix(graph, &rho));
+        known.extend(entries.into_iter().flatten().zip(values.into_iter().flatten()));
+        known.extend(spin(graph, first).into_iter().zip(body_rate(graph, &rho, &rates)));
+    }
+    known
 }

@@ -81,13 +81,25 @@ impl Twist {
 }
 
 impl Rates {
+    /// Puts others in the places of all numbers, in order.
+    pub fn set(&mut self, nodes: &[NodeId]) {
+        let mut nodes = nodes.iter();
+        self.each(&mut |node| nodes.next().into_iter().for_each(|&new| *node = new));
+    }
+
+    fn each(&mut self, visit: &mut dyn FnMut(&mut NodeId)) {
+        match self {
+            Rates::Scalar(node) => visit(node),
+            Rates::Matrix(_, _, entries) => entries.iter_mut().for_each(visit),
+            Rates::Twist(twist) => twist.each(visit),
+            Rates::Array(parts) | Rates::Tuple(parts) => parts.iter_mut().for_each(|part| part.each(visit)),
+        }
+    }
+
     /// All numbers in order.
     pub fn nodes(&self) -> Vec<NodeId> {
-        match self {
-            Rates::Scalar(node) => vec![*node],
-            Rates::Matrix(_, _, entries) => entries.clone(),
-            Rates::Twist(twist) => twist.nodes(),
-            Rates::Array(parts) | Rates::Tuple(parts) => parts.iter().flat_map(Rates::nodes).collect(),
-        }
+        let mut nodes = Vec::new();
+        self.clone().each(&mut |node| nodes.push(*node));
+        nodes
     }
 }

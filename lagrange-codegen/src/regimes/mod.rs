@@ -104,7 +104,8 @@ pub fn derive(
     }
     let equations = equations.simplified(&mut regime);
     let facts = Facts::of(&regime, &equations);
-    let solution = Solution::plan(&mut regime, &equations, &facts, diagnostics);
+    let told = (&equations, &facts);
+    let solution = Solution::plan(&mut regime, told, told, diagnostics);
     let jets = jets::derive(&mut regime, &equations);
     if contacts.is_empty() && jets.is_none() {
         return None;

@@ -13,6 +13,8 @@ fn sample(variable: Variable) -> f64 {
         | Variable::Input(_)
         | Variable::Acceleration(_)
         | Variable::Auxiliary(_)
+        | Variable::Entry(_)
+        | Variable::Spin(_)
         | Variable::Multiplier(_)
         | Variable::Position(_) => 0.6,
     }

@@ -5,7 +5,6 @@
 
 mod elimination;
 pub mod facts;
-mod quadratic;
 mod recursion;
 pub mod solve;
 

@@ -5,11 +5,9 @@
 //! inertia. For a chain or a tree of bodies that is the articulated-body recursion (Featherstone, *Rigid Body
 //! Dynamics Algorithms*, chapter 7), and nothing here knows of joints. M is never formed.
 
-use std::collections::BTreeMap;
-
 use super::elimination::guarded;
-use super::quadratic::{Linear, Quadratic, Unknown};
 use crate::expr::{Graph, NodeId};
+use crate::mechanics::quadratic::{Linear, Quadratic, Symmetric, Unknown};
 use crate::number::Number;
 
 /// The factors of a mass matrix that is not formed.
@@ -57,8 +55,7 @@ pub struct Articulated {
 
 /// The system while it is eliminated.
 struct Elimination {
-    /// Rows of the symmetric matrix, whole.
-    rows: Vec<BTreeMap<Unknown, NodeId>>,
+    matrix: Symmetric,
     /// How many definitions that are left name an unknown.
     users: Vec<usize>,
     /// The diagonal with nothing subtracted, up to a factor that counts terms: what roundings are measured by.
@@ -79,24 +76,19 @@ impl Recursion {
         form: Quadratic,
         budget: usize,
     ) -> Option<(Recursion, Vec<Articulated>)> {
-        let Quadratic { velocities, definitions, entries } = form;
+        let matrix = Symmetric::of(&form);
+        let Quadratic { velocities, definitions, .. } = form;
         let unknowns = velocities + definitions.len();
+        let sizes = matrix.rows.iter().enumerate().map(|(x, row)| row.get(&x).copied()).collect();
         let mut system = Elimination {
-            rows: vec![BTreeMap::new(); unknowns],
+            matrix,
             users: vec![0; unknowns],
-            sizes: vec![None; unknowns],
+            sizes,
             depths: vec![0; unknowns],
             steps: Vec::with_capacity(unknowns),
             pivots: Vec::with_capacity(velocities),
             budget,
         };
-        for (&(a, b), &entry) in &entries {
-            system.rows[a].insert(b, entry);
-            system.rows[b].insert(a, entry);
-            if a == b {
-                system.sizes[a] = Some(entry);
-            }
-        }
         for definition in &definitions {
             definition.iter().for_each(|&(x, _)| system.users[x] += 1);
         }
@@ -229,7 +221,8 @@ impl Elimination {
     fn eliminate_free(&mut self, graph: &mut Graph, left: &mut Vec<Unknown>) -> Option<()> {
         loop {
             let free = left.iter().enumerate().filter(|&(_, &v)| self.users[v] == 0);
-            let Some((place, _)) = free.min_by_key(|&(_, &v)| (self.rows[v].len(), std::cmp::Reverse(v)))
+            let Some((place, _)) =
+                free.min_by_key(|&(_, &v)| (self.matrix.rows[v].len(), std::cmp::Reverse(v)))
             else {
                 return Some(());
             };
@@ -240,33 +233,10 @@ impl Elimination {
 
     /// w = Σ c x in the form.
     fn substitute(&mut self, graph: &mut Graph, unknown: Unknown, terms: Linear) -> Option<()> {
-        let row = std::mem::take(&mut self.rows[unknown]);
-        self.budget = self.budget.checked_sub(row.len() * terms.len())?;
-        for (&other, &entry) in &row {
-            if other == unknown {
-                continue;
-            }
-            self.rows[other].remove(&unknown);
-            for &(x, c) in &terms {
-                let share = graph.mul(entry, c);
-                if x == other {
-                    // Q w x with w = c x + …: c Q x², of which the diagonal has twice as much.
-                    let share = graph.scale(share, Number::integer(2));
-                    self.add(graph, x, x, share);
-                } else {
-                    self.add(graph, x, other, share);
-                }
-            }
-        }
-        if let Some(&own) = row.get(&unknown) {
-            for (place, &(x, c)) in terms.iter().enumerate() {
-                let scaled = graph.mul(own, c);
-                for &(y, d) in &terms[..=place] {
-                    let share = graph.mul(scaled, d);
-                    self.add(graph, x, y, share);
-                }
-            }
-        }
+        let row = self.matrix.rows[unknown].len();
+        let factors = terms.iter().filter(|&&(_, c)| graph.as_constant(c).is_none_or(|c| !c.abs().is_one()));
+        self.budget = self.budget.checked_sub(row * factors.count())?;
+        self.matrix.substitute(graph, unknown, &terms);
         for &(x, c) in &terms {
             self.users[x] -= 1;
             self.depths[x] = self.depths[x].max(self.depths[unknown]);
@@ -282,7 +252,7 @@ impl Elimination {
     }
 
     fn eliminate(&mut self, graph: &mut Graph, unknown: Unknown) -> Option<()> {
-        let row = std::mem::take(&mut self.rows[unknown]);
+        let row = std::mem::take(&mut self.matrix.rows[unknown]);
         let pivot = *row.get(&unknown)?;
         self.budget = self.budget.checked_sub(row.len() * (row.len() + 1) / 2)?;
         if graph.is_zero(pivot) {
@@ -297,12 +267,12 @@ impl Elimination {
         let others: Linear = row.into_iter().filter(|&(other, _)| other != unknown).collect();
         let mut terms = Vec::with_capacity(others.len());
         for (place, &(x, entry)) in others.iter().enumerate() {
-            self.rows[x].remove(&unknown);
+            self.matrix.rows[x].remove(&unknown);
             let factor = graph.div(entry, divisor);
             for &(y, other) in &others[..=place] {
                 let share = graph.mul(factor, other);
                 let share = graph.neg(share);
-                self.add(graph, x, y, share);
+                self.matrix.add(graph, x, y, share);
             }
             self.depths[x] = self.depths[x].max(depth + 1);
             terms.push((x, factor));
@@ -316,20 +286,6 @@ impl Elimination {
     fn scale(&self, graph: &mut Graph, unknown: Unknown, depth: u32) -> Option<NodeId> {
         let size = self.sizes[unknown]?;
         Some(graph.scale(size, Number::integer(i128::from(depth.max(3)) + 1) * Number::Ratio(1, 4)))
-    }
-
-    fn add(&mut self, graph: &mut Graph, a: Unknown, b: Unknown, share: NodeId) {
-        let entry = match self.rows[a].get(&b) {
-            Some(&entry) => graph.add(entry, share),
-            None => share,
-        };
-        for (row, column) in [(a, b), (b, a)] {
-            if graph.is_zero(entry) {
-                self.rows[row].remove(&column);
-            } else {
-                self.rows[row].insert(column, entry);
-            }
-        }
     }
 }
 

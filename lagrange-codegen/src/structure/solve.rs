@@ -2,11 +2,11 @@
 
 use super::elimination::{self, eliminate};
 use super::facts::Facts;
-use super::quadratic::Quadratic;
 use super::recursion::{Articulated, Recursion};
 use crate::diagnostics::{Diagnostics, physics};
 use crate::expr::{Graph, NodeId, Unary};
 use crate::mechanics::Equations;
+use crate::mechanics::quadratic::Quadratic;
 use crate::model::Model;
 use crate::number::Number;
 use crate::simplify::cost::cost;
@@ -85,21 +85,30 @@ pub enum Saddle {
 pub struct Solution {
     /// All blocks; without constraints each coordinate is in exactly one, with constraints there is none.
     pub blocks: Vec<Block>,
-    /// The method for a system with constraints.
+    /// The method for the accelerations of a system with constraints.
     pub saddle: Option<Saddle>,
+    /// The same for its series.
+    pub saddle_of_series: Option<Saddle>,
+    /// A word for the mass matrix.
+    kind: &'static str,
 }
 
 impl Solution {
-    /// Chooses a method for every block.
+    /// Chooses a method for every block, or for all with constraints. Equations stand in the form of which
+    /// everything else is told, and in that which a motion is solved for in.
     pub fn plan(
         model: &mut Model,
-        equations: &Equations,
-        facts: &Facts,
+        told: (&Equations, &Facts),
+        solved: (&Equations, &Facts),
         diagnostics: &mut Diagnostics,
     ) -> Solution {
-        if equations.conditions.count() > 0 {
-            return Solution { blocks: Vec::new(), saddle: Some(saddle(&model.graph, equations, facts)) };
+        let [saddle, saddle_of_series] = [told, solved].map(|(equations, facts)| {
+            (equations.conditions.count() > 0).then(|| saddle(&model.graph, equations, facts))
+        });
+        if saddle.is_some() {
+            return Solution { blocks: Vec::new(), saddle, saddle_of_series, kind: kind(told.1) };
         }
+        let (equations, facts) = solved;
         let mass = &equations.mass;
         let entry = |i: usize, j: usize| mass[i.max(j)][i.min(j)];
         let mut blocks = Vec::with_capacity(facts.blocks.len());
@@ -145,7 +154,7 @@ impl Solution {
             };
             blocks.push(Block { coordinates: coordinates.clone(), method, constant });
         }
-        Solution { blocks, saddle: None }
+        Solution { blocks, saddle, saddle_of_series, kind: kind(facts) }
     }
 
     /// The nodes that a step computes: accelerations where they are written out, else entries of the
@@ -172,14 +181,8 @@ impl Solution {
     }
 
     /// A word for the report.
-    pub fn describe(&self, facts: &Facts) -> String {
-        let kind = match (facts.constant_mass, facts.diagonal_mass) {
-            (true, true) => "constant and diagonal",
-            (true, false) => "constant",
-            (false, true) => "diagonal",
-            (false, false) if facts.blocks.len() > 1 => "block diagonal",
-            (false, false) => "dense",
-        };
+    pub fn describe(&self) -> String {
+        let kind = self.kind;
         if let Some(saddle) = self.saddle {
             return match saddle {
                 Saddle::Diagonal => {
@@ -210,6 +213,16 @@ impl Solution {
             parts.push(format!("LU with pivoting ({size} × {size})"));
         }
         format!("{kind}, solved by {}", parts.join(" and "))
+    }
+}
+
+fn kind(facts: &Facts) -> &'static str {
+    match (facts.constant_mass, facts.diagonal_mass) {
+        (true, true) => "constant and diagonal",
+        (true, false) => "constant",
+        (false, true) => "diagonal",
+        (false, false) if facts.blocks.len() > 1 => "block diagonal",
+        (false, false) => "dense",
     }
 }
 

@@ -16,6 +16,8 @@ use crate::diagnostics::Origin;
 #[derive(Debug)]
 pub struct Item {
     /// The last segment of the type.
+    pub title: Ident,
+    /// What generated types are named after.
     pub name: Ident,
     /// The type of the impl block.
     pub self_ty: syn::Type,

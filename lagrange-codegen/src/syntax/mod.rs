@@ -27,6 +27,7 @@ mod tests;
 mod translate;
 
 use proc_macro2::{Ident, Span, TokenStream};
+use quote::format_ident;
 use syn::{GenericParam, ImplItem, ItemImpl, TypeParamBound};
 
 pub use args::LINTS;
@@ -50,8 +51,8 @@ pub fn parse(
     diagnostics: &mut Diagnostics,
 ) -> Option<Item> {
     let mut block = impl_block(item, diagnostics)?;
-    let name = match self_name(&block.self_ty) {
-        Some(name) if block.trait_.is_none() => name.clone(),
+    let (title, name) = match self_type(&block.self_ty) {
+        Some(segment) if block.trait_.is_none() => (segment.ident.clone(), name_of(segment)),
         Some(_) | None => {
             diagnostics.error(block.impl_token.span, catalogue::not_inherent());
             return None;
@@ -70,7 +71,7 @@ pub fn parse(
         }
     }
     let cleaned = rewrite::clean(&block, &name, &scalar, &crate_path, args.baumgarte.as_ref());
-    let mut translator = Translator::new(diagnostics, scalar, name.to_string(), block.impl_token.span);
+    let mut translator = Translator::new(diagnostics, scalar, title.to_string(), block.impl_token.span);
     translator.mixed = mixed;
     let mut constants = Vec::new();
     let mut functions = Vec::new();
@@ -110,6 +111,7 @@ pub fn parse(
         return None;
     }
     Some(Item {
+        title,
         name,
         self_ty: (*block.self_ty).clone(),
         generics: block.generics.clone(),
@@ -159,13 +161,29 @@ fn impl_block(item: TokenStream, diagnostics: &mut Diagnostics) -> Option<ItemIm
 }
 
 /// The last segment of a type's path.
-fn self_name(ty: &syn::Type) -> Option<&Ident> {
+fn self_type(ty: &syn::Type) -> Option<&syn::PathSegment> {
     match ty {
-        syn::Type::Path(path) => path.path.segments.last().map(|segment| &segment.ident),
-        syn::Type::Group(group) => self_name(&group.elem),
-        syn::Type::Paren(paren) => self_name(&paren.elem),
+        syn::Type::Path(path) => path.path.segments.last(),
+        syn::Type::Group(group) => self_type(&group.elem),
+        syn::Type::Paren(paren) => self_type(&paren.elem),
         _ => None,
     }
+}
+
+/// What generated types are named after: `Chain`, and `Chain3` for `Chain<3>`, so that there may be a description
+/// for each of several numbers.
+fn name_of(segment: &syn::PathSegment) -> Ident {
+    let mut name = segment.ident.clone();
+    if let syn::PathArguments::AngleBracketed(arguments) = &segment.arguments {
+        for argument in &arguments.args {
+            if let syn::GenericArgument::Const(syn::Expr::Lit(literal)) = argument
+                && let syn::Lit::Int(number) = &literal.lit
+            {
+                name = format_ident!("{name}{}", number.base10_digits(), span = name.span());
+            }
+        }
+    }
+    name
 }
 
 /// The type parameter with the bound `Real`.

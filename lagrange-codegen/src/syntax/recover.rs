@@ -6,7 +6,7 @@ use syn::{Attribute, ImplItem, Item, ItemImpl};
 
 use super::args::{self, Declaration};
 use super::item::{Kind, Record, Scalar};
-use super::{generic_scalar, rewrite, role, self_name};
+use super::{generic_scalar, name_of, rewrite, role, self_type};
 use crate::diagnostics::Diagnostics;
 
 /// The item without our attributes and without bodies and, `with_records`, the structs that its
@@ -16,7 +16,7 @@ pub fn recover(args: TokenStream, item: TokenStream, with_records: bool) -> Toke
     match item {
         Item::Impl(mut block) => {
             block.attrs.push(syn::parse_quote!(#[allow(unused, clippy::all)]));
-            match self_name(&block.self_ty).cloned() {
+            match self_type(&block.self_ty).map(name_of) {
                 Some(name) if block.trait_.is_none() => {
                     let records = with_records.then(|| records(args, &name));
                     let block = inherent(block, &name);

@@ -15,7 +15,7 @@ pub const SUFFIX: &str = "_velocity";
 /// The names in a block that a function `…_velocity` of its own is called by, each once where it first stands.
 pub fn mentioned(block: &syn::ItemImpl) -> Vec<(Name, Span)> {
     let mut found = Vec::new();
-    let own = super::self_name(&block.self_ty);
+    let own = super::self_type(&block.self_ty).map(|segment| &segment.ident);
     for item in &block.items {
         if let syn::ImplItem::Fn(function) = item {
             search(function.block.to_token_stream(), own, &mut found);

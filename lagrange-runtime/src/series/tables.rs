@@ -46,6 +46,26 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         if L <= INLINE { self.sweep(rows) } else { self.outlined(rows) }
     }
 
+    /// Σ left\[j] right\[order − j] over 0 < j < order, for all lanes.
+    #[inline(always)]
+    pub fn all(&self, order: usize) -> [R; L] {
+        let mut sum = self.interior(order);
+        let mut add = |place: usize| {
+            if let (Some(left), Some(right)) = (self.left.get(place - 1), self.right.get(order - place - 1)) {
+                for i in 0..L {
+                    sum[i] = Real::mul_add(left[i], right[i], sum[i]);
+                }
+            }
+        };
+        if order > 1 {
+            add(1);
+        }
+        if order > 2 {
+            add(order - 1);
+        }
+        sum
+    }
+
     /// A function of its own: between scalar code the compiler would take its vectors apart.
     #[inline(never)]
     fn outlined(&self, rows: usize) -> [R; L] {

@@ -9,17 +9,12 @@
 
 use super::scene::{Scene, Status, above, extent, most, product, rounding};
 use super::trials::{Options, Part, combine, regime};
-use super::turning::{TURNS, Turning, pairs};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
 use crate::linear::SaddlePoint;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
-
-/// A slip in two directions begins with so many times what is lost in the errors of velocities, so that they turn
-/// it by no more than the inverse of that.
-const LAUNCHED: f64 = 16.0;
 
 /// A regime, and what follows from it.
 #[derive(Clone, Copy, Debug)]
@@ -162,7 +157,7 @@ where
     }
 
     /// The accelerations and multipliers of a regime.
-    fn balance(
+    pub(super) fn balance(
         &self,
         regime: &Regime<S::Scalar, C, W>,
         v: &[S::Scalar; N],
@@ -174,109 +169,13 @@ where
         numbers.all(|x| x.is_finite()).then_some(balance)
     }
 
-    /// Velocities with the smallest slip that has a direction for the motion, in the directions in which slips
-    /// begin: that of their accelerations, which friction against these directions leaves.
-    #[cold]
-    fn begun(
-        &self,
-        regime: &Regime<S::Scalar, C, W>,
-        begins: impl Fn(usize) -> bool,
-    ) -> Option<[S::Scalar; N]> {
-        let zero: S::Scalar = num_traits::Zero::zero();
-        let State { t, q, v } = &self.state;
-        let mut stuck = *regime;
-        for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
-            stuck.slip[row] = zero;
-            (stuck.active[row], stuck.active[other]) = (true, true);
-        }
-        let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
-        let mut slips = held.balance().multipliers.map(|force| -force);
-        let (mut turning, mut is_scaled) = (Turning::new(), false);
-        let mut velocities = *v;
-        for _ in 0..TURNS {
-            let mut lack = [zero; C];
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
-                let length = slips[row].hypot(slips[other]);
-                if !length.is_positive() {
-                    return None;
-                }
-                let size = most(self.speeds[row], self.speeds[other]);
-                let size = if size.is_positive() { size } else { S::Scalar::epsilon() };
-                let size = size * self.lost * S::Scalar::from_f64(LAUNCHED);
-                for row in [row, other] {
-                    lack[row] = size * slips[row] / length - self.laws.rows.rates[row];
-                }
-            }
-            let (change, _) = held.saddle.solve(&[zero; N], &lack);
-            velocities = core::array::from_fn(|i| v[i] + change[i]);
-            let balance = self.balance(regime, &velocities)?;
-            let sizes = self.sizes(regime, &balance.accelerations, &balance.multipliers);
-            let (mut lacks, mut is_done) = ([zero; C], true);
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
-                let rates = [row, other].map(|row| self.rate(row, &balance.accelerations));
-                let speed = rates[0].hypot(rates[1]);
-                let noise = rounding::<S::Scalar>() * extent(&self.gradients[row], &sizes.accelerations);
-                // Where nothing accelerates the slip, it goes where the force drives it.
-                if !above(speed, noise) {
-                    continue;
-                }
-                if !is_scaled {
-                    let share = speed / slips[row].hypot(slips[other]);
-                    (slips[row], slips[other]) = (share * slips[row], share * slips[other]);
-                }
-                (lacks[row], lacks[other]) = (rates[0] - slips[row], rates[1] - slips[other]);
-                is_done = is_done && !above(lacks[row].hypot(lacks[other]), noise);
-            }
-            if is_done {
-                break;
-            }
-            is_scaled = true;
-            slips = turning.next(&slips, &lacks);
-        }
-        Some(velocities)
-    }
-
-    /// The time that slips need which begin, until they have grown to those of `velocities`. Where that is so long
-    /// that accelerations are others by then than they are now, it is not known.
-    #[cold]
-    fn later(
-        &self,
-        regime: &Regime<S::Scalar, C, W>,
-        begins: impl Fn(usize) -> bool,
-        velocities: &[S::Scalar; N],
-        balance: &Balance<S::Scalar, N, C>,
-    ) -> Option<S::Scalar> {
-        let sizes = self.sizes(regime, &balance.accelerations, &balance.multipliers);
-        let mut later = num_traits::Zero::zero();
-        for rows in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
-            let [x, y] = rows.map(|row| self.laws.rows.rates[row] + self.change(row, velocities));
-            let [turn_x, turn_y] = rows.map(|row| self.rate(row, &balance.accelerations));
-            let [a, b] = rows.map(|row| extent(&self.gradients[row], &sizes.accelerations));
-            let (speed, strength) = (turn_x.hypot(turn_y), most(a, b));
-            let time = x.hypot(y) / speed;
-            // The motion as a whole changes in the time that its speed is of its accelerations.
-            let whole = most(self.speeds[rows[0]], self.speeds[rows[1]]);
-            if !time.is_finite() || above(time * strength * strength, whole * speed) {
-                return None;
-            }
-            later = most(later, time);
-        }
-        Some(later)
-    }
-
-    /// What velocities change at a row.
-    fn change(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
-        let change = core::array::from_fn(|i| velocities[i] - self.state.v[i]);
-        product(&self.gradients[row], &change)
-    }
-
     /// The rate of the rate of a row.
     pub(super) fn rate(&self, row: usize, accelerations: &[S::Scalar; N]) -> S::Scalar {
         product(&self.gradients[row], accelerations) - self.gamma[row]
     }
 
     /// What forces and accelerations are made of.
-    fn sizes(
+    pub(super) fn sizes(
         &self,
         regime: &Regime<S::Scalar, C, W>,
         accelerations: &[S::Scalar; N],
@@ -412,9 +311,9 @@ fn parts_at<R: Real, const C: usize, const W: usize>(
 }
 
 /// The magnitudes of what forces and accelerations are made of.
-struct Sizes<R, const N: usize> {
-    forces: [R; N],
-    accelerations: [R; N],
+pub(super) struct Sizes<R, const N: usize> {
+    pub(super) forces: [R; N],
+    pub(super) accelerations: [R; N],
 }
 
 /// Whether the reaction of a row limits a friction.

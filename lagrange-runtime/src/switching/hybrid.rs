@@ -10,8 +10,9 @@
 use core::marker::PhantomData;
 
 use super::memory::HybridMemory;
-use super::run::{Run, is_at_rest};
+use super::run::Run;
 use super::scene::Scales;
+use super::standstill::is_at_rest;
 use super::{Regime, Switching};
 use crate::number::real::Ordered;
 use crate::system::System;

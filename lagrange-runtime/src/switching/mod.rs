@@ -16,10 +16,12 @@ mod contacts;
 mod guards;
 mod hybrid;
 mod impact;
+mod launch;
 mod memory;
 mod rest;
 mod run;
 mod scene;
+mod standstill;
 mod trials;
 mod turning;
 

@@ -4,6 +4,7 @@ use super::guards::{Guard, Guards};
 use super::hybrid::{Memory, sum};
 use super::memory::shift;
 use super::scene::{Known, Scene, above, most};
+use super::standstill::is_at_rest;
 use super::{Regime, Row, Switching};
 use crate::motion::roots::Unresolved;
 use crate::number::real::{Ordered, Real};
@@ -145,8 +146,8 @@ where
             if t < here.t && S::ROWS.iter().any(|row| *row != Row::Bilateral) {
                 return Err(at(&here, Cause::Irreversible));
             }
-            if rests && S::AUTONOMOUS {
-                self.memory.end = here.at_time(t);
+            if rests && S::AUTONOMOUS && self.stays() {
+                (self.memory.start, self.memory.end) = (here, here.at_time(t));
                 M::restart(&mut self.memory.inner, self.memory.end);
                 return Ok(());
             }
@@ -355,55 +356,6 @@ where
         found
     }
 
-    /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
-    fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
-        let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
-        let scales = &self.memory.scales;
-        let size = most(scales.speeds[row], scales.speeds[other]);
-        let slip = rows.rates[row].hypot(rows.rates[other]);
-        !above(slip, scales.lost() * size)
-    }
-
-    /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there, and
-    /// steps, which end before, become shorter and shorter. From within the tolerance the rest is a straight line.
-    fn come_to_rest(&mut self) -> Result<(), Cause> {
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            let Row::Friction { pair: Some(other), .. } = *kind else { continue };
-            let slips = self.memory.regime.slip[row] != num_traits::Zero::zero();
-            if !slips || other < row || !self.rests(row, other, &self.memory.end) {
-                continue;
-            }
-            let (memory, inputs) = (&*self.memory, &self.control.0);
-            let State { t, q, v } = memory.end;
-            let known = Known { closed: memory.regime.active, fired: None, settled: true };
-            let scene =
-                Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
-            let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
-            let mut a = equations.balance().accelerations;
-            let (x, y) = (scene.laws.rows.rates[row], scene.laws.rows.rates[other]);
-            let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
-            let mut left = (x * x + y * y) / falls;
-            if x == num_traits::Zero::zero() && y == num_traits::Zero::zero() {
-                // It is there, and has no direction any more.
-                (left, a) = (num_traits::Zero::zero(), [num_traits::Zero::zero(); N]);
-            } else if !falls.is_positive() {
-                continue;
-            }
-            let mut state = State { t: t + left, q, v };
-            shift(&mut state, &a, left);
-            let present = memory.regime;
-            let known = Known { closed: present.active, fired: Some(row), settled: false };
-            let regime = self.settle(&mut state, &present, known, true, num_traits::Zero::zero())?;
-            // Where another slip begins at once, that is the way.
-            if state.t == t + left {
-                self.memory.way = a;
-            }
-            self.memory.next = Some((regime, state));
-            return Ok(());
-        }
-        Ok(())
-    }
-
     /// The state at time `t`.
     pub(super) fn state_at(
         &mut self,
@@ -444,9 +396,4 @@ where
             (memory.end, memory.next, memory.is_way) = (start, None, false);
         }
     }
-}
-
-/// Whether nothing moves.
-pub(super) fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
-    start.t != end.t && end.v.iter().all(|&v| v == R::zero()) && start.q == end.q
 }

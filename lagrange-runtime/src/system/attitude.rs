@@ -7,11 +7,18 @@
 //! ([`settle`]).
 //! (Schaub and Junkins, *Analytical Mechanics of Space Systems*, 4th ed., section 3.5, where σ = ρ/4.)
 
+mod axes;
+mod motion;
+
+pub use axes::{BodyAxes, ByName};
+
 use nalgebra::{Isometry3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 use num_traits::Zero;
 
 use crate::number::real::Real;
 use crate::system::state::State;
+#[doc(hidden)]
+pub use motion::{accelerations, axes, complete, turning};
 
 /// The velocity of a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +34,20 @@ const HALF_A_TURN: f64 = 16.0;
 
 fn square<R: Real>([x, y, z]: [R; 3]) -> R {
     x * x + y * y + z * z
+}
+
+fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The three numbers that begin at a place.
+#[inline(always)]
+fn triple<R: Real, const N: usize>(numbers: &[R; N], first: usize) -> [R; 3] {
+    numbers.get(first..first + 3).and_then(<[R]>::first_chunk).copied().unwrap_or([R::zero(); 3])
 }
 
 /// The orientation of three parameters: from body axes to space axes.
@@ -51,12 +72,25 @@ pub fn parameters<R: Real>(rotation: &UnitQuaternion<R>) -> [R; 3] {
 /// The rates of the parameters at an angular velocity in body axes.
 #[must_use]
 pub fn rates<R: Real>(rho: [R; 3], angular: &Vector3<R>) -> [R; 3] {
-    let omega: [R; 3] = (*angular).into();
+    rates_at(rho, (*angular).into())
+}
+
+/// ρ′ = (1 − s) ω + ½ ρ × ω + ⅛ ρ (ρ·ω) with s = |ρ|²/16.
+fn rates_at<R: Real>(rho: [R; 3], omega: [R; 3]) -> [R; 3] {
     let s = square(rho) * R::from_f64(1.0 / 16.0);
-    let [x, y, z] = rho;
-    let along = (x * omega[0] + y * omega[1] + z * omega[2]) * R::from_f64(0.125);
-    let turned = [y * omega[2] - z * omega[1], z * omega[0] - x * omega[2], x * omega[1] - y * omega[0]];
+    let along = dot(rho, omega) * R::from_f64(0.125);
+    let turned = cross(rho, omega);
     core::array::from_fn(|i| (R::one() - s) * omega[i] + R::from_f64(0.5) * turned[i] + rho[i] * along)
+}
+
+/// The opposite: the matrix of [`rates_at`] is 1 + s times an orthogonal one.
+fn spin<R: Real>(rho: [R; 3], rates: [R; 3]) -> [R; 3] {
+    let s = square(rho) * R::from_f64(1.0 / 16.0);
+    let scale = R::one() / (R::one() + s);
+    let rates = rates.map(|rate| rate * scale * scale);
+    let along = dot(rho, rates) * R::from_f64(0.125);
+    let turned = cross(rho, rates);
+    core::array::from_fn(|i| (R::one() - s) * rates[i] - R::from_f64(0.5) * turned[i] + rho[i] * along)
 }
 
 /// The pose of six parameters: position \[m], then orientation.
@@ -91,8 +125,7 @@ pub fn pose_rates<R: Real>([_, _, _, a, b, c]: [R; 6], velocity: &PoseVelocity<R
 pub fn settle<R: Real, const N: usize>(orientations: &[usize], state: &State<R, N>) -> Option<State<R, N>> {
     let mut settled: Option<State<R, N>> = None;
     for &first in orientations {
-        let triple = |x: &[R; N]| x.get(first..first + 3).and_then(<[R]>::first_chunk::<3>).copied();
-        let (Some(rho), Some(rates)) = (triple(&state.q), triple(&state.v)) else { continue };
+        let (rho, rates) = (triple(&state.q, first), triple(&state.v, first));
         let beyond = square(rho) - R::from_f64(HALF_A_TURN);
         if beyond.largest() > Zero::zero() {
             let state = settled.get_or_insert(*state);

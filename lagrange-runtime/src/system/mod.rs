@@ -23,6 +23,7 @@ use crate::linear::Independence;
 use crate::motion::simulation::Simulation;
 use crate::motion::stepper::Stepper;
 use crate::number::real::{Ordered, Real};
+use crate::system::attitude::BodyAxes;
 use control::Held;
 use error::Cause;
 use footing::Footing;
@@ -49,6 +50,13 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Where the three numbers of each orientation begin among the coordinates, see
     /// [`attitude`](crate::system::attitude).
     const ORIENTATIONS: &'static [usize] = &[];
+
+    /// The body axes of a state, by which accelerations, forces, momenta and the mass matrix belong to angular
+    /// velocities.
+    #[inline]
+    fn body_axes(&self, state: &State<Self::Scalar, N>) -> BodyAxes<Self::Scalar, N> {
+        BodyAxes::new(Self::ORIENTATIONS, state)
+    }
 
     /// Evaluates [`System::Constants`].
     fn constants(&self) -> Self::Constants;

@@ -15,18 +15,39 @@ pub struct State<R, const N: usize> {
     pub v: [R; N],
 }
 
+/// What a state is made of: whatever converts into its numbers.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not convert into the numbers of a state",
+    label = "not the numbers of a state",
+    note = "use an array, a vector, or the coordinates or velocities by name",
+    note = "where a coordinate is an orientation or a pose, a state holds other numbers than velocities by name: write \
+            `system.state(coordinates, velocities)`"
+)]
+pub trait StateNumbers<R, const N: usize> {
+    /// The numbers.
+    fn numbers(self) -> [R; N];
+}
+
+#[diagnostic::do_not_recommend]
+impl<R, T: Into<[R; N]>, const N: usize> StateNumbers<R, N> for T {
+    #[inline]
+    fn numbers(self) -> [R; N] {
+        self.into()
+    }
+}
+
 impl<R: Real, const N: usize> State<R, N> {
     /// Coordinates and velocities at time zero: arrays, vectors or the named coordinates of a system.
     #[inline]
     #[must_use]
-    pub fn new(q: impl Into<[R; N]>, v: impl Into<[R; N]>) -> Self {
-        Self { t: R::zero(), q: q.into(), v: v.into() }
+    pub fn new(q: impl StateNumbers<R, N>, v: impl StateNumbers<R, N>) -> Self {
+        Self { t: R::zero(), q: q.numbers(), v: v.numbers() }
     }
 
     /// Coordinates without any velocity, at time zero.
     #[inline]
     #[must_use]
-    pub fn at_rest(q: impl Into<[R; N]>) -> Self {
+    pub fn at_rest(q: impl StateNumbers<R, N>) -> Self {
         Self::new(q, [R::zero(); N])
     }
 

@@ -1,13 +1,16 @@
 //! Contacts, dry friction and kinks: published cases (N01 to N14) and what their laws imply.
 
 mod balls;
+mod corners;
 mod friction;
 mod kinks;
 mod laws;
 mod nested;
+mod random;
 mod reactions;
 mod refused;
 mod rocking;
+mod slips;
 mod woodpecker;
 
 /// Tolerance of the motions.

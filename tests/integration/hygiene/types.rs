@@ -164,3 +164,43 @@ fn types_may_have_names_of_one_letter() {
     }
     single::check();
 }
+
+/// A chain of a number of beads that is a parameter of the type.
+struct Beads<const N: usize> {
+    stiffness: f64,
+}
+
+#[lagrangian(coordinates = [x: [2]])]
+impl Beads<2> {
+    #[point(mass = 1.0)]
+    fn beads(&self, q: &Coordinates) -> [f64; 2] {
+        q.x
+    }
+
+    #[potential]
+    fn springs(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * (q.x[1] - q.x[0]).powi(2)
+    }
+}
+
+#[lagrangian(coordinates = [x: [3]])]
+impl Beads<3> {
+    #[point(mass = 1.0)]
+    fn beads(&self, q: &Coordinates) -> [f64; 3] {
+        q.x
+    }
+
+    #[potential]
+    fn springs(&self, q: &Coordinates) -> f64 {
+        0.5 * self.stiffness * ((q.x[1] - q.x[0]).powi(2) + (q.x[2] - q.x[1]).powi(2))
+    }
+}
+
+#[test]
+fn several_numbers_of_one_type_are_several_systems() {
+    let (two, three) = (Beads::<2> { stiffness: 3.0 }, Beads::<3> { stiffness: 3.0 });
+    let start = State::at_rest(Beads2Coordinates { x: [0.0, 1.0] });
+    assert_eq!(two.accelerations(&start).unwrap(), [3.0, -3.0]);
+    let start = State::at_rest(Beads3Coordinates { x: [0.0, 1.0, 1.0] });
+    assert_eq!(three.accelerations(&start).unwrap(), [3.0, -3.0, 0.0]);
+}

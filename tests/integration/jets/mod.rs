@@ -8,8 +8,6 @@ mod failures;
 mod functions;
 mod gaps;
 mod hidden;
-mod long;
-mod long_constrained;
 mod mechanics;
 mod oracle;
 mod steps;

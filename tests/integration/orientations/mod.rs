@@ -4,5 +4,7 @@
 mod beside;
 mod elliptic;
 mod linkage;
+mod momenta;
+mod named;
 mod rolling;
 mod tops;

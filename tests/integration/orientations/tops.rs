@@ -82,6 +82,15 @@ impl Euler {
     }
 }
 
+/// Euler's equations and nothing beside: neither parameters nor matrices stand in them.
+#[test]
+fn a_free_body_is_solved_for_in_its_axes() {
+    let series = "smooth: a Taylor series of the motion takes 3 convolutions and the recurrences of no functions an \
+                  order, and 16 convolutions for each orientation";
+    assert!(Free::STRUCTURE.facts.contains(&series), "{}", Free::STRUCTURE);
+    assert_eq!(Free::STRUCTURE.mass_matrix, "constant and diagonal, solved by divisions");
+}
+
 #[test]
 fn a_free_body_tumbles_about_its_unstable_axis_as_elliptic_functions_do() {
     let (inertia, energy) = ([1.0, 2.0, 3.0], 25.0);

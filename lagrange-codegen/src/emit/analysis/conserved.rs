@@ -4,7 +4,7 @@ use crate::emit::body::{self, Source};
 use crate::emit::methods::{arguments, method};
 use crate::emit::{Emission, docs};
 use crate::expr::NodeId;
-use crate::mechanics::analysis::{Generator, Integral, integrals};
+use crate::mechanics::analysis::{Generator, Integral, Turn, integrals};
 use crate::model::{Model, Quantity};
 use crate::number::Number;
 use crate::simplify::simplify;
@@ -42,10 +42,11 @@ pub(super) fn items(emission: &mut Emission<'_>) -> (String, usize) {
         names.push(describe(emission.model, &generator));
         values.push(value);
     }
+    let turns = if emission.model.orientations.is_empty() { "" } else { " and for turns of orientations" };
     text.push_str(&constant(
         "CONSERVED",
-        "Conserved quantities that follow from the symmetries of the equations: the energy or Jacobi integral, and those of Noether's \
-         theorem for shifts q → q + ε (S q + s) with constant S and s. There may be others.",
+        &format!("Conserved quantities that follow from the symmetries of the equations: the energy or Jacobi integral, and those of Noether's \
+         theorem for shifts q → q + ε (S q + s) with constant S and s{turns}. There may be others."),
         &names,
     ));
     text.push_str(&vector(
@@ -76,7 +77,10 @@ fn vector(emission: &mut Emission<'_>, name: &str, doc: &str, names: &[String], 
 
 /// What a symmetry is known as.
 fn describe(model: &Model, generator: &Generator) -> String {
-    let Generator { linear, shift } = generator;
+    let Generator { linear, shift, turns } = generator;
+    if !turns.is_empty() {
+        return turned(model, generator);
+    }
     if linear.is_empty() {
         return match shift.as_slice() {
             [(i, _)] => format!("momentum of {}", model.coordinates[*i].written()),
@@ -117,6 +121,48 @@ fn describe(model: &Model, generator: &Generator) -> String {
         }
     }
     format!("momentum along {}", rows.join(", "))
+}
+
+/// What a symmetry with turns is known as: those of all orientations about one axis of space are turns of the
+/// whole.
+fn turned(model: &Model, generator: &Generator) -> String {
+    let Generator { linear, shift, turns } = generator;
+    let axis = |turn: &Turn| ["x", "y", "z"][turn.axis];
+    let of = |turn: &Turn| {
+        let name = &model.coordinates[turn.first].name;
+        let alike = |first: &&usize| model.coordinates[**first].name == *name;
+        let place = model.orientations.iter().filter(alike).position(|&first| first == turn.first);
+        match model.orientations.iter().filter(alike).count() {
+            1 => name.clone(),
+            _ => format!("{name}[{}]", place.unwrap_or_default()),
+        }
+    };
+    let (first, size) = turns[0];
+    let alike = turns
+        .iter()
+        .all(|&(turn, value)| turn.axis == first.axis && turn.in_body == first.in_body && value == size);
+    let is_turn = linear.iter().all(|&(i, j, value)| linear.contains(&(j, i, -value)));
+    if alike && shift.is_empty() && is_turn {
+        if !first.in_body && turns.len() == model.orientations.len() {
+            return format!("angular momentum about {}", axis(&first));
+        }
+        if linear.is_empty() && turns.len() == 1 {
+            let frame = if first.in_body { " in its own axes" } else { "" };
+            return format!("angular momentum of {} about {}{frame}", of(&first), axis(&first));
+        }
+    }
+    let mut parts: Vec<String> = turns
+        .iter()
+        .map(|(turn, value)| {
+            let frame = if turn.in_body { " in its own axes" } else { "" };
+            let share = if value.is_one() { String::new() } else { format!("{value} times ") };
+            format!("{share}the turn of {} about {}{frame}", of(turn), axis(turn))
+        })
+        .collect();
+    if !linear.is_empty() || !shift.is_empty() {
+        parts.push(describe(model, &Generator { turns: Vec::new(), ..generator.clone() }));
+    }
+    format!("momentum along {}", listed(&parts))
 }
 
 fn listed(names: &[String]) -> String {

@@ -36,7 +36,7 @@ pub(in crate::emit) fn declared(item: &Item) -> Vec<Held> {
 pub(in crate::emit) fn record(item: &Item, held: &[Held]) -> TokenStream {
     let name = record_ident(item);
     let shown = name.to_string();
-    let doc = format!("One value for each constraint of [`{}`].", item.name);
+    let doc = format!("One value for each constraint of [`{}`].", item.title);
     let (mut fields, mut patterns, mut flat, mut debug) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for (label, length) in held {
         let parts: Vec<_> = (0..length.unwrap_or(1)).map(|i| format_ident!("x{}", flat.len() + i)).collect();

@@ -141,6 +141,8 @@ impl Writer<'_> {
             Variable::Parameter(i) => symbols::parameter(notation, &model.parameters[i as usize]).into(),
             Variable::Time => Text::atom("t".to_owned()),
             Variable::Auxiliary(i) => symbols::symbol(notation, "u", &i.to_string(), 0).into(),
+            Variable::Entry(i) => symbols::symbol(notation, "R", &i.to_string(), 0).into(),
+            Variable::Spin(i) => symbols::symbol(notation, "ω", &i.to_string(), 0).into(),
             Variable::Position(i) => symbols::symbol(notation, "r", &i.to_string(), 0).into(),
         }
     }
@@ -151,9 +153,11 @@ impl Writer<'_> {
             Node::Constant(_) => 0,
             Node::Variable(Variable::Parameter(_)) => 1,
             Node::Sum { .. } | Node::Product(_) => 2,
-            Node::Variable(Variable::Time | Variable::Coordinate(_) | Variable::Position(_)) => 3,
+            Node::Variable(
+                Variable::Time | Variable::Coordinate(_) | Variable::Entry(_) | Variable::Position(_),
+            ) => 3,
             Node::Variable(Variable::Input(_) | Variable::Auxiliary(_)) => 4,
-            Node::Variable(Variable::Velocity(_)) => 5,
+            Node::Variable(Variable::Velocity(_) | Variable::Spin(_)) => 5,
             Node::Variable(Variable::Acceleration(_) | Variable::Multiplier(_)) => 6,
             Node::Unary(..) | Node::Binary(..) => 7,
         }

@@ -87,7 +87,7 @@ fn energies(emission: &mut Emission<'_>) -> String {
 
 /// Structure and operation counts.
 fn findings(emission: &Emission<'_>, after: Operations) -> String {
-    let matrix = emission.solution.describe(emission.facts);
+    let matrix = emission.solution.describe();
     let mut text = format!("\n* mass matrix: {matrix}\n");
     for fact in emission.facts.found(emission.model) {
         text.push_str(&format!("* {fact}\n"));

@@ -78,9 +78,10 @@ pub(super) enum By {
 
 impl Inertia {
     pub fn plan(emission: &mut Emission<'_>, jets: &Jets) -> Inertia {
-        let saddle = emission.solution.saddle.map(|method| SaddlePoint::plan(emission, jets, method));
+        let saddle =
+            emission.solution.saddle_of_series.map(|method| SaddlePoint::plan(emission, jets, method));
         let graph = &emission.model.graph;
-        let mass = &emission.equations.mass;
+        let mass = &emission.solved.mass;
         let (mut moving, mut constant): (Vec<NodeId>, Vec<NodeId>) = Default::default();
         moving.extend(saddle.iter().flat_map(SaddlePoint::nodes));
         let mut blocks = Vec::with_capacity(emission.solution.blocks.len());
@@ -96,7 +97,7 @@ impl Inertia {
             }
             let factor = match block.method {
                 Method::Lu => "Lu",
-                Method::WrittenOut { .. } if emission.equations.definite => "Ldlt",
+                Method::WrittenOut { .. } if emission.solved.definite => "Ldlt",
                 Method::WrittenOut { .. } => "Lu",
                 Method::Ldlt | Method::Recursive { .. } => "Ldlt",
             };

@@ -19,6 +19,7 @@ use super::body;
 use super::gather::gather;
 use super::names::{Names, describe};
 use super::scalar;
+use super::turning;
 use crate::expr::Variable;
 use crate::jets::{Jets, Value};
 use crate::schedule::{Instruction, Slot};
@@ -45,7 +46,8 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets) -> String {
     let wide = (jets.lanes.len() > convolutions::EDGED).then(|| Wide::of(emission.model, jets, &start));
     let pass = order::pass(emission, jets, &start, &mass, wide.as_ref(), &mut names);
 
-    let mut text = body::prologue(model, scalar, &reads, super::body::Source::Slices);
+    let mut text =
+        turning::entry(emission) + &body::prologue(model, scalar, &reads, super::body::Source::Slices);
     let all: Vec<String> = labels.iter().chain(&mass.labels).cloned().collect();
     let (constants_type, constants_body) = inertia.constants(model, scalar, &fixed);
     if !all.is_empty() {

@@ -12,6 +12,7 @@ use crate::collections::Lookup;
 use crate::emit::Emission;
 use crate::emit::names::Names;
 use crate::emit::scalar;
+use crate::emit::turning;
 use crate::expr::Variable;
 use crate::jets::{Coefficient, Jets, Relation};
 use crate::number::Number;
@@ -189,9 +190,10 @@ impl Writer<'_, '_> {
         }
         let inner = self.sweep();
         let walk = if self.wide.is_some() { "in_turn" } else { "in_line::<ORDERS>" };
+        let last = turning::series(self.emission);
         let Self { before, body, after, .. } = self;
         format!(
-            "{before}lagrange::jets::{walk}(orders, #[inline(always)] |order| {{\n{fraction}{inner}{body}{after}true\n}});\ntrue"
+            "{before}lagrange::jets::{walk}(orders, #[inline(always)] |order| {{\n{fraction}{inner}{body}{after}true\n}});\n{last}true"
         )
     }
 

@@ -46,7 +46,7 @@ impl SaddlePoint {
     const FACTORS: &'static str = "saddle";
 
     pub fn plan(emission: &mut Emission<'_>, jets: &Jets, method: Saddle) -> SaddlePoint {
-        let equations = emission.equations;
+        let equations = emission.solved;
         let graph = &mut emission.model.graph;
         let gradients = jets.gradients.clone();
         let mass = match method {

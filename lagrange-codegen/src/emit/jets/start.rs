@@ -116,6 +116,10 @@ impl<'a> Start<'a> {
                         self.reads.time = true;
                         label.clone()
                     }
+                    Variable::Entry(i) => {
+                        self.reads.entries[i as usize] |= needed;
+                        label.clone()
+                    }
                     Variable::Parameter(i) => {
                         self.reads.parameters[i as usize] = true;
                         label.clone()
@@ -123,6 +127,7 @@ impl<'a> Start<'a> {
                     Variable::Auxiliary(_)
                     | Variable::Acceleration(_)
                     | Variable::Multiplier(_)
+                    | Variable::Spin(_)
                     | Variable::Position(_) => label.clone(),
                 };
                 (text, label)

@@ -98,7 +98,10 @@ fn shapes() {
     body(quote!((Vector2::x() - Vector3::x()).x), "a Vector3 cannot be subtracted from a Vector2; ");
     body(quote!((Vector2::x() * Vector2::x()).x), "a Vector2 cannot be multiplied by a Vector2; ");
     body(quote!((Matrix3::identity() * Vector2::x()).x), "a Matrix3 cannot be multiplied by a Vector2; ");
-    body(quote!((Rotation3::identity() * Vector2::x()).x), "a Rotation3 cannot be multiplied by a Vector2; ");
+    body(
+        quote!((Rotation3::identity() * Vector2::x()).x),
+        "a rotation in space cannot be multiplied by a Vector2; ",
+    );
     body(quote!((1.0 / Vector2::x()).x), "a scalar cannot be divided by a Vector2; ");
     body(
         quote!(if Vector2::x() == Vector2::y() { 1.0 } else { q.x }),
@@ -119,11 +122,11 @@ fn shapes() {
     body(quote!(self * q.x), "`self` is no quantity; ");
     body(
         quote!((Rotation3::from_scaled_axis(Vector3::new(q.x, q.theta[0], 0.0)) * Vector3::x()).x),
-        "the axis of this rotation vector moves, and at zero it has none; ",
+        "the axis of this rotation vector moves, and a Taylor series of its rotation is not known near zero; ",
     );
     body(
         quote!((Rotation3::new(Vector3::new(q.x, t, 0.0)) * Vector3::x()).x),
-        "the axis of this rotation vector moves, and at zero it has none; ",
+        "the axis of this rotation vector moves, and a Taylor series of its rotation is not known near zero; ",
     );
     body(quote!(let (a, b) = q.x; a), "this pattern does not fit a scalar; ");
     body(quote!(let [a, b] = q.theta; a), "this pattern has 2 names for 3 elements; ");

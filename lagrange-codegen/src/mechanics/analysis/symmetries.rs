@@ -1,6 +1,6 @@
 //! Integrals of the motion by Noether's theorem, found by search.
 //!
-//! A shift q → q + ε ξ with ξ = S q + s takes I = p·ξ along: dI/dt = f·ξ + p·S v with f = ∂L/∂q + Q − ∂D/∂v,
+//! A shift q → q + ε ξ with ξ = S q + s, or with a turn of an orientation, takes I = p·ξ along: dI/dt = f·ξ + p·ξ′ with f = ∂L/∂q + Q − ∂D/∂v,
 //! plus λᵀ A ξ where there are constraints. Both must vanish for all q, v, t, u and all values of the
 //! parameters (Arnold, *Mathematical Methods of Classical Mechanics*, section 20). They are linear in S and
 //! s: random samples give a linear system, its null space the candidates, and each candidate is then
@@ -10,6 +10,7 @@
 //! whose ξ depends on parameters, are not found.
 
 use super::nullspace::{Noise, null_space};
+use super::turns::{Shift, Turn};
 use crate::expr::{Graph, NodeId, Rounded, Variable};
 use crate::mechanics::Equations;
 use crate::model::Model;
@@ -33,13 +34,15 @@ const FAR: f64 = 6.0;
 /// Largest denominator of an entry of S and s.
 const DENOMINATOR: i128 = 12;
 
-/// ξ = S q + s.
+/// ξ = S q + s, and turns of orientations.
 #[derive(Clone, Debug, Default)]
 pub struct Generator {
     /// Entries of S: `(row, column, value)`.
     pub linear: Vec<(usize, usize, Number)>,
     /// Entries of s.
     pub shift: Vec<(usize, Number)>,
+    /// Angles.
+    pub turns: Vec<(Turn, Number)>,
 }
 
 /// A conserved quantity.
@@ -60,6 +63,8 @@ enum Unknown {
     Plane(usize, usize),
     /// s_i.
     Shift(usize),
+    /// Of an orientation.
+    Turn(Turn),
 }
 
 impl Unknown {
@@ -67,22 +72,27 @@ impl Unknown {
     fn row(self) -> usize {
         match self {
             Unknown::Entry(i, _) | Unknown::Plane(i, _) | Unknown::Shift(i) => i,
+            Unknown::Turn(turn) => turn.first,
         }
     }
 
-    /// The entries of S, and of s, that it stands for.
-    fn parts(self) -> (Vec<(usize, usize, i128)>, Option<usize>) {
+    /// The generator of which it is the coefficient.
+    fn generator(self) -> Generator {
+        let (one, mut generator) = (Number::ONE, Generator::default());
         match self {
-            Unknown::Entry(i, j) => (vec![(i, j, 1)], None),
-            Unknown::Plane(i, j) => (vec![(i, j, -1), (j, i, 1)], None),
-            Unknown::Shift(i) => (Vec::new(), Some(i)),
+            Unknown::Entry(i, j) => generator.linear.push((i, j, one)),
+            Unknown::Plane(i, j) => generator.linear.extend([(i, j, -one), (j, i, one)]),
+            Unknown::Shift(i) => generator.shift.push((i, one)),
+            Unknown::Turn(turn) => generator.turns.push((turn, one)),
         }
+        generator
     }
 }
 
 /// All integrals p·(S q + s), a basis of them.
 pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
     let unknowns = unknowns(model, equations);
+    let generators: Vec<Generator> = unknowns.iter().map(|unknown| unknown.generator()).collect();
     let mut noise = Noise(0);
     let near = |attempt: usize| Sample::draw(model, equations, &mut noise, attempt, 1.0);
     let Some(samples) = samples(unknowns.len() + SPARE, near) else {
@@ -99,7 +109,7 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
     let scales: Vec<f64> = unknowns.iter().map(|unknown| weights[unknown.row()]).collect();
     let rows = samples
         .iter()
-        .flat_map(|sample| sample.conditions(&unknowns))
+        .flat_map(|sample| sample.conditions(&generators))
         .map(|row| row.iter().zip(&scales).map(|(entry, scale)| entry * scale).collect());
     let candidates: Vec<Generator> = null_space(rows.collect(), unknowns.len())
         .iter()
@@ -107,7 +117,7 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
             let free = vector.iter().rposition(|&entry| entry == 1.0)?;
             let unscaled: Vec<f64> =
                 vector.iter().zip(&scales).map(|(entry, scale)| entry * scale / scales[free]).collect();
-            Generator::rational(&unscaled, &unknowns)
+            Generator::rational(&unscaled, &generators)
         })
         .collect();
     let far = |attempt: usize| {
@@ -118,7 +128,7 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
     let is_confirmed = |candidate: &Generator| others.iter().all(|sample| sample.confirms(candidate));
     let mut confirmed: Vec<Generator> = candidates.into_iter().filter(is_confirmed).collect();
     // Translations first, as they stand in the coordinates.
-    confirmed.sort_by_key(|generator| !generator.linear.is_empty());
+    confirmed.sort_by_key(|generator| !generator.linear.is_empty() || !generator.turns.is_empty());
     confirmed
         .into_iter()
         .map(|generator| Integral {
@@ -134,7 +144,14 @@ fn unknowns(model: &Model, equations: &Equations) -> Vec<Unknown> {
     let graph = &model.graph;
     let mass = &equations.mass;
     let count = mass.len();
-    let shifts = (0..count).map(Unknown::Shift);
+    // Linear functions of an orientation's numbers mean nothing.
+    let is_turned = |i: &usize| model.orientations.iter().any(|&first| (first..first + 3).contains(i));
+    let plain: Vec<usize> = (0..count).filter(|i| !is_turned(i)).collect();
+    let shifts = plain.iter().copied().map(Unknown::Shift);
+    let turns = model.orientations.iter().flat_map(|&first| {
+        let all = [false, true].into_iter().flat_map(|in_body| (0..3).map(move |axis| (axis, in_body)));
+        all.map(move |(axis, in_body)| Unknown::Turn(Turn { first, axis, in_body }))
+    });
     let constant = mass.iter().flatten().all(|&entry| graph.dependence(entry).is_fixed());
     let diagonal =
         (0..count).all(|i| (0..i).all(|j| graph.is_zero(mass[i][j])) && !graph.is_zero(mass[i][i]));
@@ -151,12 +168,13 @@ fn unknowns(model: &Model, equations: &Equations) -> Vec<Unknown> {
         }
         planes.into_iter().map(|(i, j)| Unknown::Plane(i, j)).collect()
     } else {
-        (0..count).flat_map(|i| (0..count).map(move |j| Unknown::Entry(i, j))).collect()
+        plain.iter().flat_map(|&i| plain.iter().map(move |&j| Unknown::Entry(i, j))).collect()
     };
     if searched.len() + count > MOST {
         searched.clear();
     }
     searched.extend(shifts);
+    searched.extend(turns);
     searched
 }
 
@@ -192,6 +210,8 @@ impl Sample {
             Variable::Time => time,
             Variable::Acceleration(_)
             | Variable::Auxiliary(_)
+            | Variable::Entry(_)
+            | Variable::Spin(_)
             | Variable::Multiplier(_)
             | Variable::Position(_) => f64::NAN,
         };
@@ -212,19 +232,12 @@ impl Sample {
     }
 
     /// Rows of the linear system: dI/dt, then A ξ.
-    fn conditions(&self, unknowns: &[Unknown]) -> Vec<Vec<f64>> {
+    fn conditions(&self, generators: &[Generator]) -> Vec<Vec<f64>> {
         let row = |force: &[Rounded], momenta: Option<&[Rounded]>| {
-            unknowns
-                .iter()
-                .map(|unknown| {
-                    let (linear, shift) = unknown.parts();
-                    let turned = linear.iter().map(|&(i, j, sign)| {
-                        let carried = momenta.map_or(0.0, |momenta| momenta[i].value * self.v[j]);
-                        sign as f64 * (force[i].value * self.q[j] + carried)
-                    });
-                    turned.sum::<f64>() + shift.map_or(0.0, |i| force[i].value)
-                })
-                .collect()
+            let change = |&Shift { row, value, rate, .. }: &Shift| {
+                force[row].value * value + momenta.map_or(0.0, |momenta| momenta[row].value * rate)
+            };
+            generators.iter().map(|generator| generator.field(self).iter().map(change).sum()).collect()
         };
         let mut rows = vec![row(&self.rates, Some(&self.momenta))];
         rows.extend(self.jacobian.iter().map(|gradient| row(gradient, None)));
@@ -235,19 +248,15 @@ impl Sample {
     fn confirms(&self, generator: &Generator) -> bool {
         let vanishes = |force: &[Rounded], momenta: Option<&[Rounded]>| {
             let (mut sum, mut error) = (0.0, 0.0);
-            let mut add = |factor: f64, number: Rounded| {
-                let term = factor * number.value;
-                sum += term;
-                error += f64::EPSILON * term.abs() + factor.abs() * number.error;
+            let mut add = |factor: f64, size: f64, number: Rounded| {
+                sum += factor * number.value;
+                error += f64::EPSILON * size * number.value.abs() + factor.abs() * number.error;
             };
-            for &(i, j, value) in &generator.linear {
-                add(value.value() * self.q[j], force[i]);
+            for Shift { row, value, rate, sizes } in generator.field(self) {
+                add(value, sizes[0], force[row]);
                 if let Some(momenta) = momenta {
-                    add(value.value() * self.v[j], momenta[i]);
+                    add(rate, sizes[1], momenta[row]);
                 }
-            }
-            for &(i, value) in &generator.shift {
-                add(value.value(), force[i]);
             }
             sum.abs() <= ROUNDINGS * error
         };
@@ -265,23 +274,41 @@ fn samples(wanted: usize, draw: impl FnMut(usize) -> Sample) -> Option<Vec<Sampl
 
 impl Generator {
     /// The rational vector that a numerical one stands for.
-    fn rational(vector: &[f64], unknowns: &[Unknown]) -> Option<Generator> {
+    fn rational(vector: &[f64], generators: &[Generator]) -> Option<Generator> {
         let mut generator = Generator::default();
-        for (&entry, unknown) in vector.iter().zip(unknowns) {
+        for (&entry, part) in vector.iter().zip(generators) {
             let value = (1..=DENOMINATOR).find_map(|denominator| {
                 let scaled = entry * denominator as f64;
                 let near = scaled.abs() < 1e6 && (scaled - scaled.round()).abs() < 1e-6;
                 near.then(|| Number::ratio(scaled.round() as i128, denominator)).flatten()
             })?;
             if !value.is_zero() {
-                let (linear, shift) = unknown.parts();
-                generator
-                    .linear
-                    .extend(linear.into_iter().map(|(i, j, sign)| (i, j, Number::integer(sign) * value)));
-                generator.shift.extend(shift.map(|i| (i, value)));
+                generator.linear.extend(part.linear.iter().map(|&(i, j, sign)| (i, j, sign * value)));
+                generator.shift.extend(part.shift.iter().map(|&(i, one)| (i, one * value)));
+                generator.turns.extend(part.turns.iter().map(|&(turn, one)| (turn, one * value)));
             }
         }
         Some(generator)
+    }
+
+    /// ξ and its rate.
+    fn field(&self, sample: &Sample) -> Vec<Shift> {
+        let mut field = Vec::with_capacity(self.linear.len() + self.shift.len() + 3 * self.turns.len());
+        let mut add = |factor: f64, Shift { row, value, rate, sizes }: Shift| {
+            let sizes = sizes.map(|size| factor.abs() * size);
+            field.push(Shift { row, value: factor * value, rate: factor * rate, sizes });
+        };
+        for &(row, j, number) in &self.linear {
+            let (value, rate) = (sample.q[j], sample.v[j]);
+            add(number.value(), Shift { row, value, rate, sizes: [value.abs(), rate.abs()] });
+        }
+        for &(row, number) in &self.shift {
+            add(number.value(), Shift { row, value: 1.0, rate: 0.0, sizes: [1.0, 0.0] });
+        }
+        for (turn, number) in &self.turns {
+            turn.field(&sample.q, &sample.v).into_iter().for_each(|shift| add(number.value(), shift));
+        }
+        field
     }
 
     /// p·ξ.
@@ -295,6 +322,7 @@ impl Generator {
             })
             .collect();
         terms.extend(self.shift.iter().map(|&(i, value)| (momenta[i], value)));
+        terms.extend(self.turns.iter().map(|&(turn, value)| (turn.momentum(graph, momenta), value)));
         graph.sum(Number::ZERO, &terms)
     }
 }

@@ -1,9 +1,9 @@
 //! Long runs: the error of the energy is that of rounding, and grows like a random walk. Slow:
-//! `cargo test --release --test integration jets::long -- --ignored --nocapture`.
+//! `scripts/check.sh long`.
 
 use lagrangian::prelude::*;
 
-use crate::support::close::between;
+use crate::close::between;
 
 struct DoublePendulum;
 
@@ -89,7 +89,6 @@ fn growth<S: System<2, 0, Scalar = f64, Method = Jets> + lagrangian::Smooth<2>>(
 }
 
 #[test]
-#[ignore = "a million steps and more"]
 fn the_energy_of_a_double_pendulum_walks_at_random() {
     let small = growth("small swings", &DoublePendulum, State::at_rest([0.01, 0.02]), 1.0, 500, 10);
     between(0.0, small[9], 2e-13);
@@ -98,7 +97,6 @@ fn the_energy_of_a_double_pendulum_walks_at_random() {
 }
 
 #[test]
-#[ignore = "a million steps and more"]
 fn the_energy_of_a_spherical_pendulum_walks_at_random() {
     let errors = growth("spherical", &SphericalPendulum, State::new([1.0, 0.0], [0.0, 2.0]), 1.0, 500, 10);
     between(0.0, errors[9], 5e-13);
@@ -106,7 +104,6 @@ fn the_energy_of_a_spherical_pendulum_walks_at_random() {
 
 /// One walk ends anywhere: twenty planets tell its width, and whether it has a drift.
 #[test]
-#[ignore = "millions of steps"]
 fn the_energy_of_planets_walks_at_random() {
     const PLANETS: usize = 20;
     let chunk = 0.618 * std::f64::consts::TAU * 1600.0;
@@ -136,7 +133,6 @@ fn the_energy_of_planets_walks_at_random() {
 }
 
 #[test]
-#[ignore = "millions of steps"]
 fn fixed_steps_keep_the_energy_as_well() {
     let mut motion = DoublePendulum.stepper::<Jet<12>>(State::at_rest([0.01, 0.02]));
     let energy = motion.energy();

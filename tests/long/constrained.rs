@@ -1,10 +1,10 @@
 //! Long runs of constrained motions: no drift off the constraints, and an error of the energy that is that of
-//! rounding. Slow: `cargo test --release --test integration jets::long -- --ignored --nocapture`.
+//! rounding. Slow: `scripts/check.sh drift`.
 
 use lagrangian::Smooth;
 use lagrangian::prelude::*;
 
-use crate::support::close::between;
+use crate::close::between;
 
 /// A pendulum on a rod, in Cartesian coordinates; energy zero at the bottom.
 struct Rod {
@@ -183,7 +183,6 @@ fn pendulum(length: f64, speed: f64) -> State<f64, 2> {
 }
 
 #[test]
-#[ignore = "a million steps and more"]
 fn a_rod_keeps_length_and_energy() {
     for length in [1.3, 0.7] {
         let rod = Rod { length };
@@ -195,7 +194,6 @@ fn a_rod_keeps_length_and_energy() {
 }
 
 #[test]
-#[ignore = "a million steps and more"]
 fn a_squared_length_keeps_length_and_energy() {
     for length in [1.3, 0.7] {
         let rod = Squared { length };
@@ -209,7 +207,6 @@ fn a_squared_length_keeps_length_and_energy() {
 /// On the unit circle x² + y² lies where the spacing of numbers doubles, so that its rounding has a mean: the
 /// energy grows with the number of steps, not with its root.
 #[test]
-#[ignore = "a million steps and more"]
 fn a_length_of_one_keeps_length_and_energy() {
     let (rod, square) = (Rod { length: 1.0 }, Squared { length: 1.0 });
     keeps(&run("rod of 1, swinging", &rod, pendulum(1.0, 0.0), (0.4, 500, 10), violations!(rod)), 1e-11);
@@ -242,7 +239,6 @@ fn joints(crank: f64, rate: f64) -> State<f64, 4> {
 }
 
 #[test]
-#[ignore = "a million steps and more"]
 fn a_linkage_that_swings_keeps_closure_and_energy() {
     // To and fro, because an angle that grows without end loses its digits.
     let swinging = angles(1.5, 0.5);
@@ -250,7 +246,6 @@ fn a_linkage_that_swings_keeps_closure_and_energy() {
 }
 
 #[test]
-#[ignore = "a million steps and more"]
 fn a_linkage_whose_crank_goes_round_keeps_lengths_and_energy() {
     let turning = joints(1.5, 9.0);
     keeps(&run("linkage, joints", &Joints, turning, (0.05, 500, 10), violations!(Joints)), 1e-11);

@@ -11,14 +11,14 @@ use crate::expr::{Dependence, Exponent, Graph, Node, NodeId, Variable};
 use crate::number::Number;
 
 /// The velocities first, then what is defined by them, each by some of those before it.
-pub(super) type Unknown = usize;
+pub(crate) type Unknown = usize;
 
 /// A linear combination.
-pub(super) type Linear = Vec<(Unknown, NodeId)>;
+pub(crate) type Linear = Vec<(Unknown, NodeId)>;
 
 /// A quadratic form with definitions.
 #[derive(Clone, Debug)]
-pub(super) struct Quadratic {
+pub(crate) struct Quadratic {
     /// The number of velocities.
     pub velocities: usize,
     /// What the other unknowns are.
@@ -58,6 +58,19 @@ impl Quadratic {
         Some(reading.form.without_unused())
     }
 
+    /// M, lower triangle, row by row, with all definitions substituted. For bodies that others carry its
+    /// entries are those of composite inertias (Featherstone, *Rigid Body Dynamics Algorithms*, chapter 6).
+    pub fn formed(self, graph: &mut Graph) -> Vec<Vec<NodeId>> {
+        let mut matrix = Symmetric::of(&self);
+        let Quadratic { velocities, definitions, .. } = self;
+        for (place, definition) in definitions.iter().enumerate().rev() {
+            matrix.substitute(graph, velocities + place, definition);
+        }
+        let zero = graph.zero();
+        let entry = |row: Unknown, column: Unknown| matrix.rows[row].get(&column).copied().unwrap_or(zero);
+        (0..velocities).map(|row| (0..=row).map(|column| entry(row, column)).collect()).collect()
+    }
+
     /// The same without definitions that nothing asks for.
     fn without_unused(self) -> Quadratic {
         let Quadratic { velocities, definitions, entries } = self;
@@ -87,6 +100,70 @@ impl Quadratic {
                 .map(|(_, terms)| terms.into_iter().map(|(x, c)| (renamed[x], c)).collect())
                 .collect(),
             entries: entries.into_iter().map(|((a, b), q)| ((renamed[a], renamed[b]), q)).collect(),
+        }
+    }
+}
+
+/// The symmetric matrix Q while unknowns are taken out of it.
+#[derive(Debug)]
+pub(crate) struct Symmetric {
+    /// Rows, whole.
+    pub rows: Vec<BTreeMap<Unknown, NodeId>>,
+}
+
+impl Symmetric {
+    /// That of a form.
+    pub fn of(form: &Quadratic) -> Self {
+        let mut rows = vec![BTreeMap::new(); form.velocities + form.definitions.len()];
+        for (&(a, b), &entry) in &form.entries {
+            rows[a].insert(b, entry);
+            rows[b].insert(a, entry);
+        }
+        Symmetric { rows }
+    }
+
+    /// Puts w = Σ c x into the form.
+    pub fn substitute(&mut self, graph: &mut Graph, unknown: Unknown, terms: &Linear) {
+        let row = std::mem::take(&mut self.rows[unknown]);
+        for (&other, &entry) in &row {
+            if other == unknown {
+                continue;
+            }
+            self.rows[other].remove(&unknown);
+            for &(x, c) in terms {
+                let share = graph.mul(entry, c);
+                if x == other {
+                    // Q w x with w = c x + …: c Q x², of which the diagonal has twice as much.
+                    let share = graph.scale(share, Number::integer(2));
+                    self.add(graph, x, x, share);
+                } else {
+                    self.add(graph, x, other, share);
+                }
+            }
+        }
+        if let Some(&own) = row.get(&unknown) {
+            for (place, &(x, c)) in terms.iter().enumerate() {
+                let scaled = graph.mul(own, c);
+                for &(y, d) in &terms[..=place] {
+                    let share = graph.mul(scaled, d);
+                    self.add(graph, x, y, share);
+                }
+            }
+        }
+    }
+
+    /// Adds to an entry and its mirror image.
+    pub fn add(&mut self, graph: &mut Graph, a: Unknown, b: Unknown, share: NodeId) {
+        let entry = match self.rows[a].get(&b) {
+            Some(&entry) => graph.add(entry, share),
+            None => share,
+        };
+        for (row, column) in [(a, b), (b, a)] {
+            if graph.is_zero(entry) {
+                self.rows[row].remove(&column);
+            } else {
+                self.rows[row].insert(column, entry);
+            }
         }
     }
 }

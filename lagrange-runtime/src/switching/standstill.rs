@@ -1,0 +1,90 @@
+//! Where a motion stands still: slips in two directions that come to rest, and rest that lasts.
+
+use super::memory::shift;
+use super::run::Run;
+use super::scene::{Known, Scene, above, most};
+use super::{Row, Switching};
+use crate::number::real::{Ordered, Real};
+use crate::system::control::Held;
+use crate::system::error::Cause;
+use crate::system::method::Adaptive;
+use crate::system::state::State;
+
+impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    /// Whether a piece that rests at its ends does so on the way, and has not come back in between.
+    pub(super) fn stays(&mut self) -> bool {
+        let memory = &mut *self.memory;
+        let (start, end) = (memory.start, memory.end);
+        if memory.is_way || M::end(&memory.inner).t != end.t || M::start(&memory.inner).t != start.t {
+            // It has been looked at before.
+            return !memory.is_way;
+        }
+        let middle = S::Scalar::from_f64(0.5) * (start.t + end.t);
+        let (in_regime, constants) = (&memory.in_regime, &memory.constants);
+        let (inner, control, limits) = (&mut memory.inner, self.control, self.limits);
+        M::sample(inner, in_regime, constants, control, limits, middle, &mut 0)
+            .is_ok_and(|state| is_at_rest(&start, &state))
+    }
+
+    /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
+    pub(super) fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
+        let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
+        let scales = &self.memory.scales;
+        let size = most(scales.speeds[row], scales.speeds[other]);
+        let slip = rows.rates[row].hypot(rows.rates[other]);
+        !above(slip, scales.lost() * size)
+    }
+
+    /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there, and
+    /// steps, which end before, become shorter and shorter. From within the tolerance the rest is a straight line.
+    pub(super) fn come_to_rest(&mut self) -> Result<(), Cause> {
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let Row::Friction { pair: Some(other), .. } = *kind else { continue };
+            let slips = self.memory.regime.slip[row] != num_traits::Zero::zero();
+            if !slips || other < row || !self.rests(row, other, &self.memory.end) {
+                continue;
+            }
+            let (memory, inputs) = (&*self.memory, &self.control.0);
+            let State { t, q, v } = memory.end;
+            let known = Known { closed: memory.regime.active, fired: None, settled: true };
+            let scene =
+                Scene::new(self.system, &memory.end, inputs, memory.regime.kinks, &memory.scales, &known);
+            let Some(equations) = S::equations_in(&memory.in_regime, t, &q, &v, inputs) else { continue };
+            let mut a = equations.balance().accelerations;
+            let (x, y) = (scene.laws.rows.rates[row], scene.laws.rows.rates[other]);
+            let falls = -(x * scene.rate(row, &a) + y * scene.rate(other, &a));
+            let mut left = (x * x + y * y) / falls;
+            if x == num_traits::Zero::zero() && y == num_traits::Zero::zero() {
+                // It is there, and has no direction any more.
+                (left, a) = (num_traits::Zero::zero(), [num_traits::Zero::zero(); N]);
+            } else if !falls.is_positive() {
+                continue;
+            }
+            let mut state = State { t: t + left, q, v };
+            shift(&mut state, &a, left);
+            let present = memory.regime;
+            let known = Known { closed: present.active, fired: Some(row), settled: false };
+            let regime = self.settle(&mut state, &present, known, true, num_traits::Zero::zero())?;
+            // Where another slip begins at once, that is the way.
+            if state.t == t + left {
+                self.memory.way = a;
+            }
+            self.memory.next = Some((regime, state));
+            return Ok(());
+        }
+        Ok(())
+    }
+}
+
+/// Whether nothing moves, but for the roundings of what holds it.
+pub(super) fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &State<R, N>) -> bool {
+    let are_still = [start, end].iter().all(|state| state.v.iter().all(|&v| v == R::zero()));
+    let ulps = R::from_f64(4.0) * R::epsilon();
+    let mut places = start.q.iter().zip(&end.q);
+    start.t != end.t && are_still && places.all(|(&a, &b)| !above((b - a).abs(), ulps * a.abs()))
+}
