@@ -25,17 +25,23 @@ class Heyoka(Integrator):
         p = hy.par[0]
 
         def fired(integrator: Any, _: int) -> bool:
-            state, mode = case.after(list(integrator.state), integrator.pars[0])
-            integrator.state[:], integrator.pars[0] = state, mode
+            mode = integrator.pars[0] if self.modes else case.mode
+            state, mode = case.after(list(integrator.state), mode)
+            integrator.state[:] = state
+            if self.modes:
+                integrator.pars[0] = mode
             return True
 
         guard = hy.expression(0.0) + case.guard(x, v, p)
         event = hy.t_event(guard, callback=fired, direction=hy.event_direction.negative)
         # A mode in which nothing moves: every slope is multiplied by the mode where there is one.
-        moves = p * p if case.mode < 0.0 else 1.0
+        moves = p * p if case.mode < 0.0 else hy.expression(1.0)
         slope = [(x, moves * v), (v, case.slope(hy, x, v, p))]
+        # Parameters that no equation names are refused.
+        named = hy.get_params([slope[0][1], slope[1][1], guard])
+        self.modes = [case.mode] if named else []
         self.integrator = hy.taylor_adaptive(
-            slope, list(problem.start), pars=[case.mode], tol=tolerance, t_events=[event]
+            slope, list(problem.start), pars=self.modes, tol=tolerance, t_events=[event]
         )
         self.outcome = hy.taylor_outcome.time_limit
         self.taken = 0
@@ -43,7 +49,7 @@ class Heyoka(Integrator):
     def reset(self) -> None:
         self.integrator.time = 0.0
         self.integrator.state[:] = self.problem.start
-        self.integrator.pars[0] = self.case.mode
+        self.integrator.pars[:] = self.modes
         self.integrator.reset_cooldowns()
 
     def run(self) -> None:

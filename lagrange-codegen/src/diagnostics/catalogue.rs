@@ -86,6 +86,8 @@ messages! {
         reaction limits it, or give the force itself as a function: `#[friction(limit = force)]`";
     friction_count(name, have, want) = "`{name}` has {have}, and its normal has {want}; name one of these, or return as \
         many slip velocities";
+    unknown_law(name) = "there is no law of impact `{name}`; known are `newton`, `poisson` and `plastic`";
+    plastic_with_restitution() = "a plastic impact has no restitution; leave out `restitution` or `law = plastic`";
     velocity_in_gap() = "a gap is a function of coordinates and time; its velocity follows from it and is not needed \
         here";
     two_roles(first, second) = "this function has the role `{first}` already; write a function of its own \

@@ -151,11 +151,18 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
         0 => String::new(),
         _ => format!("const KINKS: [lagrange::Name; {kinks}] = [{}];\n", names.join(", ")),
     };
+    let by_poisson = |law: &Option<Law>| matches!(law, Some(Law::Unilateral { poisson: true, .. }));
+    let poisson: Vec<String> = switching.laws_of.iter().map(|law| by_poisson(law).to_string()).collect();
+    let poisson = if switching.laws_of.iter().any(by_poisson) {
+        format!("const POISSON: [bool; {rows}] = [{}];\n", poisson.join(", "))
+    } else {
+        String::new()
+    };
     let timeless = if is_autonomous(switching) { "const AUTONOMOUS: bool = true;\n" } else { "" };
     let generic = if let Scalar::Generic(ident) = scalar { format!("<{ident}>") } else { String::new() };
     format!(
         "type InRegime = {NAME}{generic};\n\
-         const ROWS: [lagrange::Row; {rows}] = [{}];\n{named}{timeless}\
+         const ROWS: [lagrange::Row; {rows}] = [{}];\n{poisson}{named}{timeless}\
          fn in_regime(&self, __regime: &lagrange::Regime<{scalar}, {rows}, {kinks}>) -> {NAME}{generic} {{\n\
          {values}{NAME} {{ parameters: [{}] }}\n}}\n",
         kinds.join(", "),
@@ -167,7 +174,7 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
 fn is_autonomous(switching: &Regimes) -> bool {
     let conditions = &switching.laws.conditions;
     let coefficients = switching.laws_of.iter().flatten().flat_map(|law| match law {
-        Law::Unilateral { restitution } => [*restitution; 2],
+        Law::Unilateral { restitution, .. } => [*restitution; 2],
         Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
     });
     let rows = conditions.positions.iter().chain(&conditions.rates).chain(&switching.kinks);
@@ -186,7 +193,7 @@ fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
         switching.laws_of.iter().map(|law| law.as_ref().and_then(number).unwrap_or(zero)).collect()
     };
     let restitution = of(|law| match law {
-        Law::Unilateral { restitution } => Some(*restitution),
+        Law::Unilateral { restitution, .. } => Some(*restitution),
         Law::Friction { .. } => None,
     });
     let friction: [fn(&Law) -> Option<NodeId>; 2] = [

@@ -24,7 +24,7 @@ struct Normal {
 
 impl<'a> Interpreter<'a> {
     /// Lowers a gap or an array of them.
-    pub fn gap(&mut self, index: usize, restitution: Option<&'a Expr>) {
+    pub fn gap(&mut self, index: usize, restitution: Option<&'a Expr>, poisson: bool) {
         let function: &'a Function = &self.item.functions[index];
         let shape = self.declared(function);
         let count = match &shape {
@@ -54,7 +54,7 @@ impl<'a> Interpreter<'a> {
                 kind: ConstraintKind::Holonomic,
                 origin: function.origin,
             };
-            self.model.contacts.push(Contact { constraint, law: Law::Unilateral { restitution } });
+            self.model.contacts.push(Contact { constraint, law: Law::Unilateral { restitution, poisson } });
         }
     }
 

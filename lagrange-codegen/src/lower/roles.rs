@@ -42,7 +42,9 @@ impl<'a> Interpreter<'a> {
                 RoleKind::Nonholonomic { chetaev } => {
                     self.constraint(index, ConstraintKind::Nonholonomic { chetaev: *chetaev }, None);
                 }
-                RoleKind::Unilateral { restitution } => self.gap(index, restitution.as_ref()),
+                RoleKind::Unilateral { restitution, poisson } => {
+                    self.gap(index, restitution.as_ref(), *poisson);
+                }
                 RoleKind::Event => self.energy(index, |model| &mut model.events),
                 RoleKind::Force(_) | RoleKind::Friction(_) => {}
             }

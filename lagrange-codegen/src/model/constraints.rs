@@ -59,8 +59,10 @@ pub struct Contact {
 pub enum Law {
     /// The reaction only pushes.
     Unilateral {
-        /// Newton's coefficient of restitution.
+        /// The coefficient of restitution.
         restitution: NodeId,
+        /// Whether that is Poisson's, of impulses, instead of Newton's, of velocities.
+        poisson: bool,
     },
     /// Dry friction.
     Friction {

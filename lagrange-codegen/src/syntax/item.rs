@@ -338,10 +338,12 @@ pub enum RoleKind {
         /// `#[nonholonomic(chetaev)]`: it need not be affine in the velocities.
         chetaev: bool,
     },
-    /// `#[unilateral(restitution = …)]`.
+    /// `#[unilateral(restitution = …, law = …)]`.
     Unilateral {
-        /// Newton's coefficient; without one an impact is plastic.
+        /// The coefficient; without one an impact is plastic.
         restitution: Option<Expr>,
+        /// Whether it is Poisson's instead of Newton's.
+        poisson: bool,
     },
     /// `#[friction(coefficient = …, normal = …)]` or `#[friction(limit = …)]`.
     Friction(Box<Friction>),

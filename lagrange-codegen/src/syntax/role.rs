@@ -133,7 +133,7 @@ fn kind(
         "force" => &["at", "on"],
         "holonomic" => &["eliminate"],
         "nonholonomic" => &["chetaev"],
-        "unilateral" => &["restitution"],
+        "unilateral" => &["restitution", "law"],
         "friction" => &["coefficient", "static_coefficient", "limit", "static_limit", "normal"],
         _ => &[],
     };
@@ -174,7 +174,22 @@ fn kind(
         "nonholonomic" => Some(RoleKind::Nonholonomic { chetaev: find("chetaev").is_some() }),
         "unilateral" => {
             let restitution = take("restitution").map(|expr| translator.expression(expr));
-            Some(RoleKind::Unilateral { restitution })
+            let law = match take("law") {
+                Some(law) => Some(target(law, "law", translator)?.0),
+                None => None,
+            };
+            let named = law.as_ref().map_or("newton", |law| &*law.name);
+            let fault = match (named, &restitution) {
+                ("newton" | "poisson", _) => None,
+                ("plastic", None) => None,
+                ("plastic", Some(_)) => Some(catalogue::plastic_with_restitution()),
+                (other, _) => Some(catalogue::unknown_law(other)),
+            };
+            if let (Some(fault), Some(law)) = (fault, &law) {
+                translator.diagnostics.at(law.origin, fault);
+                return None;
+            }
+            Some(RoleKind::Unilateral { restitution, poisson: named == "poisson" })
         }
         "friction" => {
             let (size, fixed) = match (find("limit"), find("normal")) {

@@ -67,7 +67,9 @@ where
             let mut chosen: Option<Choice<S::Scalar, N, C, W>> = None;
             let mut other = None;
             combine(&options, |parts| {
-                let Some(trial) = regime(&S::ROWS, parts, &options, self.kinks) else { return false };
+                let Some(trial) = regime(&S::ROWS, parts, &options, &[false; C], self.kinks) else {
+                    return false;
+                };
                 // Of what several motions have in common, other frictions, one is taken.
                 if chosen.as_ref().is_some_and(|chosen| parts_at(&S::ROWS, &chosen.regime, &trial).is_none())
                 {

@@ -64,6 +64,7 @@ where
             start,
             end: start,
             next: None,
+            impulses: [num_traits::Zero::zero(); C],
             way: [num_traits::Zero::zero(); N],
             is_way: false,
             is_fresh: true,

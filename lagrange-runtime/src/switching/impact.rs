@@ -7,21 +7,43 @@
 //! (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapter 8; Brogliato, *Nonsmooth
 //! Mechanics*, 4.3).
 //!
-//! With friction, or with several contacts of different coefficients, Newton's law can create energy, or have
+//! With Poisson's law the impulses of a plastic impact, that of the compression, are followed by those of an
+//! expansion, of which each contact gives at least e times what it took; friction obeys its law in either phase
+//! (Pfeiffer and Glocker, 8.3). Where one of the contacts follows it, all that touch do.
+//!
+//! With friction, or with several contacts of different coefficients, such laws can create energy, or have
 //! no solution. Where that is so, the impulses are (1 + e) times those of a plastic impact instead, e the
 //! least of the coefficients: a plastic impact takes energy away, and along the line from the velocities
 //! before it to twice as far behind it the kinetic energy is a parabola with equal values at equal distances
 //! from its lowest point, which is not nearer than the plastic one.
 
-use super::Row;
-use super::Switching;
-use super::scene::{Scene, Status, above, most, product, rounding};
+use super::scene::{Known, Scales, Scene, Status, above, most, product, rounding};
 use super::trials::{Options, Part, combine, regime};
 use super::turning::{TURNS, Turning, pairs};
+use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::state::State;
+
+/// Velocities after an impact, and the impulses of all rows.
+pub(super) type Struck<R, const N: usize, const C: usize> = ([R; N], [R; C]);
+
+/// What an impact demands of contacts.
+#[derive(Clone, Copy)]
+struct Demand<R, const C: usize> {
+    /// The part of the velocity at which a contact closes that it has to open with.
+    restitution: [R; C],
+    /// Impulses that contacts give whatever the others are, beside those that are looked for.
+    given: [R; C],
+}
+
+impl<R: Real, const C: usize> Demand<R, C> {
+    /// Nothing but that contacts stay closed.
+    fn plastic() -> Self {
+        Self { restitution: [R::zero(); C], given: [R::zero(); C] }
+    }
+}
 
 /// Changes of velocities and the impulses that make them.
 struct Impulses<R, const N: usize, const C: usize> {
@@ -35,15 +57,19 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The velocities after the impact.
-    pub(super) fn impact(&self) -> Result<[S::Scalar; N], Cause> {
+    /// The velocities after the impact, and its impulses.
+    pub(super) fn impact(&self) -> Result<Struck<S::Scalar, N, C>, Cause> {
         let restitution = &self.laws.restitution;
         let zero: S::Scalar = num_traits::Zero::zero();
-        let by_newton = self.strike(restitution).ok().filter(|strike| !self.gains(strike));
-        let changes = if let Some(strike) = by_newton {
-            strike.changes
+        let by_law = if (0..C).any(|row| S::POISSON[row] && self.is_closed[row]) {
+            self.by_poisson()
         } else {
-            let plastic = self.strike(&[zero; C])?;
+            self.strike(&Demand { restitution: *restitution, given: [zero; C] })
+        };
+        let strike = if let Some(strike) = by_law.ok().filter(|strike| !self.gains(strike)) {
+            strike
+        } else {
+            let plastic = self.strike(&Demand::plastic())?;
             let mut least: S::Scalar = num_traits::One::one();
             for (row, &e) in restitution.iter().enumerate() {
                 let before = self.laws.rows.rates[row];
@@ -58,9 +84,33 @@ where
                     least = if most.is_positive() { most } else { zero };
                 }
             }
-            plastic.changes.map(|change| change + least * change)
+            let more = |x: S::Scalar| x + least * x;
+            Impulses { changes: plastic.changes.map(more), impulses: plastic.impulses.map(more), ..plastic }
         };
-        Ok(core::array::from_fn(|i| self.state.v[i] + changes[i]))
+        Ok((core::array::from_fn(|i| self.state.v[i] + strike.changes[i]), strike.impulses))
+    }
+
+    /// The compression and the expansion of Poisson's law together.
+    fn by_poisson(&self) -> Result<Impulses<S::Scalar, N, C>, Cause> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let compression = self.strike(&Demand::plastic())?;
+        let given = core::array::from_fn(|row| match S::ROWS[row] {
+            Row::Unilateral if self.is_closed[row] => self.laws.restitution[row] * compression.impulses[row],
+            _ => zero,
+        });
+        let v = core::array::from_fn(|i| self.state.v[i] + compression.changes[i]);
+        let known = Known { closed: self.is_closed, fired: None, settled: true };
+        let scales = Scales { speeds: self.speeds, ..Scales::new() };
+        let state = State { v, ..self.state };
+        let between = Scene::new(self.system, &state, self.inputs, self.kinks, &scales, &known);
+        let expansion = between.strike(&Demand { given, ..Demand::plastic() })?;
+        Ok(Impulses {
+            changes: core::array::from_fn(|i| compression.changes[i] + expansion.changes[i]),
+            impulses: core::array::from_fn(|row| {
+                compression.impulses[row] + given[row] + expansion.impulses[row]
+            }),
+            active: expansion.active,
+        })
     }
 
     /// Whether impulses add kinetic energy: Λᵀ (u⁺ + u⁻) / 2, beyond rounding.
@@ -76,15 +126,15 @@ where
         above(gained, rounding::<S::Scalar>() * size)
     }
 
-    fn strike(&self, restitution: &[S::Scalar; C]) -> Result<Impulses<S::Scalar, N, C>, Cause> {
+    fn strike(&self, demand: &Demand<S::Scalar, C>) -> Result<Impulses<S::Scalar, N, C>, Cause> {
         let options: [Options; C] = core::array::from_fn(|row| self.ways(row));
         let fine: S::Scalar = rounding();
         let mut cause = Cause::NotFinite;
         for part in [fine, fine * fine.sqrt().sqrt().recip(), fine.sqrt() * S::Scalar::from_f64(0.1)] {
             let mut found = None;
             combine(&options, |parts| {
-                if let Some(strike) = self.impulses(parts, &options, restitution, part) {
-                    match self.agree(parts, &strike, restitution, part) {
+                if let Some(strike) = self.impulses(parts, &options, demand, part) {
+                    match self.agree(parts, &strike, demand, part) {
                         Ok(()) => found = Some(strike),
                         Err(constraint) if cause == Cause::NotFinite => {
                             cause = Cause::NoReaction { constraint, name: S::NAMES.constraint(constraint) };
@@ -143,23 +193,25 @@ where
         &self,
         parts: &[Part; C],
         options: &[Options; C],
-        restitution: &[S::Scalar; C],
+        demand: &Demand<S::Scalar, C>,
         part: S::Scalar,
     ) -> Option<Impulses<S::Scalar, N, C>> {
-        let regime = regime(&S::ROWS, parts, options, self.kinks)?;
+        let driven = demand.given.map(|impulse| impulse.is_positive());
+        let regime = regime(&S::ROWS, parts, options, &driven, self.kinks)?;
         let in_regime = self.system.in_regime(&regime);
-        let wanted = core::array::from_fn(|row| self.wanted(row, restitution));
+        let wanted = core::array::from_fn(|row| self.wanted(row, &demand.restitution));
         let none = [num_traits::Zero::zero(); N];
         let State { t, q, v } = &self.state;
         let solve = |in_regime: &S::InRegime, v: &[S::Scalar; N]| {
             let equations = S::equations_in(in_regime, *t, q, v, self.inputs)?;
-            let (changes, impulses) = equations.saddle.solve_motion(&none, &wanted);
+            let given = self.given(&regime, &demand.given, v);
+            let (changes, impulses) = equations.saddle.solve_motion(&given, &wanted);
             let is_finite = changes.iter().chain(&impulses).all(|x| x.is_finite());
             (is_finite && equations.saddle.vanishing().is_none()).then_some((changes, impulses))
         };
         let found = |(changes, impulses): ([S::Scalar; N], _)| {
             let after = core::array::from_fn(|i| v[i] + changes[i]);
-            let impulses = self.with_friction(&regime, impulses, &after);
+            let impulses = self.with_friction(&regime, impulses, &demand.given, &after);
             Impulses { changes, impulses, active: regime.active }
         };
         // Of a slip in two directions that which follows is looked for.
@@ -174,7 +226,7 @@ where
             (stuck.active[row], stuck.active[other]) = (true, true);
         }
         let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
-        let smooth = self.without_friction(parts, options, restitution)?;
+        let smooth = self.without_friction(parts, options, demand)?;
         let rates = &self.laws.rows.rates;
         let after =
             |row: usize, changes: &[S::Scalar; N]| rates[row] + product(&self.gradients[row], changes);
@@ -205,12 +257,30 @@ where
         None
     }
 
+    /// What impulses that contacts give by themselves do, with the friction that they drive where it slips; the
+    /// directions of slips in two directions are those of these velocities.
+    fn given(
+        &self,
+        regime: &Regime<S::Scalar, C, W>,
+        given: &[S::Scalar; C],
+        v: &[S::Scalar; N],
+    ) -> [S::Scalar; N] {
+        let impulses = self.with_friction(regime, *given, &[num_traits::Zero::zero(); C], v);
+        let mut sums = [num_traits::Zero::zero(); N];
+        for (gradient, &impulse) in self.gradients.iter().zip(&impulses) {
+            for (sum, &entry) in sums.iter_mut().zip(gradient) {
+                *sum += entry * impulse;
+            }
+        }
+        sums
+    }
+
     /// The changes of velocities by the same impact on smooth contacts, whose slip gives a first direction.
     fn without_friction(
         &self,
         parts: &[Part; C],
         options: &[Options; C],
-        restitution: &[S::Scalar; C],
+        demand: &Demand<S::Scalar, C>,
     ) -> Option<[S::Scalar; N]> {
         let rates = &self.laws.rows.rates;
         let smooth = core::array::from_fn(|row| match S::ROWS[row] {
@@ -218,21 +288,23 @@ where
             _ => parts[row],
         });
         let bare = options.map(|_| Options::new(&[Part::Off]));
-        let in_regime = self.system.in_regime(&regime(&S::ROWS, &smooth, &bare, self.kinks)?);
+        let in_regime = self.system.in_regime(&regime(&S::ROWS, &smooth, &bare, &[false; C], self.kinks)?);
         let wanted = core::array::from_fn(|row| match S::ROWS[row] {
-            Row::Unilateral => -(rates[row] + restitution[row] * rates[row]),
+            Row::Unilateral => -(rates[row] + demand.restitution[row] * rates[row]),
             _ => num_traits::Zero::zero(),
         });
         let State { t, q, v } = &self.state;
         let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
-        Some(equations.saddle.solve(&[num_traits::Zero::zero(); N], &wanted).0)
+        let given = self.given(&Regime::open(&S::ROWS), &demand.given, v);
+        Some(equations.saddle.solve(&given, &wanted).0)
     }
 
-    /// The impulses of frictions that slip, which follow from those of their contacts.
+    /// The impulses of frictions that slip, which follow from those of their contacts and what these are `given`.
     fn with_friction(
         &self,
-        regime: &super::Regime<S::Scalar, C, W>,
+        regime: &Regime<S::Scalar, C, W>,
         mut impulses: [S::Scalar; C],
+        given: &[S::Scalar; C],
         after: &[S::Scalar; N],
     ) -> [S::Scalar; C] {
         let zero: S::Scalar = num_traits::Zero::zero();
@@ -246,7 +318,7 @@ where
             if slip == zero {
                 continue;
             }
-            let size = self.laws.kinetic[row] * impulses[*normal].abs();
+            let size = self.laws.kinetic[row] * (impulses[*normal] + given[*normal]).abs();
             match pair {
                 None => impulses[row] = -slip * size,
                 Some(other) => {
@@ -266,14 +338,15 @@ where
         &self,
         parts: &[Part; C],
         strike: &Impulses<S::Scalar, N, C>,
-        restitution: &[S::Scalar; C],
+        demand: &Demand<S::Scalar, C>,
         part: S::Scalar,
     ) -> Result<(), usize> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut sizes = [zero; N];
-        for (gradient, &impulse) in self.gradients.iter().zip(&strike.impulses) {
+        let impulses = strike.impulses.iter().zip(&demand.given);
+        for (gradient, (&found, &given)) in self.gradients.iter().zip(impulses) {
             for (size, &entry) in sizes.iter_mut().zip(gradient) {
-                *size += (entry * impulse).abs();
+                *size += (entry * found).abs() + (entry * given).abs();
             }
         }
         for (row, kind) in S::ROWS.iter().enumerate() {
@@ -287,7 +360,7 @@ where
             let slack = if squares.is_positive() { part * scale / squares } else { zero };
             let impulse = strike.impulses[row];
             // Rows that depend on each other may ask for what contradicts.
-            let wanted = self.wanted(row, restitution);
+            let wanted = self.wanted(row, &demand.restitution);
             let asked = strike.active[row] && *kind != Row::Bilateral;
             let inexact = S::Scalar::epsilon().sqrt() * (wanted.abs() + change.abs() + self.speeds[row]);
             if asked && above((change - wanted).abs(), inexact) {
@@ -298,15 +371,16 @@ where
                 (Row::Bilateral, _) if super::choice::is_limit(&S::ROWS, row) => !above(-slack, impulse),
                 (Row::Unilateral, Part::On) => !above(-slack, impulse),
                 (Row::Unilateral, _) if self.is_closed[row] => {
-                    let back =
-                        if self.status[row] == Status::Meets { restitution[row] * before } else { zero };
+                    let meets = self.status[row] == Status::Meets;
+                    let back = if meets { demand.restitution[row] * before } else { zero };
                     !above(-play, after + back)
                 }
                 (Row::Friction { normal: Some(normal), pair }, way) => {
-                    let limit = self.laws.kinetic[row] * strike.impulses[*normal].abs();
+                    let given = demand.given[*normal];
+                    let limit = self.laws.kinetic[row] * (strike.impulses[*normal] + given).abs();
                     let other = pair.map_or(zero, |other| strike.impulses[other]);
                     match way {
-                        Part::On if parts[*normal] != Part::Off => {
+                        Part::On if parts[*normal] != Part::Off || given.is_positive() => {
                             !above(impulse.hypot(other), limit + part * limit + slack)
                         }
                         Part::Forward if pair.is_none() => !above(-play, after),

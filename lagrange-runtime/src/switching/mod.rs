@@ -100,6 +100,9 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     /// What the rows stand for, in the order of `NAMES.constraints`.
     const ROWS: [Row; C];
 
+    /// Contacts whose restitution is Poisson's.
+    const POISSON: [bool; C] = [false; C];
+
     /// Whether time stands in none of the equations and laws: what is at rest then stays so.
     const AUTONOMOUS: bool = false;
 

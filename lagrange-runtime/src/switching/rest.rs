@@ -6,6 +6,7 @@
 //! again, all impacts that would follow are taken together with this one and it stays closed. Rest is rest
 //! then.
 
+use super::impact::Struck;
 use super::scene::{Scales, Scene, Status, above, most};
 use super::{Regime, Row, Switching};
 use crate::linear::SaddlePoint;
@@ -20,14 +21,14 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The velocities with those contacts closed that an impact would open for a negligible time only; `None`
-    /// where no contact is of this kind. The scene is one without an impact.
+    /// The velocities with those contacts closed that an impact would open for a negligible time only, and the impulses
+    /// that close them; `None` where no contact is of this kind. The scene is one without an impact.
     pub(super) fn gathered(
         &self,
         present: &Regime<S::Scalar, C, W>,
         scales: &Scales<S::Scalar, C>,
         tolerance: S::Scalar,
-    ) -> Result<Option<[S::Scalar; N]>, Cause> {
+    ) -> Result<Option<Struck<S::Scalar, N, C>>, Cause> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let ulp = S::Scalar::epsilon();
         let resolved = S::Scalar::from_f64(RESOLVED) * ulp;
@@ -71,7 +72,7 @@ where
         let State { t, q, v } = &self.state;
         let in_regime = self.system.in_regime(&closed);
         let Some(equations) = S::equations_in(&in_regime, *t, q, v, self.inputs) else { return Ok(None) };
-        let (change, _) = equations.saddle.solve(&[zero; N], &wanted);
-        Ok(Some(core::array::from_fn(|i| v[i] + change[i])))
+        let (change, impulses) = equations.saddle.solve(&[zero; N], &wanted);
+        Ok(Some((core::array::from_fn(|i| v[i] + change[i]), impulses)))
     }
 }

@@ -74,19 +74,22 @@ where
         if S::ROWS.iter().any(|row| *row != Row::Bilateral) {
             let inputs = &self.control.0;
             let scales = &mut self.memory.scales;
+            let impulses = &mut self.memory.impulses;
+            *impulses = [num_traits::Zero::zero(); C];
             scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
             let first = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
             let mut later;
             let mut scene = &first;
             if scene.has_impact() {
                 scales.strike(&scene.status, &scene.laws);
-                state.v = scene.impact()?;
+                (state.v, *impulses) = scene.impact()?;
                 known = Known { closed: scene.is_closed, fired: None, settled: true };
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
-            if let Some(v) = scene.gathered(present, scales, self.limits.relative)? {
+            if let Some((v, more)) = scene.gathered(present, scales, self.limits.relative)? {
                 state.v = v;
+                *impulses = core::array::from_fn(|row| impulses[row] + more[row]);
                 (known.closed, known.settled) = (scene.is_closed, true);
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;

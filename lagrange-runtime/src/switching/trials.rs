@@ -103,11 +103,12 @@ pub(super) fn combine<const C: usize>(options: &[Options; C], mut visit: impl Fn
 }
 
 /// The regime of a combination; `None` where it differs from another one in nothing but what a friction does
-/// whose contact is open.
+/// whose contact is open and not `driven` by an impulse that is known beforehand.
 pub(super) fn regime<R: Real, const C: usize, const W: usize>(
     rows: &[Row; C],
     parts: &[Part; C],
     options: &[Options; C],
+    driven: &[bool; C],
     kinks: [R; W],
 ) -> Option<Regime<R, C, W>> {
     let mut regime = Regime { kinks, ..Regime::open(rows) };
@@ -119,7 +120,7 @@ pub(super) fn regime<R: Real, const C: usize, const W: usize>(
                 if pair.is_some_and(|other| other < row) {
                     continue;
                 }
-                if normal.is_some_and(|normal| parts[normal] == Part::Off) {
+                if normal.is_some_and(|normal| parts[normal] == Part::Off && !driven[normal]) {
                     if options[row].parts[0] != part {
                         return None;
                     }

@@ -4,12 +4,14 @@ mod balls;
 mod corners;
 mod friction;
 mod kinks;
+mod laws;
 mod nested;
 mod random;
 mod reactions;
 mod refused;
 mod rocking;
 mod slips;
+mod woodpecker;
 
 /// Tolerance of the motions.
 const TIGHT: f64 = 1e-13;

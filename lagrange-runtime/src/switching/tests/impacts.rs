@@ -240,7 +240,7 @@ fn no_impact_makes_energy_or_penetrates() {
         if !scene.has_impact() {
             continue;
         }
-        let Ok(v) = scene.impact() else {
+        let Ok((v, _)) = scene.impact() else {
             unsolved += 1;
             continue;
         };

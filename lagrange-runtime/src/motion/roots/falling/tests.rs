@@ -1,0 +1,115 @@
+//! Falls of polynomials with known roots.
+
+use super::*;
+
+/// A polynomial with these roots and −1 before its highest power, with roundings as given.
+fn with_roots(roots: &[f64], noise: f64) -> Taylor<f64> {
+    let mut terms = [0.0; TERMS];
+    terms[0] = 1.0;
+    for (degree, root) in roots.iter().enumerate() {
+        for k in (0..=degree + 1).rev() {
+            let below = if k > 0 { terms[k - 1] } else { 0.0 };
+            terms[k] = root * terms[k] - below;
+        }
+    }
+    let mut guard = Taylor::variable(terms[0], terms[1..].iter().copied(), 1.0);
+    guard.error = noise;
+    guard
+}
+
+fn first(roots: &[f64]) -> Option<f64> {
+    falls(&with_roots(roots, 1e-16), Before::Unknown).map(|fall| fall.place)
+}
+
+#[test]
+fn the_first_root_of_several() {
+    for roots in [&[0.3][..], &[0.3, 0.7, 0.9], &[0.3, 0.300_1, 5.0], &[2.0, 0.3, 1.1, 3.0]] {
+        let zero = first(roots).unwrap();
+        assert!((zero - 0.3).abs() < 1e-11, "{roots:?}: {zero}");
+    }
+    assert_eq!(first(&[1.3, 1.5]), None);
+    assert_eq!(first(&[-0.5, -0.3]), None);
+}
+
+#[test]
+fn a_root_is_found_to_the_last_bits() {
+    let mut guard = Taylor::variable(0.5, [1.0, -3.0].into_iter(), 1.0);
+    guard.error = 1e-16;
+    let zero = falls(&guard, Before::Unknown).unwrap().place;
+    assert!((zero - (1.0 + 7.0_f64.sqrt()) / 6.0).abs() < 2e-16);
+}
+
+#[test]
+fn what_touches_zero_has_not_fallen() {
+    assert_eq!(first(&[0.4, 0.4]), None);
+    let touched = first(&[0.4, 0.4, 0.8]).unwrap();
+    assert!((touched - 0.8).abs() < 1e-13, "{touched}");
+}
+
+#[test]
+fn what_starts_at_zero_rises_first() {
+    // A flight, from a little below zero for rounding.
+    for start in [0.0, -3e-17, 3e-17] {
+        let mut guard = Taylor::variable(start, [1.0, -2.0].into_iter(), 1.0);
+        guard.error = 1e-16;
+        for before in [Before::Unknown, Before::Zero] {
+            let zero: f64 = falls(&guard, before).unwrap().place;
+            assert!((zero - 0.5).abs() <= f64::EPSILON, "{zero}");
+        }
+    }
+    // What falls at once, and what rounding lets fall.
+    let mut guard = Taylor::variable(0.0, [-1.0].into_iter(), 1.0);
+    guard.error = 1e-16;
+    assert!(falls(&guard, Before::Zero).unwrap().place < 1e-14);
+    let mut guard = Taylor::variable(0.0, [-1e-18, 1.0, -4.0].into_iter(), 1.0);
+    guard.error = 1e-16;
+    let zero: f64 = falls(&guard, Before::Zero).unwrap().place;
+    assert!((zero - 0.25).abs() < 1e-15, "{zero}");
+    // What was below zero at the start has fallen before.
+    let mut guard = Taylor::variable(-1e-3, [1.0].into_iter(), 1.0);
+    guard.error = 1e-16;
+    assert_eq!(falls(&guard, Before::Unknown), Some(Fall { place: 0.0, fallen: 0.0 }));
+}
+
+#[test]
+fn a_truncated_series_reaches_as_far_as_it_converges() {
+    let turns = Taylor::variable(0.0, [30.0].into_iter(), 1.0_f64).sin();
+    let reach = reach(&turns);
+    assert!(reach > 0.1 && reach < 0.6, "{reach}");
+    let part = Taylor::variable(0.0, [27.0 * reach].into_iter(), 1.0_f64).sin();
+    assert_eq!(super::reach(&part), 1.0);
+    let theta = 0.9;
+    assert!((value(part.terms(), theta) - (27.0 * reach * theta).sin()).abs() < 1e-13);
+}
+
+#[test]
+fn what_stays_above_is_told_from_what_falls() {
+    for roots in [&[1.3, 1.5][..], &[-0.5, -0.3], &[2.0]] {
+        let guard = with_roots(roots, 1e-16);
+        let is_above = guard.start() > 0.0;
+        assert_eq!(stays_above(&guard), is_above, "{roots:?}");
+    }
+    for roots in [&[0.3][..], &[0.3, 0.7], &[0.4, 0.4], &[0.0], &[1.0]] {
+        assert!(!stays_above(&with_roots(roots, 1e-16)), "{roots:?}");
+    }
+    // Nor does anything that roundings could let fall.
+    assert!(!stays_above(&with_roots(&[1.3, 1.5], 10.0)));
+}
+
+#[test]
+fn newtons_steps_end_where_roundings_decide() {
+    // A polynomial of a high degree whose root lies far from one end of its bracket.
+    let mut terms = [0.0; TERMS];
+    let mut term = 1.0;
+    for (order, to) in terms.iter_mut().enumerate().take(26) {
+        if order > 0 {
+            term *= 3.0 / order as f64;
+        }
+        *to = if order % 4 < 2 { term } else { -term };
+    }
+    // cos 3θ + sin 3θ falls at π/4.
+    let mut guard = Taylor::variable(terms[0], terms[1..].iter().copied(), 1.0);
+    guard.error = 1e-15;
+    let place = falls(&guard, Before::Unknown).unwrap().place;
+    assert!((place - core::f64::consts::FRAC_PI_4).abs() < 4e-15, "{place}");
+}
