@@ -24,7 +24,7 @@
 //! residual is a contradiction.
 
 use super::metric::Metric;
-use super::residuals::Level;
+use super::residuals::{Level, ULPS};
 use super::start::SHARE;
 use super::{Residuals, Surface, moved};
 use crate::error::Cause;
@@ -189,6 +189,9 @@ where
         self.is_stuck = false;
         if from == From::Near && !self.saddle.independence().is_clear() {
             self.settle(system, level);
+            if level == Level::Velocities && self.is_blurred(system) {
+                return Ok(());
+            }
         }
         for _ in 0..(if from == From::Far { FAR } else { NEAR }) {
             if self.residuals.level_is_roundings(level) {
@@ -315,6 +318,36 @@ where
         if saddle.rank() < self.saddle.rank() && saddle.defect().is_none() {
             self.take((saddle, gradients), false);
         }
+    }
+
+    /// Whether what is left to correct in the velocities is no more than what roundings of the constraint
+    /// functions make of it: then the velocities that a step has brought are the better ones. Beside a
+    /// configuration in which constraints depend on each other these roundings are large.
+    #[cold]
+    #[inline(never)]
+    fn is_blurred(&self, system: &S) -> bool {
+        let lack = self.residuals.rates.map(|value| -value);
+        let (change, _) = self.saddle.solve(&[num_traits::Zero::zero(); N], &lack);
+        let excess = self.metric.extent(&change)
+            - S::Scalar::from_f64(ULPS) * self.metric.extent(&self.turned(system));
+        excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
+    }
+
+    /// The change of the velocities where the coordinates move by what a rounding of each constraint function
+    /// makes of them. The signs of the roundings are those to which the multipliers respond, as in an estimate
+    /// of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
+    #[cold]
+    #[inline(never)]
+    pub(super) fn turned(&self, system: &S) -> [S::Scalar; N] {
+        let (saddle, here) = (&self.saddle, &self.residuals);
+        let none = [num_traits::Zero::zero(); N];
+        let (_, response) = saddle.solve(&none, &here.position_sizes);
+        let ulp = S::Scalar::epsilon();
+        let roundings = core::array::from_fn(|c| ulp * here.position_sizes[c] * response[c].signum());
+        let (change, _) = saddle.solve(&none, &roundings);
+        let there = moved(&self.state, &change, &none, num_traits::One::one());
+        let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
+        saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c])).0
     }
 
     /// A corrected state and its residuals; of a rough start one that is better, if there is one.
