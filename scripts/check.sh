@@ -49,7 +49,7 @@ benchmarks() { cargo build --release -p benchmarks; }
 lanes() { cargo test --features wide --test batch; }
 
 digits() {
-    cargo test -p lagrange-runtime --features double-double --lib double_double
+    cargo test -p lagrange-runtime --features double-double --lib -- double_double digits
     cargo test --features double-double --test digits
     cargo test --features double-double,libm --test digits
     cargo run --release --features double-double --example true_digits

@@ -154,7 +154,7 @@ fn every_program_is_compiled_and_run() {
 
 /// The variants of the enumeration of causes, as they stand in its source.
 fn causes() -> Vec<String> {
-    let source = read("lagrange-runtime/src/error.rs");
+    let source = read("lagrange-runtime/src/system/error.rs");
     let (_, body) = source.split_once("pub enum Cause {").expect("the causes are there");
     let (body, _) = body.split_once("\n}").expect("they end");
     let variants = body.lines().filter_map(|line| line.strip_prefix("    "));

@@ -1,30 +1,18 @@
 //! Runtime of the `lagrangian` crate: what generated equations of motion are made of and how they run.
 //!
+//! Its modules stand on each other: each names only those below it.
+//!
 //! | module | what it holds |
 //! | --- | --- |
-//! | [`real`] | the scalar trait, open to scalars of your own |
-//! | [`state`] | time, coordinates, velocities |
-//! | [`attitude`] | orientations in space as three numbers of a state |
-//! | [`system`] | the trait that generated code implements |
-//! | [`smooth`] | the same for Taylor coefficients of the motion |
-//! | [`simulation`] | a motion under error control: advance, sample, steer |
-//! | [`events`] | zeros of functions along a motion |
-//! | [`batch`] | several motions at once, in the lanes of a SIMD vector |
-//! | [`stepper`] | a motion in fixed steps, for control loops |
+//! | [`analysis`] | derivatives of the equations, and what follows: equilibria, linear models, modes, sensitivities; the certificate of a model |
+//! | [`switching`] | contacts, dry friction and kinks: regimes, impacts, and the motion through them |
+//! | [`motion`] | a motion under error control, in fixed steps, several at once; events along it |
 //! | [`integrator`] | the methods: Taylor series, Dormand–Prince 8(5,3), RK4, symplectic splittings, Gauss collocation |
 //! | [`constraints`] | multipliers, starts on the constraints, projection back onto them |
-//! | [`analysis`] | inertia forces by origin, Christoffel symbols, Legendre's transformation |
-//! | [`proved`] | what the macro proved of a system and a method may demand |
-//! | [`linearized`] | derivatives of the equations, for implicit methods and for control |
-//! | [`tangent`] | the same with constraints, and what follows: equilibria, linear models, modes |
-//! | [`linear`] | factorisations of small dense matrices |
-//! | [`algebra`] | vector functions for any scalar |
-//! | [`twist`] | velocities of rigid bodies |
-//! | [`verify`] | the certificate of a model: identities at sampled states |
-//! | [`stored`] | large tables on the heap where there is one |
-//! | [`structure`] | operation counts and proven facts of a model |
-//! | [`error`] | why and when a motion stopped |
-//! | [`name`] | names of coordinates and constraints in errors |
+//! | [`system`] | what generated code implements, states, errors, what is proved or known of a model |
+//! | `series` | Taylor coefficients and their convolutions |
+//! | [`linear`] | factorisations of small dense matrices, vectors for any scalar |
+//! | [`number`] | the scalar trait, open to scalars of your own |
 //!
 //! Nothing allocates but analyses with `std` ([`Stored`]), nothing panics, and an error leaves the motion at
 //! its last good state.
@@ -47,126 +35,111 @@ compile_error!(
      standard library: `default-features = false, features = [\"libm\"]`"
 );
 
-pub mod algebra;
 pub mod analysis;
-pub mod attitude;
-pub mod batch;
-mod columns;
 pub mod constraints;
-pub mod error;
-pub mod events;
 pub mod integrator;
 pub mod linear;
-pub mod linearized;
-mod math;
-pub mod name;
-pub mod proved;
-pub mod reading;
-pub mod real;
-pub(crate) mod roots;
-pub mod simulation;
-pub mod smooth;
-mod solve;
-pub mod state;
-pub mod stepper;
-pub mod stored;
-pub mod structure;
+pub mod motion;
+pub mod number;
+pub(crate) mod series;
 pub mod switching;
 pub mod system;
-mod tables;
-pub mod tangent;
-mod taylor;
-pub mod twist;
-pub mod verify;
 
-pub use algebra::PrincipalMoments;
-pub use analysis::InertiaForces;
-pub use attitude::PoseVelocity;
-pub use batch::Batch;
+pub use analysis::inertia::InertiaForces;
+pub use analysis::verify::{self, Certificate, Identity, Violation};
+pub use analysis::{
+    self as tangent, Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics,
+    LinearModel, Response, Sensitive, Sensitivities, Stability, Tangent, Transition, Variation, Variational,
+    VariationalMotion,
+};
+#[cfg(feature = "std")]
+pub use analysis::{Mode, Monodromy};
 pub use constraints::{Constrained, Footing, Reactions};
-pub use error::{Cause, Function, Magnitude, MotionError};
-pub use events::{Crossing, Event, Events, Guard};
 pub use integrator::{
     Adaptive, BlanesMoan, BlanesMoan4, BlanesMoan6, Dop853, FixedStep, Gauss, Gauss4, Gauss6, Gauss8, Jet,
     Jets, Leapfrog, Rk4, Yoshida, Yoshida4, Yoshida6, Yoshida8,
 };
 pub use linear::Independence;
-pub use linearized::{Jacobians, Linearization, Linearized};
+pub use linear::algebra::{self, PrincipalMoments};
+pub use linear::stored::{self, Stored};
+pub use motion::batch::{self, Batch};
+pub use motion::events::{self, Crossing, Event, Events, Guard};
+pub use motion::simulation::{self, Control, Feedback, Held, Samples, Simulation, Steps};
+pub use motion::stepper::{self, Stepper};
 pub use nalgebra;
-pub use name::{Name, Names};
 pub use num_traits::{One, Zero};
-pub use proved::{Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable};
-#[cfg(feature = "wide")]
-pub use real::Lanes;
 #[cfg(feature = "double-double")]
-pub use real::{Digits, DoubleDouble};
-pub use real::{Dual, Ordered, Real};
-pub use simulation::{Control, Feedback, Held, Samples, Simulation, Steps};
-pub use smooth::{Series, Smooth};
-pub use state::State;
-pub use stepper::Stepper;
-pub use stored::Stored;
-pub use structure::{Cost, Costs, Structure};
+pub use number::real::DoubleDouble;
+#[cfg(feature = "wide")]
+pub use number::real::Lanes;
+pub use number::real::{self, Dual, Ordered, Real};
 pub use switching::{Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
 pub use system::System;
-pub use tangent::{
-    Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics, LinearModel,
-    Response, Sensitive, Sensitivities, Stability, Tangent, Transition, Variation, Variational,
-    VariationalMotion,
+pub use system::attitude::{self, PoseVelocity};
+#[cfg(feature = "double-double")]
+pub use system::digits::Digits;
+pub use system::error::{self, Cause, Function, Magnitude, MotionError};
+pub use system::linearized::{self, Jacobians, Linearization, Linearized};
+pub use system::name::{self, Name, Names};
+pub use system::proved::{
+    self, Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
 };
-#[cfg(feature = "std")]
-pub use tangent::{Mode, Monodromy};
-pub use twist::{Twist2, Twist3};
-pub use verify::{Certificate, Identity, Violation};
+pub use system::reading;
+pub use system::smooth::{self, Series, Smooth};
+pub use system::state::{self, State};
+pub use system::structure::{self, Cost, Costs, Structure};
+pub use system::twist::{self, Twist2, Twist3};
 #[cfg(feature = "wide")]
 pub use wide;
 
 /// The only path that an expansion may name. No part of the public interface.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::algebra::{self, PrincipalMoments};
-    pub use crate::analysis::{self, InertiaForces};
-    pub use crate::attitude;
-    pub use crate::error::{Cause, Function, MotionError};
-    pub use crate::events::Guard;
+    pub use crate::analysis::inertia::{self as analysis, InertiaForces};
+    pub use crate::linear::algebra::{self, PrincipalMoments};
     pub use crate::linear::{Independence, Inverse, Ldlt, Lu, RecursionStep};
-    pub use crate::linearized::{Linearization, Linearized};
-    pub use crate::name::{Name, Names};
-    pub use crate::proved::{
+    pub use crate::motion::events::Guard;
+    pub use crate::number::real::Real;
+    pub use crate::system::attitude;
+    pub use crate::system::error::{Cause, Function, MotionError};
+    pub use crate::system::linearized::{Linearization, Linearized};
+    pub use crate::system::name::{Name, Names};
+    pub use crate::system::proved::{
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
     };
-    pub use crate::reading;
-    pub use crate::real::Real;
+    pub use crate::system::reading;
     pub mod solve {
         //! Solving for the accelerations.
-        pub use crate::solve::{
+        pub use crate::system::solve::{
             check, check_block, factor, finite, has_length, outlined, pivot, solve, symmetric, unbounded,
         };
     }
-    pub use crate::columns::Columns;
+    pub use crate::analysis::{
+        self as tangent, ByParameters, Imbalance, Place, Sensitive, Tangent, Variation,
+    };
     pub use crate::constraints::{
         self, Balance, Constrained, Equations, Footing, Reactions, Residuals, Surface,
     };
     pub use crate::integrator::{Dop853, Jets};
-    pub use crate::smooth::{Series, Smooth};
-    pub use crate::state::State;
-    pub use crate::tables::Tables;
-    pub use crate::tangent::{self, ByParameters, Imbalance, Place, Sensitive, Tangent, Variation};
+    pub use crate::series::columns::Columns;
+    pub use crate::series::tables::Tables;
+    pub use crate::system::smooth::{Series, Smooth};
+    pub use crate::system::state::State;
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
         pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur, Switched};
     }
     pub mod jets {
         //! Recurrences of Taylor coefficients.
-        pub use crate::columns::{Pattern, Products, column, product, square, tile};
-        pub use crate::tables::{
+        pub use crate::series::columns::{Pattern, Products, column, product, square, tile};
+        pub use crate::series::tables::{
             convolution, first, in_line, in_turn, index, multiplier, ramp, rate, squared,
         };
     }
-    pub use crate::structure::{Cost, Costs, Structure};
+    pub use crate::analysis::verify::{self, Certificate, Verifiable, Violation};
     pub use crate::switching::{self, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching};
     pub use crate::system::System;
-    pub use crate::twist::{Twist2, Twist3};
-    pub use crate::verify::{self, Certificate, Verifiable, Violation};
+    pub use crate::system::structure::{Cost, Costs, Structure};
+    pub use crate::system::twist::{Twist2, Twist3};
     pub use nalgebra;
 }

@@ -1,35 +1,18 @@
 //! How well the constraints determine a state: how independent they are there, and how well the state is
 //! known.
 
-use super::metric::Metric;
+use super::Surface;
 use super::residuals::Level;
 use super::retraction::{From, Retraction, slopes};
-use super::Surface;
-use crate::error::Cause;
 use crate::linear::{Independence, SaddlePoint};
-use crate::real::Real;
-use crate::state::{State, difference};
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::footing::Footing;
+use crate::system::state::{State, difference};
 
 /// Rows may depend on each other on the constraints if their distance is at most this many times the way to
 /// the constraints, relative to the coordinates.
 const BESIDE: f64 = 16.0;
-
-/// How well a state on the constraints is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Footing<R, const N: usize> {
-    /// How well the constraints determine it.
-    pub independence: Independence<R>,
-    /// The accelerations at the state that was reached, before it was moved onto the constraints. Present if
-    /// they were asked for and the constraints are clearly independent there.
-    pub accelerations: Option<[R; N]>,
-    /// An ulp of the largest coordinate in the kinetic metric, in the unit of each: constraints couple them,
-    /// so no coordinate is known better than that.
-    pub ulps_q: [R; N],
-    /// The same of the velocities.
-    pub ulps_v: [R; N],
-    /// The kinetic metric.
-    pub metric: Metric<R, N>,
-}
 
 /// Moves the end of a step onto the constraints, as [`project`](super::project) does, and tells how well they
 /// determine the state. With `inputs` the factors of the retraction give the accelerations as well.
@@ -105,14 +88,7 @@ where
     /// that is relative to how fast the gradients change. So the relative change of the velocities
     /// tells σ, whether a row comes close to others or vanishes.
     fn independence(&self, system: &S) -> Independence<S::Scalar> {
-        let mut independence = self.saddle.independence();
-        // What the coordinates make of a constraint, as a part of its summands.
-        let extent = self.extent(Level::Positions);
-        for (c, (&slope, &summands)) in self.slopes.iter().zip(&self.residuals.position_sizes).enumerate() {
-            if summands.is_positive() {
-                independence.take(c, slope * extent / summands);
-            }
-        }
+        let mut independence = self.nearness();
         if !independence.are_far_apart() {
             self.measure(system, &mut independence);
         }

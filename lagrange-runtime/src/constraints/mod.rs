@@ -8,7 +8,6 @@
 //! 1992.
 
 mod footing;
-mod metric;
 mod residuals;
 mod retraction;
 #[cfg(test)]
@@ -20,13 +19,13 @@ mod tangential;
 
 use core::ops::Deref;
 
-use crate::error::Magnitude;
 use crate::linear::{Independence, SaddlePoint};
-use crate::real::{Ordered, Real};
-use crate::state::State;
+use crate::number::real::Real;
 use crate::system::System;
-pub use footing::{Footing, land};
-pub use metric::Metric;
+pub use crate::system::footing::Footing;
+pub use crate::system::metric::Metric;
+use crate::system::state::State;
+pub use footing::land;
 pub(crate) use residuals::Level;
 pub use residuals::Residuals;
 pub use retraction::project;
@@ -169,32 +168,6 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
     ) -> (Self::Saddle, [[Self::Scalar; N]; C]);
 }
 
-/// A nonnegative number in single precision, enough for a report: its binary digits one by one, since a
-/// scalar of the user's own has no conversion.
-#[cold]
-pub(crate) fn magnitude<R: Ordered>(value: R) -> Magnitude {
-    if !value.is_finite() {
-        return Magnitude(f32::NAN);
-    }
-    let (mut rest, mut sum) = (value, 0.0);
-    let (mut digit, mut power) = (R::from_f64(LARGEST_DIGIT as f64), LARGEST_DIGIT);
-    if value >= digit + digit {
-        return Magnitude(f32::INFINITY);
-    }
-    while power > 0.0 && rest > R::zero() {
-        if rest >= digit {
-            rest -= digit;
-            sum += power;
-        }
-        digit *= R::from_f64(0.5);
-        power *= 0.5;
-    }
-    Magnitude(sum)
-}
-
-/// 2¹²⁷, the largest power of two in `f32`.
-const LARGEST_DIGIT: f32 = f32::from_bits(0x7f00_0000);
-
 /// The largest entry of an array, and where it is.
 fn worst<R: Real, const C: usize>(values: impl Fn(usize) -> R::Lane) -> (usize, R::Lane) {
     let mut worst = (0, num_traits::Zero::zero());
@@ -215,19 +188,4 @@ fn moved<R: Real, const N: usize>(state: &State<R, N>, q: &[R; N], v: &[R; N], s
         next.v[i] = R::mul_add(share, v[i], next.v[i]);
     }
     next
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn magnitudes_are_those_of_single_precision() {
-        for value in [0.0, 1.0, 0.1, 1e-30, 6.02e23, 1e-40] {
-            assert!((f64::from(magnitude(value).0) - value).abs() <= 1.2e-7 * value + 1.5e-45, "{value}");
-        }
-        assert_eq!(magnitude(0.1_f32).0, 0.1);
-        assert_eq!(magnitude(1e39).0, f32::INFINITY);
-        assert!(magnitude(f64::NAN).0.is_nan());
-    }
 }

@@ -1,9 +1,10 @@
 //! How far a state is off its constraints, and when that is nothing but rounding.
 
-use super::{magnitude, worst};
-use crate::error::{Cause, Magnitude};
-use crate::name::Name;
-use crate::real::Real;
+use super::worst;
+use crate::number::real::Real;
+use crate::system::error::magnitude;
+use crate::system::error::{Cause, Magnitude};
+use crate::system::name::Name;
 
 /// Residuals up to this many ulps of the magnitudes of their summands count as zero. There are a few
 /// summands, and each is rounded once or twice.

@@ -3,12 +3,12 @@
 use nalgebra::SMatrix;
 
 use super::{Balance, Surface, sound, stages};
-use crate::error::{Cause, MotionError};
-use crate::integrator::diagnose;
 use crate::linear::{Defect, Independence, SaddlePoint};
-use crate::name::Name;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::diagnose;
+use crate::system::error::{Cause, MotionError};
+use crate::system::name::Name;
+use crate::system::state::State;
 
 /// Whether the equations have no solution.
 #[inline(always)]

@@ -4,10 +4,10 @@ use super::residuals::{Level, ULPS};
 use super::retraction::{From, Retraction, project, slopes};
 use super::solution::regular;
 use super::{Residuals, Surface};
-use crate::error::{Cause, MotionError};
 use crate::linear::SaddlePoint;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::error::{Cause, MotionError};
+use crate::system::state::State;
 
 /// The largest violation of a start, as a share of √ε of its numbers. It accepts numbers that are written
 /// with nine digits, or with five in single precision.

@@ -2,8 +2,8 @@
 
 use super::Surface;
 use crate::linear::SaddlePoint;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::state::State;
 
 /// The part of a change of coordinates or velocities along the constraints: the change less the smallest one,
 /// in the metric of the mass matrix, that has the same product with the gradients.

@@ -1,135 +1,19 @@
 //! [`Adaptive`]: methods that choose their own steps, and Dormand–Prince as one of them.
 
+use super::Field;
 use super::dop853::{Dop853Memory, Ground};
 use super::landing::{Check, Determined};
 use super::lengths::{Lengths, Verdict};
-use super::step_size::{self, Limits};
-use super::terms::Terms;
-use super::{Field, diagnose};
-use crate::attitude;
-use crate::error::{Cause, MotionError};
-use crate::real::{Ordered, Real, larger};
-use crate::simulation::Control;
-use crate::state::State;
+use super::step_size;
+use crate::number::real::{Ordered, Real, larger};
 use crate::system::System;
-
-/// Counts of a motion so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Steps {
-    /// Steps taken.
-    pub accepted: u64,
-    /// Steps tried and repeated with a shorter length.
-    pub rejected: u64,
-    /// Evaluations of the accelerations, or Taylor expansions.
-    pub evaluations: u64,
-}
-
-/// A method under error control, for motions with inputs from `C`. It may be ahead of the state that its
-/// caller sees, and goes on from the ends of its own steps.
-pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> {
-    /// What a motion by this method remembers between steps.
-    type Memory: Copy + core::fmt::Debug;
-
-    /// The memory of a motion that begins at a state.
-    fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
-    where
-        S::Scalar: Ordered;
-
-    /// Goes on from a state, as after a change of the inputs.
-    fn restart(memory: &mut Self::Memory, state: State<S::Scalar, N>)
-    where
-        S::Scalar: Ordered;
-
-    /// The start of the last step.
-    fn start(memory: &Self::Memory) -> &State<S::Scalar, N>;
-
-    /// The end of the last step.
-    fn end(memory: &Self::Memory) -> &State<S::Scalar, N>;
-
-    /// One step from the end of the last one towards time `t` \[s], and perhaps beyond it.
-    ///
-    /// # Errors
-    /// As [`Adaptive::advance`].
-    fn step(
-        memory: &mut Self::Memory,
-        system: &S,
-        constants: &S::Constants,
-        control: &C,
-        limits: &Limits<S::Scalar>,
-        t: S::Scalar,
-        attempts: &mut u64,
-    ) -> Result<(), MotionError<S::Scalar>>
-    where
-        S::Scalar: Ordered;
-
-    /// What the motion has cost.
-    fn counts(memory: &Self::Memory) -> Steps;
-
-    /// The memory of a motion that goes on from a state by the equations of another system of the same kind, which
-    /// knows about how long its steps are.
-    fn go_on(memory: &mut Self::Memory, system: &S, state: State<S::Scalar, N>)
-    where
-        S::Scalar: Ordered,
-    {
-        *memory = Self::begin(system, state);
-    }
-
-    /// The polynomial of the last step; `None` of a method that has none.
-    fn terms(_memory: &Self::Memory) -> Option<Terms<'_, S::Scalar, N>>
-    where
-        S::Scalar: Ordered,
-    {
-        None
-    }
-
-    /// The state at a part of the last step, from 0 to 1. A time could not name it as exactly, because times
-    /// have finite resolution.
-    ///
-    /// # Errors
-    /// As [`Adaptive::advance`].
-    fn within(
-        memory: &mut Self::Memory,
-        system: &S,
-        constants: &S::Constants,
-        control: &C,
-        limits: &Limits<S::Scalar>,
-        part: S::Scalar,
-    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
-    where
-        S::Scalar: Ordered;
-
-    /// The state at exactly time `t` \[s], as accurate as the ends of steps are.
-    ///
-    /// # Errors
-    /// Why and when the motion cannot go on; [`Adaptive::end`] is then the last good state.
-    fn advance(
-        memory: &mut Self::Memory,
-        system: &S,
-        constants: &S::Constants,
-        control: &C,
-        limits: &Limits<S::Scalar>,
-        t: S::Scalar,
-        attempts: &mut u64,
-    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
-    where
-        S::Scalar: Ordered;
-
-    /// The state at time `t` \[s] without a step that ends there, accurate to the tolerance.
-    ///
-    /// # Errors
-    /// As [`Adaptive::advance`].
-    fn sample(
-        memory: &mut Self::Memory,
-        system: &S,
-        constants: &S::Constants,
-        control: &C,
-        limits: &Limits<S::Scalar>,
-        t: S::Scalar,
-        attempts: &mut u64,
-    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
-    where
-        S::Scalar: Ordered;
-}
+use crate::system::attitude;
+use crate::system::control::Control;
+use crate::system::diagnose;
+use crate::system::error::{Cause, MotionError};
+use crate::system::limits::Limits;
+use crate::system::method::{Adaptive, Steps};
+use crate::system::state::State;
 
 /// Dormand–Prince 8(5,3): an explicit Runge–Kutta method of order 8 with dense output, for any system.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -9,9 +9,9 @@ use super::Field;
 use super::dop853::Dop853Memory;
 use super::slopes::{Slope, combine, reach};
 use super::tableau::dop853::{A, C, D, STAGES, STAGES_DENSE};
-use crate::error::Cause;
-use crate::real::Ordered;
-use crate::state::State;
+use crate::number::real::Ordered;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// Coefficients of the polynomials of q and v.
 #[derive(Clone, Copy, Debug)]

@@ -12,16 +12,17 @@ use core::cmp::Ordering;
 use num_traits::Zero;
 
 use super::Field;
-use super::adaptive::Steps;
 use super::dense::Dense;
 use super::landing::Determined;
 use super::slopes::{Slope, combine, reach};
-use super::step_size::{self, Limits};
+use super::step_size;
 use super::tableau::dop853::{A, B, B3, C, E5, STAGES};
-use crate::error::{Cause, MotionError};
 use crate::linear::Independence;
-use crate::real::{Ordered, Real, larger, smaller};
-use crate::state::{State, difference};
+use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::system::error::{Cause, MotionError};
+use crate::system::limits::Limits;
+use crate::system::method::Steps;
+use crate::system::state::{State, difference};
 
 /// A state and what rounding took from it: the exact sum is `state + residue`.
 #[derive(Clone, Copy, Debug)]

@@ -9,12 +9,12 @@
 
 mod backward;
 
-use super::dop853::add;
 use super::FixedStep;
-use crate::error::Cause;
-use crate::real::Real;
-use crate::smooth::{Series, Smooth};
-use crate::state::State;
+use super::dop853::add;
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::smooth::{Series, Smooth};
+use crate::system::state::State;
 
 /// A Taylor step of order `ORDER`, for control loops: `stepper::<Jet<6>>(start)`. Error O(h^(ORDER + 1)) a
 /// step.

@@ -9,13 +9,14 @@
 //! they depend on each other: there, roundings of the constraints are large changes of the state. What was
 //! determined in the motion so far is the measure, so constraints that are redundant everywhere do no harm.
 
-use super::step_size::{self, Limits};
+use super::step_size;
 use crate::constraints::Footing;
-use crate::error::Cause;
 use crate::linear::{Independence, determined};
-use crate::real::{Ordered, Real, larger, smaller};
-use crate::state::{State, difference};
+use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::System;
+use crate::system::error::Cause;
+use crate::system::limits::Limits;
+use crate::system::state::{State, difference};
 
 /// Largest corrections and defects, in tolerances. The last terms of a series are a fifth of the tolerance,
 /// and their derivative is larger by the order.

@@ -1,10 +1,10 @@
 //! The lengths of a step, in the order in which they are tried.
 
 use super::landing::{Check, Determined, Landing};
-use crate::error::Cause;
 use crate::linear::{Independence, determined};
-use crate::real::{Ordered, larger, smaller};
+use crate::number::real::{Ordered, larger, smaller};
 use crate::system::System;
+use crate::system::error::Cause;
 
 /// Parts of a length that ends where the state is not determined well: a little shorter or longer ones first,
 /// so that the cost is small.

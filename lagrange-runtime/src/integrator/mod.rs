@@ -18,9 +18,8 @@ mod slopes;
 mod splitting;
 pub(crate) mod step_size;
 mod tableau;
-mod terms;
 
-pub use adaptive::{Adaptive, Dop853};
+pub use adaptive::Dop853;
 pub use gauss::{Gauss, Gauss4, Gauss6, Gauss8, LastStep};
 pub use jet::Jet;
 pub use jets::Jets;
@@ -28,37 +27,11 @@ pub use rk4::Rk4;
 pub use splitting::{
     BlanesMoan, BlanesMoan4, BlanesMoan6, LastSplit, Leapfrog, Yoshida, Yoshida4, Yoshida6, Yoshida8,
 };
-pub use step_size::Limits;
-pub use terms::Terms;
 
-use crate::error::Cause;
-use crate::real::Real;
-use crate::state::State;
-use crate::system::System;
-
-/// A method that takes steps of a size chosen by the caller.
-pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
-    /// What the method remembers between steps. It belongs to one system with its constants. It survives
-    /// failed steps and changes of the inputs, so a method checks whether it still applies.
-    type Memory: Copy + core::fmt::Debug;
-
-    /// The memory before the first step.
-    fn begin(system: &S) -> Self::Memory;
-
-    /// The state after a step of `h` from `from`, with the inputs `u` held. The time of the result is `from.t
-    /// + h`. A result that is not finite is left to the caller.
-    ///
-    /// # Errors
-    /// Why the equations of an implicit method could not be solved.
-    fn step(
-        memory: &mut Self::Memory,
-        system: &S,
-        constants: &S::Constants,
-        from: &State<S::Scalar, N>,
-        h: S::Scalar,
-        u: &[S::Scalar; K],
-    ) -> Result<State<S::Scalar, N>, Cause>;
-}
+use crate::system::error::Cause;
+pub use crate::system::limits::Limits;
+pub use crate::system::method::{Adaptive, FixedStep, Terms};
+use crate::system::state::State;
 
 /// The right-hand side of q″ = a(t, q, v).
 pub(crate) trait Field<R, const N: usize> {
@@ -69,21 +42,5 @@ pub(crate) trait Field<R, const N: usize> {
     /// The part of a change of coordinates or velocities along the constraints at a state.
     fn along(&self, _state: &State<R, N>, change: [R; N]) -> [R; N] {
         change
-    }
-}
-
-/// Why the motion fails at a state.
-#[cold]
-pub(crate) fn diagnose<S: System<N, K>, const N: usize, const K: usize>(
-    system: &S,
-    constants: &S::Constants,
-    t: S::Scalar,
-    q: &[S::Scalar; N],
-    v: &[S::Scalar; N],
-) -> Cause {
-    if q.iter().chain(v).all(|x| x.is_finite()) && t.is_finite() {
-        system.check_at(constants, t, q, v).err().unwrap_or(Cause::NotFinite).named(&S::NAMES)
-    } else {
-        Cause::NotFinite
     }
 }

@@ -8,10 +8,10 @@ use core::array;
 
 use super::FixedStep;
 use super::tableau::rk4::{B, C, REST};
-use crate::error::Cause;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
 use crate::system::System;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// The classical Runge–Kutta method of order 4.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,8 +1,8 @@
 //! Systems with a closed solution, for the tests of the integrators.
 
-use crate::error::Cause;
-use crate::state::State;
 use crate::system::System;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// Systems of `f64` without constants: accelerations and energy as expressions.
 macro_rules! system {
@@ -75,7 +75,7 @@ system!(
     if q[0] < 2.0 {
         Ok(())
     } else {
-        Err(Cause::SingularMassMatrix { pivot: 0, name: crate::name::Name::NONE })
+        Err(Cause::SingularMassMatrix { pivot: 0, name: crate::system::name::Name::NONE })
     }
 );
 

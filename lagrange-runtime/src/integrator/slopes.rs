@@ -1,7 +1,7 @@
 //! Slopes of Runge–Kutta stages and their weighted sums.
 
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::state::State;
 
 /// (dq/dt, dv/dt) at a stage.
 #[derive(Clone, Copy, Debug)]

@@ -6,7 +6,7 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use crate::real::Ordered;
+use crate::number::real::Ordered;
 
 /// re + i im.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -16,7 +16,7 @@
 //!   1/σ² ≤ 16 times itself, which is what the check of a step allows anyway; below that it is held against
 //!   its square.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// How independent the rows of A are at a state.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 //! A recursion is a chain of operations that wait for each other. Made for all unit loads side by side it runs
 //! on vectors, and what then solves is a product, in which nothing waits.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// One step of a recursion: an unknown and the places of others that it is made from.
 #[derive(Clone, Copy, Debug)]

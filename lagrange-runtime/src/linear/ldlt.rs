@@ -6,7 +6,7 @@
 //! Numerical Algorithms", 2nd ed., ch. 10). Not for indefinite matrices: those stop at the first pivot that
 //! is not positive.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// The factors of a symmetric positive definite matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@
 //! (Higham, ch. 9). For the indefinite ∂²L/∂v² of a Lagrangian given directly; use [`Ldlt`](super::Ldlt)
 //! where M is definite.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// The factors of a regular matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]

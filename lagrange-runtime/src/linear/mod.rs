@@ -1,4 +1,5 @@
-//! Factorisations of small dense matrices of fixed size: factor once, solve often, never allocate.
+//! Factorisations of small dense matrices of fixed size: factor once, solve often, never allocate. Vector
+//! functions for any scalar stand in [`algebra`], large tables in [`stored`].
 //!
 //! [`Ldlt`] is for symmetric positive definite matrices (the mass matrix of any T), [`Lu`] for the rest (a
 //! user's own L may have an indefinite ∂²L/∂v²). Both report the index of the pivot at which they stop.
@@ -7,6 +8,7 @@
 //! redundant constraints included; [`Schur`] is what is left of such a system once the velocities are
 //! eliminated.
 
+pub mod algebra;
 pub(crate) mod complex;
 mod independence;
 mod inverse;
@@ -15,10 +17,11 @@ mod lu;
 mod saddle;
 mod schur;
 mod singular_values;
+pub mod stored;
 mod symmetric;
 
 pub use independence::Independence;
-pub(crate) use independence::determined;
+pub(crate) use independence::{CLEAR, determined};
 pub use inverse::{Inverse, RecursionStep};
 pub use ldlt::Ldlt;
 pub use lu::Lu;

@@ -27,7 +27,7 @@
 //! condition number.
 
 use super::Independence;
-use crate::real::Real;
+use crate::number::real::Real;
 
 mod diagonal;
 mod partition;

@@ -6,7 +6,7 @@
 //! factorisation that reveals their rank, and the inverse, or the generalised inverse that gives the shortest
 //! solution, is formed from that.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 use super::Independence;
 use super::saddle::range::Range;

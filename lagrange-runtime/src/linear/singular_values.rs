@@ -4,8 +4,8 @@
 //! singular values keep their relative accuracy (Golub and Van Loan, "Matrix Computations", 4th ed., § 8.6.3;
 //! J. Demmel and K. Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204).
 
-use crate::real::{Ordered, Real, larger};
-use crate::stored::Stored;
+use crate::linear::stored::Stored;
+use crate::number::real::{Ordered, Real, larger};
 
 /// Sweeps over all pairs; quadratic convergence needs some six to ten.
 const SWEEPS: usize = 40;

@@ -4,7 +4,7 @@
 //! converge quadratically (Golub and Van Loan, "Matrix Computations", 4th ed., § 8.5). Nothing is stored but
 //! the matrix and the product of the rotations.
 
-use crate::real::{Ordered, larger};
+use crate::number::real::{Ordered, larger};
 
 /// Sweeps over all pairs; quadratic convergence needs some six to ten.
 const SWEEPS: usize = 40;

@@ -3,9 +3,9 @@
 use super::choice::{Choice, sides};
 use super::scene::{Known, Scales, Scene};
 use super::{Regime, Row, Switching};
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
 use crate::system::System;
+use crate::system::state::State;
 
 /// The regime that goes on from a state alone, without a motion that leads there.
 fn at_state<S, const N: usize, const K: usize, const C: usize, const W: usize>(

@@ -7,11 +7,11 @@
 use super::guards::{Guard, Guards};
 use super::scene::above;
 use super::{Functions, Switching};
-use crate::integrator::Terms;
-use crate::real::{Ordered, Real, larger, smaller};
-use crate::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach};
-use crate::state::State;
-use crate::taylor::Taylor;
+use crate::motion::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach};
+use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::series::taylor::Taylor;
+use crate::system::method::Terms;
+use crate::system::state::State;
 
 /// A part of the step is halved so often at most where a guard has no series on it.
 const HALVINGS: i32 = 40;

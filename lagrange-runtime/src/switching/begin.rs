@@ -4,13 +4,13 @@ use super::choice::sides;
 use super::run::Run;
 use super::scene::{Known, Scene, above, extent, most};
 use super::{Laws, Regime, Row, Switching};
-use crate::constraints::magnitude;
-use crate::error::Cause;
-use crate::integrator::Adaptive;
-use crate::real::{Ordered, Real};
-use crate::simulation::Held;
-use crate::state::State;
+use crate::number::real::{Ordered, Real};
 use crate::system::System;
+use crate::system::control::Held;
+use crate::system::error::Cause;
+use crate::system::error::magnitude;
+use crate::system::method::Adaptive;
+use crate::system::state::State;
 
 impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
 where

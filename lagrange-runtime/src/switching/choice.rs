@@ -12,10 +12,10 @@ use super::trials::{Options, Part, combine, regime};
 use super::turning::{TURNS, Turning, pairs};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
-use crate::error::Cause;
 use crate::linear::SaddlePoint;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// A regime, and what follows from it.
 #[derive(Clone, Copy, Debug)]

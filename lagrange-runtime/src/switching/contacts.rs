@@ -1,11 +1,12 @@
 //! What a motion tells of its contacts, and its changes of regime one by one.
 
 use super::{Hybrid, Row, Switching};
-use crate::error::MotionError;
-use crate::integrator::Adaptive;
-use crate::real::Ordered;
-use crate::simulation::{Held, Simulation};
-use crate::state::State;
+use crate::motion::simulation::Simulation;
+use crate::number::real::Ordered;
+use crate::system::control::Held;
+use crate::system::error::MotionError;
+use crate::system::method::Adaptive;
+use crate::system::state::State;
 
 /// What a constraint, contact or friction does at present.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,12 +3,12 @@
 use super::scene::{Scales, extent, most, product, rounding};
 use super::{Functions, Regime, Row, Switching};
 use crate::constraints::Balance;
-use crate::error::Cause;
 use crate::linear::SaddlePoint;
-use crate::real::{Ordered, Real};
-use crate::roots::{Kind, Memory, Polynomial, Side, Unresolved};
-use crate::state::State;
-use crate::taylor::Taylor;
+use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
+use crate::number::real::{Ordered, Real};
+use crate::series::taylor::Taylor;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// Evaluations of all guards that are kept: those of a polynomial of degree 16, and what tests it.
 const KEPT: usize = 24;

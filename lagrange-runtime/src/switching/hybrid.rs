@@ -13,13 +13,13 @@ use super::memory::HybridMemory;
 use super::run::Run;
 use super::scene::Scales;
 use super::{Regime, Switching};
-use crate::error::MotionError;
-use crate::integrator::step_size::Limits;
-use crate::integrator::{Adaptive, adaptive::Steps};
-use crate::real::Ordered;
-use crate::simulation::Held;
-use crate::state::State;
+use crate::number::real::Ordered;
 use crate::system::System;
+use crate::system::control::Held;
+use crate::system::error::MotionError;
+use crate::system::limits::Limits;
+use crate::system::method::{Adaptive, Steps};
+use crate::system::state::State;
 
 /// A motion whose equations switch: between switches by the method `M`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

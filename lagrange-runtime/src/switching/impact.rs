@@ -18,10 +18,10 @@ use super::Switching;
 use super::scene::{Scene, Status, above, most, product, rounding};
 use super::trials::{Options, Part, combine, regime};
 use super::turning::{TURNS, Turning, pairs};
-use crate::error::Cause;
 use crate::linear::SaddlePoint;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// Changes of velocities and the impulses that make them.
 struct Impulses<R, const N: usize, const C: usize> {

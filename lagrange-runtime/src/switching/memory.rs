@@ -5,10 +5,10 @@ use core::fmt;
 use super::Regime;
 use super::guards::Guard;
 use super::scene::Scales;
-use crate::error::Cause;
-use crate::integrator::adaptive::Steps;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::method::Steps;
+use crate::system::state::State;
 
 /// What [`Hybrid`](super::Hybrid) remembers between steps: `I` the system of a regime with constants `X`, `J` the
 /// memory of the method that runs in it.

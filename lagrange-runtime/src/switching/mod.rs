@@ -25,9 +25,9 @@ mod turning;
 
 use crate::constraints::{Equations, Residuals};
 use crate::linear::Switched;
-use crate::name::Name;
-use crate::real::Real;
+use crate::number::real::Real;
 use crate::system::System;
+use crate::system::name::Name;
 #[doc(hidden)]
 pub use alone::{accelerations, multipliers};
 pub use contacts::{Contact, NamedRows, Switch};

@@ -8,10 +8,10 @@
 
 use super::scene::{Scales, Scene, Status, above, most};
 use super::{Regime, Row, Switching};
-use crate::error::Cause;
 use crate::linear::SaddlePoint;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// The shortest flight that counts, in rounding errors of gaps and of times.
 const RESOLVED: f64 = 64.0;

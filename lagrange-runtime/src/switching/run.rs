@@ -4,14 +4,14 @@ use super::guards::{Guard, Guards};
 use super::hybrid::{Memory, sum};
 use super::scene::{Known, Scene, above, most};
 use super::{Regime, Row, Switching};
-use crate::error::{Cause, MotionError};
-use crate::integrator::Adaptive;
-use crate::integrator::step_size::Limits;
-use crate::real::{Ordered, Real};
-use crate::roots::Unresolved;
-use crate::simulation::Held;
-use crate::state::State;
+use crate::motion::roots::Unresolved;
+use crate::number::real::{Ordered, Real};
 use crate::system::System;
+use crate::system::control::Held;
+use crate::system::error::{Cause, MotionError};
+use crate::system::limits::Limits;
+use crate::system::method::Adaptive;
+use crate::system::state::State;
 
 /// Changes of regimes without any time between them, for each row and kink, until they count as endless.
 const CHANGES: usize = 4;
@@ -180,7 +180,7 @@ where
             (is_open && above(-gap, share * size)).then(|| Cause::Penetrates {
                 constraint: row,
                 name: S::NAMES.constraint(row),
-                by: crate::constraints::magnitude(-gap),
+                by: crate::system::error::magnitude(-gap),
             })
         })
     }

@@ -2,8 +2,8 @@
 
 use super::{Laws, Regime, Row, Switching};
 use crate::linear::SaddlePoint;
-use crate::real::Real;
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::state::State;
 
 /// Values below this many rounding errors of their scale count as zero: gaps where contacts touch, slip
 /// velocities of friction at rest, reactions and accelerations where one regime ends and another begins.

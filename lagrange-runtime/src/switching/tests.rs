@@ -9,13 +9,14 @@ mod kinks;
 
 use super::{Functions, Hybrid, Laws, Regime, Row, Switching};
 use crate::constraints::{self, Equations, Footing, Residuals, Surface};
-use crate::error::Cause;
 use crate::integrator::Dop853;
 use crate::linear::Switched;
-use crate::real::Real;
-use crate::simulation::{Held, Simulation};
-use crate::state::State;
+use crate::motion::simulation::Simulation;
+use crate::number::real::Real;
 use crate::system::System;
+use crate::system::control::Held;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// A system with constant gradients: rows are A q + b, their rates A v + c.
 trait Toy<const N: usize, const C: usize, const W: usize>: Copy + core::fmt::Debug {

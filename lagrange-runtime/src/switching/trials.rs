@@ -1,7 +1,7 @@
 //! The combinations of what rows may do.
 
 use super::{Regime, Row};
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// The most combinations that are tried: twelve contacts that are open or closed.
 const COMBINATIONS: usize = 4096;

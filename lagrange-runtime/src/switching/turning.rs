@@ -7,7 +7,7 @@
 
 use super::Row;
 use super::scene::{above, most};
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// Steps of a search.
 pub(super) const TURNS: usize = 300;

@@ -11,9 +11,9 @@ use num_traits::Zero;
 
 use super::stages::{Places, Stages, Verdict};
 use crate::linear::complex::{Complex, ComplexLu};
-use crate::linearized::{Linearization, Linearized};
-use crate::real::{Ordered, Real, extent, larger};
-use crate::state::State;
+use crate::number::real::{Ordered, Real, extent, larger};
+use crate::system::linearized::{Linearization, Linearized};
+use crate::system::state::State;
 
 /// Corrections that a solution may take.
 const CORRECTIONS: usize = 40;

@@ -7,8 +7,8 @@
 use num_traits::Zero;
 
 use super::stages::{Places, Stages, Verdict};
-use crate::linearized::{Linearization, Linearized};
-use crate::real::{Ordered, Real, extent, larger};
+use crate::number::real::{Ordered, Real, extent, larger};
+use crate::system::linearized::{Linearization, Linearized};
 
 /// Corrections that a solution may take.
 const CORRECTIONS: usize = 20;

@@ -5,9 +5,9 @@ use core::cmp::Ordering;
 use num_traits::{One, Zero};
 
 use crate::integrator::tableau::gauss::Collocation;
-use crate::linearized::Linearized;
-use crate::real::{Ordered, Real, extent, larger};
-use crate::state::State;
+use crate::number::real::{Ordered, Real, extent, larger};
+use crate::system::linearized::Linearized;
+use crate::system::state::State;
 
 /// A correction that no longer shrinks is rounding if it is below this many roundings of what it corrects.
 const ROUNDINGS: f64 = 1e4;

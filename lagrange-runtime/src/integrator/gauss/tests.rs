@@ -4,8 +4,8 @@ use core::cell::Cell;
 
 use super::*;
 use crate::integrator::samples::{Kepler, distance, pericentre};
-use crate::linearized::Linearization;
 use crate::system::System;
+use crate::system::linearized::Linearization;
 
 impl Linearized<2> for Kepler {
     fn residual_at(

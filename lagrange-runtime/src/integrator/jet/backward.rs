@@ -9,11 +9,11 @@
 
 use super::super::landing::NOISE;
 use super::{JetMemory, falls};
-use crate::constraints::Footing;
-use crate::error::Cause;
-use crate::real::Real;
-use crate::smooth::{Series, Smooth};
-use crate::state::{State, difference};
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::footing::Footing;
+use crate::system::smooth::{Series, Smooth};
+use crate::system::state::{State, difference};
 
 /// Corrections of the end of a step. Each leaves a part of the error that is the square of the step over
 /// the time in which accelerations change.

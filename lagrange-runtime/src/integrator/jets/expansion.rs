@@ -1,13 +1,14 @@
 //! The series at a state, in a unit of time near the length that it bears.
 
-use super::super::adaptive::Adaptive;
-use super::super::step_size::{self, Limits};
+use super::super::step_size;
 use super::{Jets, JetsMemory, NEAR};
-use crate::error::Cause;
-use crate::real::{Ordered, Real, larger, smaller};
-use crate::simulation::Held;
-use crate::smooth::Smooth;
-use crate::state::State;
+use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::system::control::Held;
+use crate::system::error::Cause;
+use crate::system::limits::Limits;
+use crate::system::method::Adaptive;
+use crate::system::smooth::Smooth;
+use crate::system::state::State;
 
 /// Computes the coefficients at a state in the unit of the memory. False where the equations have no
 /// solution.

@@ -2,19 +2,21 @@
 
 use num_traits::{One, Zero};
 
-use super::super::adaptive::Steps;
 use super::super::dop853::add;
 use super::super::landing::{Determined, across};
-use super::super::step_size::{self, Limits};
-use super::super::terms::Terms;
-use super::{DECAY, GROWTH, HIGHEST, ORDERS_PER_DIGIT, SAFETY, last_term, orders, steepest};
-use crate::attitude;
+use super::super::step_size;
+use super::{DECAY, GROWTH, ORDERS_PER_DIGIT, SAFETY, last_term, orders, steepest};
 use crate::constraints::Footing;
-use crate::error::Cause;
 use crate::linear::Independence;
-use crate::real::{Ordered, Real, larger, smaller};
-use crate::smooth::Series;
-use crate::state::State;
+use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::series::HIGHEST;
+use crate::system::attitude;
+use crate::system::error::Cause;
+use crate::system::limits::Limits;
+use crate::system::method::Steps;
+use crate::system::method::Terms;
+use crate::system::smooth::Series;
+use crate::system::state::State;
 
 /// What [`Jets`] remember between steps.
 #[derive(Clone, Copy, Debug)]

@@ -4,9 +4,9 @@
 //! switch that is thrown later) is not in its coefficients, and their decay says nothing of it. So the
 //! accelerations are compared at some places of the step with those of the polynomial.
 
-use crate::real::Real;
-use crate::smooth::{Series, Smooth};
-use crate::state::State;
+use crate::number::real::Real;
+use crate::system::smooth::{Series, Smooth};
+use crate::system::state::State;
 
 /// Places of a step at which the series is compared with the equations. The last one is the end of the step.
 pub(super) const PLACES: usize = 7;

@@ -6,17 +6,17 @@
 //! as the approximation of the flow, which leaves an error of the square of the time. The velocity of the
 //! start decides along which of the motions that meet there it goes on.
 
-use super::super::adaptive::Adaptive;
 use super::super::landing::{Check, apart};
-use super::super::step_size::Limits;
 use super::{Determined, Jets, expansion};
 use crate::constraints::Footing;
-use crate::error::Cause;
 use crate::linear::{Independence, determined};
-use crate::real::{Ordered, Real};
-use crate::simulation::Held;
-use crate::smooth::Smooth;
-use crate::state::State;
+use crate::number::real::{Ordered, Real};
+use crate::system::control::Held;
+use crate::system::error::Cause;
+use crate::system::limits::Limits;
+use crate::system::method::Adaptive;
+use crate::system::smooth::Smooth;
+use crate::system::state::State;
 
 /// Lengths of the step that are tried, each half of the one before, from half of the way to go.
 const LENGTHS: usize = 64;

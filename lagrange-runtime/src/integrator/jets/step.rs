@@ -1,17 +1,18 @@
 //! One step: expansion, length, end.
 
-use super::super::adaptive::Adaptive;
 use super::super::landing::{Check, Determined, Landing};
 use super::super::lengths::{Lengths, Verdict};
-use super::super::step_size::{self, Limits};
+use super::super::step_size;
 use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
 use super::{Jets, JetsMemory, singular};
-use crate::attitude;
-use crate::error::Cause;
-use crate::real::{Ordered, Real, smaller};
-use crate::simulation::Held;
-use crate::smooth::Smooth;
+use crate::number::real::{Ordered, Real, smaller};
+use crate::system::attitude;
+use crate::system::control::Held;
+use crate::system::error::Cause;
+use crate::system::limits::Limits;
+use crate::system::method::Adaptive;
+use crate::system::smooth::Smooth;
 
 /// The largest ratio of a step of a constrained motion to the one before it. The end of every step is checked
 /// anyway. This bound serves polynomials whose high coefficients cancel exactly and would allow any length:

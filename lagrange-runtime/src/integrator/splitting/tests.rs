@@ -4,8 +4,8 @@ use core::cell::Cell;
 
 use super::*;
 use crate::integrator::samples::{Kepler, Oscillator, distance, pericentre};
-use crate::proved::ConstantMass;
 use crate::system::System;
+use crate::system::proved::ConstantMass;
 
 impl ConstantMass<2> for Kepler {}
 impl Separable<2> for Kepler {}

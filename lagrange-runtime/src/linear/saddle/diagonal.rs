@@ -2,7 +2,7 @@
 
 use crate::linear::Independence;
 use crate::linear::schur::{SMALL, Schur};
-use crate::real::Real;
+use crate::number::real::Real;
 
 use super::vectors::{add_product, dot, multiply, subtract_product, transposed};
 use super::{Defect, SaddlePoint};

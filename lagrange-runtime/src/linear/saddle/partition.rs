@@ -7,7 +7,7 @@
 //! [`Range`](super::range::Range) decides.
 
 use crate::linear::independence::{CLEAR, Independence};
-use crate::real::Real;
+use crate::number::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;

@@ -7,7 +7,7 @@
 //! "Stability of Householder QR factorization for weighted least squares problems", 1998), and it needs no
 //! exchange of coordinates. Nothing depends on which coordinate that is, so lanes that disagree do no harm.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 use super::Split;
 use super::scaled::Scaled;

@@ -1,6 +1,6 @@
 //! The equations of motion in the null space of the constraints: B X = Z with B = Zᵀ M Z.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 use super::symmetric;
 use super::vectors::{add_scaled, dot, scale, where_positive};

@@ -6,7 +6,7 @@
 //! (Giraud, Langou, Rozložník and van den Eshof, "Rounding error analysis of the classical Gram–Schmidt
 //! orthogonalization process", 2005).
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 use super::vectors::{add_scaled, dot, magnitude, scale};
 

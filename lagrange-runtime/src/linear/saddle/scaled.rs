@@ -4,7 +4,7 @@
 //! all of them, and a row of A in units of the sum of its magnitudes. Decisions and rounding errors are then
 //! independent of the user's units.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 use super::Defect;
 use super::vectors::{magnitude, multiply, put, scale};

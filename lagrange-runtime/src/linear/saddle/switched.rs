@@ -12,7 +12,7 @@
 use super::vectors::{add_scaled, put};
 use super::{Defect, Saddle, SaddlePoint};
 use crate::linear::{Independence, Lu};
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// The inverse of a saddle-point system, rows of which are active or not.
 #[derive(Clone, Copy, Debug)]

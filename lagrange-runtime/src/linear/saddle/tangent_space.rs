@@ -3,7 +3,7 @@
 use super::range::Range;
 use super::scaled::Scaled;
 use super::symmetric;
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// Vectors that span the null space of A.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Sums over vectors of fixed length, in an order that the processor need not wait for.
 
-use crate::real::Real;
+use crate::number::real::Real;
 
 /// aᵀ b in four partial sums.
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! Several systems in the lanes of a vector.
 
 use super::*;
-use crate::real::Lanes;
+use crate::number::real::Lanes;
 use wide::f64x4;
 
 type R = Lanes<f64x4>;

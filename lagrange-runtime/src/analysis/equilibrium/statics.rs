@@ -1,0 +1,355 @@
+//! Places on the constraints: forces, stiffness, and the way from one place to another.
+//!
+//! What needs large tables on the stack for a moment is a function that is not inlined, so that only one of
+//! them is there at a time.
+
+use num_traits::{One, Zero};
+
+use super::EquilibriumError;
+use crate::analysis::{Place, Tangent, Variation};
+use crate::constraints::{Level, Metric};
+use crate::linear::stored::Stored;
+use crate::linear::{Saddle, SaddlePoint, TangentSpace};
+use crate::number::real::{Ordered, Real, larger};
+use crate::system::error::Cause;
+use crate::system::name::Name;
+use crate::system::state::State;
+
+/// Corrections back onto the constraints.
+const CORRECTIONS: usize = 30;
+
+/// The problem at the time of the guess.
+pub(super) struct Statics<'a, S: Tangent<N, K, C>, const N: usize, const K: usize, const C: usize> {
+    pub system: &'a S,
+    constants: S::Constants,
+    pub t: S::Scalar,
+    pub u: &'a [S::Scalar; K],
+    /// Squares of the sizes of the coordinates: their inertia at the guess, the same all through a search.
+    pub sizes: [S::Scalar; N],
+    /// The same as a matrix.
+    metric: Stored<[[S::Scalar; N]; N]>,
+}
+
+/// A place on the constraints.
+pub(super) struct Rest<R, const N: usize, const C: usize> {
+    pub q: [R; N],
+    /// Those of least squares: f + Aᵀλ is as small as can be.
+    pub multipliers: [R; C],
+    /// How many constraints are independent.
+    pub rank: usize,
+    /// A constraint without a gradient.
+    pub vanishing: Option<usize>,
+    /// Motions that all constraints allow, orthonormal in the metric.
+    pub motions: Directions<R, N>,
+    /// Motions that the holonomic constraints allow, where that is not the same.
+    places: Option<Directions<R, N>>,
+    pub gradients: Stored<[[R; N]; C]>,
+    /// The unit of `forces` and `stiffness`: the largest of their entries, so that squares of them are
+    /// numbers where forces fade, or grow, by more than the exponents of the scalar.
+    pub unit: R,
+    /// f + Aᵀλ along `motions`; zero from their number on.
+    pub forces: [R; N],
+    /// The size of the forces.
+    pub norm: R,
+    /// The derivative of the forces along what the coordinates may do, with the sign changed.
+    pub stiffness: Stiffness<R, N>,
+    /// f + Aᵀλ, in its own units.
+    pub left: [R; N],
+}
+
+/// Vectors of unit size in the metric, one a row; the rows from `count` on are zero.
+pub(super) struct Directions<R, const N: usize> {
+    pub vectors: Stored<[[R; N]; N]>,
+    pub count: usize,
+}
+
+impl<R: Real, const N: usize> Directions<R, N> {
+    #[inline(never)]
+    fn new<const C: usize>(metric: &[[R; N]; N], gradients: &[[R; N]; C]) -> Self {
+        let TangentSpace { vectors, count, metric } = TangentSpace::new(metric, gradients);
+        let mut vectors = Stored::new(vectors);
+        if C == 0 {
+            // Unit vectors, of any size.
+            for (k, vector) in vectors.iter_mut().enumerate() {
+                vector[k] = metric[k].sqrt().recip();
+            }
+        }
+        Self { vectors, count }
+    }
+
+    /// Σ y z.
+    pub fn combined(&self, components: &[R; N]) -> [R; N] {
+        let mut sum = [R::zero(); N];
+        for (vector, &y) in self.vectors.iter().zip(components).take(self.count) {
+            for (sum, &z) in sum.iter_mut().zip(vector) {
+                *sum = R::mul_add(y, z, *sum);
+            }
+        }
+        sum
+    }
+
+    /// Zᵀ X Z.
+    pub fn table(&self, rows: &[[R; N]; N]) -> Stored<[[R; N]; N]> {
+        let mut table = Stored::<[[R; N]; N]>::zeros();
+        for (l, z) in self.vectors.iter().enumerate().take(self.count) {
+            let image = rows.each_ref().map(|row| dot(row, z));
+            for (k, y) in self.vectors.iter().enumerate().take(self.count) {
+                table[k][l] = dot(y, &image);
+            }
+        }
+        table
+    }
+}
+
+/// A table, and the largest sum of magnitudes in it, which its roundings are relative to.
+#[derive(Clone)]
+pub(super) struct Stiffness<R, const N: usize> {
+    pub rows: Stored<[[R; N]; N]>,
+    pub size: R,
+}
+
+impl<'a, S, const N: usize, const K: usize, const C: usize> Statics<'a, S, N, K, C>
+where
+    S: Tangent<N, K, C>,
+    S::Scalar: Ordered,
+{
+    /// Whether constraints restrict the same motions as places.
+    pub const HOLONOMIC: bool = {
+        let (mut c, mut all) = (0, true);
+        while c < C {
+            all &= S::HOLONOMIC[c];
+            c += 1;
+        }
+        all
+    };
+
+    /// With the inertia at a guess as the metric.
+    pub fn new(system: &'a S, guess: &State<S::Scalar, N>, u: &'a [S::Scalar; K]) -> Self {
+        let metric = Stored::zeros();
+        let constants = system.constants();
+        let mut this = Self { system, constants, t: guess.t, u, sizes: [S::Scalar::zero(); N], metric };
+        let first = this.variation(&guess.q, &[S::Scalar::zero(); C]);
+        this.put(&core::array::from_fn(|i| first.mass[i][i].abs()));
+        // What has no inertia gets the size that the constraints suggest.
+        this.sizes = TangentSpace::new(&this.metric, &first.gradients).metric;
+        let sizes = this.sizes;
+        this.put(&sizes);
+        this
+    }
+
+    fn put(&mut self, sizes: &[S::Scalar; N]) {
+        for (i, &size) in sizes.iter().enumerate() {
+            self.metric[i][i] = size;
+        }
+    }
+
+    /// xᵀ x in the metric.
+    pub fn size(&self, x: &[S::Scalar; N]) -> S::Scalar {
+        self.sizes.iter().zip(x).fold(S::Scalar::zero(), |sum, (&m, &x)| sum + m * x * x)
+    }
+
+    fn place<'b>(
+        &'b self,
+        q: &'b [S::Scalar; N],
+        zeros: &'b [S::Scalar; N],
+        multipliers: &'b [S::Scalar; C],
+    ) -> Place<'b, S::Scalar, N, K, C> {
+        Place { t: self.t, q, v: zeros, a: zeros, multipliers, u: self.u }
+    }
+
+    /// The derivatives at rest.
+    #[inline(never)]
+    pub fn variation(
+        &self,
+        q: &[S::Scalar; N],
+        multipliers: &[S::Scalar; C],
+    ) -> Variation<S::Scalar, N, K, C> {
+        let zeros = [S::Scalar::zero(); N];
+        self.system.variation_at(&self.constants, &self.place(q, &zeros, multipliers))
+    }
+
+    /// The power of forces along a way.
+    pub fn power(&self, q: &[S::Scalar; N], multipliers: &[S::Scalar; C], way: &[S::Scalar; N]) -> S::Scalar {
+        dot(&self.imbalance(q, multipliers), way)
+    }
+
+    /// f + Aᵀλ.
+    fn imbalance(&self, q: &[S::Scalar; N], multipliers: &[S::Scalar; C]) -> [S::Scalar; N] {
+        let zeros = [S::Scalar::zero(); N];
+        self.system.imbalance_at(&self.constants, &self.place(q, &zeros, multipliers)).forces
+    }
+
+    /// The gradients of the holonomic constraints alone.
+    fn holonomic(mut gradients: Stored<[[S::Scalar; N]; C]>) -> Stored<[[S::Scalar; N]; C]> {
+        for (row, is_holonomic) in gradients.iter_mut().zip(S::HOLONOMIC) {
+            if !is_holonomic {
+                *row = [S::Scalar::zero(); N];
+            }
+        }
+        gradients
+    }
+
+    /// The nearest coordinates on the constraints.
+    pub fn feasible(&self, q: [S::Scalar; N]) -> Result<[S::Scalar; N], EquilibriumError> {
+        let none = [S::Scalar::zero(); N];
+        if !S::HOLONOMIC.contains(&true) {
+            return Ok(q);
+        }
+        let mut q = q;
+        let mut residuals = self.system.deviations_at(self.t, &q, &none);
+        for _ in 0..CORRECTIONS {
+            if residuals.level_is_roundings(Level::Positions) {
+                return Ok(q);
+            }
+            let (saddle, gradients) = self.tangent(&q);
+            let metric = Metric::of(&*saddle);
+            let slopes = metric.slopes(&gradients);
+            let by_state = slopes.map(|slope| slope * metric.extent(&q));
+            let before = residuals.distance(Level::Positions, &slopes);
+            let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
+            let moved: [S::Scalar; N] = core::array::from_fn(|i| q[i] + change[i]);
+            if !moved.iter().all(|q| q.is_finite()) {
+                break;
+            }
+            let there = self.system.deviations_at(self.t, &moved, &none);
+            let better = there.distance(Level::Positions, &slopes) < before;
+            if !better && residuals.is_within(Level::Positions, S::Scalar::epsilon().sqrt(), &by_state) {
+                // No better place in this arithmetic.
+                return Ok(q);
+            }
+            (q, residuals) = (moved, there);
+        }
+        let (saddle, gradients) = self.tangent(&q);
+        if let Some(constraint) = saddle.vanishing() {
+            return Err(EquilibriumError::Constraints(Cause::VanishingGradient {
+                constraint,
+                name: Name::NONE,
+            }));
+        }
+        let cause = residuals.cause(Level::Positions, &Metric::of(&*saddle).slopes(&gradients));
+        Err(EquilibriumError::Constraints(match cause {
+            Cause::PositionViolated { constraint, name, .. } if saddle.rank() < C => {
+                Cause::Contradictory { constraint, name }
+            }
+            Cause::PositionViolated { constraint, name, by } => {
+                Cause::NoConsistentState { constraint, name, by }
+            }
+            other => other,
+        }))
+    }
+
+    /// The gradients of the holonomic constraints, and the factors of them with the metric.
+    #[inline(never)]
+    #[allow(clippy::type_complexity)]
+    fn tangent(&self, q: &[S::Scalar; N]) -> (Stored<Saddle<S::Scalar, N, C>>, Stored<[[S::Scalar; N]; C]>) {
+        let gradients = Self::holonomic(self.variation(q, &[S::Scalar::zero(); C]).gradients);
+        (Stored::new(Saddle::factor(&self.metric, &gradients)), gradients)
+    }
+
+    /// Forces and stiffness at coordinates on the constraints.
+    pub fn rest(&self, q: [S::Scalar; N]) -> Rest<S::Scalar, N, C> {
+        let none = [S::Scalar::zero(); C];
+        let gradients = self.variation(&q, &none).gradients;
+        let (rank, vanishing, multipliers) = self.balancing(&q, &gradients);
+        let left = self.imbalance(&q, &multipliers);
+        let by_q = self.variation(&q, &multipliers).by_q;
+        let motions = Directions::new(&self.metric, &gradients);
+        let places =
+            (!Self::HOLONOMIC).then(|| Directions::new(&self.metric, &Self::holonomic(gradients.clone())));
+        let mut forces = [S::Scalar::zero(); N];
+        for (force, vector) in forces.iter_mut().zip(motions.vectors.iter()).take(motions.count) {
+            *force = dot(vector, &left);
+        }
+        let mut stiffness = stiffness(&by_q, &motions, places.as_ref().unwrap_or(&motions));
+        let most = forces.iter().fold(stiffness.size, |most, x| larger(x.abs(), most));
+        let scale = most.recip();
+        let is_unit = scale.is_finite() && scale.is_positive();
+        let (unit, scale) = if is_unit { (most, scale) } else { (S::Scalar::one(), S::Scalar::one()) };
+        stiffness.size *= scale;
+        stiffness.rows.iter_mut().flatten().chain(&mut forces).for_each(|x| *x *= scale);
+        let norm = unit * dot(&forces, &forces).sqrt();
+        Rest {
+            q,
+            multipliers,
+            rank,
+            vanishing,
+            motions,
+            places,
+            gradients,
+            unit,
+            forces,
+            norm,
+            stiffness,
+            left,
+        }
+    }
+
+    /// The number of independent constraints, one without a gradient, and the multipliers that balance the
+    /// forces as well as can be.
+    #[inline(never)]
+    fn balancing(
+        &self,
+        q: &[S::Scalar; N],
+        gradients: &[[S::Scalar; N]; C],
+    ) -> (usize, Option<usize>, [S::Scalar; C]) {
+        let none = [S::Scalar::zero(); C];
+        if C == 0 {
+            return (0, None, none);
+        }
+        let saddle = Stored::new(Saddle::factor(&self.metric, gradients));
+        (saddle.rank(), saddle.vanishing(), saddle.solve(&self.imbalance(q, &none), &none).1)
+    }
+
+    /// The directions that the coordinates may take.
+    pub fn allowed<'b>(&self, rest: &'b Rest<S::Scalar, N, C>) -> &'b Directions<S::Scalar, N> {
+        rest.places.as_ref().unwrap_or(&rest.motions)
+    }
+
+    /// Refuses constraints that do not let the system rest.
+    #[inline(never)]
+    pub fn resting(&self, rest: &Rest<S::Scalar, N, C>) -> Result<(), EquilibriumError> {
+        if C == 0 {
+            return Ok(());
+        }
+        let none = [S::Scalar::zero(); N];
+        let residuals = self.system.deviations_at(self.t, &rest.q, &none);
+        let saddle = Stored::new(Saddle::factor(&self.metric, &rest.gradients));
+        if residuals.is_within(Level::Velocities, S::Scalar::epsilon().sqrt(), &[S::Scalar::zero(); C]) {
+            return Ok(());
+        }
+        match residuals.cause(Level::Velocities, &Metric::of(&*saddle).slopes(&rest.gradients)) {
+            Cause::VelocityViolated { constraint, name, .. } => {
+                Err(EquilibriumError::MovingConstraint { constraint, name })
+            }
+            cause => Err(EquilibriumError::Constraints(cause)),
+        }
+    }
+}
+
+pub(super) fn dot<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
+    a.iter().zip(b).fold(R::zero(), |sum, (&a, &b)| R::mul_add(a, b, sum))
+}
+
+/// Σ |a b|.
+fn size_of<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
+    a.iter().zip(b).fold(R::zero(), |sum, (&a, &b)| sum + (a * b).abs())
+}
+
+/// Zᵀ X Z′ of −∂r/∂q, with Z the motions and Z′ what the coordinates may do.
+fn stiffness<R: Ordered, const N: usize>(
+    by_q: &[[R; N]; N],
+    motions: &Directions<R, N>,
+    allowed: &Directions<R, N>,
+) -> Stiffness<R, N> {
+    let mut rows = Stored::<[[R; N]; N]>::zeros();
+    let mut size = R::zero();
+    for (l, direction) in allowed.vectors.iter().enumerate().take(allowed.count) {
+        let change = by_q.each_ref().map(|slopes| -dot(slopes, direction));
+        let magnitudes = by_q.each_ref().map(|slopes| size_of(slopes, direction));
+        for (k, z) in motions.vectors.iter().enumerate().take(motions.count) {
+            rows[k][l] = dot(z, &change);
+            size = larger(size_of(z, &magnitudes), size);
+        }
+    }
+    Stiffness { rows, size }
+}

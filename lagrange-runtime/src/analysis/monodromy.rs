@@ -1,0 +1,103 @@
+//! Floquet multipliers of periodic motions, on hosts with a standard library.
+//!
+//! The state-transition matrix over one period, the monodromy matrix, maps a deviation from a periodic motion
+//! to that deviation a period later. Its eigenvalues, the multipliers, say whether deviations grow
+//! (Yakubovich and Starzhinskii, *Linear Differential Equations with Periodic Coefficients*, chapter II;
+//! Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, § I.16).
+
+use std::vec::Vec;
+
+use nalgebra::{ColPivQR, Complex, DMatrix};
+
+use super::modes::values;
+use super::{Sensitive, Transition, Variational, VariationalMotion};
+use crate::number::real::{Ordered, Real};
+use crate::system::error::{Cause, MotionError};
+use crate::system::state::State;
+
+/// How deviations from a motion develop over a period.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Monodromy<R, const N: usize, const P: usize = 0> {
+    /// The state after the period with its derivatives by the start. Where the motion is periodic it is the
+    /// start, up to whole turns of angles.
+    pub transition: Transition<R, N, P>,
+    /// The eigenvalues of the state-transition matrix, largest modulus first; under constraints those on the
+    /// tangent space.
+    ///
+    /// A periodic motion of a system that does not depend on time has a multiplier 1, and a second one where
+    /// energy is conserved; every other integral adds a pair. Equal multipliers are uncertain by the
+    /// root of a rounding and more.
+    pub multipliers: Vec<Complex<f64>>,
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>
+    Variational<'_, S, N, K, C, P, D>
+where
+    S: Sensitive<N, K, C, P, D>,
+    S::Scalar: Ordered + Into<f64>,
+{
+    /// The multipliers of the periodic motion from a state, at the finest tolerance, with inputs at zero.
+    ///
+    /// # Errors
+    /// As [`VariationalMotion::monodromy`].
+    pub fn monodromy(
+        &self,
+        start: State<S::Scalar, N>,
+        period: S::Scalar,
+    ) -> Result<Monodromy<S::Scalar, N, P>, MotionError<S::Scalar>> {
+        self.motion(start)?.with_tolerance(S::Scalar::epsilon()).monodromy(period)
+    }
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>
+    VariationalMotion<'_, S, N, K, C, P, D>
+where
+    S: Sensitive<N, K, C, P, D>,
+    S::Scalar: Ordered + Into<f64>,
+{
+    /// The multipliers of the periodic motion from the start. That it is periodic is the caller's to know:
+    /// the eigenvalues of another motion's matrix mean little.
+    ///
+    /// # Errors
+    /// Why and when the motion or a derivative cannot go on; [`Cause::NoEigenvalues`] for eigenvalues that
+    /// the iteration does not find.
+    pub fn monodromy(
+        mut self,
+        period: S::Scalar,
+    ) -> Result<Monodromy<S::Scalar, N, P>, MotionError<S::Scalar>> {
+        let start = self.transition();
+        let transition = self.advance_to(start.state.t + period)?;
+        let failed = MotionError { cause: Cause::NoEigenvalues, t: transition.state.t };
+        let multipliers = multipliers(&start, &transition, C > 0).ok_or(failed)?;
+        Ok(Monodromy { transition, multipliers })
+    }
+}
+
+fn multipliers<R, const N: usize, const P: usize>(
+    start: &Transition<R, N, P>,
+    end: &Transition<R, N, P>,
+    is_constrained: bool,
+) -> Option<Vec<Complex<f64>>>
+where
+    R: Ordered + Into<f64>,
+{
+    let whole = |of: &Transition<R, N, P>| DMatrix::from_fn(2 * N, 2 * N, |i, j| of.entry(i, j).into());
+    let mut matrix = whole(end);
+    if is_constrained {
+        // At the start the matrix is the projection onto the tangent space, whose trace is its rank.
+        let projection = whole(start);
+        let rank = (projection.trace().round() as usize).min(2 * N);
+        let basis = ColPivQR::new(projection).q().columns(0, rank).into_owned();
+        matrix = basis.transpose() * matrix * basis;
+    }
+    // In units of the largest entry no square is out of range.
+    let scale = matrix.amax();
+    if scale == 0.0 {
+        return Some(std::vec![Complex::new(0.0, 0.0); matrix.nrows()]);
+    }
+    let found = values(&(matrix / scale), R::epsilon().into())?;
+    let mut found: Vec<_> = found.into_iter().map(|value| value * scale).collect();
+    let size = |x: &Complex<f64>| x.re.hypot(x.im);
+    found.sort_by(|a, b| size(b).total_cmp(&size(a)).then(b.im.total_cmp(&a.im)));
+    Some(found)
+}

@@ -1,0 +1,118 @@
+//! Derivatives by parameters.
+
+use nalgebra::SMatrix;
+
+use super::response::{Factored, columns, factored};
+use super::{Place, Tangent, Variational};
+use crate::number::real::{Ordered, Real};
+use crate::system::System;
+use crate::system::error::{Cause, MotionError};
+use crate::system::state::State;
+
+/// Derivatives by `P` parameters; rows are equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ByParameters<R, const N: usize, const C: usize, const P: usize> {
+    /// ∂r/∂p of r = f + Aᵀλ − M a at given accelerations and multipliers.
+    pub forces: [[R; P]; N],
+    /// ∂(A a − γ)/∂p.
+    pub conditions: [[R; P]; C],
+    /// ∂f/∂p of the holonomic constraints, zero for the others.
+    pub positions: [[R; P]; C],
+    /// ∂w/∂p, where w = df/dt of the holonomic constraints and g of the others.
+    pub rates: [[R; P]; C],
+}
+
+impl<R: Real, const N: usize, const C: usize, const P: usize> ByParameters<R, N, C, P> {
+    /// Zeros, for generated code to fill in.
+    #[inline]
+    #[must_use]
+    pub fn zero() -> Self {
+        let zero = R::zero();
+        Self {
+            forces: [[zero; P]; N],
+            conditions: [[zero; P]; C],
+            positions: [[zero; P]; C],
+            rates: [[zero; P]; C],
+        }
+    }
+}
+
+/// Derivatives of accelerations a and multipliers λ by parameters; a column each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sensitivities<R, const N: usize, const C: usize, const P: usize> {
+    /// ∂a/∂p.
+    pub accelerations: SMatrix<R, N, P>,
+    /// ∂λ/∂p.
+    pub multipliers: SMatrix<R, C, P>,
+}
+
+/// A system with derivatives by its start and by the `P` parameters that its attribute lists as
+/// `sensitivities` (`P` may be zero), in `D` directions at once.
+#[diagnostic::on_unimplemented(
+    message = "the derivatives of the equations of `{Self}` are not generated",
+    label = "this needs `jacobians`, and `sensitivities = […]` for derivatives by parameters",
+    note = "say so in the attribute: `#[lagrangian(coordinates = […], sensitivities = [self.mass])]`"
+)]
+pub trait Sensitive<
+    const N: usize,
+    const K: usize = 0,
+    const C: usize = 0,
+    const P: usize = 0,
+    const D: usize = 0,
+>: Tangent<N, K, C>
+{
+    /// The parameters in the order of all columns, as they are written.
+    const PARAMETERS: [&'static str; P];
+
+    /// The same equations over another scalar.
+    type Over<R: Real>: System<N, K, Scalar = R> + Copy + core::fmt::Debug;
+
+    /// The system with each parameter replaced by a number of another scalar, such as [`Dual`](crate::Dual).
+    /// `parameter` makes it from the value and, for those of [`Sensitive::PARAMETERS`], the index there.
+    ///
+    /// Whatever takes a system takes the result: `simulate`, steppers, batches. So derivatives by any
+    /// combination of start and parameters, and second ones by duals of duals, are motions like others.
+    fn over<R: Real>(&self, parameter: impl FnMut(Self::Scalar, Option<usize>) -> R) -> Self::Over<R>;
+
+    /// Derivatives of the equations by the parameters.
+    fn by_parameters_at(
+        &self,
+        constants: &Self::Constants,
+        place: &Place<'_, Self::Scalar, N, K, C>,
+    ) -> ByParameters<Self::Scalar, N, C, P>;
+
+    /// Derivatives of accelerations and multipliers by the parameters at a fixed state.
+    ///
+    /// # Errors
+    /// A singular mass matrix or constraints without a solution, with the time; a value that is not finite.
+    fn sensitivities(
+        &self,
+        state: &State<Self::Scalar, N>,
+        u: &[Self::Scalar; K],
+    ) -> Result<Sensitivities<Self::Scalar, N, C, P>, MotionError<Self::Scalar>>
+    where
+        Self: Sized,
+    {
+        let constants = self.constants();
+        let Factored { balance, saddle, .. } = factored(self, &constants, state, u)?;
+        let State { t, q, v } = state;
+        let place = Place { t: *t, q, v, a: &balance.accelerations, multipliers: &balance.multipliers, u };
+        let by_p = self.by_parameters_at(&constants, &place);
+        let (accelerations, multipliers) = columns(&saddle, &by_p.forces, &by_p.conditions);
+        if accelerations.iter().chain(&multipliers).all(|x| x.is_finite()) {
+            Ok(Sensitivities { accelerations, multipliers })
+        } else {
+            Err(MotionError { cause: Cause::NotFinite, t: *t })
+        }
+    }
+
+    /// The system with states that carry their derivatives by the start and by the parameters: its
+    /// [`motion`](Variational::motion) has the state-transition matrix.
+    fn variational(&self) -> Variational<'_, Self, N, K, C, P, D>
+    where
+        Self: Sized,
+        Self::Scalar: Ordered,
+    {
+        Variational::new(self)
+    }
+}

@@ -1,0 +1,340 @@
+//! [`Batch`]: several motions of one kind at once, one in each lane of a SIMD vector.
+//!
+//! The scalar of the system is a vector (`Lanes<f64x8>`, feature `wide`), so states and parameters differ
+//! from lane to lane and the same generated code serves all of them. All lanes expand together to the same
+//! order; each takes the step that its own series allows.
+
+use crate::integrator::dop853::add;
+use crate::integrator::jets::probe::{self, Probe};
+use crate::integrator::jets::{NEAR, STEEPEST, last_term, orders};
+use crate::number::real::Real;
+use crate::series::HIGHEST;
+use crate::system::attitude;
+use crate::system::error::{Cause, MotionError};
+use crate::system::smooth::{Series, Smooth};
+use crate::system::state::State;
+
+/// Orders of the series for each natural digit of the tolerance. There are fewer than for a single motion,
+/// because the work of a step grows with the square of the order once the lanes fill the vectors.
+const ORDERS_PER_DIGIT: f64 = 0.7;
+
+/// exp(−1 / `ORDERS_PER_DIGIT`).
+const DECAY: f64 = 0.24;
+
+/// Motions of `system` in the lanes of its scalar, by Taylor series.
+#[derive(Clone, Copy, Debug)]
+pub struct Batch<'a, S: Smooth<N, K>, const N: usize, const K: usize = 0> {
+    system: &'a S,
+    constants: S::JetConstants,
+    tables: S::Tables<HIGHEST>,
+    series: Series<S::Scalar, N, HIGHEST>,
+    inputs: [S::Scalar; K],
+    tolerance: <S::Scalar as Real>::Lane,
+    attempts: u64,
+    /// Unit of time of the coefficients \[s], without direction; zero if not known.
+    unit: S::Scalar,
+    state: State<S::Scalar, N>,
+    /// What rounding took from the state.
+    residue: State<S::Scalar, N>,
+    expansions: u64,
+    /// Lengths of the last steps \[s], without direction; zero before the first.
+    last: S::Scalar,
+    /// The largest accelerations that were met where steps were probed.
+    strongest: [S::Scalar; N],
+}
+
+impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
+    /// Motions from the lanes of `start`, with inputs at zero. The times of the lanes may differ.
+    #[inline]
+    pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        Self {
+            system,
+            constants: system.jet_constants(),
+            tables: S::Tables::default(),
+            series: Series::default(),
+            inputs: [zero; K],
+            tolerance: Real::max(
+                <S::Scalar as Real>::Lane::from_f64(1e-10),
+                <S::Scalar as Real>::Lane::from_f64(100.0) * <S::Scalar as Real>::Lane::epsilon(),
+            ),
+            attempts: 10_000_000,
+            unit: zero,
+            state: start,
+            residue: State { t: zero, q: [zero; N], v: [zero; N] },
+            expansions: 0,
+            last: zero,
+            strongest: [zero; N],
+        }
+    }
+
+    /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32`
+    /// 100 ε.
+    #[inline]
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: <S::Scalar as Real>::Lane) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// Expansions that one call of `advance_to` may make. Default 10 million.
+    #[inline]
+    #[must_use]
+    pub fn with_max_steps(mut self, steps: u64) -> Self {
+        self.attempts = steps;
+        self
+    }
+
+    /// Holds these inputs from here on.
+    #[inline]
+    pub fn set_inputs(&mut self, inputs: [S::Scalar; K]) {
+        self.inputs = inputs;
+    }
+
+    /// The states, lane by lane.
+    #[inline]
+    pub fn state(&self) -> &State<S::Scalar, N> {
+        &self.state
+    }
+
+    /// Expansions so far, each of all lanes.
+    #[inline]
+    pub fn expansions(&self) -> u64 {
+        self.expansions
+    }
+
+    /// Moves all lanes to exactly time `t` \[s], forward or backward.
+    ///
+    /// # Errors
+    /// [`Cause::InvalidTime`], `InvalidTolerance` for bad arguments; [`Cause::PositionViolated`] or
+    /// `VelocityViolated` for a start off the constraints in some lane; [`Cause::NotFinite`] or
+    /// `SingularMassMatrix` where some lane cannot go on, [`Cause::StepTooSmall`] where its steps vanish,
+    /// with the times of all lanes; [`Cause::TooManySteps`]. The state is then the last good one.
+    pub fn advance_to(
+        &mut self,
+        t: <S::Scalar as Real>::Lane,
+    ) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
+        self.advance(t).map_err(|cause| MotionError { cause, t: self.state.t })?;
+        Ok(&self.state)
+    }
+
+    fn advance(&mut self, t: <S::Scalar as Real>::Lane) -> Result<(), Cause> {
+        let number = S::Scalar::from_f64;
+        let zero: <S::Scalar as Real>::Lane = num_traits::Zero::zero();
+        if !t.is_finite() {
+            return Err(Cause::InvalidTime);
+        }
+        if !(self.tolerance.is_finite() && self.tolerance >= zero) {
+            return Err(Cause::InvalidTolerance);
+        }
+        if !self.state.is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        if S::CONSTRAINED && self.expansions == 0 {
+            let (constants, mut start) = (self.system.constants(), self.state);
+            self.system.begin_at(&constants, &mut start)?;
+            self.state = start;
+        }
+        let target = S::Scalar::splat(t);
+        let orders = orders(self.tolerance, ORDERS_PER_DIGIT);
+        let resolution = number(4.0) * S::Scalar::epsilon() * target.abs().max(self.state.t.abs());
+        let mut attempts = self.attempts;
+        loop {
+            let left = (target - self.state.t) - self.residue.t;
+            let missing = left.abs() - resolution;
+            if missing.largest() <= zero {
+                (self.state.t, self.residue.t) = (target, num_traits::Zero::zero());
+                return Ok(());
+            }
+            if attempts == 0 {
+                return Err(Cause::TooManySteps);
+            }
+            attempts -= 1;
+            let direction = left.signum();
+            if !self.unit.is_positive() {
+                self.unit = S::Scalar::splat(left.abs().largest());
+            }
+            self.expand(orders, direction)?;
+            let one: S::Scalar = num_traits::One::one();
+            let mut tolerated = self.tolerated(orders, one);
+            if (number(0.5) - tolerated).largest() > zero {
+                // In a unit much longer than the step the first terms are no measure of the size.
+                tolerated = self.tolerated(orders, tolerated.min(one));
+            }
+            if !(tolerated.is_finite() && self.series_is_finite(orders)) {
+                // Some lane is out of the range of the arithmetic, or of the domain of the equations.
+                self.unit *= number(1e-3);
+                if (resolution - self.unit).largest() >= zero {
+                    return Err(Cause::NotFinite);
+                }
+                continue;
+            }
+            let near = number(NEAR);
+            let too_small = (near.recip() - tolerated).largest() > zero;
+            let too_large = (tolerated - near).min(left.abs() - self.unit).largest() > zero;
+            if too_small || too_large {
+                // Units far from the steps: coefficients near the ends of the arithmetic.
+                self.unit *= tolerated.max(number(1e-6)).min(number(1e6));
+                if (resolution - self.unit).largest() >= zero {
+                    return Err(Cause::StepTooSmall);
+                }
+                continue;
+            }
+            let mut natural = tolerated.min(near) * self.unit;
+            if S::STEEP {
+                natural = probe::restrained(natural, self.last, left.abs());
+            }
+            let mut length = natural.min(left.abs());
+            if S::STEEP {
+                length = self.probed(length, orders, direction, left.abs(), resolution)?;
+            }
+            if missing.min(resolution - length).largest() > zero {
+                return Err(Cause::StepTooSmall);
+            }
+            self.take(direction * length, length / self.unit, orders)?;
+            self.last = length.max(number(1e-3) * self.last);
+            self.unit = natural;
+        }
+    }
+
+    /// The series of all lanes, forward or backward.
+    #[inline]
+    fn expand(&mut self, orders: usize, direction: S::Scalar) -> Result<(), Cause> {
+        let Self { system, constants, tables, series, inputs, state, .. } = self;
+        self.expansions += 1;
+        let unit = direction * self.unit;
+        if system.jet_at(constants, state.t, &state.q, &state.v, inputs, unit, orders, tables, series) {
+            return Ok(());
+        }
+        let constants = system.constants();
+        let found = system.check_at(&constants, state.t, &state.q, &state.v);
+        Err(found.err().unwrap_or(Cause::NotFinite).named(&S::NAMES))
+    }
+
+    /// The lengths at which the terms of the highest orders fall to the tolerance, in units. The size of a
+    /// component is that of its first terms over `span`. As in a single motion, terms before the last two
+    /// bear a part of it, because the last ones may vanish by symmetry.
+    #[inline]
+    fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
+        let number = S::Scalar::from_f64;
+        let relative = S::Scalar::splat(last_term(self.tolerance));
+        // Far below any other number, but not zero.
+        let tiny = S::Scalar::epsilon().powi(4);
+        let mut worst = tiny;
+        let mut weigh =
+            |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize, least: S::Scalar| {
+                let row = |k: usize| {
+                    rows.get(k).map_or([num_traits::Zero::zero(); N], |row| row.map(|x| x.part(part)))
+                };
+                let (first, second) = (row(0), row(1));
+                let mut terms: [S::Scalar; N] = [num_traits::Zero::zero(); N];
+                for order in orders / 2..orders.saturating_sub(2) {
+                    let term = row(order);
+                    for i in 0..N {
+                        terms[i] = (terms[i] * number(1.0 / STEEPEST)).max(term[i].abs());
+                    }
+                }
+                let (before, last) = (row(orders - 2), row(orders - 1));
+                let mut sizes: [S::Scalar; N] = core::array::from_fn(|i| {
+                    x[i].part(part).abs().max(first[i].abs() * span).max(second[i].abs() * span * span)
+                });
+                for &first in S::ORIENTATIONS {
+                    attitude::share(&mut sizes, first, least);
+                }
+                for i in 0..N {
+                    let size = sizes[i];
+                    let early = terms[i] * number(1.0 / (STEEPEST * STEEPEST));
+                    let term = last[i].abs().max(number(DECAY) * before[i].abs()).max(early);
+                    worst = worst.max(term / (relative * size + tiny));
+                }
+            };
+        for part in 0..S::Scalar::PARTS {
+            // The size of the parameters of any orientation is 1 rad.
+            let [zero, one] = [num_traits::Zero::zero(), num_traits::One::one()];
+            weigh(&self.state.q, &self.series.q, part, if part == 0 { one } else { zero });
+            weigh(&self.state.v, &self.series.v, part, zero);
+        }
+        (-worst.ln() / number(orders as f64)).exp()
+    }
+
+    /// A length of which every lane obeys the equations of motion.
+    #[cold]
+    fn probed(
+        &mut self,
+        mut length: S::Scalar,
+        orders: usize,
+        direction: S::Scalar,
+        left: S::Scalar,
+        resolution: S::Scalar,
+    ) -> Result<S::Scalar, Cause> {
+        let constants = self.system.constants();
+        let mut strongest = self.strongest;
+        // All lanes as far as a series of zeros reaches.
+        let endless = (-S::Scalar::epsilon().powi(4).ln() / S::Scalar::from_f64(orders as f64)).exp();
+        let free = endless * S::Scalar::from_f64(0.99) - self.tolerated(orders, num_traits::One::one());
+        let is_free = free.largest() <= num_traits::Zero::zero();
+        let probe = Probe {
+            system: self.system,
+            constants: &constants,
+            inputs: &self.inputs,
+            start: &self.state,
+            series: &self.series,
+            orders,
+            unit: direction * self.unit,
+            tolerances: [S::Scalar::splat(self.tolerance), S::Scalar::epsilon().powi(4)],
+        };
+        if is_free && !self.last.is_positive() {
+            probe.compared(left / self.unit, &mut strongest);
+        }
+        while !probe.agrees(length / self.unit, &mut strongest) {
+            length *= S::Scalar::from_f64(0.5);
+            if (resolution - length).largest() >= num_traits::Zero::zero() {
+                return Err(Cause::StepTooSmall);
+            }
+        }
+        self.strongest = strongest;
+        Ok(length)
+    }
+
+    #[inline]
+    fn series_is_finite(&self, orders: usize) -> bool {
+        let row = |rows: &[[S::Scalar; N]; HIGHEST]| {
+            rows.get(orders - 1).is_some_and(|row| row.iter().all(|x| x.is_finite()))
+        };
+        row(&self.series.q) && row(&self.series.v)
+    }
+
+    /// Goes on by `h` \[s], which are `theta` units.
+    #[inline]
+    fn take(&mut self, h: S::Scalar, theta: S::Scalar, orders: usize) -> Result<(), Cause> {
+        let (gain_q, gain_v) = self.series.gain(theta, orders);
+        let (mut state, mut residue) = (self.state, self.residue);
+        (state.t, residue.t) = add(state.t, residue.t, h);
+        for i in 0..N {
+            (state.q[i], residue.q[i]) = add(state.q[i], residue.q[i], gain_q[i]);
+            (state.v[i], residue.v[i]) = add(state.v[i], residue.v[i], gain_v[i]);
+        }
+        if !state.is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        if S::CONSTRAINED {
+            let free = state;
+            self.system.project_at(&self.system.constants(), &mut state, None)?;
+            for i in 0..N {
+                // What rounding took belongs to the numbers that were rounded.
+                if state.q[i] != free.q[i] {
+                    residue.q[i] = num_traits::Zero::zero();
+                }
+                if state.v[i] != free.v[i] {
+                    residue.v[i] = num_traits::Zero::zero();
+                }
+            }
+        }
+        if let Some(settled) = attitude::settle(S::ORIENTATIONS, &state) {
+            let zero = [num_traits::Zero::zero(); N];
+            (state, residue) = (settled, State { t: residue.t, q: zero, v: zero });
+        }
+        (self.state, self.residue) = (state, residue);
+        Ok(())
+    }
+}

@@ -1,0 +1,4 @@
+//! Numbers: the scalar trait, its functions, SIMD lanes, dual numbers, the double-double.
+
+mod math;
+pub mod real;

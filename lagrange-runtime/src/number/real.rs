@@ -1,0 +1,382 @@
+//! [`Real`]: the scalar that equations of motion are evaluated in.
+//!
+//! The trait is open. `f32`, `f64` and [`Dual`] implement it here. Implement it for fixed point, SIMD lanes
+//! or a hardware CORDIC, and every generated method works with them. Thirteen functions are required; the
+//! others have defaults. Where a default is weak its documentation says so, and an implementor with a better
+//! routine overrides it. The supertraits are what nalgebra needs for sums, products, `dot` and `cross`.
+
+use core::fmt::Debug;
+use core::iter::Sum;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use crate::number::math;
+
+#[cfg(feature = "double-double")]
+mod double_double;
+mod dual;
+#[cfg(feature = "double-double")]
+pub use double_double::{DoubleDouble, ParseError};
+pub use dual::Dual;
+#[cfg(feature = "wide")]
+mod lanes;
+#[cfg(feature = "wide")]
+pub use lanes::Lanes;
+
+/// A real number, or several of them side by side (lanes).
+pub trait Real:
+    Copy
+    + Debug
+    + PartialEq
+    + 'static
+    + Sum
+    + Zero
+    + One
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+{
+    /// One lane: the type itself, the element of a SIMD vector, or what carries derivatives without them.
+    type Lane: Real<Lane = Self::Lane> + PartialOrd;
+
+    /// The same value in every lane.
+    fn splat(lane: Self::Lane) -> Self;
+
+    /// The largest lane. A NaN lane may be skipped; ask [`Real::is_finite`] first where it matters.
+    fn largest(self) -> Self::Lane;
+
+    /// The nearest value to a double.
+    fn from_f64(literal: f64) -> Self;
+
+    /// Sine and cosine of an angle in radians, together.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Angle of the point (`x`, `self`) in radians, in (−π, π].
+    fn atan2(self, x: Self) -> Self;
+
+    /// e to the power `self`.
+    fn exp(self) -> Self;
+
+    /// Natural logarithm.
+    fn ln(self) -> Self;
+
+    /// Square root; NaN below zero.
+    fn sqrt(self) -> Self;
+
+    /// Absolute value.
+    fn abs(self) -> Self;
+
+    /// +1 from +0 upwards, −1 from −0 downwards, as `f64::signum`.
+    fn signum(self) -> Self;
+
+    /// Distance from 1 to the next larger number.
+    fn epsilon() -> Self;
+
+    /// Whether no lane is infinite or NaN.
+    fn is_finite(self) -> bool;
+
+    /// Whether every lane is strictly above zero; false for NaN.
+    fn is_positive(self) -> bool;
+
+    /// The number of parts that error control weighs separately: one, or a number and its derivatives.
+    const PARTS: usize = 1;
+
+    /// The order of the derivatives that a number carries: 0 for plain numbers.
+    const DEPTH: usize = 0;
+
+    /// One of the [`Real::PARTS`] as a number of its own, whose derivatives are zero: the value first.
+    #[inline(always)]
+    #[must_use]
+    fn part(self, _index: usize) -> Self {
+        self
+    }
+
+    /// The nearest value to a constant that is not a double, such as a tenth or ln 2. `high` is the double
+    /// nearest to it, `low` the one nearest to the difference. The default ignores `low`, which is right for
+    /// scalars with no more digits than `f64`.
+    #[inline]
+    fn from_parts(high: f64, low: f64) -> Self {
+        let _ = low;
+        Self::from_f64(high)
+    }
+
+    /// π.
+    #[inline]
+    fn pi() -> Self {
+        Self::from_f64(core::f64::consts::PI)
+    }
+
+    /// Sine of an angle in radians.
+    #[inline]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// Cosine of an angle in radians.
+    #[inline]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// Tangent of an angle in radians.
+    #[inline]
+    fn tan(self) -> Self {
+        let (sin, cos) = self.sin_cos();
+        sin / cos
+    }
+
+    /// Angle in \[−π/2, π/2] with this sine.
+    #[inline]
+    fn asin(self) -> Self {
+        self.atan2(((Self::one() - self) * (Self::one() + self)).sqrt())
+    }
+
+    /// Angle in \[0, π] with this cosine.
+    #[inline]
+    fn acos(self) -> Self {
+        ((Self::one() - self) * (Self::one() + self)).sqrt().atan2(self)
+    }
+
+    /// Angle in (−π/2, π/2) with this tangent.
+    #[inline]
+    fn atan(self) -> Self {
+        self.atan2(Self::one())
+    }
+
+    /// Hyperbolic sine. The default is as accurate near zero as [`Real::exp_m1`].
+    #[inline]
+    fn sinh(self) -> Self {
+        (self.exp_m1() - (-self).exp_m1()) / Self::from_f64(2.0)
+    }
+
+    /// Hyperbolic cosine.
+    #[inline]
+    fn cosh(self) -> Self {
+        (self.exp() + (-self).exp()) / Self::from_f64(2.0)
+    }
+
+    /// Hyperbolic tangent. The default is as accurate near zero as [`Real::exp_m1`].
+    #[inline]
+    fn tanh(self) -> Self {
+        // The exponent is never positive, so nothing overflows.
+        let decay = (Self::from_f64(-2.0) * self.abs()).exp_m1();
+        self.signum() * (-decay / (decay + Self::from_f64(2.0)))
+    }
+
+    /// Inverse hyperbolic sine.
+    #[inline]
+    fn asinh(self) -> Self {
+        let x = self.abs();
+        let square = x * x;
+        self.signum() * (x + square / (Self::one() + (square + Self::one()).sqrt())).ln_1p()
+    }
+
+    /// Inverse hyperbolic cosine; NaN below 1.
+    #[inline]
+    fn acosh(self) -> Self {
+        let above = self - Self::one();
+        (above + (above * (self + Self::one())).sqrt()).ln_1p()
+    }
+
+    /// Inverse hyperbolic tangent.
+    #[inline]
+    fn atanh(self) -> Self {
+        let two = Self::from_f64(2.0);
+        (two * self / (Self::one() - self)).ln_1p() / two
+    }
+
+    /// e to the power `self`, less 1. The default loses relative accuracy near zero.
+    #[inline]
+    fn exp_m1(self) -> Self {
+        self.exp() - Self::one()
+    }
+
+    /// Natural logarithm of 1 + `self`. The default compensates for the rounding of 1 + `self`.
+    #[inline]
+    fn ln_1p(self) -> Self {
+        let sum = Self::one() + self;
+        sum.ln() - ((sum - Self::one()) - self) / sum
+    }
+
+    /// Cube root, odd in `self`.
+    #[inline]
+    fn cbrt(self) -> Self {
+        self.signum() * (self.abs().ln() / Self::from_f64(3.0)).exp()
+    }
+
+    /// Power with a real exponent; the default is NaN for a negative base.
+    #[inline]
+    fn powf(self, exponent: Self) -> Self {
+        (exponent * self.ln()).exp()
+    }
+
+    /// Power with an integer exponent, by repeated squaring: the same bits on every target.
+    #[inline]
+    fn powi(self, exponent: i32) -> Self {
+        let mut square = self;
+        let mut product = Self::one();
+        let mut left = exponent.unsigned_abs();
+        while left > 0 {
+            if left & 1 == 1 {
+                product *= square;
+            }
+            left >>= 1;
+            if left > 0 {
+                square *= square;
+            }
+        }
+        if exponent < 0 { product.recip() } else { product }
+    }
+
+    /// The larger of two, lane by lane. The default has a rounding error.
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        (self + other + (self - other).abs()) / Self::from_f64(2.0)
+    }
+
+    /// The smaller of two, lane by lane. The default has a rounding error.
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        (self + other - (self - other).abs()) / Self::from_f64(2.0)
+    }
+
+    /// `self` where it is positive, else zero.
+    #[inline]
+    fn positive_part(self) -> Self {
+        self.max(Self::zero())
+    }
+
+    /// `self` between two bounds, lane by lane.
+    #[inline]
+    fn clamp(self, low: Self, high: Self) -> Self {
+        self.max(low).min(high)
+    }
+
+    /// √(`self`² + `other`²). The default overflows if a square does.
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        (self * self + other * other).sqrt()
+    }
+
+    /// `self` · `factor` + `summand`, in the way that is fast on the target and never a call. It is rounded
+    /// once where the target has the instruction and the math is the standard library's, otherwise twice.
+    #[inline(always)]
+    fn mul_add(self, factor: Self, summand: Self) -> Self {
+        self * factor + summand
+    }
+
+    /// 1 / `self`.
+    #[inline]
+    fn recip(self) -> Self {
+        Self::one() / self
+    }
+}
+
+/// A scalar with an order, and so with one lane. Motions under error control need it. It is implemented for
+/// every [`Real`] that can be compared.
+pub trait Ordered: Real + PartialOrd {}
+
+impl<R: Real + PartialOrd> Ordered for R {}
+
+/// The larger of two ordered scalars; the second if they cannot be compared.
+#[inline]
+pub(crate) fn larger<R: PartialOrd>(a: R, b: R) -> R {
+    if a > b { a } else { b }
+}
+
+/// The smaller of two ordered scalars; the second if they cannot be compared.
+#[inline]
+pub(crate) fn smaller<R: PartialOrd>(a: R, b: R) -> R {
+    if a < b { a } else { b }
+}
+
+/// The largest of a number and its derivatives, without signs.
+#[inline]
+pub(crate) fn extent<R: Ordered>(x: R) -> R {
+    (0..R::PARTS).fold(R::zero(), |most, part| larger(most, x.part(part).abs()))
+}
+
+/// Forwards functions of `Real` to the backend of the same name.
+macro_rules! forward {
+    ($scalar:ident: $($name:ident($($arg:ident),*);)*) => {$(
+        #[inline]
+        fn $name(self $(, $arg: Self)*) -> Self {
+            math::$scalar::$name(self $(, $arg)*)
+        }
+    )*};
+}
+
+macro_rules! impl_real {
+    ($scalar:ident, $from_f64:expr) => {
+        impl Real for $scalar {
+            type Lane = Self;
+
+            #[inline]
+            fn splat(lane: Self) -> Self {
+                lane
+            }
+            #[inline]
+            fn largest(self) -> Self {
+                self
+            }
+            #[inline]
+            fn from_f64(literal: f64) -> Self {
+                $from_f64(literal)
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                math::$scalar::sin_cos(self)
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                $scalar::abs(self)
+            }
+            #[inline]
+            fn signum(self) -> Self {
+                $scalar::signum(self)
+            }
+            #[inline]
+            fn epsilon() -> Self {
+                $scalar::EPSILON
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                $scalar::is_finite(self)
+            }
+            #[inline]
+            fn is_positive(self) -> bool {
+                self > 0.0
+            }
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                $scalar::max(self, other)
+            }
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                $scalar::min(self, other)
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, summand: Self) -> Self {
+                math::fused::$scalar::mul_add(self, factor, summand)
+            }
+            forward! { $scalar:
+                sin(); cos(); tan(); asin(); acos(); atan(); atan2(x);
+                sinh(); cosh(); tanh(); asinh(); acosh(); atanh();
+                exp(); exp_m1(); ln(); ln_1p(); sqrt(); cbrt(); powf(exponent); hypot(other);
+            }
+        }
+    };
+}
+
+impl_real!(f64, |x: f64| x);
+impl_real!(f32, |x: f64| x as f32);
+
+#[cfg(test)]
+mod tests;

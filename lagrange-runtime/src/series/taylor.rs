@@ -1,0 +1,260 @@
+//! [`Taylor`]: numbers that are polynomials in the part of a step that has passed, with the bound of their roundings.
+//!
+//! Along the polynomial of a step every smooth function of the state is one again, and the same code that gives its
+//! value gives its coefficients. The recurrences are those of Knuth, *The Art of Computer Programming* 2, 4.7, and
+//! Griewank and Walther, *Evaluating Derivatives*, 13.2.
+//!
+//! With θ from 0 to 1 the sum of the magnitudes of all coefficients bounds a polynomial on the whole of its interval.
+//! In that norm roundings are followed from operation to operation, to first order (Higham, *Accuracy and Stability of
+//! Numerical Algorithms*, 3.3).
+
+mod functions;
+
+use core::iter::Sum;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use super::HIGHEST;
+use crate::number::real::{Ordered, Real};
+
+/// The number of coefficients.
+pub(crate) const TERMS: usize = HIGHEST + 1;
+
+/// A polynomial Σ cₖ θᵏ on θ in \[0, 1].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Taylor<R> {
+    pub(crate) coefficients: [R; TERMS],
+    /// The highest coefficient that is not known to be zero.
+    pub(crate) degree: usize,
+    /// The order to which functions are expanded.
+    orders: usize,
+    /// The bound of the roundings on the interval.
+    pub(crate) error: R,
+    /// Whether no term beyond these has been left away.
+    pub(crate) is_whole: bool,
+}
+
+impl<R: Ordered> Taylor<R> {
+    /// A number that does not change.
+    #[inline]
+    pub(crate) fn constant(value: R) -> Self {
+        let mut coefficients = [R::zero(); TERMS];
+        coefficients[0] = value;
+        Self { coefficients, degree: 0, orders: HIGHEST, error: R::zero(), is_whole: true }
+    }
+
+    /// A number that changes by these terms, the first of order one, in the unit `scale`. It and they are rounded.
+    #[inline]
+    pub(crate) fn variable(value: R, terms: impl Iterator<Item = R>, scale: R) -> Self {
+        let mut variable = Self::constant(value);
+        let mut power = R::one();
+        for (order, term) in (1..TERMS).zip(terms) {
+            power *= scale;
+            variable.coefficients[order] = term * power;
+            if !term.is_zero() {
+                variable.degree = order;
+            }
+        }
+        variable.error = R::epsilon() * variable.extent();
+        variable
+    }
+
+    /// A number known by its value alone.
+    #[inline]
+    pub(crate) fn value(value: R) -> Self {
+        Self { orders: 0, error: R::epsilon() * value.abs(), ..Self::constant(value) }
+    }
+
+    /// The coefficients up to the degree.
+    #[inline]
+    pub(crate) fn terms(&self) -> &[R] {
+        self.coefficients.get(..=self.degree).unwrap_or_default()
+    }
+
+    /// A bound of the magnitude on the interval.
+    #[inline]
+    pub(crate) fn extent(&self) -> R {
+        self.terms().iter().fold(R::zero(), |sum, term| sum + term.abs())
+    }
+
+    /// The value at the start.
+    #[inline]
+    pub(crate) fn start(&self) -> R {
+        self.coefficients[0]
+    }
+
+    /// The value at the end.
+    #[inline]
+    pub(crate) fn end(&self) -> R {
+        self.terms().iter().rev().fold(R::zero(), |sum, &term| sum + term)
+    }
+
+    /// A variable on the interval from `from` that is `width` long, in units of the present one. Roundings are those
+    /// of that interval: what its end does not reach has no part in them.
+    pub(crate) fn on(mut self, from: R, width: R) -> Self {
+        let (mut power, mut added) = (R::one(), R::one());
+        self.error = R::zero();
+        for &term in self.coefficients.get(..=self.degree).unwrap_or_default() {
+            // Its own rounding, and one for each order that it is handed down.
+            self.error += added * R::epsilon() * term.abs() * power;
+            added += R::one();
+            power *= from + width;
+        }
+        shift(self.coefficients.get_mut(..=self.degree).unwrap_or_default(), from, width);
+        self
+    }
+
+    /// What two numbers have in common where they meet.
+    #[inline]
+    fn meeting(&self, other: &Self) -> (usize, bool) {
+        (self.orders.min(other.orders), self.is_whole && other.is_whole)
+    }
+
+    #[inline]
+    fn plus(mut self, other: &Self, sign: R) -> Self {
+        (self.orders, self.is_whole) = self.meeting(other);
+        for (to, &from) in self.coefficients.iter_mut().zip(other.terms()) {
+            *to = R::mul_add(sign, from, *to);
+        }
+        self.degree = self.degree.max(other.degree);
+        self.error += R::epsilon() * self.extent() + other.error;
+        self
+    }
+
+    /// The product with a number that does not change.
+    #[inline]
+    fn scaled(mut self, by: &Self) -> Self {
+        (self.orders, self.is_whole) = self.meeting(by);
+        let (factor, extent) = (by.start(), self.extent());
+        for term in self.coefficients.iter_mut().take(self.degree + 1) {
+            *term *= factor;
+        }
+        self.error = self.error * factor.abs() + extent * (R::epsilon() * factor.abs() + by.error);
+        self
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        if other.degree == 0 {
+            return self.scaled(other);
+        }
+        if self.degree == 0 {
+            return other.scaled(self);
+        }
+        let (orders, are_whole) = self.meeting(other);
+        let mut product = Self { orders, ..Self::constant(R::zero()) };
+        product.degree = (self.degree + other.degree).min(orders);
+        for (i, &a) in self.terms().iter().enumerate() {
+            let rest = product.coefficients.get_mut(i..=product.degree).unwrap_or_default();
+            for (to, &b) in rest.iter_mut().zip(other.terms()) {
+                *to = R::mul_add(a, b, *to);
+            }
+        }
+        product.is_whole = are_whole && self.degree + other.degree <= orders;
+        let (a, b) = (self.extent(), other.extent());
+        let summed = R::from_f64(self.degree.min(other.degree) as f64 + 1.0);
+        product.error = self.error * b + a * other.error + R::epsilon() * summed * a * b;
+        product
+    }
+}
+
+/// The coefficients of a polynomial on the interval from `from` that is `width` long (Knuth, *The Art of Computer
+/// Programming* 2, 4.6.4: repeated synthetic division).
+pub(crate) fn shift<R: Real>(coefficients: &mut [R], from: R, width: R) {
+    let count = coefficients.len();
+    if !from.is_zero() {
+        for first in 0..count.saturating_sub(1) {
+            for k in (first..count - 1).rev() {
+                let above = coefficients.get(k + 1).copied().unwrap_or(R::zero());
+                if let Some(term) = coefficients.get_mut(k) {
+                    *term = R::mul_add(from, above, *term);
+                }
+            }
+        }
+    }
+    let mut power = R::one();
+    for term in coefficients {
+        *term *= power;
+        power *= width;
+    }
+}
+
+impl<R: Ordered> PartialEq for Taylor<R> {
+    fn eq(&self, other: &Self) -> bool {
+        self.coefficients == other.coefficients
+    }
+}
+
+impl<R: Ordered> Add for Taylor<R> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.plus(&other, R::one())
+    }
+}
+
+impl<R: Ordered> Sub for Taylor<R> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.plus(&other, -R::one())
+    }
+}
+
+impl<R: Ordered> Mul for Taylor<R> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        self.times(&other)
+    }
+}
+
+impl<R: Ordered> Div for Taylor<R> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        self.times(&other.recip())
+    }
+}
+
+impl<R: Ordered> Neg for Taylor<R> {
+    type Output = Self;
+    fn neg(mut self) -> Self {
+        for term in self.coefficients.iter_mut().take(self.degree + 1) {
+            *term = -*term;
+        }
+        self
+    }
+}
+
+macro_rules! assign {
+    ($($trait:ident $method:ident $operator:tt;)*) => {$(
+        impl<R: Ordered> $trait for Taylor<R> {
+            fn $method(&mut self, other: Self) {
+                *self = *self $operator other;
+            }
+        }
+    )*};
+}
+
+assign! { AddAssign add_assign +; SubAssign sub_assign -; MulAssign mul_assign *; DivAssign div_assign /; }
+
+impl<R: Ordered> Sum for Taylor<R> {
+    fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
+        terms.fold(Self::zero(), |sum, term| sum + term)
+    }
+}
+
+impl<R: Ordered> Zero for Taylor<R> {
+    fn zero() -> Self {
+        Self::constant(R::zero())
+    }
+    fn is_zero(&self) -> bool {
+        self.terms().iter().all(|term| term.is_zero())
+    }
+}
+
+impl<R: Ordered> One for Taylor<R> {
+    fn one() -> Self {
+        Self::constant(R::one())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,205 @@
+//! Orientations in space: three numbers of a state, by name a unit quaternion and an angular velocity.
+//!
+//! A state holds modified Rodrigues parameters ρ = 4 tan(θ/4) n of a turn by θ \[rad] about the unit vector n,
+//! and their rates ρ′. For small turns ρ is the rotation vector \[rad] and ρ′ the angular velocity
+//! \[rad/s]. Two triples describe each orientation, ρ by θ and −16ρ/|ρ|² by θ − 2π; the shorter one has
+//! |ρ| ≤ 4 and is never singular. A motion changes to it at the end of a step that went beyond half a turn
+//! ([`settle`]).
+//! (Schaub and Junkins, *Analytical Mechanics of Space Systems*, 4th ed., section 3.5, where σ = ρ/4.)
+
+use nalgebra::{Isometry3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
+use num_traits::Zero;
+
+use crate::number::real::Real;
+use crate::system::state::State;
+
+/// The velocity of a pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseVelocity<R> {
+    /// Velocity of the pose's origin in space axes \[m/s].
+    pub linear: Vector3<R>,
+    /// Angular velocity in body axes \[rad/s].
+    pub angular: Vector3<R>,
+}
+
+/// |ρ|² at half a turn.
+const HALF_A_TURN: f64 = 16.0;
+
+fn square<R: Real>([x, y, z]: [R; 3]) -> R {
+    x * x + y * y + z * z
+}
+
+/// The orientation of three parameters: from body axes to space axes.
+#[must_use]
+pub fn rotation<R: Real>(rho: [R; 3]) -> UnitQuaternion<R> {
+    let s = square(rho) * R::from_f64(1.0 / 16.0);
+    let reciprocal = R::one() / (R::one() + s);
+    let [x, y, z] = rho.map(|component| R::from_f64(0.5) * component * reciprocal);
+    Unit::new_unchecked(Quaternion::from_vector(nalgebra::Vector4::new(x, y, z, (R::one() - s) * reciprocal)))
+}
+
+/// The parameters of an orientation, those of the turn by half a turn at most.
+#[must_use]
+pub fn parameters<R: Real>(rotation: &UnitQuaternion<R>) -> [R; 3] {
+    let [x, y, z, w]: [R; 4] = rotation.as_ref().coords.into();
+    // Both signs of a quaternion are one orientation.
+    let sign = w.signum();
+    let scale = R::from_f64(4.0) * sign / (R::one() + w * sign);
+    [x * scale, y * scale, z * scale]
+}
+
+/// The rates of the parameters at an angular velocity in body axes.
+#[must_use]
+pub fn rates<R: Real>(rho: [R; 3], angular: &Vector3<R>) -> [R; 3] {
+    let omega: [R; 3] = (*angular).into();
+    let s = square(rho) * R::from_f64(1.0 / 16.0);
+    let [x, y, z] = rho;
+    let along = (x * omega[0] + y * omega[1] + z * omega[2]) * R::from_f64(0.125);
+    let turned = [y * omega[2] - z * omega[1], z * omega[0] - x * omega[2], x * omega[1] - y * omega[0]];
+    core::array::from_fn(|i| (R::one() - s) * omega[i] + R::from_f64(0.5) * turned[i] + rho[i] * along)
+}
+
+/// The pose of six parameters: position \[m], then orientation.
+#[must_use]
+pub fn pose<R: Real>([x, y, z, a, b, c]: [R; 6]) -> Isometry3<R> {
+    Isometry3 { rotation: rotation([a, b, c]), translation: Translation3::new(x, y, z) }
+}
+
+/// The parameters of a pose.
+#[must_use]
+pub fn pose_parameters<R: Real>(pose: &Isometry3<R>) -> [R; 6] {
+    let ([x, y, z], [a, b, c]): ([R; 3], _) = (pose.translation.vector.into(), parameters(&pose.rotation));
+    [x, y, z, a, b, c]
+}
+
+/// The velocity of a pose from its six components.
+#[must_use]
+pub fn pose_velocity<R: Real>([x, y, z, a, b, c]: [R; 6]) -> PoseVelocity<R> {
+    PoseVelocity { linear: Vector3::new(x, y, z), angular: Vector3::new(a, b, c) }
+}
+
+/// The rates of a pose's parameters at its velocity.
+#[must_use]
+pub fn pose_rates<R: Real>([_, _, _, a, b, c]: [R; 6], velocity: &PoseVelocity<R>) -> [R; 6] {
+    let ([x, y, z], [a, b, c]): ([R; 3], _) = (velocity.linear.into(), rates([a, b, c], &velocity.angular));
+    [x, y, z, a, b, c]
+}
+
+/// The same state with the shorter triple of each orientation; `None` if it has that already. `orientations`
+/// tells where the triples begin. Lanes and derivatives follow their own values.
+#[must_use]
+pub fn settle<R: Real, const N: usize>(orientations: &[usize], state: &State<R, N>) -> Option<State<R, N>> {
+    let mut settled: Option<State<R, N>> = None;
+    for &first in orientations {
+        let triple = |x: &[R; N]| x.get(first..first + 3).and_then(<[R]>::first_chunk::<3>).copied();
+        let (Some(rho), Some(rates)) = (triple(&state.q), triple(&state.v)) else { continue };
+        let beyond = square(rho) - R::from_f64(HALF_A_TURN);
+        if beyond.largest() > Zero::zero() {
+            let state = settled.get_or_insert(*state);
+            let shorter = other(rho, rates);
+            // Zero in lanes that stay.
+            let moves = (R::one() + beyond.signum()) * R::from_f64(0.5);
+            for i in 0..3 {
+                for (to, from, new) in
+                    [(&mut state.q, rho[i], shorter.0[i]), (&mut state.v, rates[i], shorter.1[i])]
+                {
+                    if let Some(to) = to.get_mut(first + i) {
+                        *to = moves * new + (R::one() - moves) * from;
+                    }
+                }
+            }
+        }
+    }
+    settled
+}
+
+/// Gives the three numbers of an orientation one size: the largest of theirs, `least` at least.
+pub(crate) fn share<R: Real, const N: usize>(sizes: &mut [R; N], first: usize, least: R) {
+    if let Some(triple) = sizes.get_mut(first..first + 3) {
+        let largest = triple.iter().fold(least, |largest, &size| largest.max(size));
+        triple.fill(largest);
+    }
+}
+
+/// The other triple of an orientation, and its rates. Triples of less than half a turn, which stay, give finite
+/// numbers.
+fn other<R: Real>(rho: [R; 3], rates: [R; 3]) -> ([R; 3], [R; 3]) {
+    let square = square(rho).max(R::from_f64(HALF_A_TURN));
+    let scale = -(R::from_f64(HALF_A_TURN) / square);
+    let along = rho[0] * rates[0] + rho[1] * rates[1] + rho[2] * rates[2];
+    let back = R::from_f64(2.0) * along / square;
+    (rho.map(|component| component * scale), core::array::from_fn(|i| (rates[i] - back * rho[i]) * scale))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Turns about many axes, up to a whole turn.
+    fn turns() -> impl Iterator<Item = UnitQuaternion<f64>> {
+        (0..200).map(|i| {
+            let x = f64::from(i);
+            UnitQuaternion::new(Vector3::new((1.3 * x).sin(), (2.1 * x).cos(), (0.7 * x).sin()) * 0.018 * x)
+        })
+    }
+
+    #[test]
+    fn parameters_are_those_of_the_orientation() {
+        for turn in turns() {
+            let rho = parameters(&turn);
+            assert!(square(rho) <= HALF_A_TURN * (1.0 + 1e-15));
+            let back = rotation(rho);
+            assert!((back.to_rotation_matrix().matrix() - turn.to_rotation_matrix().matrix()).norm() < 2e-15);
+            assert!((back.as_ref().norm() - 1.0).abs() < 4e-16);
+        }
+        let small = UnitQuaternion::new(Vector3::new(1e-5, -2e-5, 3e-5));
+        let [x, y, z] = parameters(&small);
+        assert!((Vector3::new(x, y, z) - small.scaled_axis()).norm() < 1e-14);
+    }
+
+    /// Along ρ + τ ρ′ the quaternion turns by ω: compared with a difference of quaternions.
+    #[test]
+    fn rates_turn_by_the_angular_velocity() {
+        for turn in turns() {
+            let (rho, omega) = (parameters(&turn), Vector3::new(0.3, -1.1, 0.7));
+            let slope = rates(rho, &omega);
+            let place = |tau: f64| rotation(core::array::from_fn(|i| rho[i] + tau * slope[i]));
+            let tau = 1e-4;
+            let found = (place(-tau).inverse() * place(tau)).scaled_axis() / (2.0 * tau);
+            assert!((found - omega).norm() < 1e-7, "{found} {omega}");
+        }
+    }
+
+    #[test]
+    fn both_triples_are_one_orientation_in_one_motion() {
+        for turn in turns().skip(1) {
+            let (rho, omega) = (parameters(&turn), Vector3::new(0.3, -1.1, 0.7));
+            // The longer triple: |ρ| |ρ*| = 16.
+            let n = square(rho);
+            let long = rho.map(|component| -16.0 * component / n);
+            let state = State::new(long, rates(long, &omega));
+            let settled = settle(&[0], &state).expect("beyond half a turn");
+            let expected = rates(rho, &omega);
+            for i in 0..3 {
+                assert!((settled.q[i] - rho[i]).abs() < 4e-15, "{settled:?} {rho:?}");
+                assert!((settled.v[i] - expected[i]).abs() < 4e-15, "{settled:?} {expected:?}");
+            }
+            assert!(settle(&[0], &settled).is_none_or(|again| square(again.q) <= 16.0));
+        }
+    }
+
+    #[test]
+    fn a_state_within_half_a_turn_stays() {
+        assert_eq!(settle(&[1], &State::new([1e3, 1.0, 2.0, 3.0], [1.0; 4])), None);
+        assert_eq!(settle(&[], &State::new([1e3], [1.0])), None);
+    }
+
+    #[test]
+    fn poses_are_positions_and_orientations() {
+        let numbers = [1.0, 2.0, 3.0, 0.1, 0.2, -0.3];
+        let again = pose_parameters(&pose(numbers));
+        assert!(numbers.iter().zip(again).all(|(a, b)| (a - b).abs() < 1e-15));
+        let speeds = pose_rates(numbers, &pose_velocity([4.0, 5.0, 6.0, 0.0, 0.0, 0.0]));
+        assert_eq!(speeds, [4.0, 5.0, 6.0, 0.0, 0.0, 0.0]);
+    }
+}

@@ -1,0 +1,32 @@
+//! [`Control`]: where the inputs of a motion come from.
+
+use super::state::State;
+
+/// Where the inputs of a system come from.
+pub trait Control<R, const N: usize, const K: usize> {
+    /// The inputs at a state. It is called several times per step, also at trial states, so the result must
+    /// depend on the state alone.
+    fn inputs(&self, state: &State<R, N>) -> [R; K];
+}
+
+/// Inputs that stay what they are until they are set again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held<R, const K: usize>(pub [R; K]);
+
+impl<R: Copy, const N: usize, const K: usize> Control<R, N, K> for Held<R, K> {
+    #[inline]
+    fn inputs(&self, _: &State<R, N>) -> [R; K] {
+        self.0
+    }
+}
+
+/// Inputs as a function of the state.
+#[derive(Clone, Copy, Debug)]
+pub struct Feedback<F>(pub F);
+
+impl<R, F: Fn(&State<R, N>) -> [R; K], const N: usize, const K: usize> Control<R, N, K> for Feedback<F> {
+    #[inline]
+    fn inputs(&self, state: &State<R, N>) -> [R; K] {
+        (self.0)(state)
+    }
+}

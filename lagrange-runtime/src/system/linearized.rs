@@ -1,0 +1,120 @@
+//! [`Linearized`]: derivatives of the equations of motion, for implicit methods and for control.
+//!
+//! All derivatives are those of the residual r = f(t, q, v, u) − M(t, q, v) a at given accelerations, so that
+//! no inverse of M is differentiated and stiff forces keep their structure.
+
+use nalgebra::SMatrix;
+
+use crate::linear::Lu;
+use crate::number::real::Real;
+use crate::system::System;
+use crate::system::diagnose;
+use crate::system::error::MotionError;
+use crate::system::state::State;
+
+/// M, and the derivatives of r = f − M a; rows are equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linearization<R, const N: usize> {
+    /// M = −∂r/∂a.
+    pub mass: [[R; N]; N],
+    /// ∂r/∂q.
+    pub by_q: [[R; N]; N],
+    /// ∂r/∂v.
+    pub by_v: [[R; N]; N],
+}
+
+/// Derivatives of the accelerations; rows are accelerations.
+///
+/// With x = (q, v) the motion near a state is ẋ = A x + B u, where A has the rows (0, 1) and (`by_q`,
+/// `by_v`), and B has the rows 0 and `by_u`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jacobians<R, const N: usize, const K: usize> {
+    /// ∂a/∂q.
+    pub by_q: SMatrix<R, N, N>,
+    /// ∂a/∂v.
+    pub by_v: SMatrix<R, N, N>,
+    /// ∂a/∂u.
+    pub by_u: SMatrix<R, N, K>,
+}
+
+/// A system with generated derivatives: one whose attribute asks for `jacobians`.
+#[diagnostic::on_unimplemented(
+    message = "the derivatives of the equations of `{Self}` are not generated",
+    label = "this needs `jacobians`",
+    note = "say so in the attribute: `#[lagrangian(coordinates = […], jacobians)]`"
+)]
+pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
+    /// r = f − M a: zero on the motion, and the inverse dynamics with the sign changed.
+    fn residual_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        a: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> [Self::Scalar; N];
+
+    /// M, ∂r/∂q and ∂r/∂v.
+    fn linearization_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        a: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> Linearization<Self::Scalar, N>;
+
+    /// ∂r/∂u; rows are equations.
+    fn by_inputs_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> [[Self::Scalar; K]; N];
+
+    /// ∂a/∂q, ∂a/∂v and ∂a/∂u at a state under the inputs `u`: M⁻¹ times the derivatives of r at the
+    /// accelerations there.
+    ///
+    /// # Errors
+    /// A singular mass matrix, or a value that is not finite.
+    fn jacobians(
+        &self,
+        state: &State<Self::Scalar, N>,
+        u: &[Self::Scalar; K],
+    ) -> Result<Jacobians<Self::Scalar, N, K>, MotionError<Self::Scalar>>
+    where
+        Self: Sized,
+    {
+        let constants = self.constants();
+        let State { t, q, v } = state;
+        let failed = || MotionError { cause: diagnose(self, &constants, *t, q, v), t: *t };
+        let a = self.accelerations_at(&constants, *t, q, v, u);
+        if !a.iter().all(|a| a.is_finite()) {
+            return Err(failed());
+        }
+        let Linearization { mass, by_q, by_v } = self.linearization_at(&constants, *t, q, v, &a, u);
+        let by_u = self.by_inputs_at(&constants, *t, q, v, u);
+        let factors = Lu::factor(mass).map_err(|_| failed())?;
+        let jacobians = Jacobians {
+            by_q: solved(&factors, &by_q),
+            by_v: solved(&factors, &by_v),
+            by_u: solved(&factors, &by_u),
+        };
+        let finite =
+            jacobians.by_q.iter().chain(&jacobians.by_v).chain(&jacobians.by_u).all(|x| x.is_finite());
+        if finite { Ok(jacobians) } else { Err(failed()) }
+    }
+}
+
+/// M⁻¹ times the columns of `rows`.
+fn solved<R: Real, const N: usize, const C: usize>(
+    factors: &Lu<R, N>,
+    rows: &[[R; C]; N],
+) -> SMatrix<R, N, C> {
+    let columns: [[R; N]; C] = core::array::from_fn(|j| factors.solve(core::array::from_fn(|i| rows[i][j])));
+    SMatrix::from_fn(|i, j| columns[j][i])
+}

@@ -1,0 +1,165 @@
+//! What a method of integration is, for a [`System`] to name one: [`Adaptive`] under error control,
+//! [`FixedStep`] in steps of the caller's.
+
+use super::System;
+use super::error::{Cause, MotionError};
+use super::limits::Limits;
+use super::state::State;
+use crate::number::real::Ordered;
+
+/// A method that takes steps of a size chosen by the caller.
+pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
+    /// What the method remembers between steps. It belongs to one system with its constants. It survives
+    /// failed steps and changes of the inputs, so a method checks whether it still applies.
+    type Memory: Copy + core::fmt::Debug;
+
+    /// The memory before the first step.
+    fn begin(system: &S) -> Self::Memory;
+
+    /// The state after a step of `h` from `from`, with the inputs `u` held. The time of the result is `from.t
+    /// + h`. A result that is not finite is left to the caller.
+    ///
+    /// # Errors
+    /// Why the equations of an implicit method could not be solved.
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        from: &State<S::Scalar, N>,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<State<S::Scalar, N>, Cause>;
+}
+
+/// The polynomial of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms<'a, R, const N: usize> {
+    /// Terms of the coordinates, from the first order on, in a unit of time of the method.
+    pub q: &'a [[R; N]],
+    /// Those of the velocities.
+    pub v: &'a [[R; N]],
+    /// The length of the step in that unit.
+    pub length: R,
+    /// The unit \[s].
+    pub unit: R,
+    /// What rounding took from the time of the start \[s].
+    pub residue: R,
+}
+
+/// Counts of a motion so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Steps {
+    /// Steps taken.
+    pub accepted: u64,
+    /// Steps tried and repeated with a shorter length.
+    pub rejected: u64,
+    /// Evaluations of the accelerations, or Taylor expansions.
+    pub evaluations: u64,
+}
+
+/// A method under error control, for motions with inputs from `C`. It may be ahead of the state that its
+/// caller sees, and goes on from the ends of its own steps.
+pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> {
+    /// What a motion by this method remembers between steps.
+    type Memory: Copy + core::fmt::Debug;
+
+    /// The memory of a motion that begins at a state.
+    fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
+    where
+        S::Scalar: Ordered;
+
+    /// Goes on from a state, as after a change of the inputs.
+    fn restart(memory: &mut Self::Memory, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered;
+
+    /// The start of the last step.
+    fn start(memory: &Self::Memory) -> &State<S::Scalar, N>;
+
+    /// The end of the last step.
+    fn end(memory: &Self::Memory) -> &State<S::Scalar, N>;
+
+    /// One step from the end of the last one towards time `t` \[s], and perhaps beyond it.
+    ///
+    /// # Errors
+    /// As [`Adaptive::advance`].
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered;
+
+    /// What the motion has cost.
+    fn counts(memory: &Self::Memory) -> Steps;
+
+    /// The memory of a motion that goes on from a state by the equations of another system of the same kind, which
+    /// knows about how long its steps are.
+    fn go_on(memory: &mut Self::Memory, system: &S, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered,
+    {
+        *memory = Self::begin(system, state);
+    }
+
+    /// The polynomial of the last step; `None` of a method that has none.
+    fn terms(_memory: &Self::Memory) -> Option<Terms<'_, S::Scalar, N>>
+    where
+        S::Scalar: Ordered,
+    {
+        None
+    }
+
+    /// The state at a part of the last step, from 0 to 1. A time could not name it as exactly, because times
+    /// have finite resolution.
+    ///
+    /// # Errors
+    /// As [`Adaptive::advance`].
+    fn within(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        part: S::Scalar,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered;
+
+    /// The state at exactly time `t` \[s], as accurate as the ends of steps are.
+    ///
+    /// # Errors
+    /// Why and when the motion cannot go on; [`Adaptive::end`] is then the last good state.
+    fn advance(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered;
+
+    /// The state at time `t` \[s] without a step that ends there, accurate to the tolerance.
+    ///
+    /// # Errors
+    /// As [`Adaptive::advance`].
+    fn sample(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &C,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered;
+}

@@ -1,0 +1,53 @@
+//! The kinetic metric: units in which no coordinate is larger than another.
+//!
+//! Where the summands of a constraint are no measure, the roundings of it are relative to this. Of a
+//! constraint such as z = 0 rounding leaves some part of what the other coordinates are in the kinetic
+//! metric, not of z. So the largest coordinate in units of 1/√M\[i]\[i], times the gradient in these units,
+//! is a size as well, the same in all units of the user.
+
+use crate::linear::SaddlePoint;
+use crate::number::real::Real;
+
+/// Units of the coordinates at a state, those of the kinetic metric.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metric<R, const N: usize> {
+    /// 1/√M\[i]\[i], or what the constraints suggest; zero for what nothing moves.
+    units: [R; N],
+    /// Their reciprocals; zero for zero.
+    weights: [R; N],
+}
+
+impl<R: Real, const N: usize> Metric<R, N> {
+    /// Of the mass matrix and the constraints that have been factored.
+    #[inline(always)]
+    pub(crate) fn of<const C: usize>(saddle: &impl SaddlePoint<R, N, C>) -> Self {
+        let units = saddle.units();
+        let reciprocal = |unit: R| if unit.is_positive() { unit.recip() } else { R::zero() };
+        Self { units, weights: units.map(reciprocal) }
+    }
+
+    /// One in which nothing has a size.
+    #[inline(always)]
+    pub(crate) fn none() -> Self {
+        Self { units: [R::zero(); N], weights: [R::zero(); N] }
+    }
+
+    /// The largest of some coordinates, or velocities, in these units.
+    #[inline(always)]
+    pub(crate) fn extent(&self, x: &[R; N]) -> R {
+        x.iter().zip(&self.weights).fold(R::zero(), |most, (x, &weight)| most.max(x.abs() * weight))
+    }
+
+    /// How fast constraints with these gradients change along all coordinates together, each in its unit.
+    #[inline(always)]
+    pub(crate) fn slopes<const C: usize>(&self, gradients: &[[R; N]; C]) -> [R; C] {
+        let add = |sum, (a, &unit): (&R, &R)| R::mul_add(a.abs(), unit, sum);
+        gradients.each_ref().map(|row| row.iter().zip(&self.units).fold(R::zero(), add))
+    }
+
+    /// An ulp of something of this extent, in the unit of each coordinate.
+    #[inline(always)]
+    pub(crate) fn ulps(&self, extent: R) -> [R; N] {
+        self.units.map(|unit| R::epsilon() * extent * unit)
+    }
+}
