@@ -69,7 +69,14 @@ where
         if S::COUPLED {
             let here = &series.independence;
             let is_dependent = here.rank < rank_so_far.unwrap_or(here.rows);
-            if is_dependent || !is_sound(series, from) {
+            // Series about later states show what roundings make of them; a start may be exact.
+            let begins_beside = || {
+                rank_so_far.is_none()
+                    && !system
+                        .land_at(outer, &mut from.clone(), None)
+                        .is_ok_and(|here| here.independence.is_determined())
+            };
+            if is_dependent || !is_sound(series, from) || begins_beside() {
                 return backward::advance(memory, system, outer, from, h, u);
             }
             *rank_so_far = Some(here.rank.max(rank_so_far.unwrap_or(here.rank)));

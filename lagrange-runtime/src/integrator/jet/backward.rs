@@ -56,7 +56,7 @@ where
     let mut state = *from;
     while left.abs().largest() > num_traits::Zero::zero() {
         let length = part * h;
-        if let Some(next) = step.about_start(&state, length).or_else(|| step.about_end(&state, length)) {
+        if let Some(next) = step.about_either(&state, length) {
             state = next;
             left -= part;
             part = part.min(left);
@@ -119,6 +119,18 @@ where
         let metric = &footing.metric;
         let along = |row: &[S::Scalar; N]| metric.extent(&self.system.tangential_at(end, row));
         falls(self.series, [known * metric.extent(&end.q), known * metric.extent(&end.v)], along)
+    }
+
+    /// The end of a step by the series about that of its ends which is determined better, or else about the
+    /// other.
+    fn about_either(&mut self, from: &State<S::Scalar, N>, h: S::Scalar) -> Option<State<S::Scalar, N>> {
+        let here = self.land(&mut from.clone())?.independence;
+        let there = self.land(&mut flown(from, h)).map(|there| there.independence);
+        if there.is_some_and(|there| there.improves(&here, here.least)) {
+            self.about_end(from, h).or_else(|| self.about_start(from, h))
+        } else {
+            self.about_start(from, h).or_else(|| self.about_end(from, h))
+        }
     }
 
     /// The end of a step by the series about its start.
