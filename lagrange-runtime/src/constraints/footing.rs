@@ -1,9 +1,9 @@
 //! How well the constraints determine a state: how independent they are there, and how well the state is
 //! known.
 
+use super::Surface;
 use super::residuals::Level;
 use super::retraction::{From, Retraction, slopes};
-use super::{Surface, moved};
 use crate::linear::{Independence, SaddlePoint};
 use crate::number::real::Real;
 use crate::system::error::Cause;
@@ -86,18 +86,9 @@ where
     /// What is not far from either is measured: roundings of the constraint functions move the
     /// coordinates by ε/σ, and what that makes of the gradients moves the velocities by ε/σ², with a σ
     /// that is relative to how fast the gradients change. So the relative change of the velocities
-    /// tells σ, whether a row comes close to others or vanishes. The signs of the roundings are those to
-    /// which the multipliers respond, as in an estimate of a condition number (Higham, "Accuracy and
-    /// Stability of Numerical Algorithms", ch. 15).
+    /// tells σ, whether a row comes close to others or vanishes.
     fn independence(&self, system: &S) -> Independence<S::Scalar> {
-        let mut independence = self.saddle.independence();
-        // What the coordinates make of a constraint, as a part of its summands.
-        let extent = self.extent(Level::Positions);
-        for (c, (&slope, &summands)) in self.slopes.iter().zip(&self.residuals.position_sizes).enumerate() {
-            if summands.is_positive() {
-                independence.take(c, slope * extent / summands);
-            }
-        }
+        let mut independence = self.nearness();
         if !independence.are_far_apart() {
             self.measure(system, &mut independence);
         }
@@ -108,17 +99,10 @@ where
     #[cold]
     #[inline(never)]
     fn measure(&self, system: &S, independence: &mut Independence<S::Scalar>) {
-        let (saddle, here) = (&self.saddle, &self.residuals);
-        let none = [num_traits::Zero::zero(); N];
-        let (_, response) = saddle.solve(&none, &here.position_sizes);
         let ulp = S::Scalar::epsilon();
-        let roundings = core::array::from_fn(|c| ulp * here.position_sizes[c] * response[c].signum());
-        let (change, _) = saddle.solve(&none, &roundings);
-        let there = moved(&self.state, &change, &none, num_traits::One::one());
-        let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
-        let (turned, _) = saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c]));
+        let turned = self.turned(system);
         let relative = self.metric.extent(&turned) / self.extent(Level::Velocities);
-        independence.least = saddle.independence().least;
+        independence.least = self.saddle.independence().least;
         // At rest nothing turns.
         if relative.is_positive() {
             independence.least = independence.least.min((ulp / relative).sqrt());

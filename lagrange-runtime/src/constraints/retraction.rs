@@ -23,10 +23,10 @@
 //! no correction. So where rows are dependent, the state must also satisfy the bound for starts, and a larger
 //! residual is a contradiction.
 
-use super::residuals::Level;
+use super::residuals::{Level, ULPS};
 use super::start::SHARE;
 use super::{Residuals, Surface, moved};
-use crate::linear::{SaddlePoint, determined};
+use crate::linear::{Independence, SaddlePoint, determined};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::metric::Metric;
@@ -37,7 +37,7 @@ use crate::system::state::{State, difference};
 const NEAR: usize = 16;
 
 /// Corrections of a rough start.
-const FAR: usize = 60;
+const ROUGH: usize = 60;
 
 /// The largest number of halvings of a correction of a rough start.
 const HALVINGS: usize = 12;
@@ -184,17 +184,31 @@ where
     /// # Errors
     /// The constraint that stays violated or contradicts others; at a rough start also the defect of the
     /// factors.
+    #[inline]
     pub(crate) fn level(&mut self, system: &S, level: Level, from: From) -> Result<(), Cause> {
+        match from {
+            From::Near => self.corrections::<false>(system, level),
+            From::Far => self.corrections::<true>(system, level),
+        }
+    }
+
+    /// The same; with `FAR` from anywhere. Two functions, so that a program without rough starts does not hold
+    /// what they need.
+    fn corrections<const FAR: bool>(&mut self, system: &S, level: Level) -> Result<(), Cause> {
         let begun = self.extent(level);
         self.is_stuck = false;
-        if from == From::Near && !self.saddle.independence().is_clear() {
+        // One row depends on no other.
+        if C > 1 && !FAR && !self.nearness().is_clear() {
             self.settle(system, level);
+            if level == Level::Velocities && self.is_blurred(system) {
+                return Ok(());
+            }
         }
-        for _ in 0..(if from == From::Far { FAR } else { NEAR }) {
+        for _ in 0..(if FAR { ROUGH } else { NEAR }) {
             if self.residuals.level_is_roundings(level) {
                 return Ok(());
             }
-            if from == From::Far {
+            if FAR {
                 self.refresh(system);
                 super::regular(&self.saddle).map_err(|cause| cause.named(&S::NAMES))?;
             }
@@ -206,12 +220,12 @@ where
             }
             let (slopes, metric) = (self.slopes, self.metric);
             let before = self.residuals.distance(level, &slopes);
-            let share = if from == From::Far && level == Level::Positions {
+            let share = if FAR && level == Level::Positions {
                 Self::reach(&metric, &change, before)
             } else {
                 num_traits::One::one()
             };
-            let Some((next, there, share)) = self.corrected(system, level, from, &change, share) else {
+            let Some((next, there, share)) = self.corrected::<FAR>(system, level, &change, share) else {
                 self.is_stuck = true;
                 break;
             };
@@ -252,7 +266,8 @@ where
         else {
             return violated;
         };
-        if self.saddle.rank() == C || self.corrects(level) {
+        // One row contradicts no other.
+        if C == 1 || self.saddle.rank() == C || self.corrects(level) {
             return violated;
         }
         let depend_beside = [false, true].into_iter().all(|alternate| {
@@ -317,23 +332,52 @@ where
         }
     }
 
+    /// Whether what is left to correct in the velocities is no more than what roundings of the constraint
+    /// functions make of it: then the velocities that a step has brought are the better ones. Beside a
+    /// configuration in which constraints depend on each other these roundings are large.
+    #[cold]
+    #[inline(never)]
+    fn is_blurred(&self, system: &S) -> bool {
+        let lack = self.residuals.rates.map(|value| -value);
+        let (change, _) = self.saddle.solve(&[num_traits::Zero::zero(); N], &lack);
+        let excess = self.metric.extent(&change)
+            - S::Scalar::from_f64(ULPS) * self.metric.extent(&self.turned(system));
+        excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
+    }
+
+    /// The change of the velocities where the coordinates move by what a rounding of each constraint function
+    /// makes of them. The signs of the roundings are those to which the multipliers respond, as in an estimate
+    /// of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
+    #[cold]
+    #[inline(never)]
+    pub(super) fn turned(&self, system: &S) -> [S::Scalar; N] {
+        let (saddle, here) = (&self.saddle, &self.residuals);
+        let none = [num_traits::Zero::zero(); N];
+        let (_, response) = saddle.solve(&none, &here.position_sizes);
+        let ulp = S::Scalar::epsilon();
+        let roundings = core::array::from_fn(|c| ulp * here.position_sizes[c] * response[c].signum());
+        let (change, _) = saddle.solve(&none, &roundings);
+        let there = moved(&self.state, &change, &none, num_traits::One::one());
+        let rates = system.residuals_at(there.t, &there.q, &there.v).rates;
+        saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c])).0
+    }
+
     /// A corrected state and its residuals; of a rough start one that is better, if there is one.
-    fn corrected(
+    fn corrected<const FAR: bool>(
         &self,
         system: &S,
         level: Level,
-        from: From,
         change: &[S::Scalar; N],
         mut share: S::Scalar,
     ) -> Option<Corrected<S::Scalar, N, C>> {
         let none = [num_traits::Zero::zero(); N];
         let (q, v) = if level == Level::Positions { (change, &none) } else { (&none, change) };
-        for _ in 0..(if from == From::Far { HALVINGS } else { 1 }) {
+        for _ in 0..(if FAR { HALVINGS } else { 1 }) {
             let next = moved(&self.state, q, v, share);
             let there = system.residuals_at(next.t, &next.q, &next.v);
             let is_better =
                 || there.distance(level, &self.slopes) < self.residuals.distance(level, &self.slopes);
-            if next.is_finite() && (from == From::Near || is_better()) {
+            if next.is_finite() && (!FAR || is_better()) {
                 return Some((next, there, share));
             }
             share *= S::Scalar::from_f64(0.5);
@@ -376,6 +420,19 @@ where
             let own = apart(end, from) + noise * self.metric.extent(end);
             (apart(here, end) - own).largest() > num_traits::Zero::zero()
         })
+    }
+
+    /// How close the gradients are to depending on each other, as the factors know, or to vanishing: what the
+    /// coordinates make of a constraint, as a part of its summands. Rows that vanish together stay far apart.
+    pub(super) fn nearness(&self) -> Independence<S::Scalar> {
+        let mut independence = self.saddle.independence();
+        let extent = self.extent(Level::Positions);
+        for (c, (&slope, &summands)) in self.slopes.iter().zip(&self.residuals.position_sizes).enumerate() {
+            if summands.is_positive() {
+                independence.take(c, slope * extent / summands);
+            }
+        }
+        independence
     }
 
     /// The scale of the residuals that are corrected.

@@ -1,11 +1,11 @@
 //! Accelerations where the stages of a method for ordinary differential equations lie: beside the
 //! constraints, and sometimes in a configuration in which these depend on each other.
 
-use super::residuals::Level;
+use super::residuals::{Level, Residuals};
 use super::retraction::{From, Retraction};
 use super::start::contradiction;
-use super::{Balance, Equations, Metric, Surface, moved, project};
-use crate::linear::{Independence, SaddlePoint, determined};
+use super::{Equations, Metric, Surface, moved, project};
+use crate::linear::{CLEAR, Independence, SaddlePoint, determined};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::name::Name;
@@ -31,11 +31,33 @@ pub fn accelerations<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    let balance = system.balance_at(constants, t, q, v, u);
-    if balance.independence.is_clear() {
+    let equations = system.equations_at(constants, t, q, v, u);
+    let balance = equations.balance();
+    if balance.independence.is_clear() && !may_vanish(&equations, q, v) {
         return balance.accelerations;
     }
-    settled(system, constants, &State { t, q: *q, v: *v }, u).unwrap_or(balance.accelerations)
+    settled(system, constants, &State { t, q: *q, v: *v }, equations, u).unwrap_or(balance.accelerations)
+}
+
+/// Whether some gradient is so small beside how fast it changes that it may be about to vanish: the distance
+/// from there, at the present velocities, is a small part of the coordinates. Gradients that vanish together
+/// stay far apart, so the factors do not show this.
+#[inline(always)]
+fn may_vanish<P, R, const N: usize, const C: usize>(
+    equations: &Equations<P, R, N, C>,
+    q: &[R; N],
+    v: &[R; N],
+) -> bool
+where
+    P: SaddlePoint<R, N, C>,
+    R: Real,
+{
+    let metric = Metric::of(&equations.saddle);
+    let (size, speed) = (metric.extent(q), metric.extent(v));
+    let least = R::from_f64(CLEAR) * size;
+    metric.slopes(&equations.gradients).iter().zip(&equations.gamma).any(|(&slope, gamma)| {
+        (least * gamma.abs() - slope * speed * speed).largest() > num_traits::Zero::zero()
+    })
 }
 
 /// Accelerations of the nearest state on the constraints, or of its neighbours, where those of the state
@@ -46,14 +68,18 @@ fn settled<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     constants: &S::Constants,
     state: &State<S::Scalar, N>,
+    Equations { saddle, gradients, .. }: Equations<S::Saddle, S::Scalar, N, C>,
     u: &[S::Scalar; K],
 ) -> Option<[S::Scalar; N]>
 where
     S: Surface<N, K, C>,
 {
-    let (near, equations) = nearest(system, constants, state, u)?;
-    let Balance { accelerations, independence: here, .. } = equations.balance();
-    let factors = (equations.saddle, equations.gradients);
+    let residuals: Residuals<_, C> = system.residuals_at(state.t, &state.q, &state.v);
+    if Retraction::<S, N, K, C>::with(state, residuals, (saddle, gradients)).nearness().is_clear() {
+        return None;
+    }
+    let Settled { state: near, accelerations, nearness: here, factors } =
+        nearest(system, constants, state, u)?;
     if here.is_determined() {
         return Some(accelerations);
     }
@@ -66,10 +92,16 @@ where
     Some(between(system, constants, &near, &here, time, u).unwrap_or(own))
 }
 
-/// A state on the constraints, and the equations there.
-type Settled<S, R, const N: usize, const C: usize> = (State<R, N>, Equations<S, R, N, C>);
+/// A state on the constraints.
+struct Settled<S, R, const N: usize, const C: usize> {
+    state: State<R, N>,
+    accelerations: [R; N],
+    /// How close the gradients are there to depending on each other or to vanishing.
+    nearness: Independence<R>,
+    factors: (S, [[R; N]; C]),
+}
 
-/// The nearest state on the constraints, and the equations there.
+/// The nearest state on the constraints.
 fn nearest<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     constants: &S::Constants,
@@ -82,7 +114,11 @@ where
     let mut near = *state;
     project(system, &mut near, None).ok()?;
     let equations = system.equations_at(constants, near.t, &near.q, &near.v, u);
-    Some((near, equations))
+    let accelerations = equations.balance().accelerations;
+    let factors = (equations.saddle, equations.gradients);
+    let residuals: Residuals<_, C> = system.residuals_at(near.t, &near.q, &near.v);
+    let nearness = Retraction::<S, N, K, C>::with(&near, residuals, factors).nearness();
+    Some(Settled { state: near, accelerations, nearness, factors })
 }
 
 /// Distance of the first neighbours, in units of ∜ε times the time in which coordinates change by their size.
@@ -175,9 +211,8 @@ where
     (0..WIDENINGS).find_map(|widenings| {
         let at = |place: f64| {
             let there = moved(state, &state.v, &none, number(place) * apart(time, widenings));
-            let (_, equations) = nearest(system, constants, &there, u)?;
-            let balance = equations.balance();
-            balance.independence.improves(here, determined()).then_some(balance.accelerations)
+            let there = nearest(system, constants, &there, u)?;
+            there.nearness.improves(here, determined()).then_some(there.accelerations)
         };
         let sum = |near: f64| {
             let (a, b) = (at(-near)?, at(near)?);

@@ -1,17 +1,17 @@
 //! Fixed steps of a Taylor series: one `sin_cos` per angle and one factorisation a step, whatever the order.
 //!
 //! Beside a configuration in which constraints depend on each other, the coefficients of higher orders
-//! consist of rounding errors, and grow. A step whose last terms grow is replaced by Runge–Kutta stages,
-//! which lie where the accelerations are known.
+//! consist of rounding errors, and grow. A step whose last terms grow is expanded about its end instead
+//! (`jet/backward.rs`).
 //!
 //! The series is that of time in units of the step, so the state after it is the plain sum of the
 //! coefficients, added to the state with compensation.
 
+mod backward;
+
+use super::FixedStep;
 use super::dop853::add;
-use super::{FixedStep, stages};
 use crate::number::real::Real;
-use crate::system::System;
-use crate::system::diagnose;
 use crate::system::error::Cause;
 use crate::system::smooth::{Series, Smooth};
 use crate::system::state::State;
@@ -69,11 +69,17 @@ where
         if S::COUPLED {
             let here = &series.independence;
             let is_dependent = here.rank < rank_so_far.unwrap_or(here.rows);
-            *rank_so_far = Some(here.rank.max(rank_so_far.unwrap_or(here.rank)));
-            let is_poor = here.rank == here.rows && !here.is_determined();
-            if is_dependent || is_poor || grows(series, from) {
-                return in_parts::<S, N, K, ORDER>(system, outer, from, h, u);
+            // Series about later states show what roundings make of them; a start may be exact.
+            let begins_beside = || {
+                rank_so_far.is_none()
+                    && !system
+                        .land_at(outer, &mut from.clone(), None)
+                        .is_ok_and(|here| here.independence.is_determined())
+            };
+            if is_dependent || !is_sound(series, from) || begins_beside() {
+                return backward::advance(memory, system, outer, from, h, u);
             }
+            *rank_so_far = Some(here.rank.max(rank_so_far.unwrap_or(here.rank)));
         }
         let (gain_q, gain_v) = series.sum();
         let mut rest = *residue;
@@ -89,43 +95,26 @@ where
     }
 }
 
-/// Whether the last terms of a series are larger than those before them, and larger than the rounding errors
-/// of the state.
-fn grows<R: Real, const N: usize, const P: usize>(series: &Series<R, N, P>, from: &State<R, N>) -> bool {
+/// Whether a series about a state tells the motion: independent rows determine the state well, and the terms
+/// do not grow beyond the rounding errors of the state.
+fn is_sound<R: Real, const N: usize, const P: usize>(series: &Series<R, N, P>, at: &State<R, N>) -> bool {
+    let here = &series.independence;
     let largest = |row: &[R; N]| row.iter().fold(R::zero(), |all, x| all.max(x.abs()));
-    [(&series.q, &from.q), (&series.v, &from.v)].into_iter().any(|(rows, start)| {
-        // Symmetry makes every other term vanish, so the last one is held against two.
-        let [.., before_last, next_to_last, last] = rows.as_slice() else { return false };
-        let known = R::epsilon() * largest(start);
-        let usual = largest(before_last).max(largest(next_to_last)).max(known);
-        (largest(last) - usual).largest() > R::zero().largest()
-    })
+    let known = [&at.q, &at.v].map(|x| R::epsilon() * largest(x));
+    (here.rank < here.rows || here.is_determined()) && falls(series, known, largest)
 }
 
-/// Orders of a series that one step by stages replaces. The method by stages has order 8, so its error is
-/// smaller than that of the series.
-const ORDERS: usize = 4;
-
-/// A step by stages in the place of one of a series.
-#[cold]
-#[inline(never)]
-fn in_parts<S: System<N, K>, const N: usize, const K: usize, const ORDER: usize>(
-    system: &S,
-    constants: &S::Constants,
-    from: &State<S::Scalar, N>,
-    h: S::Scalar,
-    u: &[S::Scalar; K],
-) -> Result<State<S::Scalar, N>, Cause> {
-    let parts = ORDER.div_ceil(ORDERS);
-    let part = h / S::Scalar::from_f64(parts as f64);
-    let mut state = *from;
-    for _ in 0..parts {
-        let mut next = stages::step(system, constants, &state, part, u);
-        if !next.is_finite() {
-            return Err(diagnose(system, constants, state.t, &state.q, &state.v));
-        }
-        system.project_at(constants, &mut next, None)?;
-        state = next;
-    }
-    Ok(state.at_time(from.t + h))
+/// Whether the last terms of a series are no larger than those before them, or than what is `known` of the
+/// coordinates and of the velocities, by a measure of their size.
+fn falls<R: Real, const N: usize, const P: usize>(
+    series: &Series<R, N, P>,
+    known: [R; 2],
+    size: impl Fn(&[R; N]) -> R,
+) -> bool {
+    [&series.q, &series.v].into_iter().zip(known).all(|(rows, known)| {
+        // Symmetry makes every other term vanish, so the last one is held against two.
+        let [.., before_last, next_to_last, last] = rows.as_slice() else { return true };
+        let usual = size(before_last).max(size(next_to_last)).max(known);
+        (size(last) - usual).largest() <= R::zero().largest()
+    })
 }

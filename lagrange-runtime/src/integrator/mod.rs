@@ -16,7 +16,6 @@ mod rk4;
 pub(crate) mod samples;
 mod slopes;
 mod splitting;
-mod stages;
 pub(crate) mod step_size;
 mod tableau;
 

@@ -21,7 +21,7 @@ pub mod stored;
 mod symmetric;
 
 pub use independence::Independence;
-pub(crate) use independence::determined;
+pub(crate) use independence::{CLEAR, determined};
 pub use inverse::{Inverse, RecursionStep};
 pub use ldlt::Ldlt;
 pub use lu::Lu;

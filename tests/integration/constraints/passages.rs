@@ -231,17 +231,54 @@ impl Crossed {
     }
 }
 
-#[test]
-fn at_the_finest_tolerance_a_passage_ends_soon() {
-    let (theta, system) = (0.7_f64, Crossed);
+/// A start on the way to the flat position, at this speed.
+fn towards_flat(w: f64) -> State<f64, 4> {
+    let theta = 0.7_f64;
     let psi = -2.0 * (3.0 * (theta / 2.0).tan()).atan();
     let ratio = -3.0 * ((psi / 2.0).cos() / (theta / 2.0).cos()).powi(2);
     let ((a, b), (c, d)) = (theta.sin_cos(), psi.sin_cos());
+    let v = [w * a, -w * b, w * ratio * c, -w * ratio * d];
+    Crossed.consistent(State::new([b, a, 2.0 + d, c], v)).expect("a start")
+}
+
+/// Fixed steps end where they end, some of them right beside the flat position.
+#[test]
+fn fixed_steps_pass_a_flat_position() {
+    for steps in [150, 1500] {
+        for k in 0..40 {
+            let w = 1.0 + 0.0314159 * f64::from(k);
+            let start = towards_flat(w);
+            let mut motion = Crossed.stepper::<Jet<8>>(start);
+            for _ in 0..steps {
+                motion.step(1.5 / w / f64::from(steps), &[]).unwrap_or_else(|error| panic!("{w}: {error}"));
+            }
+            close_on(w * w, motion.energy(), Crossed.energy(&start), 1e-9);
+        }
+    }
+}
+
+#[test]
+fn a_fixed_step_from_beside_a_flat_position_is_right() {
+    let system = Bars { m: [0.5, 1.0, 2.5], l: 0.8, ground: 1.3 };
+    for s in starts() {
+        let start = State::new([s, 0.0, s], [5.0, 0.0, 5.0]);
+        let mut motion = system.stepper::<Jet<8>>(start);
+        for _ in 0..50 {
+            motion.step(0.01, &[]).unwrap_or_else(|error| panic!("{s:e}: {error}"));
+        }
+        let [a, b, c] = motion.state().q;
+        close_on(10.0, motion.energy(), system.energy(&start), 1e-9);
+        close_on(1.0, b.abs() + (a - c).abs(), 0.0, 1e-9);
+    }
+}
+
+#[test]
+fn at_the_finest_tolerance_a_passage_ends_soon() {
+    let system = Crossed;
     let mut passed = 0;
     for k in 0..40 {
         let w = 1.0 + 0.0314159 * f64::from(k);
-        let v = [w * a, -w * b, w * ratio * c, -w * ratio * d];
-        let start = system.consistent(State::new([b, a, 2.0 + d, c], v)).expect("a start");
+        let start = towards_flat(w);
         let mut motion = system.simulate_with::<Dop853>(start).with_tolerance(1e-13).with_max_steps(1000);
         match motion.advance_to(1.5 / w) {
             Ok(end) => {

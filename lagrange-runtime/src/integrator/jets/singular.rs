@@ -1,4 +1,5 @@
-//! A motion that starts in a configuration in which constraints depend on each other, or very close to one.
+//! A step that starts in a configuration in which constraints depend on each other, or close to one: the first
+//! of a motion, or one that has no end before that configuration where the state is determined.
 //!
 //! There the equations do not give the multipliers, and beside it they give them with few digits. But the
 //! motion is smooth, and a little later it is well determined. So the step is expanded about its **end**: a
@@ -10,7 +11,7 @@ use super::super::landing::{Check, apart};
 use super::{Determined, Jets, expansion};
 use crate::constraints::Footing;
 use crate::linear::{Independence, determined};
-use crate::number::real::{Ordered, Real};
+use crate::number::real::{Ordered, Real, larger};
 use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::limits::Limits;
@@ -21,11 +22,14 @@ use crate::system::state::State;
 /// Lengths of the step that are tried, each half of the one before, from half of the way to go.
 const LENGTHS: usize = 64;
 
+/// How much better the end of the step is determined than its start, at least.
+const BETTER: f64 = 2.0;
+
 /// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over
 /// the time in which accelerations change.
 const CORRECTIONS: usize = 24;
 
-/// Takes the first step about its end. False where the constraints depend on each other beside the start as
+/// Takes a step about its end. False where the constraints depend on each other beside the start as
 /// well, so that it is as good as any other state.
 ///
 /// # Errors
@@ -51,6 +55,7 @@ where
     let kept = *memory;
     let mut time = half * left;
     let mut leads_out = false;
+    let enough = larger(determined(), S::Scalar::from_f64(BETTER) * here.least);
     for _ in 0..LENGTHS {
         *memory = kept;
         let mut beyond = kept.start.at_time(kept.start.t + time);
@@ -58,7 +63,7 @@ where
             *q += time * v;
         }
         let there = if beyond.is_finite() { system.land_at(constants, &mut beyond, None).ok() } else { None };
-        if let Some(there) = there.filter(|there| there.independence.improves(here, determined())) {
+        if let Some(there) = there.filter(|there| there.independence.improves(here, enough)) {
             leads_out = true;
             if shoot(memory, system, constants, control, limits, &kept.start, beyond, &there) {
                 memory.determined = Some(Determined::at_start(&there.independence));
@@ -126,6 +131,8 @@ where
             memory.series.recentre(one, memory.orders);
             memory.turn();
             (memory.start, memory.end) = (*from, kept);
+            memory.end_residue = apart(from, from);
+            memory.end_residue.t = num_traits::Zero::zero();
             (memory.next, memory.last) = (time.abs(), time.abs());
             return true;
         }

@@ -52,10 +52,15 @@ where
     }
     let natural = expand(memory, system, control, limits, left, attempts)?;
     if let Some(here) = here {
-        if !here.is_determined() && singular::start(memory, system, constants, control, limits, left, &here)?
-        {
-            memory.counts.accepted += 1;
-            return Ok(());
+        if !here.is_clear() {
+            match singular::start(memory, system, constants, control, limits, left, &here) {
+                Ok(true) => {
+                    memory.counts.accepted += 1;
+                    return Ok(());
+                }
+                Err(cause) if !here.is_determined() => return Err(cause),
+                _ => {}
+            }
         }
         memory.determined = Some(Determined::at_start(&here));
     }
@@ -86,7 +91,8 @@ where
         return Err(memory.stay(Cause::NotFinite));
     }
     if S::CONSTRAINED {
-        land(memory, system, constants, control, limits, [theta, natural / memory.unit.abs()], attempts)?;
+        let lengths = [theta, natural / memory.unit.abs()];
+        land(memory, system, constants, control, limits, (lengths, left), attempts)?;
     }
     memory.last = (memory.end.t - memory.start.t).abs();
     memory.counts.accepted += 1;
@@ -104,7 +110,7 @@ fn land<S, const N: usize, const K: usize>(
     constants: &S::Constants,
     control: &Held<S::Scalar, K>,
     limits: &Limits<S::Scalar>,
-    [measured, natural]: [S::Scalar; 2],
+    ([measured, natural], left): ([S::Scalar; 2], S::Scalar),
     attempts: &mut u64,
 ) -> Result<(), Cause>
 where
@@ -151,7 +157,12 @@ where
                 theta = length;
                 cause
             }
-            Verdict::GiveUp(cause) => return Err(memory.stay(cause)),
+            Verdict::GiveUp(cause) => {
+                return match singular::start(memory, system, constants, control, limits, left, &here) {
+                    Ok(true) => Ok(()),
+                    _ => Err(memory.stay(cause)),
+                };
+            }
         };
         memory.counts.rejected += 1;
         if *attempts == 0 {
