@@ -134,7 +134,7 @@ pub(crate) fn emit(
     let events = events::events(&emission);
     methods.push_str(&events.methods);
     let regimes = switching.as_mut().map(|switching| regimes::regimes(&emission, switching));
-    let report = report(&emission, switching.as_ref(), before, after);
+    let report = report::report(&emission, switching.as_ref(), before, after);
     let smooth = emission.jets.zip(emission.orders);
     let smooth = smooth.map(|(jets, orders)| jets::jets(&mut emission, jets, orders));
     let linearization = linearization::linearization(&mut emission);
