@@ -205,8 +205,14 @@ impl Pass<'_> {
             text.push_str(&format!("let {}: {scalar} = lagrange::jets::time(h, order);\n", of.time));
         }
         text.push_str(&sums);
-        // What does not need the solution is computed while that is waited for.
-        let early = expansion.program.settled(Phase::Order, &[&outputs.solution[..], &outputs.end].concat());
+        // What does not need the solution is computed while that is waited for. Of many products there is more
+        // than registers hold.
+        let early = match &expansion.sums {
+            Sums::Few(_) => {
+                expansion.program.settled(Phase::Order, &[&outputs.solution[..], &outputs.end].concat())
+            }
+            Sums::Many(_) => Vec::new(),
+        };
         writer.bind_always(&early);
         text.push_str(&lines(writer.part(&[&early[..], &outputs.order].concat(), names)));
         text.push_str(&solvers::order(expansion, &solvers, writer, of));
