@@ -200,7 +200,7 @@ where
         // One row depends on no other.
         if C > 1 && !FAR && !self.nearness().is_clear() {
             self.settle(system, level);
-            if level == Level::Velocities && self.is_blurred(system) {
+            if level == Level::Velocities && self.saddle.rank() == C && self.is_blurred(system) {
                 return Ok(());
             }
         }
@@ -334,14 +334,17 @@ where
 
     /// Whether what is left to correct in the velocities is no more than what roundings of the constraint
     /// functions make of it: then the velocities that a step has brought are the better ones. Beside a
-    /// configuration in which constraints depend on each other these roundings are large.
+    /// configuration in which constraints depend on each other these roundings are large. Of rows that do
+    /// depend on each other a correction shows nothing, and a velocity that lacks half of its digits is
+    /// another one.
     #[cold]
     #[inline(never)]
     fn is_blurred(&self, system: &S) -> bool {
         let lack = self.residuals.rates.map(|value| -value);
         let (change, _) = self.saddle.solve(&[num_traits::Zero::zero(); N], &lack);
-        let excess = self.metric.extent(&change)
-            - S::Scalar::from_f64(ULPS) * self.metric.extent(&self.turned(system));
+        let roundings = S::Scalar::from_f64(ULPS) * self.metric.extent(&self.turned(system));
+        let half = S::Scalar::epsilon().sqrt() * self.extent(Level::Velocities);
+        let excess = self.metric.extent(&change) - roundings.min(half);
         excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
     }
 

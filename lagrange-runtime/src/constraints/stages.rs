@@ -1,10 +1,10 @@
 //! Accelerations where the stages of a method for ordinary differential equations lie: beside the
 //! constraints, and sometimes in a configuration in which these depend on each other.
 
-use super::residuals::{Level, Residuals};
+use super::residuals::Level;
 use super::retraction::{From, Retraction};
 use super::start::contradiction;
-use super::{Equations, Metric, Surface, moved, project};
+use super::{Balance, Equations, Metric, Surface, moved, project};
 use crate::linear::{CLEAR, Independence, SaddlePoint, determined};
 use crate::number::real::Real;
 use crate::system::error::Cause;
@@ -74,12 +74,15 @@ fn settled<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    let residuals: Residuals<_, C> = system.residuals_at(state.t, &state.q, &state.v);
-    if Retraction::<S, N, K, C>::with(state, residuals, (saddle, gradients)).nearness().is_clear() {
+    let residuals = system.residuals_at(state.t, &state.q, &state.v);
+    let nearness = Retraction::<S, N, K, C>::with(state, residuals, (saddle, gradients)).nearness();
+    // Where rows all but vanish together, the nearest state has another velocity.
+    if nearness.is_clear() || saddle.independence().is_clear() && !nearness.is_determined() {
         return None;
     }
-    let Settled { state: near, accelerations, nearness: here, factors } =
-        nearest(system, constants, state, u)?;
+    let (near, equations) = nearest(system, constants, state, u)?;
+    let Balance { accelerations, independence: here, .. } = equations.balance();
+    let factors = (equations.saddle, equations.gradients);
     if here.is_determined() {
         return Some(accelerations);
     }
@@ -92,16 +95,10 @@ where
     Some(between(system, constants, &near, &here, time, u).unwrap_or(own))
 }
 
-/// A state on the constraints.
-struct Settled<S, R, const N: usize, const C: usize> {
-    state: State<R, N>,
-    accelerations: [R; N],
-    /// How close the gradients are there to depending on each other or to vanishing.
-    nearness: Independence<R>,
-    factors: (S, [[R; N]; C]),
-}
+/// A state on the constraints, and the equations there.
+type Settled<S, R, const N: usize, const C: usize> = (State<R, N>, Equations<S, R, N, C>);
 
-/// The nearest state on the constraints.
+/// The nearest state on the constraints, and the equations there.
 fn nearest<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     constants: &S::Constants,
@@ -114,11 +111,7 @@ where
     let mut near = *state;
     project(system, &mut near, None).ok()?;
     let equations = system.equations_at(constants, near.t, &near.q, &near.v, u);
-    let accelerations = equations.balance().accelerations;
-    let factors = (equations.saddle, equations.gradients);
-    let residuals: Residuals<_, C> = system.residuals_at(near.t, &near.q, &near.v);
-    let nearness = Retraction::<S, N, K, C>::with(&near, residuals, factors).nearness();
-    Some(Settled { state: near, accelerations, nearness, factors })
+    Some((near, equations))
 }
 
 /// Distance of the first neighbours, in units of ∜ε times the time in which coordinates change by their size.
@@ -211,8 +204,9 @@ where
     (0..WIDENINGS).find_map(|widenings| {
         let at = |place: f64| {
             let there = moved(state, &state.v, &none, number(place) * apart(time, widenings));
-            let there = nearest(system, constants, &there, u)?;
-            there.nearness.improves(here, determined()).then_some(there.accelerations)
+            let (_, equations) = nearest(system, constants, &there, u)?;
+            let balance = equations.balance();
+            balance.independence.improves(here, determined()).then_some(balance.accelerations)
         };
         let sum = |near: f64| {
             let (a, b) = (at(-near)?, at(near)?);

@@ -41,7 +41,7 @@ where
     S: Smooth<N, K>,
 {
     let JetMemory { constants, tables, series, rank_so_far, .. } = memory;
-    let mut step = Step { system, outer, constants, tables, series, u, rank: 0 };
+    let mut step = Step { system, outer, constants, tables, series, u, rank: 0, contradiction: None };
     let here = system.land_at(outer, &mut from.clone(), None)?;
     let mut weakest = here.independence.weakest;
     step.rank = rank_so_far.unwrap_or_else(|| {
@@ -64,6 +64,9 @@ where
         }
         part *= S::Scalar::from_f64(0.5);
         if (shortest - part).largest() > num_traits::Zero::zero() {
+            if let Some(contradiction) = step.contradiction {
+                return Err(contradiction);
+            }
             if let Ok(here) = system.land_at(outer, &mut state, None) {
                 weakest = here.independence.weakest;
             }
@@ -83,6 +86,8 @@ struct Step<'a, S: Smooth<N, K>, const N: usize, const K: usize, const ORDER: us
     u: &'a [S::Scalar; K],
     /// The number of independent constraints.
     rank: usize,
+    /// What the last landing found, where rows contradict each other.
+    contradiction: Option<Cause>,
 }
 
 impl<S, const N: usize, const K: usize, const ORDER: usize> Step<'_, S, N, K, ORDER>
@@ -105,8 +110,11 @@ where
     }
 
     /// The state on the constraints nearest to one, which is replaced by it, and how well it is determined.
-    fn land(&self, state: &mut State<S::Scalar, N>) -> Option<Footing<S::Scalar, N>> {
-        self.system.land_at(self.outer, state, None).ok()
+    fn land(&mut self, state: &mut State<S::Scalar, N>) -> Option<Footing<S::Scalar, N>> {
+        let landed = self.system.land_at(self.outer, state, None);
+        self.contradiction =
+            landed.as_ref().err().copied().filter(|cause| matches!(cause, Cause::Contradictory { .. }));
+        landed.ok()
     }
 
     /// Whether the series about a state tells the motion along the constraints at the `end` of the step.

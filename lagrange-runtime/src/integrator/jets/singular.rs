@@ -10,8 +10,8 @@
 use super::super::landing::{Check, apart};
 use super::{Determined, Jets, expansion};
 use crate::constraints::Footing;
-use crate::linear::{Independence, determined};
-use crate::number::real::{Ordered, Real, larger};
+use crate::linear::Independence;
+use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::limits::Limits;
@@ -22,14 +22,11 @@ use crate::system::state::State;
 /// Lengths of the step that are tried, each half of the one before, from half of the way to go.
 const LENGTHS: usize = 64;
 
-/// How much better the end of the step is determined than its start, at least.
-const BETTER: f64 = 2.0;
-
 /// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over
 /// the time in which accelerations change.
 const CORRECTIONS: usize = 24;
 
-/// Takes a step about its end. False where the constraints depend on each other beside the start as
+/// Takes a step about its end, where the constraints determine the state by a distance of `enough`. False where the constraints depend on each other beside the start as
 /// well, so that it is as good as any other state.
 ///
 /// # Errors
@@ -45,7 +42,7 @@ pub(super) fn start<S, const N: usize, const K: usize>(
     control: &Held<S::Scalar, K>,
     limits: &Limits<S::Scalar>,
     left: S::Scalar,
-    here: &Independence<S::Scalar>,
+    (here, enough): (&Independence<S::Scalar>, S::Scalar),
 ) -> Result<bool, Cause>
 where
     S: Smooth<N, K>,
@@ -55,7 +52,6 @@ where
     let kept = *memory;
     let mut time = half * left;
     let mut leads_out = false;
-    let enough = larger(determined(), S::Scalar::from_f64(BETTER) * here.least);
     for _ in 0..LENGTHS {
         *memory = kept;
         let mut beyond = kept.start.at_time(kept.start.t + time);

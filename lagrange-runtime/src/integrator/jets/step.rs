@@ -6,7 +6,8 @@ use super::super::step_size;
 use super::expansion::expand;
 use super::probe::{self, PLACES, Probe};
 use super::{Jets, JetsMemory, singular};
-use crate::number::real::{Ordered, Real, smaller};
+use crate::linear::determined;
+use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::system::attitude;
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -18,6 +19,10 @@ use crate::system::smooth::Smooth;
 /// anyway. This bound serves polynomials whose high coefficients cancel exactly and would allow any length:
 /// it keeps the end within reach of the check.
 const LONGER: f64 = 32.0;
+
+/// How much better a state beyond a configuration in which constraints depend on each other is determined than
+/// the start of the step that leads across, at least.
+const BETTER: f64 = 2.0;
 
 /// One step from the end of the last one towards `target`.
 #[inline]
@@ -52,15 +57,11 @@ where
     }
     let natural = expand(memory, system, control, limits, left, attempts)?;
     if let Some(here) = here {
-        if !here.is_clear() {
-            match singular::start(memory, system, constants, control, limits, left, &here) {
-                Ok(true) => {
-                    memory.counts.accepted += 1;
-                    return Ok(());
-                }
-                Err(cause) if !here.is_determined() => return Err(cause),
-                _ => {}
-            }
+        let beyond = (&here, determined());
+        if !here.is_determined() && singular::start(memory, system, constants, control, limits, left, beyond)?
+        {
+            memory.counts.accepted += 1;
+            return Ok(());
         }
         memory.determined = Some(Determined::at_start(&here));
     }
@@ -117,7 +118,7 @@ where
     S: Smooth<N, K>,
     S::Scalar: Ordered,
 {
-    let (Some(determined), Some(here)) = (memory.determined, memory.independence) else { return Ok(()) };
+    let (Some(so_far), Some(here)) = (memory.determined, memory.independence) else { return Ok(()) };
     let unit = memory.unit.abs();
     let mut theta = measured;
     if !here.are_far_apart()
@@ -126,7 +127,7 @@ where
         theta = across;
         memory.reach(theta);
     }
-    let mut lengths = Lengths::new(determined, &here, limits.relative, [measured, natural, theta]);
+    let mut lengths = Lengths::new(so_far, &here, limits.relative, [measured, natural, theta]);
     loop {
         let check = Check { system, constants, inputs: &control.0, limits, from: &memory.start };
         let slopes = |theta| memory.series.slopes(theta, memory.orders).map(|slope| slope / memory.unit);
@@ -158,7 +159,8 @@ where
                 cause
             }
             Verdict::GiveUp(cause) => {
-                return match singular::start(memory, system, constants, control, limits, left, &here) {
+                let beyond = (&here, larger(determined(), S::Scalar::from_f64(BETTER) * here.least));
+                return match singular::start(memory, system, constants, control, limits, left, beyond) {
                     Ok(true) => Ok(()),
                     _ => Err(memory.stay(cause)),
                 };
