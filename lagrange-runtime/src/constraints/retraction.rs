@@ -23,6 +23,8 @@
 //! no correction. So where rows are dependent, the state must also satisfy the bound for starts, and a larger
 //! residual is a contradiction.
 
+mod project;
+
 use super::residuals::{Level, ULPS};
 use super::start::SHARE;
 use super::{Residuals, Surface, moved};
@@ -31,6 +33,8 @@ use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::metric::Metric;
 use crate::system::state::{State, difference};
+pub use project::project;
+pub(super) use project::slopes;
 
 /// Corrections before a state near the constraints is given up. Each leaves a tenth at most, or the factors
 /// are made anew.
@@ -56,73 +60,6 @@ pub(crate) enum From {
     Near,
     /// Anywhere.
     Far,
-}
-
-/// Moves a state that a step has left beside the constraints onto them. A state that is on them already is
-/// left as it is.
-///
-/// Without an estimate of its error a step in fixed steps shows by its correction whether it makes sense:
-/// with `from`, the state before it, a correction that is larger than all that the step itself has changed is
-/// an error.
-///
-/// # Errors
-/// The constraint that stays violated; [`Cause::StepTooLong`].
-#[inline]
-pub fn project<S, const N: usize, const K: usize, const C: usize>(
-    system: &S,
-    state: &mut State<S::Scalar, N>,
-    from: Option<&State<S::Scalar, N>>,
-) -> Result<(), Cause>
-where
-    S: Surface<N, K, C>,
-{
-    let residuals = system.residuals_at(state.t, &state.q, &state.v);
-    if residuals.are_roundings() {
-        slopes(system, state);
-        return Ok(());
-    }
-    let mut retraction = Retraction::new(system, state, residuals);
-    for level in [Level::Positions, Level::Velocities] {
-        retraction.level(system, level, From::Near).map_err(|cause| match cause {
-            // As many corrections as serve any state near the constraints were too few.
-            Cause::PositionViolated { .. } | Cause::VelocityViolated { .. }
-                if from.is_some() && !retraction.is_stuck =>
-            {
-                Cause::StepTooLong
-            }
-            cause => cause,
-        })?;
-    }
-    if from.is_some_and(|from| retraction.outweighs(state, from)) {
-        return Err(Cause::StepTooLong);
-    }
-    *state = retraction.state;
-    slopes(system, state);
-    Ok(())
-}
-
-/// Moves the derivatives of a state on the constraints onto their tangent space, and leaves its values: one
-/// correction of each level is linear in the derivatives, and makes good one order of them.
-#[inline]
-pub(super) fn slopes<S, const N: usize, const K: usize, const C: usize>(
-    system: &S,
-    state: &mut State<S::Scalar, N>,
-) where
-    S: Surface<N, K, C>,
-{
-    let none = [num_traits::Zero::zero(); N];
-    for _ in 0..S::Scalar::DEPTH {
-        for level in [Level::Positions, Level::Velocities] {
-            let (saddle, _) = system.saddle_at(state.t, &state.q, &state.v);
-            let residuals = system.residuals_at(state.t, &state.q, &state.v);
-            let lack = residuals.values(level).map(|residual| residual.part(0) - residual);
-            let (change, _) = saddle.solve(&none, &lack);
-            let numbers = if level == Level::Positions { &mut state.q } else { &mut state.v };
-            for (number, change) in numbers.iter_mut().zip(change) {
-                *number += change - change.part(0);
-            }
-        }
-    }
 }
 
 /// A corrected state, its residuals, and the share of the correction that was made.
