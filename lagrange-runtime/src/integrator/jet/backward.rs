@@ -158,9 +158,12 @@ where
             let back = self.expand(&end, -h)?;
             let kept = end;
             let lack = [difference(&from.q, &back.q), difference(&from.v, &back.v)];
-            for i in 0..N {
-                end.q[i] += lack[0][i] + h * lack[1][i];
-                end.v[i] += lack[1][i];
+            let [positions, velocities] = &lack;
+            for ((q, v), (&further, &faster)) in
+                end.q.iter_mut().zip(&mut end.v).zip(positions.iter().zip(velocities))
+            {
+                *q += further + h * faster;
+                *v += faster;
             }
             let footing = self.land(&mut end)?;
             let metric = &footing.metric;
