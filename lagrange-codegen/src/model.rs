@@ -28,7 +28,7 @@ pub struct Model {
     /// Where the three numbers of each orientation begin among the coordinates.
     pub orientations: Vec<usize>,
     /// The same while quantities are functions of their matrices and angular velocities, which are variables:
-    /// until [`orientation::in_parameters`].
+    /// until [`crate::eliminate::in_parameters`].
     pub turning: Vec<usize>,
     /// Inputs, arrays flattened, in declaration order.
     pub inputs: Vec<Quantity>,

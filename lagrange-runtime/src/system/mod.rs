@@ -48,7 +48,7 @@ pub trait System<const N: usize, const K: usize = 0> {
     const NAMES: Names = Names::NONE;
 
     /// Where the three numbers of each orientation begin among the coordinates, see
-    /// [`attitude`](crate::system::attitude).
+    /// [`attitude`].
     const ORIENTATIONS: &'static [usize] = &[];
 
     /// The body axes of a state, by which accelerations, forces, momenta and the mass matrix belong to angular
