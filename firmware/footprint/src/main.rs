@@ -7,12 +7,12 @@
 #![no_main]
 #![allow(unsafe_code, reason = "the symbol that does not exist")]
 
-use core::hint::black_box;
-
 #[cfg(any(feature = "computed_torque", feature = "regulator"))]
 #[cortex_m_rt::entry]
 fn main() -> ! {
     use arm::Control;
+    use core::hint::black_box;
+
     let control = if cfg!(feature = "regulator") { Control::Regulator } else { Control::ComputedTorque };
     let mut state = black_box(arm::wanted(0.0_f32).state);
     let mut sample = 0;
