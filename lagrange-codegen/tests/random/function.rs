@@ -140,7 +140,11 @@ impl Function {
             Function::Atan => one / (one + x * x),
             Function::Sinh => x.apply(Function::Cosh),
             Function::Cosh => x.apply(Function::Sinh),
-            Function::Tanh => x.apply(Function::Cosh).powi(-2),
+            // As the recurrence of a series has it: where the function saturates, the digits of 1 − y² cancel.
+            Function::Tanh => {
+                let y = x.apply(Function::Tanh);
+                one - y * y
+            }
             Function::Asinh => (x * x + one).apply(Function::Sqrt).powi(-1),
             Function::Acosh => (x * x - one).apply(Function::Sqrt).powi(-1),
             Function::Atanh => one / (one - x * x),
