@@ -6,10 +6,9 @@
 
 use super::{Conditions, Equations};
 use crate::calculus::pushforward;
-use crate::expr::{Graph, NodeId, Variable};
+use crate::expr::{NodeId, Variable};
 use crate::model::Model;
 use crate::number::Number;
-use crate::simplify::cost::cost;
 
 /// Values with their derivatives, row by row.
 #[derive(Clone, Debug)]
@@ -107,41 +106,24 @@ fn by(model: &mut Model, values: &[NodeId], variables: &[Variable]) -> Vec<Vec<N
     rows
 }
 
-/// r = f + Aᵀλ − M a, with the entries of M or, where that is cheaper, without them.
+/// r = f + Aᵀλ − M a.
 fn residual(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
     let graph = &mut model.graph;
+    let mass = &equations.mass;
+    let count = mass.len();
     let accelerations: Vec<NodeId> =
-        (0..equations.mass.len() as u32).map(|i| graph.variable(Variable::Acceleration(i))).collect();
-    let by_entries = residual_with(graph, equations, |graph, i| {
-        let entry = |j: usize| equations.mass[i.max(j)][i.min(j)];
-        let products = accelerations.iter().enumerate().map(|(j, &a)| graph.mul(entry(j), a));
-        products.collect()
-    });
-    // M = ∂p/∂v, so M a is the change of the momenta along a: one sweep.
-    let direction: Vec<(NodeId, NodeId)> = accelerations
-        .iter()
-        .enumerate()
-        .map(|(i, &a)| (graph.variable(Variable::Velocity(i as u32)), a))
-        .collect();
-    let changes = pushforward(graph, &equations.momenta, &direction);
-    let by_momenta = residual_with(graph, equations, |_, i| vec![changes[i]]);
-    if cost(graph, &by_momenta) < cost(graph, &by_entries) { by_momenta } else { by_entries }
-}
-
-/// f + Aᵀλ less the summands of M a in each row.
-fn residual_with(
-    graph: &mut Graph,
-    equations: &Equations,
-    mut inertia: impl FnMut(&mut Graph, usize) -> Vec<NodeId>,
-) -> Vec<NodeId> {
-    let mut rows = Vec::with_capacity(equations.mass.len());
-    for (i, &force) in equations.force.iter().enumerate() {
-        let mut terms = vec![(force, Number::ONE)];
-        terms.extend(equations.conditions.reactions.get(i).map(|&reaction| (reaction, Number::ONE)));
-        terms.extend(inertia(graph, i).into_iter().map(|term| (term, Number::MINUS_ONE)));
-        rows.push(graph.sum(Number::ZERO, &terms));
-    }
-    rows
+        (0..count as u32).map(|i| graph.variable(Variable::Acceleration(i))).collect();
+    (0..count)
+        .map(|i| {
+            let mut terms = vec![(equations.force[i], Number::ONE)];
+            terms.extend(equations.conditions.reactions.get(i).map(|&reaction| (reaction, Number::ONE)));
+            for (j, &acceleration) in accelerations.iter().enumerate() {
+                let inertia = graph.mul(mass[i.max(j)][i.min(j)], acceleration);
+                terms.push((inertia, Number::MINUS_ONE));
+            }
+            graph.sum(Number::ZERO, &terms)
+        })
+        .collect()
 }
 
 /// A a − γ.
