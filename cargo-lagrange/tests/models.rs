@@ -34,12 +34,9 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// A folder for a test, empty.
-fn scratch(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("the folder can be made");
-    folder
+/// A folder outside the workspace of this package.
+fn outside() -> tempfile::TempDir {
+    tempfile::tempdir().expect("the folder can be made")
 }
 
 #[test]
@@ -108,25 +105,51 @@ fn mistakes_have_their_places() {
 
 #[test]
 fn a_new_package_is_written_once() {
-    let folder = scratch("new");
-    let output = lagrange(&folder, &["new", "swing"]);
+    let folder = outside();
+    let folder = folder.path();
+    let output = lagrange(folder, &["new", "swing"]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let read = |file: &str| fs::read_to_string(folder.join("swing").join(file)).expect("the file is there");
     assert!(read("Cargo.toml").contains(concat!("lagrangian = \"", env!("CARGO_PKG_VERSION"), "\"")));
+    assert!(read("Cargo.toml").contains("[profile.dev]"));
     assert_eq!(read("src/main.rs"), include_str!("../template/main.rs"));
-    for (name, message) in [("swing", "is there already"), ("try", "not the name"), ("7up", "not the name")] {
-        let output = lagrange(&folder, &["new", name]);
-        assert!(!output.status.success() && text(&output.stderr).contains(message), "{name}");
+    for (name, message) in
+        [("swing", "already exists"), ("try", "keyword"), ("7up", "cannot start with a digit")]
+    {
+        let output = lagrange(folder, &["new", name]);
+        assert!(
+            !output.status.success() && text(&output.stderr).contains(message),
+            "{}",
+            text(&output.stderr)
+        );
     }
+    assert!(lagrange(folder, &["new", "7up", "--name", "seven"]).status.success());
+    assert!(read("../7up/Cargo.toml").contains("name = \"seven\""));
+}
+
+/// Cargo takes it as a member, and takes profiles from the root alone.
+#[test]
+fn a_new_package_joins_the_workspace_around_it() {
+    let folder = outside();
+    let folder = folder.path();
+    let root = folder.join("Cargo.toml");
+    fs::write(&root, "[workspace]\nresolver = \"3\"\nmembers = []\n").expect("the file can be written");
+    let output = lagrange(folder, &["new", "swing"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let read = |path: &Path| fs::read_to_string(path).expect("the file is there");
+    assert!(read(&root).contains("swing"), "{}", read(&root));
+    let manifest = read(&folder.join("swing/Cargo.toml"));
+    assert!(manifest.contains("lagrangian = ") && !manifest.contains("[profile"), "{manifest}");
 }
 
 /// Builds the library several times; `scripts/check.sh command` runs it.
 #[test]
 #[ignore = "builds a package from nothing"]
 fn a_new_package_runs_and_is_verified() {
-    let folder = scratch("whole");
+    let folder = outside();
+    let folder = folder.path();
     let checkout = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let output = lagrange(&folder, &["new", "swing", "--lagrangian", &checkout.to_string_lossy()]);
+    let output = lagrange(folder, &["new", "swing", "--lagrangian", &checkout.to_string_lossy()]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let package = folder.join("swing");
     let output = Command::new(env!("CARGO"))

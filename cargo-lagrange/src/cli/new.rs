@@ -1,7 +1,10 @@
 //! `new`: a package with a model that runs.
 
-use std::fs;
+use std::env;
+use std::fs::{self, OpenOptions};
+use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use clap::Args;
 
@@ -10,28 +13,26 @@ use super::print;
 /// The program of a new package; compiled and run by `tests/compiled/`.
 const PROGRAM: &str = include_str!("../../template/main.rs");
 
+/// What cargo reads of the profile of a workspace's root alone.
+const PROFILE: &str = "\n# Motions need optimised code.\n[profile.dev]\nopt-level = 2\n";
+
 /// Makes a package with a model to start from.
 #[derive(Args)]
 pub struct NewArguments {
     /// The folder; its last part is the name of the package.
     path: PathBuf,
+    /// The name of the package where the folder has another one.
+    #[arg(long)]
+    name: Option<String>,
     /// Depends on the `lagrangian` crate in this folder instead of a published version.
     #[arg(long, value_name = "FOLDER")]
     lagrangian: Option<PathBuf>,
 }
 
-/// Runs `new`.
+/// Runs `new`: `cargo new` with another program and a dependency, so that names, workspaces and version control are
+/// treated as cargo treats them.
 pub fn run(arguments: &NewArguments) -> Result<(), String> {
     let path = &arguments.path;
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    if !is_package_name(&name) {
-        return Err(format!(
-            "error: `{name}` is not the name of a package: begin with a letter, go on with letters, digits, - and _, and take no keyword"
-        ));
-    }
-    if path.exists() {
-        return Err(format!("error: {} is there already", path.display()));
-    }
     let dependency = match &arguments.lagrangian {
         None => format!("{:?}", env!("CARGO_PKG_VERSION")),
         Some(folder) => {
@@ -40,27 +41,51 @@ pub fn run(arguments: &NewArguments) -> Result<(), String> {
             format!("{{ path = {:?} }}", folder.display().to_string())
         }
     };
-    let manifest = format!(
-        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n[dependencies]\nlagrangian = {dependency}\n\n\
-         # Motions need optimised code.\n[profile.dev]\nopt-level = 2\n"
-    );
-    write(path, &manifest).map_err(|error| format!("error: {}: {error}", path.display()))?;
+    let mut new = cargo();
+    new.args(["new", "--bin", "--quiet"]).arg(path);
+    if let Some(name) = &arguments.name {
+        new.arg("--name").arg(name);
+    }
+    output(&mut new)?;
+    let manifest = path.join("Cargo.toml");
+    let profile = if is_root(&manifest)? { PROFILE } else { "" };
+    fill(path, &manifest, &format!("lagrangian = {dependency}\n{profile}"))
+        .map_err(|error| format!("error: {}: {error}", path.display()))?;
     print(&format!(
         "{} is there. Next:\n\n  cd {0}\n  cargo run\n  cargo lagrange equations\n",
         path.display()
     ))
 }
 
-/// Whether a crate of this name can be called by a name of Rust.
-fn is_package_name(name: &str) -> bool {
-    name.starts_with(|first: char| first.is_ascii_alphabetic())
-        && name.is_ascii()
-        && syn::parse_str::<syn::Ident>(&name.replace('-', "_")).is_ok()
+/// The cargo that runs this command, or the one of the path.
+fn cargo() -> Command {
+    Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
-fn write(path: &Path, manifest: &str) -> std::io::Result<()> {
-    fs::create_dir_all(path.join("src"))?;
-    fs::write(path.join("Cargo.toml"), manifest)?;
-    fs::write(path.join(".gitignore"), "/target\n")?;
+/// What a command prints, or its message.
+fn output(command: &mut Command) -> Result<String, String> {
+    let output = command.output().map_err(|error| format!("error: cargo does not run: {error}"))?;
+    if output.status.success() {
+        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+    } else {
+        Err(String::from_utf8_lossy(&output.stderr).trim_end().to_owned())
+    }
+}
+
+/// Whether the package is the root of its workspace.
+fn is_root(manifest: &Path) -> Result<bool, String> {
+    let mut locate = cargo();
+    locate
+        .args(["locate-project", "--workspace", "--message-format", "plain", "--manifest-path"])
+        .arg(manifest);
+    let root = output(&mut locate)?;
+    let same =
+        |path: &Path| fs::canonicalize(path).map_err(|error| format!("error: {}: {error}", path.display()));
+    Ok(same(manifest)? == same(Path::new(root.trim_end()))?)
+}
+
+/// Ends the manifest, whose last table is the one of dependencies, and writes the program.
+fn fill(path: &Path, manifest: &Path, rest: &str) -> std::io::Result<()> {
+    OpenOptions::new().append(true).open(manifest)?.write_all(rest.as_bytes())?;
     fs::write(path.join("src/main.rs"), PROGRAM)
 }
