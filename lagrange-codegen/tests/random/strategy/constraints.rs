@@ -65,7 +65,11 @@ pub fn links(count: usize) -> BoxedStrategy<Role> {
         .prop_map(|(name, links)| {
             let link = |(i, (own, other, form)): (usize, (Expr, Expr, usize))| {
                 let next = Expr::Coordinate(i + 1);
-                let next = if form % 2 == 0 { call(Function::Sin, next) } else { times(next.clone(), next) };
+                let next = if form.is_multiple_of(2) {
+                    call(Function::Sin, next)
+                } else {
+                    times(next.clone(), next)
+                };
                 plus(times(own, Expr::Coordinate(i)), times(other, next))
             };
             let rows = links.into_iter().enumerate().map(link).collect();

@@ -190,13 +190,14 @@ fn singular<const N: usize, const C: usize, const A: usize, const L: usize>(
 #[test]
 fn rows_that_depend_on_each_other_are_left_to_pivoting() {
     // A chain between two places that are one, folded: all gradients along one line.
-    let flat = |i: usize| if i % 2 == 0 { (6 - (i / 2 + 1).abs_diff(6)) as f64 } else { 0.0 };
+    let flat = |i: usize| if i.is_multiple_of(2) { (6 - (i / 2 + 1).abs_diff(6)) as f64 } else { 0.0 };
     singular::<22, 12, 44, 11>(&held(12), 2, &core::array::from_fn(flat), 11);
     // A ring, likewise.
     let folded = |i: usize| if i % 3 == 1 { 6.0 - (i / 3).abs_diff(6) as f64 } else { 0.0 };
     singular::<36, 12, 72, 21>(&ring(12), 3, &core::array::from_fn(folded), 11);
     // Loose, it is regular: no pivot is small in the order from what is held.
-    let loose: [f64; 24] = core::array::from_fn(|i| if i % 2 == 0 { (i / 2 + 1) as f64 } else { 0.0 });
+    let loose: [f64; 24] =
+        core::array::from_fn(|i| if i.is_multiple_of(2) { (i / 2 + 1) as f64 } else { 0.0 });
     let a = gradients(&chain(12), 2, &loose);
     let ours: Sparse<f64, 24, 12, 46, 11> = sparse(pattern(&chain(12), 2, 0), [1.0; 24], &a);
     assert!(ours.careful.is_none() && ours.independence().least > 0.7, "{:?}", ours.independence());
