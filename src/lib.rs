@@ -110,6 +110,9 @@
 #[cfg(feature = "ensemble")]
 pub use lagrange_ensemble as ensemble;
 pub use lagrange_macros::lagrangian_facade as lagrangian;
+/// Pictures of motions: phase portraits, energies, reactions, and drawings that move.
+#[cfg(feature = "pictures")]
+pub use lagrange_pictures as pictures;
 pub use lagrange_runtime::*;
 
 /// What generated code names. No part of the public interface.
