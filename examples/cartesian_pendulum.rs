@@ -85,11 +85,10 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     // The picture has y to the right and x downwards, as the description has it.
     let record = Record::of(&mut pendulum.simulate(start), 4.0, 400)?;
     let seen = |_: &Pendulum, q: &PendulumCoordinates| Vector2::new(q.y, -q.x);
-    let pull = |p: &Pendulum, state: &State<f64, 2>| {
-        let along = Vector2::new(state.q[1], -state.q[0]) / p.length;
-        along * p.reactions(state).map_or(f64::NAN, |found| found.rod)
-    };
-    let film = record.film().rods(move |p, q| [Vector2::zeros(), seen(p, q)]).force(seen, pull);
+    let film = record
+        .film()
+        .rods(move |p, q| [Vector2::zeros(), seen(p, q)])
+        .reaction(seen, |p, state, found| Vector2::new(state.q[1], -state.q[0]) / p.length * found.rod);
     println!("Drawn: {}", film.save("target/cartesian_pendulum.film.svg")?.display());
     let charts = [
         record.phase_portrait("y")?.titled("Phase portrait", "y [m]", "y′ [m/s]"),

@@ -67,7 +67,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let corners = [[-w, -h], [w, -h], [w, h], [-w, h]];
     let outline = |state: &State<f64, 3>| {
         let pose = block.block(&state.q.into());
-        [0, 1, 2, 3, 0].map(|corner| (pose * Point2::from(corners[corner])).coords.into())
+        [0, 1, 2, 3, 0].map(|corner| (pose * Point2::from(corners[corner])).coords).map(|at| (at.x, at.y))
     };
     let mut pictures = Chart::new("A block falls from corner to corner", "x [m]", "y [m]").equal_scales();
     for (count, state) in states.iter().take(86).step_by(17).enumerate() {
@@ -85,18 +85,13 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     // The force of the floor on a corner, from the reactions of its contact and of its friction.
     let corner =
         |side: usize| move |b: &Block, q: &BlockCoordinates| b.block(q).translation.vector + b.arms(q)[side];
-    let force = |side: usize| {
-        move |b: &Block, state: &State<f64, 3>| {
-            b.reactions(state).map_or([f64::NAN; 2], |found| [found.slips[side], found.corners[side]])
-        }
-    };
     let film = record
         .film()
         .slower(3.0)
         .ground([[-1.5 * w, 0.0], [1.5 * w, 0.0]])
         .body(Block::block, &corners)
-        .force(corner(0), force(0))
-        .force(corner(1), force(1));
+        .reaction(corner(0), |_, _, found| [found.slips[0], found.corners[0]])
+        .reaction(corner(1), |_, _, found| [found.slips[1], found.corners[1]]);
     println!("Drawn: {}", film.save("target/rocking_block.film.svg")?.display());
 
     // Housner: angular momentum about the corner that is hit is kept.

@@ -156,6 +156,7 @@ mod documents {
         Analysis "../book/src/analysis.md"
         Integrators "../book/src/integrators.md"
         Accuracy "../book/src/accuracy.md"
+        Pictures "../book/src/pictures.md"
         Command "../book/src/command.md"
         Errors "../book/src/errors.md"
         ManyMotions "../book/src/many-motions.md"

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use lagrange_runtime::{Ordered, State, System};
+use lagrange_runtime::{Constrained, Ordered, State, System};
 
 use crate::error::PictureError;
 use crate::file;
@@ -91,8 +91,8 @@ where
         self.shape(Kind::Trail, |system, state| vec![place(system, &state.q.into()).spot()])
     }
 
-    /// A force as an arrow from where it acts: a reaction, the force of a contact. The longest of the film has a
-    /// fixed length, all arrows the same scale, and none is drawn where the force is zero: a contact that is open.
+    /// A force as an arrow from where it acts. The longest of the film has a fixed length, all arrows the same scale,
+    /// and none is drawn where the force is zero.
     #[must_use]
     pub fn force<Q, P, F>(
         self,
@@ -109,6 +109,32 @@ where
         })
     }
 
+    /// The force of a constraint, contact or friction as an arrow, from the multipliers by name:
+    /// `film.reaction(Ball::lowest, |_, _, found| [0.0, found.floor])`. A contact that is open has none.
+    #[must_use]
+    pub fn reaction<Q, P, F>(
+        self,
+        place: impl Fn(&S, &Q) -> P,
+        force: impl Fn(&S, &State<S::Scalar, N>, &S::Reactions) -> F,
+    ) -> Self
+    where
+        S: Constrained<N, K>,
+        Q: From<[S::Scalar; N]>,
+        P: Place,
+        F: Place,
+    {
+        let constants = self.record.system().constants();
+        let found = self.record.with_inputs().map(|(State { t, q, v }, inputs)| {
+            self.record.system().reactions_at(&constants, *t, q, v, inputs)
+        });
+        let found: Vec<_> = found.collect();
+        let mut found = found.iter();
+        self.shape(Kind::Force, |system, state| {
+            let force = found.next().map(|found| force(system, state, found).spot());
+            std::iter::once(place(system, &state.q.into()).spot()).chain(force).collect()
+        })
+    }
+
     /// A line that does not move: a floor, a wall, a rail.
     #[must_use]
     pub fn ground(self, line: impl IntoIterator<Item: Place>) -> Self {
@@ -116,7 +142,7 @@ where
         self.shape(Kind::Ground, |_, _| line.clone())
     }
 
-    fn shape(mut self, kind: Kind, spots: impl Fn(&S, &State<S::Scalar, N>) -> Vec<Spot>) -> Self {
+    fn shape(mut self, kind: Kind, mut spots: impl FnMut(&S, &State<S::Scalar, N>) -> Vec<Spot>) -> Self {
         let states = self.record.states().iter();
         let frames = states.map(|state| spots(self.record.system(), state)).collect();
         self.shapes.push(Shape { kind, frames });

@@ -34,7 +34,7 @@
 //! let record = Record::of(&mut pendulum.simulate(State::at_rest([2.0])), 10.0, 500)?;
 //! record.phase_portrait("phi")?.save(folder.join("portrait.svg"))?;
 //! record.energies(Pendulum::kinetic_energy, Pendulum::potential_energy).save(folder.join("energies.svg"))?;
-//! record.film()?.rods(|p, q| [Vector2::zeros(), p.bob(q)]).save(folder.join("film.svg"))?;
+//! record.film().rods(|p, q| [Vector2::zeros(), p.bob(q)]).save(folder.join("film.svg"))?;
 //! # Ok(())
 //! # }
 //! ```

@@ -62,6 +62,11 @@ where
         &self.states
     }
 
+    /// The states with the inputs there.
+    pub(crate) fn with_inputs(&self) -> impl Iterator<Item = (&State<S::Scalar, N>, &[S::Scalar; K])> {
+        self.states.iter().zip(&self.inputs)
+    }
+
     /// A quantity over time, as points of a curve: `record.over_time(Pendulum::energy)`.
     pub fn over_time<T: Into<f64>>(
         &self,
@@ -132,12 +137,11 @@ where
         S::Reactions: Into<[S::Scalar; C]>,
     {
         let constants = self.system.constants();
-        let at = |(state, inputs): (&State<S::Scalar, N>, &[S::Scalar; K])| {
-            let State { t, q, v } = state;
+        let at = |(State { t, q, v }, inputs): (&State<S::Scalar, N>, &[S::Scalar; K])| {
             let multipliers = *self.system.reactions_at(&constants, *t, q, v, inputs);
             (Into::<f64>::into(*t), multipliers.into())
         };
-        let all: Vec<(f64, [S::Scalar; C])> = self.states.iter().zip(&self.inputs).map(at).collect();
+        let all: Vec<(f64, [S::Scalar; C])> = self.with_inputs().map(at).collect();
         let chart = Chart::new("Reactions", "time [s]", "multiplier");
         (0..C).fold(chart, |chart, row| {
             let label = S::NAMES.constraints.get(row).map_or_else(|| row.to_string(), ToString::to_string);

@@ -119,7 +119,8 @@ fn a_film_moves_what_moves() -> Result<(), Box<dyn Error>> {
     // The scale is that of the picture: a rod of 1 m keeps its length.
     let number = |text: &str| text.parse::<f64>().expect("a number");
     let pivot = svg.split_once("cx=\"").and_then(|(_, rest)| rest.split_once('"')).expect("a pivot").0;
-    let pivot = [number(pivot), number(svg.split("cy=\"").nth(1).and_then(|s| s.split('"').next()).expect("y"))];
+    let pivot =
+        [number(pivot), number(svg.split("cy=\"").nth(1).and_then(|s| s.split('"').next()).expect("y"))];
     let lengths: Vec<f64> =
         x.iter().zip(&y).map(|(x, y)| (number(x) - pivot[0]).hypot(number(y) - pivot[1])).collect();
     assert!(lengths.iter().all(|length| (length - lengths[0]).abs() < 0.2), "{lengths:?}");
@@ -142,7 +143,8 @@ fn bodies_turn_and_open_contacts_have_no_arrow() -> Result<(), Box<dyn Error>> {
     let frames = values(&svg, "points");
     assert_eq!((frames.len(), frames[0].split(' ').count()), (26, 4));
     assert_ne!(frames[0], frames[5]);
-    let arrow = svg.split("stroke-linecap=\"butt\"").nth(1).map(|rest| values(rest, "points")).expect("an arrow");
+    let arrow =
+        svg.split("stroke-linecap=\"butt\"").nth(1).map(|rest| values(rest, "points")).expect("an arrow");
     let spread = |frame: &str| frame.split(' ').collect::<std::collections::BTreeSet<_>>().len();
     assert!(arrow.iter().all(|frame| spread(frame) == 1), "{arrow:?}");
     Ok(())
@@ -151,7 +153,8 @@ fn bodies_turn_and_open_contacts_have_no_arrow() -> Result<(), Box<dyn Error>> {
 #[test]
 fn space_is_seen_from_a_direction() -> Result<(), Box<dyn Error>> {
     let record = record(50)?;
-    let film = || record.film().trail(|p, q| p.bob(q).push(0.0)).point(|_, _: &PendulumCoordinates| [0.0, 0.0, 1.0]);
+    let film =
+        || record.film().trail(|p, q| p.bob(q).push(0.0)).point(|_, _: &PendulumCoordinates| [0.0, 0.0, 1.0]);
     let above = film().seen_from(0.0, std::f64::consts::FRAC_PI_2).svg()?;
     let side = film().seen_from(0.0, 0.0).svg()?;
     assert_ne!(above, side);
@@ -191,12 +194,18 @@ fn every_refusal_has_a_type() -> Result<(), Box<dyn Error>> {
     assert!(matches!(refusal(&record.film()), PictureError::Empty));
     let vanishes = record.film().point(|_, q: &PendulumCoordinates| [q.y.ln(), 0.0]);
     assert!(matches!(refusal(&vanishes), PictureError::NotFinite { .. }));
-    assert!(matches!(refusal(&record.film().slower(0.0).point(Pendulum::bob)), PictureError::NotFinite { .. }));
-    let grows = record.film().rods(|_, q: &PendulumCoordinates| vec![[q.x, q.y]; if q.x > 0.9 { 2 } else { 3 }]);
+    assert!(matches!(
+        refusal(&record.film().slower(0.0).point(Pendulum::bob)),
+        PictureError::NotFinite { .. }
+    ));
+    let grows =
+        record.film().rods(|_, q: &PendulumCoordinates| vec![[q.x, q.y]; if q.x > 0.9 { 2 } else { 3 }]);
     assert!(matches!(refusal(&grows), PictureError::ChangingShape { at } if at > 0.0));
     let states = [0.0, 0.1, 0.4].map(|t| State::at_rest([1.0, 0.0]).at_time(t));
     let uneven = Record::new(&Pendulum, states);
-    assert!(matches!(refusal(&uneven.film().point(Pendulum::bob)), PictureError::UnequalTimes { at } if at == 0.1));
+    assert!(
+        matches!(refusal(&uneven.film().point(Pendulum::bob)), PictureError::UnequalTimes { at } if at == 0.1)
+    );
     let single = Record::new(&Pendulum, [State::at_rest([1.0, 0.0])]);
     assert!(matches!(refusal(&single.film().point(Pendulum::bob)), PictureError::Empty));
     Ok(())
