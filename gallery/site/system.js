@@ -15,7 +15,7 @@ const module = source.instance.exports;
 document.title = `${page.title} in motion`;
 element("title").textContent = page.title;
 element("about").textContent = page.about;
-element("equations").textContent = equations[page.model].text;
+element("equations").textContent = equations.find((entry) => entry.model === page.model).text;
 element("view").setAttribute("aria-label", `${page.title}, in motion`);
 element("reactions-part").hidden = page.reactions.length === 0;
 

@@ -1,8 +1,8 @@
 //! Prints the catalogue of the gallery as JSON: titles, sliders and names, which the pages read.
 
 use gallery::models::{
-    cart_pole::CartPole, chain::Chain, double_pendulum::DoublePendulum, four_bar::FourBar, rocking_block::Block,
-    stick_slip::Belt, three_body::ThreeBody, top::Top,
+    cart_pole::CartPole, chain::Chain, double_pendulum::DoublePendulum, four_bar::FourBar,
+    rocking_block::Block, stick_slip::Belt, three_body::ThreeBody, top::Top,
 };
 use gallery::{Model, Slider};
 

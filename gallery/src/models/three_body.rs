@@ -13,9 +13,23 @@ pub struct ThreeBody {
 
 #[lagrangian(coordinates = [x: [3], y: [3]])]
 impl ThreeBody {
-    #[point(mass = self.mass)]
+    #[point(mass = self.mass[0])]
+    fn first(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x[0], q.y[0])
+    }
+
+    #[point(mass = self.mass[1])]
+    fn second(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x[1], q.y[1])
+    }
+
+    #[point(mass = self.mass[2])]
+    fn third(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x[2], q.y[2])
+    }
+
     fn bodies(&self, q: &Coordinates) -> [Vector2<f64>; 3] {
-        core::array::from_fn(|i| Vector2::new(q.x[i], q.y[i]))
+        [self.first(q), self.second(q), self.third(q)]
     }
 
     #[potential]
