@@ -84,7 +84,7 @@ where
     }
 }
 
-impl<S, C, M, const N: usize, const K: usize> Simulation<'_, S, C, M, N, K>
+impl<'a, S, C, M, const N: usize, const K: usize> Simulation<'a, S, C, M, N, K>
 where
     S: System<N, K>,
     S::Scalar: Ordered,
@@ -132,6 +132,18 @@ where
     #[inline]
     pub(crate) fn limits(&mut self) -> &mut Limits<S::Scalar> {
         &mut self.limits
+    }
+
+    /// The system that moves.
+    #[inline]
+    pub fn system(&self) -> &'a S {
+        self.system
+    }
+
+    /// Where the inputs come from.
+    #[inline]
+    pub fn control(&self) -> &C {
+        &self.control
     }
 
     /// The state: the last one reached or sampled without error.

@@ -1,0 +1,81 @@
+//! Prints the catalogue of the gallery as JSON: titles, sliders and names, which the pages read.
+
+use gallery::models::{
+    cart_pole::CartPole, chain::Chain, double_pendulum::DoublePendulum, four_bar::FourBar,
+    rocking_block::Block, stick_slip::Belt, three_body::ThreeBody, top::Top,
+};
+use gallery::{Model, Slider};
+
+fn sliders(sliders: &[Slider]) -> String {
+    let entry = |slider: &Slider| {
+        let Slider { name, unit, range, start } = slider;
+        format!("{{\"name\":{name:?},\"unit\":{unit:?},\"range\":{range:?},\"start\":{start:?}}}")
+    };
+    format!("[{}]", sliders.iter().map(entry).collect::<Vec<_>>().join(","))
+}
+
+fn page<M: Model<N>, const N: usize>(name: &str, model: &str, title: &str, about: &str) -> String {
+    format!(
+        "{{\"name\":{name:?},\"model\":{model:?},\"title\":{title:?},\"about\":{about:?},\"parameters\":{},\
+         \"settings\":{},\"reactions\":{:?},\"view\":{:?},\"conservative\":{},\"coordinates\":{N}}}",
+        sliders(M::PARAMETERS),
+        sliders(M::SETTINGS),
+        M::REACTIONS,
+        M::VIEW,
+        M::CONSERVATIVE
+    )
+}
+
+fn main() {
+    let pages = [
+        page::<DoublePendulum, 2>(
+            "double_pendulum",
+            "DoublePendulum",
+            "Double pendulum",
+            "Two masses on rods: the textbook's chaotic system. Drag a mass and let it go.",
+        ),
+        page::<CartPole, 2>(
+            "cart_pole",
+            "CartPole",
+            "Cart and pole",
+            "A motor swings the pole up and balances it. Push the cart, or pull the pole down.",
+        ),
+        page::<ThreeBody, 6>(
+            "three_body",
+            "ThreeBody",
+            "Three bodies",
+            "Three equal masses follow each other along a figure eight. Change a mass a little, or drag a body away.",
+        ),
+        page::<Top, 3>(
+            "top",
+            "Top",
+            "Spinning top",
+            "A top with its tip on the ground. Its orientation is a coordinate, so no attitude is singular.",
+        ),
+        page::<FourBar, 3>(
+            "four_bar",
+            "FourBar",
+            "Four-bar linkage",
+            "Three bars and a frame, closed by a constraint. Its multipliers are the force in the hinge.",
+        ),
+        page::<Block, 3>(
+            "rocking_block",
+            "Block",
+            "Rocking block",
+            "A block falls from corner to corner, infinitely often in finite time, until it stands.",
+        ),
+        page::<Belt, 1>(
+            "stick_slip",
+            "Belt",
+            "Stick and slip",
+            "A belt drags a block along until the spring tears it loose: how a violin string sounds and a brake squeals.",
+        ),
+        page::<Chain, 10>(
+            "chain",
+            "Chain",
+            "Chain of ten links",
+            "A chain falls like a whip. Drag any joint.",
+        ),
+    ];
+    println!("[{}]", pages.join(",\n"));
+}
