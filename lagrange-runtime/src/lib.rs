@@ -130,7 +130,9 @@ pub mod __private {
     pub use crate::system::state::State;
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
-        pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur, Switched};
+        pub use crate::linear::{
+            Diagonal, Pattern, Saddle, SaddlePoint, Schur, Sparse, SparseRows, Switched,
+        };
     }
     pub mod jets {
         //! Recurrences of Taylor coefficients.
