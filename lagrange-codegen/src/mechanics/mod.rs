@@ -21,7 +21,7 @@ mod validate;
 
 pub use constraints::{Conditions, Switched};
 pub use linearization::{Linearization, Sensitivities};
-pub use turning::Turning;
+pub use turning::turning;
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::{Graph, NodeId};
@@ -187,7 +187,7 @@ impl Equations {
             power,
             energy_rate,
             conditions,
-            turning: Vec::new(),
+            turning: motion.turning,
             definite: model.lagrangian.is_empty(),
         }
     }

@@ -82,7 +82,7 @@ impl Motion {
     pub fn of(model: &mut Model, axes: Axes) -> Motion {
         let count = model.coordinates.len();
         let Model { graph, hints, levers, points, bodies, turning: orientations, .. } = model;
-        let direction = turning_direction(graph, count, orientations, Variable::Spin);
+        let direction = turning_direction(graph, count, orientations);
         let q: Vec<_> = direction[..count].iter().map(|&(q, _)| q).collect();
         let v: Vec<_> = direction[..count].iter().map(|&(_, v)| v).collect();
 
