@@ -6,7 +6,6 @@
 //! the same vector without the terms that cancel between d/dt ∂T/∂v and ∂T/∂q.
 
 pub mod analysis;
-mod axes;
 mod constraints;
 mod energy;
 mod equations;
