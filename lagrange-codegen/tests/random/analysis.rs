@@ -143,7 +143,6 @@ impl Judge<'_> {
             Variable::Parameter(i) => self.sample.parameters[i as usize % self.sample.parameters.len()],
             Variable::Auxiliary(_)
             | Variable::Entry(_)
-            | Variable::Spin(_)
             | Variable::Multiplier(_)
             | Variable::Position(_) => f64::NAN,
         });
