@@ -137,6 +137,7 @@ pub mod __private {
     pub mod jets {
         //! Recurrences of Taylor coefficients.
         pub use crate::series::columns::{Pattern, Products, column, product, square, tile};
+        pub use crate::series::reacting::Reacting;
         pub use crate::series::tables::{Convolutions, in_line, in_turn, index, multiplier, rate, time};
     }
     pub use crate::analysis::verify::{self, Certificate, Verifiable, Violation};

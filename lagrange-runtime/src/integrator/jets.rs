@@ -192,7 +192,8 @@ where
     where
         S::Scalar: Ordered,
     {
-        Some(memory.terms())
+        let reactions = if memory.is_as_expanded { S::reactions(&memory.tables) } else { &[] };
+        Some(Terms { reactions, ..memory.terms() })
     }
 
     #[inline]
