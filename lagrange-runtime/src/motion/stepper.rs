@@ -79,6 +79,12 @@ where
         self.system
             .project_at(&self.constants, &mut next, Some(from))
             .map_err(|cause| MotionError { cause, t: from.t })?;
+        if S::COUPLED && S::CONSERVES_ENERGY {
+            let t = next.t;
+            next = M::mended(&mut self.memory, self.system, &self.constants, from, next, u)
+                .map_err(|cause| MotionError { cause, t: from.t })?
+                .at_time(t);
+        }
         self.residue = increment - (next.t - from.t);
         if let Some(settled) = attitude::settle(S::ORIENTATIONS, &next) {
             (next, self.memory) = (settled, M::begin(self.system));

@@ -1,0 +1,60 @@
+//! The energy as a check of a step: where the macro has proved that it is conserved, what a step has changed of
+//! it is an error, whatever the cause. It tells a jump to another motion that obeys the equations as well.
+
+use super::{Check, relative};
+use crate::constraints::Footing;
+use crate::number::real::{Ordered, Real};
+use crate::system::System;
+use crate::system::state::State;
+
+/// Roundings of the energy itself, in ulps: it is a sum of a few terms.
+const ULPS: f64 = 4.0;
+
+impl<S: System<N, K>, const N: usize, const K: usize> Check<'_, S, N, K>
+where
+    S::Scalar: Ordered,
+{
+    /// Whether a step to this end keeps the energy, where it is conserved: to what errors within the tolerance
+    /// make of it, one of each coordinate and velocity.
+    #[inline]
+    pub(crate) fn keeps_energy(&self, end: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> bool {
+        if !S::CONSERVES_ENERGY {
+            return true;
+        }
+        let here = self.energy(end);
+        let change = (here - self.energy(self.from)).abs();
+        // In the kinetic metric squares of velocities are energies, so this is less than the sum over all.
+        let speed = footing.metric.extent(&end.v);
+        change <= relative(self.limits) * speed * speed || change <= self.tolerated_energy(end, footing, here)
+    }
+
+    /// What errors within the tolerance make of the energy, and roundings of it.
+    #[cold]
+    #[inline(never)]
+    fn tolerated_energy(
+        &self,
+        end: &State<S::Scalar, N>,
+        footing: &Footing<S::Scalar, N>,
+        here: S::Scalar,
+    ) -> S::Scalar {
+        let sizes = self.sizes(end, (end.t - self.from.t).abs(), footing);
+        let [q, v] = sizes
+            .of
+            .map(|size| footing.metric.at_extent(relative(self.limits) * size + sizes.absolute));
+        let mut sum = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon() * here.abs();
+        for i in 0..N {
+            for (by_q, by_v) in [(q[i], num_traits::Zero::zero()), (num_traits::Zero::zero(), v[i])] {
+                let mut beside = *end;
+                beside.q[i] += by_q;
+                beside.v[i] += by_v;
+                sum += (self.energy(&beside) - here).abs();
+            }
+        }
+        sum
+    }
+
+    /// The energy without derivatives.
+    fn energy(&self, state: &State<S::Scalar, N>) -> S::Scalar {
+        self.system.energy_at(self.constants, state.t, &state.q, &state.v).part(0)
+    }
+}
