@@ -1,17 +1,19 @@
 //! [`Study`]: a table whose rows are a function of their index, computed by threads.
 
+use std::cell::Cell;
 use std::marker::PhantomData;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::block::Layout;
+use crate::block::{Block, Layout};
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::fingerprint::Fingerprint;
 use crate::progress::Progress;
 use crate::record::Record;
+use crate::row::Row;
 use crate::store::Store;
 use crate::stored::StoredStudy;
 use crate::table::Table;
@@ -51,6 +53,12 @@ where
     /// A study of `count` rows. `row` must be a function of the index and of nothing else: no clock, no random
     /// numbers but those that the index seeds. The name is that of its files.
     pub fn new(name: impl Into<String>, count: u64, row: F) -> Self {
+        Self::of_rows(name, count, row)
+    }
+}
+
+impl<F: Row<T>, T: Record> Study<F, T> {
+    pub(crate) fn of_rows(name: impl Into<String>, count: u64, row: F) -> Self {
         Self {
             name: name.into(),
             count,
@@ -134,7 +142,7 @@ where
             &pool,
             parts,
             &all,
-            &|index, row| self.append(&layout, index, row),
+            &|first, count, at, block| self.append(&layout, first, count, at, block),
             &progress,
             |block| {
                 work::locked(&blocks).push(block);
@@ -151,19 +159,40 @@ where
     /// # Errors
     /// Why there is none.
     pub fn row(&self, index: u64) -> Result<T, Failure> {
-        (self.row)(index)
+        self.row.row(index)
     }
 
-    /// Appends the row of an index.
-    pub(crate) fn append(&self, layout: &Layout, index: u64, row: &mut Vec<u8>) -> Option<Failure> {
-        let start = row.len();
-        let failure = self.row(index).map(|record| record.store(row)).err();
-        layout.close(row, start, failure.is_some());
-        failure
+    /// Appends the rows of consecutive indices to a block that has none. `at` is the one that a function of the
+    /// user works on.
+    pub(crate) fn append(&self, layout: &Layout, first: u64, count: u64, at: &Cell<u64>, block: &mut Block) {
+        let size = layout.row();
+        block.first = first;
+        block.rows.resize(count as usize * size, 0);
+        let mut row = Vec::with_capacity(size);
+        self.row.rows(first, count, at, &mut |index, result| {
+            row.clear();
+            let failure = match result {
+                Ok(record) => {
+                    record.store(&mut row);
+                    layout.misfit(row.len())
+                }
+                Err(failure) => Some(failure),
+            };
+            layout.close(&mut row, failure.is_some());
+            let start = (index - first) as usize * size;
+            if let Some(place) = block.rows.get_mut(start..start + size) {
+                place.copy_from_slice(&row);
+            }
+            block.failures.extend(failure.map(|failure| (index, failure)));
+        });
+        block.failures.sort_by_key(|(index, _)| *index);
     }
 
     /// The columns with their names.
     pub(crate) fn layout(&self) -> Result<Layout, Error> {
+        if let Some(why) = self.row.refusal() {
+            return Err(Error::NotInLanes { why });
+        }
         let mut columns = T::columns();
         let number = columns.len();
         let names = self.names.clone();

@@ -6,7 +6,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use num_traits::{One, Zero};
 use wide::{f32x4, f32x8, f64x2, f64x4, f64x8};
 
-use super::Real;
+use super::{Real, Vector};
 
 /// A SIMD vector as a scalar: `Lanes<f64x4>`, `Lanes<f64x8>`, `Lanes<f32x8>`, …
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +26,20 @@ macro_rules! lanes {
             #[inline]
             fn from(lanes: Lanes<$vector>) -> Self {
                 lanes.0.into()
+            }
+        }
+
+        impl Vector for Lanes<$vector> {
+            const COUNT: usize = $count;
+
+            #[inline(always)]
+            fn lanes(&self) -> &[$lane] {
+                self.0.as_array()
+            }
+
+            #[inline(always)]
+            fn lanes_mut(&mut self) -> &mut [$lane] {
+                self.0.as_mut_array()
             }
         }
 
