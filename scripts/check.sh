@@ -26,8 +26,10 @@ usage: scripts/check.sh NAME …
               the same in release: the compiler needs more than 16 GB for it, so it is in no list
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
               names another part of scripts/firmware.sh
+  gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
+              nightly toolchain and NVIDIA's assembler)
   all         everything above
-  ci          the same without contacts and packages, of firmware what needs no nightly toolchain
+  ci          the same without contacts, packages and gpu, of firmware what needs no nightly toolchain
 EOF
 }
 
@@ -78,13 +80,15 @@ stack-release() { cargo test --release --test stack; }
 
 firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 
+gpu() { scripts/gpu.sh all; }
+
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | book | ui | random | packages | benchmarks | lanes | digits | long | drift | contacts | stack | stack-release | firmware)
+        fmt | clippy | docs | book | ui | random | packages | benchmarks | lanes | digits | long | drift | contacts | stack | stack-release | firmware | gpu)
             "$name" ;;
-        all) fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift; contacts; firmware ;;
+        all) fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift; contacts; firmware; gpu ;;
         ci)
             fmt; clippy; docs; book; ui; stack; random; command_line; benchmarks; lanes; digits; long; drift
             FIRMWARE=ci firmware ;;
