@@ -23,7 +23,8 @@ TEXT
 gpu=${GPU:-sm_90}
 ptxas_version=12.9.86
 page=benchmarks/GPU.md
-built=${CARGO_TARGET_DIR:-$PWD/target}
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
+built=$CARGO_TARGET_DIR
 results=$built/gpu
 mkdir -p "$results"
 host=(cargo run --quiet --release --manifest-path lagrange-gpu/Cargo.toml)
@@ -61,7 +62,7 @@ ptx_of() {
     [ -f "$manifest" ] || fail "there is no package in $1"
     name=$(sed -n '/^\[package\]/,/^\[[^p]/s/^name *= *"\(.*\)"/\1/p' "$manifest" | head -1 | tr - _)
     CARGO_PROFILE_RELEASE_LTO=fat CARGO_PROFILE_RELEASE_CODEGEN_UNITS=1 CARGO_PROFILE_RELEASE_DEBUG=false \
-        CARGO_TARGET_NVPTX64_NVIDIA_CUDA_RUSTFLAGS="-C target-cpu=$gpu" CARGO_TARGET_DIR=$built \
+        CARGO_TARGET_NVPTX64_NVIDIA_CUDA_RUSTFLAGS="-C target-cpu=$gpu" \
         cargo +nightly rustc --quiet --release --manifest-path "$manifest" --lib --crate-type cdylib \
         --target nvptx64-nvidia-cuda -Z build-std=core -- --emit=asm -C linker=true >&2
     cp "$built/nvptx64-nvidia-cuda/release/deps/$name.s" "$results/$name.ptx"

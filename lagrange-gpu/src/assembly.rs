@@ -10,7 +10,7 @@ pub struct Usage {
     /// Bytes of the stack, with those of the functions that it calls: memory, where registers are too few or where
     /// arrays are indexed.
     pub stack: u32,
-    /// Bytes written because registers are too few.
+    /// Bytes written because registers are too few, in the functions that it calls, too.
     pub spill_stores: u32,
     /// Bytes read for the same reason.
     pub spill_loads: u32,
@@ -20,7 +20,7 @@ impl Usage {
     /// The kernels that `ptxas --verbose` tells of.
     pub fn of(report: &str) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
-        // The properties of functions that a kernel calls stand between those of the kernel and its registers.
+        // Those of the functions that a kernel calls follow behind its own.
         let mut about = "";
         for line in report.lines() {
             if let Some(name) = between(line, "Compiling entry function '", "'") {
@@ -70,10 +70,10 @@ ptxas info    : 0 bytes gmem, 72 bytes cmem[4]
 ptxas info    : Compiling entry function 'ends' for 'sm_90'
 ptxas info    : Function properties for ends
     160 bytes stack frame, 0 bytes spill stores, 4 bytes spill loads
-ptxas info    : Function properties for helper
-    32 bytes stack frame, 8 bytes spill stores, 0 bytes spill loads
 ptxas info    : Used 182 registers, used 1 barriers, 192 bytes cumulative stack size, 568 bytes cmem[0]
 ptxas info    : Compile time = 12.5 ms
+ptxas info    : Function properties for helper
+    32 bytes stack frame, 8 bytes spill stores, 0 bytes spill loads
 ptxas info    : Compiling entry function 'plain' for 'sm_90'
 ptxas info    : Function properties for plain
     0 bytes stack frame, 0 bytes spill stores, 0 bytes spill loads

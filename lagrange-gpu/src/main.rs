@@ -27,8 +27,9 @@ fn check(path: &str) -> Result<(), Box<dyn Error>> {
 
 /// What the assembler says of the kernels in both kinds of arithmetic, as a table.
 fn table(exact: &str, fused: &str) -> Result<(), Box<dyn Error>> {
-    let [exact, fused] =
+    let [mut exact, fused] =
         [fs::read_to_string(exact)?, fs::read_to_string(fused)?].map(|report| Usage::of(&report));
+    exact.sort_by(|a, b| a.kernel.cmp(&b.kernel));
     println!(
         "| kernel | registers | stack \\[B] | spilled: written \\[B] | read \\[B] | fused: registers | stack | written | read |"
     );

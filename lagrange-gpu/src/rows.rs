@@ -112,13 +112,13 @@ impl<S: Words + Sync, R: Words + Record, E: Into<Failure>> Kernel<S, R, E> {
 mod tests {
     use super::*;
 
-    fn thirds(index: u64, &third: &u64) -> Result<(u64, f64), Failure> {
-        let row = (index, 0.1 * index as f64);
+    fn thirds(index: u64, &third: &u64) -> Result<(i64, f64), Failure> {
+        let row = (index.cast_signed(), 0.1 * index as f64);
         if index % 3 == third { Err(Failure::at(row.1, "a third")) } else { Ok(row) }
     }
 
     /// What a processor leaves, made here, `batch` motions at a time.
-    fn left(count: u64, batch: u64, spoilt: Option<u64>) -> Rows<u64, (u64, f64), Failure> {
+    fn left(count: u64, batch: u64, spoilt: Option<u64>) -> Rows<u64, (i64, f64), Failure> {
         let mut rows = Rows::new(crate::kernel!(thirds), 2, count, batch);
         for first in (0..count).step_by(batch as usize) {
             let length = batch.min(count - first) as usize;

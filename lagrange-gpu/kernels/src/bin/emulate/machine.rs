@@ -210,7 +210,7 @@ impl Machine {
             (_, [Operand::Register(to), from @ ..]) => {
                 let values = from.iter().map(|one| self.value(frame, one)).collect::<Result<Vec<_>, _>>()?;
                 let result = operation(&parts, &values)?;
-                // The result of a comparison is a predicate, whatever was compared.
+                // These name the type of what they take.
                 let plain = parts[0] != "setp"
                     && !matches!(parts.get(1), Some(&"wide"))
                     && parts[0] != "cvt"

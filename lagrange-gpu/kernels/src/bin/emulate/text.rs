@@ -36,7 +36,7 @@ pub struct Function {
     /// The names of the parameters.
     pub parameters: Vec<String>,
     /// Variables of its own, with their sizes: the stack and the parameters of its calls.
-    pub variables: Vec<(String, usize)>,
+    pub variables: HashMap<String, usize>,
     /// The instructions.
     pub code: Vec<Instruction>,
     /// Places of labels.
@@ -75,11 +75,12 @@ pub fn module(text: &str) -> Result<Module, String> {
     let mut rest = text.as_str();
     while let Some(at) = rest.find([';', '{']) {
         let (head, tail) = rest.split_at(at);
-        if head.contains(".global") || head.contains(".const") {
+        let of_function = head.contains(".entry") || head.contains(".func");
+        if !of_function && (head.contains(".global") || head.contains(".const")) {
             let end = rest.find(';').ok_or("a constant without end")?;
             module.constants.push(constant(&rest[..end])?);
             rest = &rest[end + 1..];
-        } else if tail.starts_with('{') {
+        } else if of_function && tail.starts_with('{') {
             let end = tail.find("\n}").ok_or("a function without end")?;
             let (name, function) = function(head, &tail[1..end])?;
             module.functions.insert(name, function);
@@ -150,7 +151,9 @@ fn function(head: &str, body: &str) -> Result<(String, Function), String> {
         if statement.starts_with(".local") || statement.starts_with(".param") {
             let ((name, length), size) = (named(statement), element(statement)?);
             let length: usize = length.parse().map_err(|_| format!("no length: {statement}"))?;
-            function.variables.push((name, length * size));
+            // Calls declare their parameters under the same names again and again.
+            let variable = function.variables.entry(name).or_default();
+            *variable = length.max(1).saturating_mul(size).max(*variable);
         } else if !statement.is_empty() && !statement.starts_with('.') {
             function.code.push(instruction(statement, &mut numbers)?);
         }
@@ -219,6 +222,9 @@ fn operand(text: &str, numbers: &mut HashMap<String, usize>) -> Result<Operand, 
         text.strip_prefix("0d").or_else(|| text.strip_prefix("0f")).or_else(|| text.strip_prefix("0x"))
     {
         return Ok(Operand::Constant(hexadecimal(digits)?));
+    }
+    if text.contains(['|', '!']) {
+        return Err(format!("an operand that is not known here: {text}"));
     }
     let specials = ["%tid", "%ntid", "%ctaid"];
     if text.starts_with('%') && !specials.iter().any(|special| text.starts_with(&format!("{special}."))) {

@@ -65,11 +65,18 @@ pub fn operation(parts: &[&str], x: &[u64]) -> Result<u64, String> {
         )
     };
     let result = match (name, parts.get(1).copied().unwrap_or_default()) {
-        ("mul", "wide") => return Ok((value(0)? * value(1)?) as u64),
-        ("mul", "hi") => (value(0)? * value(1)?) >> width,
-        ("mul", "lo") => value(0)? * value(1)?,
-        ("mad", "lo") => value(0)? * value(1)? + value(2)?,
-        ("mad", "wide") => return Ok((value(0)? * value(1)? + i128::from(x[2])) as u64),
+        ("mul", "wide") => return Ok((value(0)? * value(1)?) as u64 & (u64::MAX >> (64 - 2 * width))),
+        ("mul", "hi") => value(0)?.wrapping_mul(value(1)?) >> width,
+        ("mul", "lo") => value(0)?.wrapping_mul(value(1)?),
+        ("mad", "lo") => value(0)?.wrapping_mul(value(1)?).wrapping_add(value(2)?),
+        ("bfe", _) => {
+            // A field of bits: from where, how many.
+            let (from, bits) = (value(1)? & 0xff, value(2)? & 0xff);
+            if kind.starts_with('s') {
+                return Err(unknown());
+            }
+            value(0)? >> from & ((1 << bits) - 1)
+        }
         ("add", _) => value(0)? + value(1)?,
         ("sub", _) => value(0)? - value(1)?,
         ("div", _) => value(0)?.checked_div(value(1)?).ok_or("a division by zero")?,
