@@ -153,9 +153,9 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
         let end = N.min(direction + 1);
         for k in (rank..end).rev() {
             let mut sum = if k == direction { R::one() } else { R::zero() };
-            for i in k + 1..end {
+            for (i, &c) in c.iter().enumerate().take(end).skip(k + 1) {
                 // Both factors are unit triangular: Lᵀ, or U.
-                sum -= if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * c[i];
+                sum -= if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * c;
             }
             c[k] = sum;
             add_scaled(&mut motion, &self.basis[k], sum);
