@@ -26,12 +26,11 @@ build() {
     rm -rf "$out"
     mkdir -p "$out"
     cp site/* "$out/"
-    cp "$CARGO_TARGET_DIR/$wasm/release/examples"/*.wasm "$out/"
+    local page module size
+    for page in examples/*.rs; do
+        cp "$CARGO_TARGET_DIR/$wasm/release/examples/$(basename "$page" .rs).wasm" "$out/"
+    done
     cargo run -q --bin gallery >"$out/catalogue.json"
-    # The equations are those of the models, as the command prints them.
-    (cd .. && cargo run -q -p cargo-lagrange -- lagrange equations --json --manifest-path gallery/Cargo.toml) \
-        >"$out/equations.json"
-    local module size
     for module in "$out"/*.wasm; do
         size=$(gzip -9 <"$module" | wc -c)
         printf '%7d bytes, compressed %6d: %s\n' "$(wc -c <"$module")" "$size" "$(basename "$module")"

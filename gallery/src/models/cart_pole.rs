@@ -85,7 +85,7 @@ impl Model<2> for CartPole {
     ];
     const SETTINGS: &'static [Slider] = &[
         Slider::new("place", "m", [-0.8, 0.8, 0.01], 0.0),
-        Slider::new("pole from upright", "rad", [-3.14, 3.14, 0.01], 3.04),
+        Slider::new("pole from upright", "rad", [-3.1, 3.1, 0.01], 3.04),
     ];
     const REACTIONS: &'static [&'static str] = &["force of motor and push [N]"];
     const VIEW: [f64; 4] = [-1.2, -0.65, 1.2, 0.65];
