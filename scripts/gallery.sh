@@ -7,7 +7,8 @@ usage() {
     cat <<'END'
 usage: scripts/gallery.sh COMMAND
   build       builds all pages into gallery/target/site/ (needs the target wasm32-unknown-unknown)
-  test        builds them and opens each in Chromium without a window: it moves, energy stays, sliders, keys, dragging and
+  lint        formatting and lints of the models
+  test        builds and lints them and opens each in Chromium without a window: it moves, energy stays, sliders, keys, dragging and
               addresses act, nothing is wrong for a screen reader or on a phone; pictures go to gallery/target/screens/
               (needs node; installs Chromium where apt-get may)
   serve       builds them and serves them at http://localhost:8000/
@@ -38,6 +39,12 @@ build() {
     done
 }
 
+lint() {
+    cargo fmt --check
+    cargo clippy -q --lib --bins -- -D warnings
+    cargo clippy -q --release --target $wasm --examples -- -D warnings
+}
+
 chromium() {
     local name
     for name in chromium chromium-browser google-chrome; do
@@ -50,6 +57,7 @@ chromium() {
 
 check() {
     build
+    lint
     command -v node >/dev/null || { echo "gallery: no node here" >&2; exit 1; }
     (cd test && npm ci --silent --no-audit --no-fund)
     CHROMIUM=$(chromium) SITE=$out SCREENS=$PWD/target/screens node --test test/pages.test.mjs
@@ -61,7 +69,7 @@ serve() {
 }
 
 case ${1:-} in
-    build | serve) "$1" ;;
+    build | lint | serve) "$1" ;;
     test) check ;;
     *) usage; exit 2 ;;
 esac
