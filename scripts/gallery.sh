@@ -7,7 +7,8 @@ usage() {
     cat <<'END'
 usage: scripts/gallery.sh COMMAND
   build       builds all pages into gallery/target/site/ (needs the target wasm32-unknown-unknown)
-  test        builds them and opens each in Chromium without a window: it moves, energy stays, sliders, keys, dragging and
+  lint        formatting and lints of the models
+  test        builds and lints them and opens each in Chromium without a window: it moves, energy stays, sliders, keys, dragging and
               addresses act, nothing is wrong for a screen reader or on a phone; pictures go to gallery/target/screens/
               (needs node; installs Chromium where apt-get may)
   serve       builds them and serves them at http://localhost:8000/
@@ -26,17 +27,22 @@ build() {
     rm -rf "$out"
     mkdir -p "$out"
     cp site/* "$out/"
-    cp "$CARGO_TARGET_DIR/$wasm/release/examples"/*.wasm "$out/"
+    local page module size
+    for page in examples/*.rs; do
+        cp "$CARGO_TARGET_DIR/$wasm/release/examples/$(basename "$page" .rs).wasm" "$out/"
+    done
     cargo run -q --bin gallery >"$out/catalogue.json"
-    # The equations are those of the models, as the command prints them.
-    (cd .. && cargo run -q -p cargo-lagrange -- lagrange equations --json --manifest-path gallery/Cargo.toml) \
-        >"$out/equations.json"
-    local module size
     for module in "$out"/*.wasm; do
         size=$(gzip -9 <"$module" | wc -c)
         printf '%7d bytes, compressed %6d: %s\n' "$(wc -c <"$module")" "$size" "$(basename "$module")"
         [ "$size" -le $largest ] || { echo "gallery: $module is larger than $largest bytes" >&2; exit 1; }
     done
+}
+
+lint() {
+    cargo fmt --check
+    cargo clippy -q --lib --bins -- -D warnings
+    cargo clippy -q --release --target $wasm --examples -- -D warnings
 }
 
 chromium() {
@@ -51,6 +57,7 @@ chromium() {
 
 check() {
     build
+    lint
     command -v node >/dev/null || { echo "gallery: no node here" >&2; exit 1; }
     (cd test && npm ci --silent --no-audit --no-fund)
     CHROMIUM=$(chromium) SITE=$out SCREENS=$PWD/target/screens node --test test/pages.test.mjs
@@ -62,7 +69,7 @@ serve() {
 }
 
 case ${1:-} in
-    build | serve) "$1" ;;
+    build | lint | serve) "$1" ;;
     test) check ;;
     *) usage; exit 2 ;;
 esac

@@ -6,8 +6,7 @@ import { Strip } from "./strip.js";
 
 const element = (id) => document.getElementById(id);
 const name = location.search.slice(1).split("&")[0];
-const load = async (file) => (await fetch(file)).json();
-const [catalogue, equations] = await Promise.all([load("catalogue.json"), load("equations.json")]);
+const catalogue = await (await fetch("catalogue.json")).json();
 const page = catalogue.find((entry) => entry.name === name) ?? catalogue[0];
 const source = await WebAssembly.instantiateStreaming(fetch(`${page.name}.wasm`), {});
 const module = source.instance.exports;
@@ -15,7 +14,7 @@ const module = source.instance.exports;
 document.title = `${page.title} in motion`;
 element("title").textContent = page.title;
 element("about").textContent = page.about;
-element("equations").textContent = equations.find((entry) => entry.model === page.model).text;
+element("equations").textContent = page.equations;
 element("view").setAttribute("aria-label", `${page.title}, in motion`);
 element("reactions-part").hidden = page.reactions.length === 0;
 

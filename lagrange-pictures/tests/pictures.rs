@@ -151,6 +151,29 @@ fn bodies_turn_and_open_contacts_have_no_arrow() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
+fn reactions_are_arrows_of_one_scale() -> Result<(), Box<dyn Error>> {
+    // The rod pulls with 3 m g sin φ at a fall of φ below the horizontal: nothing at the start.
+    let record = record(50)?;
+    let film = record.film().point(Pendulum::bob);
+    let svg = film.reaction(Pendulum::bob, |p, state, found| p.bob(&state.q.into()) * found.rod).svg()?;
+    let arrows =
+        svg.split("stroke-linecap=\"butt\"").nth(1).map(|rest| values(rest, "points")).expect("an arrow");
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    let length = |frame: &&str| {
+        let points: Vec<_> = frame.split(' ').map(|at| at.split_once(',').expect("a point")).collect();
+        (number(points[1].0) - number(points[0].0)).hypot(number(points[1].1) - number(points[0].1))
+    };
+    let states = record.states().iter().step_by(2);
+    for (frame, state) in arrows.iter().zip(states) {
+        // The lowest point is passed within the second, where the pull is largest.
+        let expected = 60.0 * -state.q[1];
+        assert!((length(&frame) - expected).abs() < 1.0, "{} px at {state:?}", length(&frame));
+    }
+    assert_eq!(length(&arrows[0]), 0.0);
+    Ok(())
+}
+
+#[test]
 fn space_is_seen_from_a_direction() -> Result<(), Box<dyn Error>> {
     let record = record(50)?;
     let film =

@@ -79,13 +79,13 @@ impl CartPole {
 impl Model<2> for CartPole {
     const PARAMETERS: &'static [Slider] = &[
         Slider::new("push", "N", [-3.0, 3.0, 0.1], 0.0),
-        Slider::new("motor", "off 0, on 1", [0.0, 1.0, 1.0], 1.0),
+        Slider::new("motor (0 is off, 1 is on)", "", [0.0, 1.0, 1.0], 1.0),
         Slider::new("pole length", "m", [0.3, 0.5, 0.01], 0.4),
         Slider::new("damping", "N m s/rad", [0.0, 0.01, 0.001], 0.002),
     ];
     const SETTINGS: &'static [Slider] = &[
         Slider::new("place", "m", [-0.8, 0.8, 0.01], 0.0),
-        Slider::new("pole from upright", "rad", [-3.14, 3.14, 0.01], 3.04),
+        Slider::new("pole from upright", "rad", [-3.1, 3.1, 0.01], 3.04),
     ];
     const REACTIONS: &'static [&'static str] = &["force of motor and push [N]"];
     const VIEW: [f64; 4] = [-1.2, -0.65, 1.2, 0.65];

@@ -53,7 +53,7 @@ impl Model<10> for Chain {
         Slider::new("gravity", "m/s²", [0.5, 25.0, 0.1], 9.8),
     ];
     const SETTINGS: &'static [Slider] = &[
-        Slider::new("angle of the chain", "rad", [-3.14, 3.14, 0.01], FRAC_PI_2),
+        Slider::new("angle of the chain", "rad", [-3.1, 3.1, 0.01], FRAC_PI_2),
         Slider::new("bend of each link", "rad", [-0.6, 0.6, 0.01], 0.0),
     ];
     const VIEW: [f64; 4] = [-1.2, -1.2, 1.2, 1.0];

@@ -43,8 +43,8 @@ impl Model<2> for DoublePendulum {
         Slider::new("gravity", "m/s²", [0.5, 25.0, 0.1], 9.8),
     ];
     const SETTINGS: &'static [Slider] = &[
-        Slider::new("upper angle", "rad", [-3.14, 3.14, 0.01], 2.0),
-        Slider::new("lower angle", "rad", [-3.14, 3.14, 0.01], 2.5),
+        Slider::new("upper angle", "rad", [-3.1, 3.1, 0.01], 2.0),
+        Slider::new("lower angle", "rad", [-3.1, 3.1, 0.01], 2.5),
     ];
     const VIEW: [f64; 4] = [-2.5, -2.5, 2.5, 2.5];
 

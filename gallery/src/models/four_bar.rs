@@ -68,10 +68,9 @@ impl FourBar {
         let distance = across.norm();
         let [_, coupler, rocker] = self.length;
         let cos = (distance * distance + coupler * coupler - rocker * rocker) / (2.0 * distance * coupler);
-        if !(cos.abs() < 1.0) {
-            return None;
-        }
-        let angle = across.y.atan2(across.x) + cos.acos();
+        // NaN stands for no triangle, too.
+        let bend = Some(cos).filter(|cos| cos.abs() < 1.0)?.acos();
+        let angle = across.y.atan2(across.x) + bend;
         let end = knee + Vector2::new(angle.cos(), angle.sin()) * coupler - Vector2::new(self.frame, 0.0);
         let q = [crank, angle, end.y.atan2(end.x)];
         // The ends of coupler and rocker have one velocity: Σ ± l n θ′ = 0 with n across each bar.
@@ -90,7 +89,7 @@ impl Model<3> for FourBar {
         Slider::new("gravity", "m/s²", [0.0, 20.0, 0.1], 9.8),
     ];
     const SETTINGS: &'static [Slider] = &[
-        Slider::new("crank angle", "rad", [-3.14, 3.14, 0.01], 1.0),
+        Slider::new("crank angle", "rad", [-3.1, 3.1, 0.01], 1.0),
         Slider::new("crank rate", "rad/s", [-20.0, 20.0, 0.1], 8.0),
     ];
     const REACTIONS: &'static [&'static str] = &["hinge, to the right [N]", "hinge, upwards [N]"];

@@ -86,7 +86,8 @@ impl Model<1> for Belt {
             scene.line(5, [[place - 1.6, -0.02], [place - 1.6, -0.08]]);
         }
         let coil = |k: u8| {
-            let up = if k == 0 || k == 16 { 0.0 } else { 0.05 * if k % 2 == 0 { 1.0 } else { -1.0 } };
+            let up =
+                if k == 0 || k == 16 { 0.0 } else { 0.05 * if k.is_multiple_of(2) { 1.0 } else { -1.0 } };
             [-1.5 + (x + 1.35) * f64::from(k) / 16.0, 0.15 + up]
         };
         scene.line(6, [[-1.5, 0.0], [-1.5, 0.3]]);
