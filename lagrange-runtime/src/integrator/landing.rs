@@ -27,7 +27,7 @@ const MARGIN: f64 = 16.0;
 
 /// Uncertainty of accelerations, in ulps of their largest term. No error is compared with a tolerance below
 /// that.
-pub(super) const NOISE: f64 = 256.0;
+pub(crate) const NOISE: f64 = 256.0;
 
 /// How far [`Check::leaves`] looks ahead, in parts of the distance from a configuration in which constraints
 /// depend on each other, and of the step.

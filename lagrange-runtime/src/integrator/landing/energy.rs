@@ -58,3 +58,49 @@ where
         self.system.energy_at(self.constants, state.t, &state.q, &state.v).part(0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use core::cell::Cell;
+
+    use super::*;
+    use crate::constraints::samples::Twofold;
+    use crate::system::limits::Limits;
+
+    #[test]
+    fn a_change_of_the_energy_is_held_against_the_tolerance() {
+        let rod = Twofold { factored: Cell::new(0) };
+        let from = State::new([0.8, -0.6], [0.6, 0.8]);
+        for (tolerance, change, is_kept) in [
+            (1e-10, 0.0, true),
+            (1e-10, 4e-11, true),
+            (1e-10, 1e-8, false),
+            (1e-6, 1e-8, true),
+            (1e-6, 1e-4, false),
+            (1e-14, 1e-14, true),
+            (1e-14, 1e-11, false),
+        ] {
+            let limits = Limits { relative: tolerance, ..Limits::new() };
+            let check = Check { system: &rod, constants: &(), inputs: &[], limits: &limits, from: &from };
+            let mut end = State { v: from.v.map(|v| v * (1.0 + change)), ..from }.at_time(1e-3);
+            let footing = rod.land_at(&(), &mut end.clone(), None).unwrap();
+            assert_eq!(check.keeps_energy(&end, &footing), is_kept, "{change} at {tolerance}");
+            end.v = end.v.map(|v| -v);
+            assert_eq!(check.keeps_energy(&end, &footing), is_kept, "{change} backward");
+        }
+    }
+
+    #[test]
+    fn an_error_of_a_place_is_one_of_its_potential() {
+        let rod = Twofold { factored: Cell::new(0) };
+        // At rest velocities have no size.
+        let from = State::new([1.0, 0.0], [0.0, 0.0]);
+        for (fallen, is_kept) in [(1e-11, true), (1e-8, false)] {
+            let limits = Limits::new();
+            let check = Check { system: &rod, constants: &(), inputs: &[], limits: &limits, from: &from };
+            let end = State::new([1.0, -fallen], [0.0, 0.0]);
+            let footing = rod.land_at(&(), &mut end.clone(), None).unwrap();
+            assert_eq!(check.keeps_energy(&end, &footing), is_kept, "{fallen}");
+        }
+    }
+}
