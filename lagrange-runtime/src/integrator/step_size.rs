@@ -63,11 +63,7 @@ impl<R: Ordered> Scale<R> {
     /// its kind, whichever is smaller: so results do not depend on units that make numbers small. A velocity is
     /// of the kind of what it makes of a coordinate in the step. So at rest there is a size as well.
     #[inline]
-    pub(crate) fn of_part<const N: usize>(
-        &self,
-        part: usize,
-        states: [&State<R, N>; 2],
-    ) -> Weights<R::Lane> {
+    pub(crate) fn of_part<const N: usize>(&self, part: usize, states: [&State<R, N>; 2]) -> Weights<R::Lane> {
         let (relative, least) = (self.relative.largest(), self.least.largest());
         let of_largest = |numbers: &dyn Fn(&State<R, N>) -> [R; N]| {
             let zero = num_traits::Zero::zero();

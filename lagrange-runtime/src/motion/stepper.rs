@@ -81,10 +81,7 @@ where
         self.system
             .project_at(&self.constants, &mut next, Some(from))
             .map_err(|cause| MotionError { cause, t: from.t })?;
-        if S::COUPLED
-            && S::CONSERVES_ENERGY
-            && !energy::is_kept(self.system, &self.constants, from, &next)
-        {
+        if S::COUPLED && S::CONSERVES_ENERGY && !energy::is_kept(self.system, &self.constants, from, &next) {
             let (system, constants, ends) = (self.system, &self.constants, [from, &next]);
             next = energy::mended::<S, M, N, K>(&mut self.memory, system, constants, ends, h, u)
                 .map_err(|cause| MotionError { cause, t: from.t })?;

@@ -289,7 +289,9 @@ fn at_the_finest_tolerance_a_passage_ends_soon() {
                 Cause::ToleranceTooFine { reachable } => {
                     assert!(reachable.0 > 1e-13 && reachable.0 < 1e-8, "{error}");
                 }
-                cause => assert!(matches!(cause, Cause::Undetermined { .. } | Cause::StepTooSmall), "{error}"),
+                cause => {
+                    assert!(matches!(cause, Cause::Undetermined { .. } | Cause::StepTooSmall), "{error}")
+                }
             },
         }
     }

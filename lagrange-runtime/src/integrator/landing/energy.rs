@@ -38,9 +38,8 @@ where
         here: S::Scalar,
     ) -> S::Scalar {
         let sizes = self.sizes(end, (end.t - self.from.t).abs(), footing);
-        let [q, v] = sizes
-            .of
-            .map(|size| footing.metric.at_extent(relative(self.limits) * size + sizes.absolute));
+        let [q, v] =
+            sizes.of.map(|size| footing.metric.at_extent(relative(self.limits) * size + sizes.absolute));
         let mut sum = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon() * here.abs();
         for i in 0..N {
             for (by_q, by_v) in [(q[i], num_traits::Zero::zero()), (num_traits::Zero::zero(), v[i])] {

@@ -126,7 +126,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
         };
         let here = energy(end);
         let change = (here - energy(&self.state)).abs();
-        let relative = S::Scalar::splat(self.tolerance).max(S::Scalar::from_f64(NOISE) * S::Scalar::epsilon());
+        let relative =
+            S::Scalar::splat(self.tolerance).max(S::Scalar::from_f64(NOISE) * S::Scalar::epsilon());
         let speed = footing.metric.extent(&end.v);
         let by_speed = change - relative * speed * speed;
         if by_speed.largest() <= num_traits::Zero::zero() {
