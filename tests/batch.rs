@@ -330,8 +330,8 @@ fn lanes_carry_derivatives() {
     }
 }
 
-/// A parallelogram of three bars by their angles; the closing hinge is two constraints, which the flat position
-/// makes one.
+/// A parallelogram of three bars by their angles; the closing hinge is two constraints, which the flat
+/// position makes one.
 struct Bars<R> {
     ground: R,
 }

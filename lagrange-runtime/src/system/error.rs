@@ -160,8 +160,8 @@ pub enum Cause {
     NoVelocities,
     /// The tolerance asks for steps below the resolution of time.
     StepTooSmall,
-    /// The tolerance is finer than what roundings leave of a state of the motion, so that no step goes on from
-    /// it.
+    /// The tolerance is finer than what roundings leave of a state of the motion, so that no step goes on
+    /// from it.
     ToleranceTooFine {
         /// The finest relative tolerance that leads on from there.
         reachable: Magnitude,

@@ -1,5 +1,6 @@
-//! The energy as a check of a step: where the macro has proved that it is conserved, what a step has changed of
-//! it is an error, whatever the cause. It tells a jump to another motion that obeys the equations as well.
+//! The energy as a check of a step: where the macro has proved that it is conserved, what a step has
+//! changed of it is an error, whatever the cause. It tells a jump to another motion that obeys the
+//! equations as well.
 
 use super::{Check, relative};
 use crate::constraints::Footing;
@@ -14,8 +15,8 @@ impl<S: System<N, K>, const N: usize, const K: usize> Check<'_, S, N, K>
 where
     S::Scalar: Ordered,
 {
-    /// Whether a step to this end keeps the energy, where it is conserved: to what errors within the tolerance
-    /// make of it, one of each coordinate and velocity.
+    /// Whether a step to this end keeps the energy, where it is conserved: to what errors within the
+    /// tolerance make of it, one of each coordinate and velocity.
     #[inline]
     pub(crate) fn keeps_energy(&self, end: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> bool {
         if !S::CONSERVES_ENERGY {

@@ -1,5 +1,5 @@
-//! The end of a step of a constrained batch: on the constraints, lane by lane, where it can be checked and goes
-//! on well.
+//! The end of a step of a constrained batch: on the constraints, lane by lane, where it can be checked
+//! and goes on well.
 
 use super::Batch;
 use crate::integrator::dop853::add;
@@ -15,8 +15,8 @@ use crate::system::state::State;
 /// A step that is still wrong after all [`PARTS`] is shortened to this part, again and again.
 const HALF: f64 = 0.5;
 
-/// A state, what rounding took from it, and how far it is from right: positive in lanes that have to take another
-/// length.
+/// A state, what rounding took from it, and how far it is from right: positive in lanes that have to take
+/// another length.
 struct Landing<R, const N: usize> {
     state: State<R, N>,
     residue: State<R, N>,

@@ -1,8 +1,8 @@
 //! The energy as a check of fixed steps, where the macro has proved that it is conserved.
 //!
 //! A step of fixed length promises no accuracy, but an order: halves of a step that is short enough lose a
-//! quarter at most of what it loses. Beside a configuration in which constraints depend on each other a step may
-//! lose anything, and its halves as well.
+//! quarter at most of what it loses. Beside a configuration in which constraints depend on each other a
+//! step may lose anything, and its halves as well.
 
 use crate::number::real::Real;
 use crate::system::System;
@@ -38,8 +38,8 @@ where
     excess.largest() <= num_traits::Zero::zero()
 }
 
-/// The end of a step that has lost more, by as many parts as obey the order. Where constraints are far apart, it is
-/// the caller's choice of a length that has lost it.
+/// The end of a step that has lost more, by as many parts as obey the order. Where constraints are far
+/// apart, it is the caller's choice of a length that has lost it.
 ///
 /// # Errors
 /// [`Cause::StepTooLong`] where none do, and why parts cannot be taken.
