@@ -88,7 +88,7 @@ gpu() { scripts/gpu.sh all; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | digits | long | drift | contacts | stack | stack-release | gallery | firmware)
+        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | digits | long | drift | contacts | stack | stack-release | gallery | gpu | firmware)
             "$name" ;;
         all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; digits; long; drift; contacts; firmware; gallery; gpu ;;
         ci)

@@ -15,8 +15,9 @@ use crate::system::state::State;
 ///
 /// * Where the rows of A are far apart they follow from the equations at the state itself.
 /// * Where they come closer, the equations beside the constraints have poles: what a state is off the
-///   constraints changes its accelerations by the reciprocal of the distance of the rows. The accelerations are
-///   those of the nearest state on the constraints: as good a continuation of the equations, and a smooth one.
+///   constraints changes its accelerations by the reciprocal of the distance of the rows. The
+///   accelerations are those of the nearest state on the constraints: as good a continuation of the
+///   equations, and a smooth one.
 /// * Rows that depend on each other wherever the constraints hold are independent beside them, and what they
 ///   then demand together is no motion. The nearest state on the constraints serves there too.
 /// * In a configuration where rows lose their independence for a moment, they are interpolated between states

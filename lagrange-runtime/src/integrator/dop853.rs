@@ -220,6 +220,20 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         }
     }
 
+    /// Takes a step of `h` \[s] from `end`. Its error in tolerances, if that is at most 1.
+    #[cold]
+    pub(crate) fn stride<F>(&mut self, f: &F, limits: &Limits<R>, h: R) -> Option<R>
+    where
+        F: Field<R, N>,
+    {
+        let slope = match self.slope {
+            Some(slope) => slope,
+            None => self.slope_at_end(f).ok()?,
+        };
+        (self.start, self.slopes[0], self.dense) = (self.end, slope, None);
+        self.attempt(f, limits, h).ok().filter(|&error| error <= R::one())
+    }
+
     /// Tries a step of `h` from `start` and moves `end` if its error is within tolerance (at most 1).
     #[inline]
     fn attempt<F>(&mut self, f: &F, limits: &Limits<R>, h: R) -> Result<R, Cause>

@@ -8,7 +8,6 @@
 //! coefficients, added to the state with compensation.
 
 mod backward;
-mod energy;
 
 use super::FixedStep;
 use super::dop853::add;
@@ -93,22 +92,6 @@ where
             *residue = rest;
         }
         Ok(next)
-    }
-
-    #[inline]
-    fn mended(
-        memory: &mut Self::Memory,
-        system: &S,
-        outer: &S::Constants,
-        from: &State<S::Scalar, N>,
-        end: State<S::Scalar, N>,
-        u: &[S::Scalar; K],
-    ) -> Result<State<S::Scalar, N>, Cause> {
-        let lost = energy::lost(system, outer, from, &end);
-        if energy::is_small(system, outer, &memory.series, &end, lost) {
-            return Ok(end);
-        }
-        energy::mended(memory, system, outer, from, end, u)
     }
 }
 

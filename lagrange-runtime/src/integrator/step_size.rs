@@ -60,14 +60,11 @@ impl<R: Ordered> Scale<R> {
     /// equations have no scale: an absolute error of a derivative is one beside the whole of its column.
     ///
     /// Without an absolute tolerance that of the values is the relative one, of 1 or of the largest number of
-    /// its kind, whichever is smaller: so results do not depend on units that make numbers small. A velocity is
-    /// of the kind of what it makes of a coordinate in the step. So at rest there is a size as well.
+    /// its kind, whichever is smaller: so results do not depend on units that make numbers small. A
+    /// velocity is of the kind of what it makes of a coordinate in the step. So at rest there is a size as
+    /// well.
     #[inline]
-    pub(crate) fn of_part<const N: usize>(
-        &self,
-        part: usize,
-        states: [&State<R, N>; 2],
-    ) -> Weights<R::Lane> {
+    pub(crate) fn of_part<const N: usize>(&self, part: usize, states: [&State<R, N>; 2]) -> Weights<R::Lane> {
         let (relative, least) = (self.relative.largest(), self.least.largest());
         let of_largest = |numbers: &dyn Fn(&State<R, N>) -> [R; N]| {
             let zero = num_traits::Zero::zero();

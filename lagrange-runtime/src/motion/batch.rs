@@ -4,9 +4,9 @@
 //! from lane to lane and the same generated code serves all of them. All lanes expand together to the same
 //! order; each takes the step that its own series allows.
 
+mod landing;
 pub mod relay;
 
-use crate::integrator::dop853::add;
 use crate::integrator::jets::probe::{self, Probe};
 use crate::integrator::jets::{NEAR, STEEPEST, last_term, orders};
 use crate::number::real::Real;
@@ -43,6 +43,8 @@ pub struct Batch<'a, S: Smooth<N, K>, const N: usize, const K: usize = 0> {
     last: S::Scalar,
     /// The largest accelerations that were met where steps were probed.
     strongest: [S::Scalar; N],
+    /// How independent constraints are at the states; zero before the first step.
+    least: S::Scalar,
 }
 
 impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
@@ -67,6 +69,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             expansions: 0,
             last: zero,
             strongest: [zero; N],
+            least: zero,
         }
     }
 
@@ -193,7 +196,15 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             if missing.min(resolution - length).largest() > zero {
                 return Err(Cause::StepTooSmall);
             }
-            self.take(direction * length, length / self.unit, orders)?;
+            if S::CONSTRAINED {
+                length = self.land(length, orders, direction, resolution)?;
+            } else {
+                (self.state, self.residue) = self.reached(direction * length, length / self.unit, orders)?;
+            }
+            if let Some(settled) = attitude::settle(S::ORIENTATIONS, &self.state) {
+                let zero = [num_traits::Zero::zero(); N];
+                (self.state, self.residue) = (settled, State { t: self.residue.t, q: zero, v: zero });
+            }
             self.last = length.max(number(1e-3) * self.last);
             self.unit = natural;
         }
@@ -265,40 +276,6 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             rows.get(orders - 1).is_some_and(|row| row.iter().all(|x| x.is_finite()))
         };
         row(&self.series.q) && row(&self.series.v)
-    }
-
-    /// Goes on by `h` \[s], which are `theta` units.
-    #[inline]
-    fn take(&mut self, h: S::Scalar, theta: S::Scalar, orders: usize) -> Result<(), Cause> {
-        let (gain_q, gain_v) = self.series.gain(theta, orders);
-        let (mut state, mut residue) = (self.state, self.residue);
-        (state.t, residue.t) = add(state.t, residue.t, h);
-        for i in 0..N {
-            (state.q[i], residue.q[i]) = add(state.q[i], residue.q[i], gain_q[i]);
-            (state.v[i], residue.v[i]) = add(state.v[i], residue.v[i], gain_v[i]);
-        }
-        if !state.is_finite() {
-            return Err(Cause::NotFinite);
-        }
-        if S::CONSTRAINED {
-            let free = state;
-            self.system.project_at(&self.system.constants(), &mut state, None)?;
-            for i in 0..N {
-                // What rounding took belongs to the numbers that were rounded.
-                if state.q[i] != free.q[i] {
-                    residue.q[i] = num_traits::Zero::zero();
-                }
-                if state.v[i] != free.v[i] {
-                    residue.v[i] = num_traits::Zero::zero();
-                }
-            }
-        }
-        if let Some(settled) = attitude::settle(S::ORIENTATIONS, &state) {
-            let zero = [num_traits::Zero::zero(); N];
-            (state, residue) = (settled, State { t: residue.t, q: zero, v: zero });
-        }
-        (self.state, self.residue) = (state, residue);
-        Ok(())
     }
 }
 

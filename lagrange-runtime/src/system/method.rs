@@ -29,23 +29,6 @@ pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
         h: S::Scalar,
         u: &[S::Scalar; K],
     ) -> Result<State<S::Scalar, N>, Cause>;
-
-    /// A better `end` of the last step from `from`, where that one, on the constraints, cannot be right.
-    ///
-    /// # Errors
-    /// Why there is none.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn mended(
-        _memory: &mut Self::Memory,
-        _system: &S,
-        _constants: &S::Constants,
-        _from: &State<S::Scalar, N>,
-        end: State<S::Scalar, N>,
-        _u: &[S::Scalar; K],
-    ) -> Result<State<S::Scalar, N>, Cause> {
-        Ok(end)
-    }
 }
 
 /// The polynomial of a step.

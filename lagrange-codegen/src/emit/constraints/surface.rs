@@ -101,8 +101,8 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
     Implementations { system: system + &project + &energy, constants, surface, operations }
 }
 
-/// Whether `energy_at` is proved to stay the same along each motion on the constraints. Motions by Baumgarte's
-/// method are beside them, and rows that contacts and frictions switch do work.
+/// Whether `energy_at` is proved to stay the same along each motion on the constraints. Motions by
+/// Baumgarte's method are beside them, and rows that contacts and frictions switch do work.
 fn conserves_energy(emission: &Emission<'_>) -> bool {
     let facts = emission.facts;
     facts.conserves()
