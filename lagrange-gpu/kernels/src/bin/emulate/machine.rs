@@ -31,16 +31,25 @@ struct Frame<'a> {
 
 impl Machine {
     /// A machine with the constants of a module.
-    pub fn new(module: Module) -> Self {
+    ///
+    /// # Errors
+    /// If one holds the address of something that is none.
+    pub fn new(module: Module) -> Result<Self, String> {
         let mut machine =
             Self { module: Module::default(), memory: vec![0; BASE], names: HashMap::new(), count: 0 };
-        for (name, bytes) in &module.constants {
-            let at = machine.allocate(bytes.len());
-            machine.memory[at as usize..][..bytes.len()].copy_from_slice(bytes);
-            machine.names.insert(name.clone(), at);
+        for constant in &module.constants {
+            let at = machine.allocate(constant.bytes.len());
+            machine.memory[at as usize..][..constant.bytes.len()].copy_from_slice(&constant.bytes);
+            machine.names.insert(constant.name.clone(), at);
+        }
+        for constant in &module.constants {
+            for (place, name) in &constant.addresses {
+                let address = *machine.names.get(name).ok_or_else(|| format!("no constant {name}"))?;
+                machine.write(machine.names[&constant.name] + *place as u64, address, 8)?;
+            }
         }
         machine.module = module;
-        machine
+        Ok(machine)
     }
 
     /// The kernel of a name on one thread of a block of 64, the first one. Arguments are words.
@@ -195,8 +204,10 @@ impl Machine {
                 let word = self.value(frame, from)?;
                 let size = 8 * size_of(kind)? / halves.len();
                 for (place, half) in halves.iter().enumerate() {
-                    let Operand::Register(register) = half else { return Err("no register".to_owned()) };
-                    frame.registers[*register] = word >> (place * size) & (u64::MAX >> (64 - size));
+                    // Of a half that nobody wants the register is none.
+                    if let Some(&register) = registers(half)?.first() {
+                        frame.registers[register] = word >> (place * size) & (u64::MAX >> (64 - size));
+                    }
                 }
             }
             ("mov", [Operand::Register(to), Operand::Vector(halves)]) => {
@@ -263,6 +274,7 @@ impl Frame<'_> {
 fn registers(operand: &Operand) -> Result<Vec<usize>, String> {
     match operand {
         Operand::Register(register) => Ok(vec![*register]),
+        Operand::Name(name) if name == "_" => Ok(Vec::new()),
         Operand::Vector(several) => {
             several.iter().map(registers).collect::<Result<Vec<_>, _>>().map(|all| all.concat())
         }

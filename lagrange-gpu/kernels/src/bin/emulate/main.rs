@@ -80,7 +80,7 @@ fn compare<S: Words + Copy, R: Words>(
 fn main() -> Result<(), Box<dyn Error>> {
     let path = env::args().nth(1).ok_or("usage: emulate FILE.ptx")?;
     Ptx::read(&path)?;
-    let mut machine = Machine::new(text::module(&std::fs::read_to_string(path)?)?);
+    let mut machine = Machine::new(text::module(&std::fs::read_to_string(path)?)?)?;
     let machine = &mut machine;
     compare(machine, kernel!(double_pendulum_jet6), BAD)?;
     compare(machine, kernel!(four_bar_jet6), BAD)?;

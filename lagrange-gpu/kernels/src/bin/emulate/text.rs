@@ -52,8 +52,19 @@ pub struct Function {
 pub struct Module {
     /// Functions with a body.
     pub functions: HashMap<String, Function>,
-    /// Constants: name and bytes.
-    pub constants: Vec<(String, Vec<u8>)>,
+    /// Constants.
+    pub constants: Vec<Constant>,
+}
+
+/// A constant in memory.
+#[derive(Debug, Default)]
+pub struct Constant {
+    /// Its name.
+    pub name: String,
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+    /// Where the addresses of other constants stand in it, and their names.
+    pub addresses: Vec<(usize, String)>,
 }
 
 /// Bytes of a value of a type, as in `f64`.
@@ -107,17 +118,24 @@ fn element(text: &str) -> Result<usize, String> {
     kinds.filter_map(|kind| size_of(kind).ok()).last().ok_or(format!("no type: {text}"))
 }
 
-fn constant(text: &str) -> Result<(String, Vec<u8>), String> {
+fn constant(text: &str) -> Result<Constant, String> {
     let (head, values) = text.split_once('=').unwrap_or((text, ""));
     let ((name, length), size) = (named(head), element(head)?);
-    let mut bytes = Vec::new();
+    let mut constant = Constant { name, ..Constant::default() };
     for value in values.split([',', '{', '}']).map(str::trim).filter(|value| !value.is_empty()) {
-        let value: u64 = value.parse().map_err(|_| format!("no number in a constant: {value}"))?;
-        bytes.extend_from_slice(&value.to_le_bytes()[..size]);
+        let address = value.strip_prefix("generic(").and_then(|name| name.strip_suffix(')'));
+        let word: u64 = match address.filter(|_| size == 8) {
+            Some(name) => {
+                constant.addresses.push((constant.bytes.len(), name.to_owned()));
+                0
+            }
+            None => value.parse().map_err(|_| format!("no number in a constant: {value}"))?,
+        };
+        constant.bytes.extend_from_slice(&word.to_le_bytes()[..size]);
     }
     let length: usize = length.parse().map_err(|_| format!("no length: {head}"))?;
-    bytes.resize(length * size, 0);
-    Ok((name, bytes))
+    constant.bytes.resize(length * size, 0);
+    Ok(constant)
 }
 
 /// What stands in parentheses, and the rest.
