@@ -14,7 +14,8 @@
 //! | [`linear`] | factorisations of small dense matrices, vectors for any scalar |
 //! | [`number`] | the scalar trait, open to scalars of your own |
 //!
-//! Nothing allocates but analyses with `std` ([`Stored`]), nothing panics, and an error leaves the motion at
+//! Nothing allocates but analyses, and many constraints that depend on each other, with `std` ([`Stored`]).
+//! Nothing panics, and an error leaves the motion at
 //! its last good state.
 //!
 //! | feature | math functions | use |

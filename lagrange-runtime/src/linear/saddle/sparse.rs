@@ -32,7 +32,7 @@ pub struct Sparse<R, const N: usize, const C: usize, const A: usize, const L: us
     inverse: [R; C],
     independence: Independence<R>,
     /// Where a pivot is small.
-    careful: Option<Stored<Schur<R, C>>>,
+    pub(super) careful: Option<Stored<Schur<R, C>>>,
 }
 
 impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sparse<R, N, C, A, L> {
@@ -161,6 +161,12 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sp
             set(&mut kappa, constraint, x);
         }
         kappa
+    }
+
+    /// A.
+    #[cfg(test)]
+    pub(super) fn gradients(&self) -> &SparseRows<R, A> {
+        &self.gradients
     }
 
     /// κ for the Taylor coefficients of an order, as of [`Schur::solve_order`].
