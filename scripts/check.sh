@@ -16,7 +16,9 @@ usage: scripts/check.sh NAME …
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
   packages    each package is complete: it is built from what would be published
   benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
-  lanes       several motions in the lanes of SIMD vectors
+  lanes       several motions in the lanes of SIMD vectors, for any processor and for the present one
+  tables      tables of studies, read by NumPy, pandas and Polars (installs them by pip)
+  mpi         the same bytes by 1, 2 and 4 ranks and after a kill (installs Open MPI and libclang by apt-get)
   digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
@@ -27,7 +29,7 @@ usage: scripts/check.sh NAME …
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
               names another part of scripts/firmware.sh
   all         everything above
-  ci          the same without contacts and packages, of firmware what needs no nightly toolchain
+  ci          the same without contacts, packages, tables and mpi, of firmware what needs no nightly toolchain
 EOF
 }
 
@@ -57,7 +59,17 @@ packages() { cargo package --workspace --exclude benchmarks --allow-dirty --quie
 
 benchmarks() { cargo build --release -p benchmarks; }
 
-lanes() { cargo test --features wide --test batch; }
+# Other processors have other instructions for the same vectors.
+lanes() {
+    cargo test --features wide --test batch
+    cargo test -p lagrange-runtime --features wide --lib -- lanes
+    cargo test -p lagrange-ensemble --test lanes
+    RUSTFLAGS="-C target-cpu=native" cargo test -p lagrange-ensemble --test lanes --target-dir "${CARGO_TARGET_DIR:-target}/present"
+}
+
+tables() { scripts/tables.sh; }
+
+mpi() { scripts/mpi.sh all; }
 
 digits() {
     cargo test -p lagrange-runtime --features double-double --lib -- double_double digits
@@ -82,9 +94,9 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | book | ui | random | packages | benchmarks | lanes | digits | long | drift | contacts | stack | stack-release | firmware)
+        fmt | clippy | docs | book | ui | random | packages | benchmarks | lanes | tables | mpi | digits | long | drift | contacts | stack | stack-release | firmware)
             "$name" ;;
-        all) fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift; contacts; firmware ;;
+        all) fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; tables; mpi; digits; long; drift; contacts; firmware ;;
         ci)
             fmt; clippy; docs; book; ui; stack; random; command_line; benchmarks; lanes; digits; long; drift
             FIRMWARE=ci firmware ;;

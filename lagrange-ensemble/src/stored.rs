@@ -7,6 +7,7 @@ use std::sync::Mutex;
 use rayon::prelude::*;
 
 use crate::block::Block;
+use crate::chance::scattered;
 use crate::error::Error;
 use crate::progress::Progress;
 use crate::record::Record;
@@ -204,12 +205,4 @@ where
         }
         Ok(true)
     }
-}
-
-/// A number that looks like chance: the finaliser of SplitMix64.
-fn scattered(part: u64) -> u64 {
-    let x = part.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
 }
