@@ -140,7 +140,14 @@ where
         let motions = |first, count, at: &Cell<u64>, block: &mut Block| {
             study.append(&store.layout, first, count, at, block)
         };
-        work::compute(&study.pool()?, store.parts, dispatch, &motions, progress, |block| store.write(block))?;
+        work::compute(
+            (&study.pool()?, study.at_once()),
+            store.parts,
+            dispatch,
+            &motions,
+            progress,
+            |block| store.write(block),
+        )?;
         store.flush()
     }
 

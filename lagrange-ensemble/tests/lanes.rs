@@ -128,7 +128,8 @@ macro_rules! same_bits {
         let study = |count| Ensemble::new(count, $start).with_tolerance(1e-9);
         let expected = bits(&study(48).in_lanes::<Lanes<f64x4>>().ends("ends", $t).with_threads(1));
         for threads in [2, 7] {
-            let study = study(48).in_lanes::<Lanes<f64x4>>().ends("ends", $t).with_threads(threads);
+            let study =
+                study(48).in_lanes::<Lanes<f64x4>>().ends("ends", $t).with_threads(threads).with_part_size(5);
             assert!(bits(&study) == expected, "{threads} threads");
         }
         for size in [1, 7, 1000] {
