@@ -100,6 +100,9 @@ impl<F, V: Vector> InLanes<F, V> {
     }
 }
 
+/// Motions that a lane has one after the other, before it may stand idle until others end.
+const MOTIONS_OF_A_LANE: u64 = 16;
+
 /// The rows of such a study.
 struct Rows<F, A, M, Q, S, V, const N: usize, const K: usize, const C: usize, const P: usize, const D: usize>
 {
@@ -216,6 +219,10 @@ where
                 *place = None;
             }
         }
+    }
+
+    fn at_once(&self) -> u64 {
+        MOTIONS_OF_A_LANE * V::COUNT as u64
     }
 
     fn refusal(&self) -> Option<&'static str> {

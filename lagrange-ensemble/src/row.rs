@@ -21,6 +21,11 @@ pub trait Row<T>: Sync {
         }
     }
 
+    /// How many indices [`Row::rows`] should be given at least: lanes stand idle where the last of them end.
+    fn at_once(&self) -> u64 {
+        1
+    }
+
     /// Why no row can be made.
     fn refusal(&self) -> Option<&'static str> {
         None

@@ -7,6 +7,7 @@ use std::sync::Mutex;
 use rayon::prelude::*;
 
 use crate::block::Block;
+use crate::chance::scattered;
 use crate::error::Error;
 use crate::progress::Progress;
 use crate::record::Record;
@@ -139,7 +140,14 @@ where
         let motions = |first, count, at: &Cell<u64>, block: &mut Block| {
             study.append(&store.layout, first, count, at, block)
         };
-        work::compute(&study.pool()?, store.parts, dispatch, &motions, progress, |block| store.write(block))?;
+        work::compute(
+            (&study.pool()?, study.at_once()),
+            store.parts,
+            dispatch,
+            &motions,
+            progress,
+            |block| store.write(block),
+        )?;
         store.flush()
     }
 
@@ -204,12 +212,4 @@ where
         }
         Ok(true)
     }
-}
-
-/// A number that looks like chance: the finaliser of SplitMix64.
-fn scattered(part: u64) -> u64 {
-    let x = part.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
 }

@@ -23,6 +23,10 @@ use crate::work::{self, InOrder, Parts};
 /// optimisation; pages that are not used cost nothing.
 const STACK: usize = 64 << 20;
 
+/// The least number of motions of a part in lanes, unless it is told: each of four threads fills eight lanes several
+/// times. It does not depend on the length of vectors, so that the files do not.
+const IN_LANES: u64 = 512;
+
 /// Motions of a part unless it is told: so many that a study has about a hundred parts, and no more than a
 /// part should have in memory.
 fn part_size(count: u64) -> u64 {
@@ -62,7 +66,7 @@ impl<F: Row<T>, T: Record> Study<F, T> {
         Self {
             name: name.into(),
             count,
-            size: part_size(count),
+            size: part_size(count).max(if row.at_once() > 1 { IN_LANES } else { 1 }),
             row,
             names: None,
             settings: String::new(),
@@ -90,7 +94,7 @@ impl<F: Row<T>, T: Record> Study<F, T> {
 
     /// Motions of a part: what is lost, a thread, when a run is killed, and what a thread keeps in memory.
     /// Choose it so that a part takes between a second and some minutes. Default: a 128th of the study, at
-    /// least 64 and at most 65 536. Zero is one.
+    /// least 64, in lanes 512, and at most 65 536. Zero is one.
     #[must_use]
     pub fn with_part_size(mut self, motions: u64) -> Self {
         self.size = motions.max(1);
@@ -139,7 +143,7 @@ impl<F: Row<T>, T: Record> Study<F, T> {
         let blocks = Mutex::new(Vec::new());
         let all = InOrder::new(0..parts.number());
         let verdict = work::compute(
-            &pool,
+            (&pool, self.at_once()),
             parts,
             &all,
             &|first, count, at, block| self.append(&layout, first, count, at, block),
@@ -186,6 +190,11 @@ impl<F: Row<T>, T: Record> Study<F, T> {
             block.failures.extend(failure.map(|failure| (index, failure)));
         });
         block.failures.sort_by_key(|(index, _)| *index);
+    }
+
+    /// How many indices a thread should take at least.
+    pub(crate) fn at_once(&self) -> u64 {
+        self.row.at_once()
     }
 
     /// The columns with their names.

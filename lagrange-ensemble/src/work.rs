@@ -96,9 +96,10 @@ struct Work<'a> {
     panic: Mutex<Option<Error>>,
 }
 
-/// Computes parts and hands them to `sink`, in the order in which they are finished.
+/// Computes parts and hands them to `sink`, in the order in which they are finished. A thread takes `at_once`
+/// motions at least, if a part has so many.
 pub(crate) fn compute(
-    pool: &ThreadPool,
+    (pool, at_once): (&ThreadPool, u64),
     parts: Parts,
     dispatch: &dyn Dispatch,
     motions: Motions<'_>,
@@ -106,7 +107,7 @@ pub(crate) fn compute(
     mut sink: impl FnMut(Block) -> Result<(), Error> + Send,
 ) -> Result<(), Error> {
     let threads = pool.current_num_threads();
-    let grain = (parts.size / (4 * threads as u64)).clamp(1, 256);
+    let grain = (parts.size / (4 * threads as u64)).clamp(1, 256).max(at_once.min(parts.size));
     let work = Work {
         parts,
         grain,

@@ -84,6 +84,17 @@ impl Rod {
     }
 }
 
+/// A mass matrix that is indefinite in three coordinates.
+struct Saddle;
+
+#[lagrangian(coordinates = [x, y, z], jacobians)]
+impl Saddle {
+    #[lagrangian]
+    fn action(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        v.x * v.y + v.y * v.z + 0.5 * (2.0 + q.x.sin()) * v.z.powi(2) - 0.5 * (q.x.powi(2) + q.y.powi(2))
+    }
+}
+
 /// The bits of all rows.
 fn bits<F: Row<T>, T: Record>(study: &Study<F, T>) -> Vec<Result<Vec<u8>, Failure>> {
     let rows = study.run().expect("the study runs").to_vec().expect("the rows are in memory");
@@ -127,11 +138,12 @@ macro_rules! same_bits {
         let settled = |state: &_| lagrangian::attitude::settle(&$orientations, state).unwrap_or(*state);
         let study = |count| Ensemble::new(count, $start).with_tolerance(1e-9);
         let expected = bits(&study(48).in_lanes::<Lanes<f64x4>>().ends("ends", $t).with_threads(1));
-        for threads in [2, 7] {
-            let study = study(48).in_lanes::<Lanes<f64x4>>().ends("ends", $t).with_threads(threads);
+        for threads in [3] {
+            let study =
+                study(48).in_lanes::<Lanes<f64x4>>().ends("ends", $t).with_threads(threads).with_part_size(5);
             assert!(bits(&study) == expected, "{threads} threads");
         }
-        for size in [1, 7, 1000] {
+        for size in [1, 1000] {
             let study = study(48).in_lanes::<Lanes<f64x4>>().ends("ends", $t).with_part_size(size);
             assert!(bits(&study) == expected, "parts of {size}");
         }
@@ -262,4 +274,7 @@ fn systems_that_lanes_cannot_keep_apart_are_refused() {
     let study = Ensemble::new(10, start).in_lanes::<Lanes<f64x4>>().ends("rods", 1.0);
     let error = study.run().map(|_| ()).expect_err("a constraint");
     assert!(matches!(&error, Error::NotInLanes { why } if why.contains("constraints")), "{error}");
+    let study = Ensemble::new(10, |_| (Saddle, State::at_rest([1.0, 0.0, 0.0])));
+    let error = study.in_lanes::<Lanes<f64x4>>().ends("saddles", 1.0).run().map(|_| ()).expect_err("pivots");
+    assert!(matches!(&error, Error::NotInLanes { why } if why.contains("indefinite")), "{error}");
 }

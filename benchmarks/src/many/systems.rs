@@ -137,7 +137,13 @@ pub fn kepler(index: u64) -> (Kepler, State<f64, 2>) {
 }
 
 pub fn slider(index: u64) -> (Slider, State<f64, 2>) {
-    let (crank, rate) = (0.8_f64, 3.0 + 3.0 * spread(index));
-    let rod = -(0.5 * crank.sin()).asin();
-    (Slider, State::new([crank, rod], [rate, -0.5 * crank.cos() * rate / rod.cos()]))
+    (Slider, crank(index))
+}
+
+/// A start on the constraint, as exact as the scalar is.
+pub fn crank<R: Real>(index: u64) -> State<R, 2> {
+    let (crank, rate) = (R::from_f64(0.8), R::from_f64(3.0 + 3.0 * spread(index)));
+    let half = R::from_f64(0.5);
+    let rod = -(half * crank.sin()).asin();
+    State::new([crank, rod], [rate, -(half * crank.cos() * rate / rod.cos())])
 }

@@ -91,6 +91,12 @@ where
     C: Control<S::Scalar, N, K>,
     M: Adaptive<S, C, N, K>,
 {
+    /// The system that moves: its parameters.
+    #[inline]
+    pub fn system(&self) -> &'a S {
+        self.system
+    }
+
     /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32`
     /// 100 ε. [`Jets`](crate::Jets) take their order from it; [`Dop853`] takes it for an absolute error
     /// as well, of 1 or of the largest coordinate or velocity where that is smaller.
