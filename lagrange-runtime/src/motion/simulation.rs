@@ -140,12 +140,6 @@ where
         &mut self.limits
     }
 
-    /// The system that moves.
-    #[inline]
-    pub fn system(&self) -> &'a S {
-        self.system
-    }
-
     /// Where the inputs come from.
     #[inline]
     pub fn control(&self) -> &C {
