@@ -102,16 +102,8 @@ impl Task {
 }
 
 const TASKS: [Task; 2] = [
-    Task {
-        what: "accelerations",
-        ours: "generated",
-        peers: &["pinocchio-aba", "pinocchio-aba-world"],
-    },
-    Task {
-        what: "derivatives",
-        ours: "generated-derivatives",
-        peers: &["pinocchio-derivatives"],
-    },
+    Task { what: "accelerations", ours: "generated", peers: &["pinocchio-aba", "pinocchio-aba-world"] },
+    Task { what: "derivatives", ours: "generated-derivatives", peers: &["pinocchio-derivatives"] },
 ];
 
 /// Measures all robots, or the one that is named.

@@ -19,16 +19,8 @@ impl Equations {
         let Equations { mass, force, momenta, momentum_rates, inertia, conditions, turning, .. } = others;
         let Conditions { rates, jacobian, reactions, relaxation, .. } = conditions;
         let conditions = Conditions { rates, jacobian, reactions, relaxation, ..self.conditions.clone() };
-        let mut turned = Equations {
-            mass,
-            force,
-            momenta,
-            momentum_rates,
-            inertia,
-            conditions,
-            turning,
-            ..self.clone()
-        };
+        let mut turned =
+            Equations { mass, force, momenta, momentum_rates, inertia, conditions, turning, ..self.clone() };
         turned.simplify_motion(model);
         turned
     }
