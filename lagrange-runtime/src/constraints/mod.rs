@@ -11,7 +11,7 @@ mod footing;
 mod residuals;
 mod retraction;
 #[cfg(test)]
-mod samples;
+pub(crate) mod samples;
 mod solution;
 mod stages;
 mod start;

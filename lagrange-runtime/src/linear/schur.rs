@@ -102,7 +102,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
             for i in k + 1..C {
                 let l = column[i] * inverse[k];
                 factor[i][k] = l;
-                for j in k + 1..=i {
+                for j in k + 1..i + 1 {
                     factor[i][j] = R::mul_add(-l, column[j], factor[i][j]);
                 }
             }

@@ -47,6 +47,12 @@ impl<R: Real, const N: usize> Metric<R, N> {
     /// An ulp of something of this extent, in the unit of each coordinate.
     #[inline(always)]
     pub(crate) fn ulps(&self, extent: R) -> [R; N] {
-        self.units.map(|unit| R::epsilon() * extent * unit)
+        self.at_extent(R::epsilon() * extent)
+    }
+
+    /// What has this extent, in the unit of each coordinate.
+    #[inline(always)]
+    pub(crate) fn at_extent(&self, extent: R) -> [R; N] {
+        self.units.map(|unit| extent * unit)
     }
 }

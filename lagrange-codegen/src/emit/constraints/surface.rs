@@ -56,10 +56,11 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
     let begin = if emission.model.baumgarte.is_some() { "let start = &mut start.clone();\n" } else { "" };
     let names = names(emission.model);
     let coupled = if held > 1 { "const COUPLED: bool = true;\n" } else { "" };
+    let conserves = if conserves_energy(emission) { "const CONSERVES_ENERGY: bool = true;\n" } else { "" };
     let system = format!(
         "type Scalar = {scalar};\ntype Method = {integrator};\n{constants}\
          {names}\
-         const CONSTRAINED: bool = true;\n{coupled}\
+         const CONSTRAINED: bool = true;\n{coupled}{conserves}\
          {accelerations}\
          fn check_at(&self, _constants: &Self::Constants, {place}) -> ::core::result::Result<(), lagrange::Cause> \
          {{\nlagrange::constraints::check::<Self, {count}, {given}, {held}>(self, t, q, v)\n}}\n\
@@ -98,6 +99,16 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
         gradients_type(emission, method)
     );
     Implementations { system: system + &project + &energy, constants, surface, operations }
+}
+
+/// Whether `energy_at` is proved to stay the same along each motion on the constraints. Motions by
+/// Baumgarte's method are beside them, and rows that contacts and frictions switch do work.
+fn conserves_energy(emission: &Emission<'_>) -> bool {
+    let facts = emission.facts;
+    facts.conserves()
+        && !facts.has_jacobi_integral
+        && emission.model.baumgarte.is_none()
+        && emission.equations.conditions.switches().is_empty()
 }
 
 /// The implementation of `Constrained` as text.

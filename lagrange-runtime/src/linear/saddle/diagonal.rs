@@ -32,7 +32,7 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
         let mut rows = *a;
         for c in 0..C {
             multiply(&mut rows[c], &inverse_masses);
-            for d in 0..=c {
+            for d in 0..c + 1 {
                 lower[c][d] = dot(&rows[c], &a[d]);
             }
         }
