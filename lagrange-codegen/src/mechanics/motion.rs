@@ -125,7 +125,8 @@ impl Motion {
         for (mass, position) in moving {
             let range = offset..offset + position.len();
             offset = range.end;
-            let (velocity, acceleration) = (velocities[range.clone()].to_vec(), accelerations[range].to_vec());
+            let (velocity, acceleration) =
+                (velocities[range.clone()].to_vec(), accelerations[range].to_vec());
             translations.push(Translation { mass, position: Some(position), velocity, acceleration });
         }
 
