@@ -2,7 +2,7 @@
 
 use lagrangian::prelude::*;
 
-use crate::support::close::{all_close, close};
+use crate::support::close::{all_close, close, close_on};
 use crate::support::difference::slope;
 use crate::support::identities::model;
 use crate::support::motion::follows;
@@ -187,7 +187,7 @@ impl Pushed {
 }
 
 /// Steps over ten seconds, with a force that is up to a slope a triangle.
-fn pushed(slope: f64) -> usize {
+fn pushed(slope: f64) -> u64 {
     let mut motion = Pushed.simulate(State::at_rest([0.0])).with_tolerance(1e-13);
     let (mut x, mut v) = (0.0, 0.0);
     for second in 0..10 {
