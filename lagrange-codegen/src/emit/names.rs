@@ -40,6 +40,7 @@ const RESERVED: &[&str] = &[
     "orders",
     "inner",
     "products",
+    "reactions",
     "tables",
     "series",
     "left",
