@@ -55,6 +55,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
+    let described = (!model.turning.is_empty()).then(|| model.clone());
     let turning = mechanics::turning(&mut model);
     eliminate::in_parameters(&mut model);
     let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
@@ -75,7 +76,8 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     let jets = jets::derive(&mut model, solved);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut model, solved, &solution, jets));
     contacts_stand_alone(item, &model, diagnostics);
-    let switching = regimes::derive(&model, equations.energy, jets.is_some(), diagnostics);
+    let switching =
+        regimes::derive(&model, described.as_ref(), equations.energy, jets.is_some(), diagnostics);
     if diagnostics.has_errors() {
         return None;
     }

@@ -128,7 +128,7 @@ pub fn run(only: Option<&str>, json: Option<&Path>, extent: Extent) -> Result<()
     );
     // Everything is built before anything is timed, on all cores.
     let mut built = Vec::new();
-    let both = motions::both(&chosen, extent);
+    let both = motions::both(&offer.systems, &chosen, extent);
     for robot in chosen.iter().copied() {
         for task in &TASKS {
             if task.is_of_derivatives() && !extent.full && robot.coordinates.len() > QUICKLY_BUILT {

@@ -13,13 +13,14 @@ use crate::precision::subject::median;
 const AGREEMENT: f64 = 1e-8;
 const SUBJECTS: [&str; 3] = ["accelerations-in-turn", "steps", "motion"];
 
-/// The robots that are there with angles and with a pose.
-pub fn both<'a>(robots: &[&'a Robot], extent: Extent) -> Vec<[&'a Robot; 2]> {
-    let with = |base: Base| robots.iter().copied().filter(move |robot| robot.base == Some(base));
-    let pairs = with(Base::Angles).flat_map(|angles| {
-        with(Base::Pose).filter(|pose| pose.urdf == angles.urdf).map(move |pose| [angles, pose])
+/// The chosen robots with a pose, each with the same robot with angles before it.
+pub fn both<'a>(all: &'a [Robot], chosen: &[&'a Robot], extent: Extent) -> Vec<[&'a Robot; 2]> {
+    let poses = chosen.iter().copied().filter(|robot| robot.base == Some(Base::Pose));
+    let pairs = poses.filter_map(|pose| {
+        let same = |robot: &&Robot| robot.base == Some(Base::Angles) && robot.urdf == pose.urdf;
+        all.iter().find(same).map(|angles| [angles, pose])
     });
-    pairs.filter(|[angles, _]| extent.full || angles.coordinates.len() <= QUICKLY_BUILT).collect()
+    pairs.filter(|[_, pose]| extent.full || pose.coordinates.len() <= QUICKLY_BUILT).collect()
 }
 
 /// Their programs.

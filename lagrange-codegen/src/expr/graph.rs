@@ -38,8 +38,8 @@ impl Exponent {
 pub enum Variable {
     /// A generalized coordinate.
     Coordinate(u32),
-    /// A generalized velocity: of an orientation a component of its angular velocity in its own axes, as long as its matrix
-    /// is a variable.
+    /// A generalized velocity. Of an orientation whose matrix is a variable: a component of its angular velocity,
+    /// in its own axes.
     Velocity(u32),
     /// A generalized acceleration, where it is given instead of solved for.
     Acceleration(u32),
@@ -150,6 +150,11 @@ impl Graph {
     /// The number of nodes made so far.
     pub fn len(&self) -> usize {
         self.nodes.len()
+    }
+
+    /// All nodes, ascending.
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> {
+        (0..self.nodes.len() as u32).map(NodeId)
     }
 
     /// Whether no node was made yet.

@@ -17,8 +17,9 @@ impl Equations {
     /// With the terms of others to solve for the motion with: those that a series is made of.
     pub fn turned(&self, model: &mut Model, others: Equations) -> Equations {
         let Equations { mass, force, momenta, momentum_rates, inertia, conditions, turning, .. } = others;
-        let Conditions { rates, jacobian, reactions, relaxation, .. } = conditions;
-        let conditions = Conditions { rates, jacobian, reactions, relaxation, ..self.conditions.clone() };
+        let Conditions { rates, jacobian, reactions, relaxation, switched, .. } = conditions;
+        let conditions =
+            Conditions { rates, jacobian, reactions, relaxation, switched, ..self.conditions.clone() };
         let mut turned =
             Equations { mass, force, momenta, momentum_rates, inertia, conditions, turning, ..self.clone() };
         turned.simplify_motion(model);
