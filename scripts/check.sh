@@ -7,19 +7,19 @@ usage() {
     cat <<'EOF'
 usage: scripts/check.sh NAME …
   fmt         formatting
-  clippy      lints, warnings denied, with and without the standard library's math
+  clippy      lints, warnings denied, with all features and peers from crates, and without the standard library
   docs        rustdoc, warnings denied
-  book        its programs with all features; its pictures are what the examples draw; where mdbook is there, it builds
-              and its links resolve
+  features    programs of the book and tests that need a feature: lanes of SIMD vectors, 31 digits
+  book        its pictures are what the examples draw; where mdbook is there, it builds and its links resolve
   ui          messages about mistakes that the compiler finds in types
   random      10 000 random systems (or CASES of them) against dual numbers
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
   packages    each package is complete: it is built from what would be published
-  benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
-  lanes       several motions in the lanes of SIMD vectors, for any processor and for the present one
+  benchmarks  the benchmark crate builds, optimised
+  lanes       motions in the lanes of SIMD vectors with the instructions of the present processor
   tables      tables of studies, read by NumPy, pandas and Polars (installs them by pip)
   mpi         the same bytes by 1, 2 and 4 ranks and after a kill (installs Open MPI and libclang by apt-get)
-  digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
+  digits      31 digits with the other library of math, and the example that uses them
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
   contacts    ten thousand random systems with contacts and friction
@@ -29,25 +29,29 @@ usage: scripts/check.sh NAME …
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
               names another part of scripts/firmware.sh
   all         everything above
-  ci          the same without contacts, packages, tables and mpi, of firmware what needs no nightly toolchain
+  ci          the same without random, packages, benchmarks, lanes, tables, mpi, digits and contacts, and of firmware what
+              needs no nightly toolchain
 EOF
 }
 
 fmt() { cargo fmt --all --check; }
 
 clippy() {
-    cargo clippy --workspace --all-targets --features lagrangian/wide,lagrangian/double-double -- -D warnings
-    cargo clippy -p benchmarks --all-targets --features peers -- -D warnings
+    cargo clippy --workspace --all-targets --features lagrangian/wide,lagrangian/double-double,benchmarks/peers -- -D warnings
     cargo clippy -p lagrange-runtime --no-default-features --features libm,double-double -- -D warnings
 }
 
 docs() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --exclude benchmarks --features lagrangian/double-double; }
 
-# `cargo test` runs its programs but for those that need a feature.
-book() {
-    cargo test --features wide,double-double --doc book/src/
-    scripts/book.sh check
+# One build with all features for everything that `cargo test` leaves out.
+features() {
+    local all=wide,double-double
+    cargo test --features $all --test batch --test digits
+    cargo test --features $all --doc book/src/
+    cargo test -p lagrange-runtime --features double-double --lib -- double_double digits
 }
+
+book() { scripts/book.sh check; }
 
 ui() { cargo test --test ui_types; }
 
@@ -59,11 +63,8 @@ packages() { cargo package --workspace --exclude benchmarks --allow-dirty --quie
 
 benchmarks() { cargo build --release -p benchmarks; }
 
-# Other processors have other instructions for the same vectors.
+# `cargo test` has the vectors of any processor; others have other instructions, such as fused multiplications.
 lanes() {
-    cargo test --features wide --test batch
-    cargo test -p lagrange-runtime --features wide --lib -- lanes
-    cargo test -p lagrange-ensemble --test lanes
     RUSTFLAGS="-C target-cpu=native" cargo test -p lagrange-ensemble --test lanes --target-dir "${CARGO_TARGET_DIR:-target}/present"
 }
 
@@ -72,8 +73,6 @@ tables() { scripts/tables.sh; }
 mpi() { scripts/mpi.sh all; }
 
 digits() {
-    cargo test -p lagrange-runtime --features double-double --lib -- double_double digits
-    cargo test --features double-double --test digits
     cargo test --features double-double,libm --test digits
     cargo run --release --features double-double --example true_digits
 }
@@ -94,11 +93,11 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | book | ui | random | packages | benchmarks | lanes | tables | mpi | digits | long | drift | contacts | stack | stack-release | firmware)
+        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | lanes | tables | mpi | digits | long | drift | contacts | stack | stack-release | firmware)
             "$name" ;;
-        all) fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; tables; mpi; digits; long; drift; contacts; firmware ;;
+        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; lanes; tables; mpi; digits; long; drift; contacts; firmware ;;
         ci)
-            fmt; clippy; docs; book; ui; stack; random; command_line; benchmarks; lanes; digits; long; drift
+            fmt; clippy; docs; features; book; ui; stack; command_line; long; drift
             FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac

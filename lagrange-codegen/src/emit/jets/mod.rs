@@ -23,7 +23,8 @@ use names::{Of, label_auxiliaries};
 /// Rows of the tables are padded to a multiple of this many lanes.
 const WIDTH: usize = 4;
 
-/// So many sums are made anew in each order; more are overwritten, which saves setting them to zero.
+/// The most sums that an order makes anew. Where there are more, it overwrites those of the order before, which saves
+/// setting them to zero.
 const FRESH: usize = 32;
 
 /// The items of the trait, as text.
