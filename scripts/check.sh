@@ -48,7 +48,7 @@ features() {
     local all=wide,double-double
     cargo test --features $all --test batch --test digits
     cargo test --features $all --doc book/src/
-    cargo test -p lagrange-runtime --features double-double --lib -- double_double digits
+    cargo test -p lagrange-runtime --features $all --lib -- double_double digits lanes
 }
 
 book() { scripts/book.sh check; }

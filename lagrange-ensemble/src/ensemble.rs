@@ -146,7 +146,7 @@ impl<F> Ensemble<F> {
     }
 
     /// The same motions several at once, one in each lane of a SIMD vector such as `Lanes<f64x4>`, for
-    /// `ends` and `samples`: two to four times as many motions a second. The attribute of the system needs
+    /// `ends` and `samples`: about twice as many motions a second. The attribute of the system needs
     /// `jacobians`, which generates its equations over any scalar.
     ///
     /// The choice has a name because bits differ from those of single motions, in which the functions of the
