@@ -144,7 +144,7 @@ fn parentheses(text: &str) -> Option<(&str, &str)> {
 }
 
 /// What stands behind the braces of calls, which mean nothing here.
-fn inner(text: &str) -> &str {
+fn beyond_braces(text: &str) -> &str {
     text.trim_start_matches(|c: char| c.is_whitespace() || c == '{' || c == '}')
 }
 
@@ -160,11 +160,11 @@ fn function(head: &str, body: &str) -> Result<(String, Function), String> {
     function.parameters = parameters(rest.split_once(')').ok_or("parameters without end")?.0);
     let mut numbers = HashMap::new();
     for statement in body.split(';') {
-        let mut statement = inner(statement);
+        let mut statement = beyond_braces(statement);
         while let Some((label, after)) = statement.split_once(':').filter(|(label, _)| label.starts_with('$'))
         {
             function.labels.insert(label.to_owned(), function.code.len());
-            statement = inner(after);
+            statement = beyond_braces(after);
             if let Some(targets) = statement.strip_prefix(".branchtargets") {
                 let targets = targets.split(',').map(|label| label.trim().to_owned()).collect();
                 function.tables.insert(label.to_owned(), targets);
