@@ -143,6 +143,11 @@ fn parentheses(text: &str) -> Option<(&str, &str)> {
     text.trim_start().strip_prefix('(')?.split_once(')')
 }
 
+/// What stands behind the braces of calls, which mean nothing here.
+fn beyond_braces(text: &str) -> &str {
+    text.trim_start_matches(|c: char| c.is_whitespace() || c == '{' || c == '}')
+}
+
 fn function(head: &str, body: &str) -> Result<(String, Function), String> {
     let parameters =
         |list: &str| list.split(',').filter(|one| !one.trim().is_empty()).map(|one| named(one).0).collect();
@@ -155,11 +160,11 @@ fn function(head: &str, body: &str) -> Result<(String, Function), String> {
     function.parameters = parameters(rest.split_once(')').ok_or("parameters without end")?.0);
     let mut numbers = HashMap::new();
     for statement in body.split(';') {
-        let mut statement = statement.trim_start_matches(|c: char| c.is_whitespace() || c == '{' || c == '}');
+        let mut statement = beyond_braces(statement);
         while let Some((label, after)) = statement.split_once(':').filter(|(label, _)| label.starts_with('$'))
         {
             function.labels.insert(label.to_owned(), function.code.len());
-            statement = after.trim_start();
+            statement = beyond_braces(after);
             if let Some(targets) = statement.strip_prefix(".branchtargets") {
                 let targets = targets.split(',').map(|label| label.trim().to_owned()).collect();
                 function.tables.insert(label.to_owned(), targets);
