@@ -4,7 +4,7 @@
 use super::residuals::Level;
 use super::retraction::{From, Retraction};
 use super::start::contradiction;
-use super::{Balance, Equations, Metric, Surface, moved, project};
+use super::{Balance, Equations, Factors, Metric, Surface, moved, project};
 use crate::linear::{CLEAR, Independence, SaddlePoint, determined};
 use crate::number::real::Real;
 use crate::system::error::Cause;
@@ -78,9 +78,10 @@ where
     S: Surface<N, K, C>,
 {
     let residuals = system.residuals_at(state.t, &state.q, &state.v);
-    let nearness = Retraction::<S, N, K, C>::with(state, residuals, (saddle, gradients)).nearness();
+    let own = Retraction::<S, N, K, C>::with(state, residuals, (saddle, gradients));
+    let nearness = own.nearness();
     // Where rows all but vanish together, the nearest state has another velocity.
-    if nearness.are_far_apart() || saddle.independence().is_clear() && !nearness.is_determined() {
+    if nearness.are_far_apart() || own.saddle.independence().is_clear() && !nearness.is_determined() {
         return None;
     }
     let (near, equations) = nearest(system, constants, state, u)?;
@@ -140,7 +141,7 @@ fn apart<R: Real>(time: R, widenings: i32) -> R {
 fn are_redundant<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
-    factors: (S::Saddle, [[S::Scalar; N]; C]),
+    factors: Factors<S, N, K, C>,
     time: S::Scalar,
 ) -> bool
 where
@@ -151,7 +152,7 @@ where
     // Where coordinates are large beside the system, the furthest neighbours have no place in it.
     (0..WIDENINGS).rev().step_by(STRIDE).find_map(|widenings| {
         let there = moved(state, &state.v, &none, apart(time, widenings));
-        let mut retraction = Retraction::from_elsewhere(system, &there, factors);
+        let mut retraction = Retraction::from_elsewhere(system, &there, factors.clone());
         retraction.level(system, Level::Positions, From::Near).ok()?;
         retraction.refresh(system);
         let there = retraction.saddle.independence();
@@ -167,7 +168,7 @@ where
 pub(super) fn check<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
-    factors: (S::Saddle, [[S::Scalar; N]; C]),
+    factors: Factors<S, N, K, C>,
 ) -> Result<(), Cause>
 where
     S: Surface<N, K, C>,

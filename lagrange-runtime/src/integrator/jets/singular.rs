@@ -127,6 +127,7 @@ where
         {
             memory.series.recentre(one, memory.orders);
             memory.turn();
+            memory.is_as_expanded = false;
             (memory.start, memory.end) = (*from, kept);
             memory.end_residue = apart(from, from);
             memory.end_residue.t = num_traits::Zero::zero();

@@ -15,6 +15,9 @@ use crate::system::state::State;
 /// A step that is still wrong after all [`PARTS`] is shortened to this part, again and again.
 const HALF: f64 = 0.5;
 
+/// A state and what rounding took from it.
+type Reached<R, const N: usize> = (State<R, N>, State<R, N>);
+
 /// A state, what rounding took from it, and how far it is from right: positive in lanes that have to take
 /// another length.
 struct Landing<R, const N: usize> {
@@ -93,13 +96,13 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
         Ok(Landing { state, residue, least, excess })
     }
 
-    /// The state after `h` \[s], which are `theta` units, as the series tells.
+    /// The state after `h` \[s], which are `theta` units, as the series tells, and what rounding took from it.
     pub(super) fn reached(
         &self,
         h: S::Scalar,
         theta: S::Scalar,
         orders: usize,
-    ) -> Result<(State<S::Scalar, N>, State<S::Scalar, N>), Cause> {
+    ) -> Result<Reached<S::Scalar, N>, Cause> {
         let (gain_q, gain_v) = self.series.gain(theta, orders);
         let (mut state, mut residue) = (self.state, self.residue);
         (state.t, residue.t) = add(state.t, residue.t, h);
