@@ -26,9 +26,11 @@ usage: scripts/check.sh NAME …
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
               names another part of scripts/firmware.sh
   gallery     the systems in the browser: they move in Chromium (installs it), on a phone and for a screen reader, too
+  gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
+              nightly toolchain and NVIDIA's assembler)
   all         everything above
-  ci          the same without random, packages, benchmarks, digits, contacts and gallery, and of firmware what needs no
-              nightly toolchain
+  ci          the same without random, packages, benchmarks, digits, contacts, gallery and gpu, and of firmware what needs no nightly
+              toolchain
 EOF
 }
 
@@ -80,13 +82,15 @@ firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 
 gallery() { scripts/gallery.sh test; }
 
+gpu() { scripts/gpu.sh all; }
+
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | digits | long | drift | contacts | stack | stack-release | firmware | gallery)
+        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | digits | long | drift | contacts | stack | stack-release | gallery | gpu | firmware)
             "$name" ;;
-        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; digits; long; drift; contacts; firmware; gallery ;;
+        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; digits; long; drift; contacts; firmware; gallery; gpu ;;
         ci)
             fmt; clippy; docs; features; book; ui; stack; command_line; long; drift
             FIRMWARE=ci firmware ;;

@@ -278,11 +278,16 @@ fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> String {
 /// `functions_in`: gaps, slip velocities and switching functions in one regime, over any numbers.
 fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
     let numbers = Scalar::Generic(format_ident!("{NUMBER}"));
-    let roots: Vec<NodeId> = switching.rows_in.iter().chain(&switching.kinks_in).copied().collect();
+    let roots: Vec<NodeId> =
+        switching.rows_in.iter().chain(&switching.fixed_in).chain(&switching.kinks_in).copied().collect();
     let (rows, kinks) = (switching.rows_in.len(), switching.kinks_in.len());
     let body = body::plain(&switching.model, &numbers, &roots, Source::Numbers, |values| {
-        let (rows, kinks) = values.split_at(rows);
-        format!("lagrange::Functions {{ rows: [{}], kinks: [{}] }}", rows.join(", "), kinks.join(", "))
+        let (each, kinks) = values.split_at(2 * rows);
+        let lists = [&each[..rows], &each[rows..], kinks].map(|values| values.join(", "));
+        format!(
+            "lagrange::Functions {{ rows: [{}], fixed: [{}], kinks: [{}] }}",
+            lists[0], lists[1], lists[2]
+        )
     });
     let (scalar, count) = (&emission.scalar, emission.count());
     format!(

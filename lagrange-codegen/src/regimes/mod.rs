@@ -37,6 +37,8 @@ pub struct Regimes {
     pub model: Model,
     /// Gaps and slip velocities in one regime, in the graph of `model`.
     pub rows_in: Vec<NodeId>,
+    /// Coefficients of friction that sticks, likewise; zero of other rows.
+    pub fixed_in: Vec<NodeId>,
     /// Switching functions in one regime, likewise.
     pub kinks_in: Vec<NodeId>,
     /// Its equations.
@@ -102,6 +104,12 @@ pub fn derive(
             Some(Law::Friction { .. }) => conditions.rates[row],
         })
         .collect();
+    let fixed_in = (0..count)
+        .map(|row| match row.checked_sub(held).map(|contact| &contacts[contact].law) {
+            Some(Law::Friction { fixed, .. }) => *fixed,
+            _ => zero,
+        })
+        .collect();
     if !contacts.is_empty() {
         hold(&mut regime.graph, &mut equations, &switches, held, &contacts);
     }
@@ -125,6 +133,7 @@ pub fn derive(
         corners,
         model: regime,
         rows_in,
+        fixed_in,
         kinks_in,
         equations,
         facts,

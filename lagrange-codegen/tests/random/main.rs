@@ -100,6 +100,31 @@ fn systems_that_recur_agree_with_dual_numbers() {
     assert!(recurring > formed, "{recurring} of {} recur", formed + recurring);
 }
 
+#[test]
+fn systems_of_many_links_agree_with_dual_numbers() {
+    let report = Mutex::new((Report::default(), 0_usize));
+    let cases = || (strategy::linked(), [strategy::sample(), strategy::sample()]).boxed();
+    runner::run(runner::cases(QUICK) / 8, cases, |(system, samples)| {
+        let outcomes = agrees(system, samples)?;
+        if !tokens(&Source::of(system))?.to_string().contains("a sparse factorisation") {
+            return Err("no sparse factorisation".to_owned());
+        }
+        let mut report = report.lock().map_err(|error| error.to_string())?;
+        report.0.add(outcomes);
+        report.1 += 1;
+        Ok(())
+    });
+    let (report, count) = report.into_inner().expect("a worker has failed");
+    println!("{count} systems\n{report}");
+}
+
+#[test]
+fn series_of_systems_of_many_links_agree_with_truncated_series() {
+    let cases = || (strategy::linked(), [strategy::sample(), strategy::sample()]).boxed();
+    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 32);
+    assert!(2 * compared > kinked + left_out);
+}
+
 /// Compares the series of all samples, and counts: compared, not smooth, left out.
 fn compare_series(
     strategy: impl Fn() -> BoxedStrategy<(System, [Sample; 2])> + Sync,

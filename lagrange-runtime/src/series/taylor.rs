@@ -6,7 +6,7 @@
 //!
 //! With θ from 0 to 1 the sum of the magnitudes of all coefficients bounds a polynomial on the whole of its interval.
 //! In that norm roundings are followed from operation to operation, to first order (Higham, *Accuracy and Stability of
-//! Numerical Algorithms*, 3.3).
+//! Numerical Algorithms*, 3.3); in products to second, since a factor may be nothing but roundings.
 
 mod functions;
 
@@ -141,7 +141,9 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         for term in self.coefficients.iter_mut().take(self.degree + 1) {
             *term *= factor;
         }
-        self.error = self.error * factor.abs() + extent * (R::epsilon() * factor.abs() + by.error);
+        self.error = self.error * factor.abs()
+            + extent * R::epsilon() * factor.abs()
+            + (extent + self.error) * by.error;
         self
     }
 
@@ -164,7 +166,7 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         product.is_whole = are_whole && self.degree + other.degree <= orders;
         let (a, b) = (self.extent(), other.extent());
         let summed = R::from_f64(self.degree.min(other.degree) as f64 + 1.0);
-        product.error = self.error * b + a * other.error + R::epsilon() * summed * a * b;
+        product.error = self.error * b + (a + self.error) * other.error + R::epsilon() * summed * a * b;
         product
     }
 }

@@ -4,7 +4,7 @@
 //! exact as the polynomial of the step; of other guards the series reaches only as far as it converges to rounding, and
 //! is taken anew from there.
 
-use super::guards::{Guard, Guards};
+use super::guards::{Guard, Guards, Parts};
 use super::scene::above;
 use super::{Functions, Switching};
 use crate::motion::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach, stays_above};
@@ -24,20 +24,21 @@ const CLEAREST: i32 = 20;
 const NEARER: f64 = 0.9;
 const FURTHER: f64 = 1.0 / 16.0;
 
-/// State and time along a part of a step.
+/// State, reactions and time along a part of a step.
 #[derive(Clone, Copy)]
-struct Path<R, const N: usize> {
+struct Path<R, const N: usize, const C: usize> {
     t: Taylor<R>,
     q: [Taylor<R>; N],
     v: [Taylor<R>; N],
+    reactions: [Taylor<R>; C],
 }
 
 /// The first guard to fall, and where.
 type First<R> = (Fall<R>, Guard);
 
-impl<R: Ordered, const N: usize> Path<R, N> {
+impl<R: Ordered, const N: usize, const C: usize> Path<R, N, C> {
     /// Along a whole step.
-    fn new(start: &State<R, N>, terms: &Terms<'_, R, N>) -> Self {
+    fn new(start: &State<R, N>, terms: &Terms<'_, R, N>, reactions: [Taylor<R>; C]) -> Self {
         let along = |numbers: &[R; N], rows: &[[R; N]]| {
             core::array::from_fn(|i| {
                 Taylor::variable(numbers[i], rows.iter().map(|row| row[i]), terms.length)
@@ -47,6 +48,7 @@ impl<R: Ordered, const N: usize> Path<R, N> {
             t: Taylor::variable(start.t, core::iter::once(terms.unit), terms.length),
             q: along(&start.q, terms.q),
             v: along(&start.v, terms.v),
+            reactions,
         }
     }
 
@@ -56,7 +58,12 @@ impl<R: Ordered, const N: usize> Path<R, N> {
             return *self;
         }
         let part = |x: &Taylor<R>| x.on(from, width);
-        Self { t: part(&self.t), q: self.q.each_ref().map(part), v: self.v.each_ref().map(part) }
+        Self {
+            t: part(&self.t),
+            q: self.q.each_ref().map(part),
+            v: self.v.each_ref().map(part),
+            reactions: self.reactions.each_ref().map(part),
+        }
     }
 }
 
@@ -71,6 +78,7 @@ where
         &self,
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
+        reactions: &[Taylor<S::Scalar>; C],
         fired: Option<Guard>,
     ) -> Result<Option<First<S::Scalar>>, Unresolved> {
         if self.along().next().is_none() {
@@ -80,12 +88,12 @@ where
         let half = S::Scalar::from_f64(0.5);
         let shortest = half.powi(HALVINGS);
         let clearest = half.powi(CLEAREST);
-        let path = Path::new(start, terms);
+        let path = Path::new(start, terms, *reactions);
         let (mut from, mut width) = (zero, one);
         loop {
             let part = path.on(from, width);
             let number = Taylor::constant;
-            let functions = S::functions_in(self.in_regime, number, part.t, &part.q, &part.v);
+            let functions = self.along_part(&part);
             let mut converged = one;
             for guard in self.along() {
                 let series = self.guard(guard, &functions, number);
@@ -129,7 +137,7 @@ where
             for guard in self.along() {
                 let series = self.guard(guard, &functions, number);
                 let begins =
-                    from == zero && (fired == Some(guard) || self.is_gap(guard) && is_below(&series));
+                    from == zero && (fired == Some(guard) || self.is_held(guard) && is_below(&series));
                 let before = if begins { Before::Zero } else { Before::Unknown };
                 if let Some(fall) = falls(&series, before)
                     && earliest.is_none_or(|(other, _)| fall.place < other.place)
@@ -177,16 +185,24 @@ where
         zero.polish(|place| value(place).start())
     }
 
+    /// What guards are made of along a part of the step.
+    fn along_part(&self, part: &Path<S::Scalar, N, C>) -> Parts<Taylor<S::Scalar>, C, W> {
+        let functions = S::functions_in(self.in_regime, Taylor::constant, part.t, &part.q, &part.v);
+        Parts { functions, reactions: part.reactions }
+    }
+
     /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its zero.
-    fn agrees(&self, part: &Path<S::Scalar, N>, functions: &Functions<Taylor<S::Scalar>, C, W>) -> bool {
-        if functions.rows.iter().chain(&functions.kinks).all(|function| function.is_whole) {
+    fn agrees(&self, part: &Path<S::Scalar, N, C>, parts: &Parts<Taylor<S::Scalar>, C, W>) -> bool {
+        let Functions { rows, fixed, kinks } = &parts.functions;
+        if rows.iter().chain(fixed).chain(kinks).all(|function| function.is_whole) {
             return true;
         }
         let end = |x: &Taylor<S::Scalar>| Rounded::value(x.end());
         let (q, v) = (part.q.each_ref().map(end), part.v.each_ref().map(end));
-        let values = S::functions_in(self.in_regime, Taylor::constant, end(&part.t), &q, &v);
+        let functions = S::functions_in(self.in_regime, Taylor::constant, end(&part.t), &q, &v);
+        let values = Parts { functions, reactions: part.reactions.each_ref().map(end) };
         self.along().all(|guard| {
-            let series = self.guard(guard, functions, Taylor::constant);
+            let series = self.guard(guard, parts, Taylor::constant);
             let value = self.guard(guard, &values, Taylor::constant);
             let summed = S::Scalar::from_f64(2.0 * series.degree as f64) * S::Scalar::epsilon();
             let bound = series.error + value.error + summed * series.extent();
@@ -198,17 +214,14 @@ where
 
     /// The end of a part too short to matter, on which a guard has no series, as the distance from a centre has none
     /// there; `None` where a guard may be zero in it.
-    fn beyond(&self, path: &Path<S::Scalar, N>, from: S::Scalar, length: S::Scalar) -> Option<S::Scalar> {
+    fn beyond(&self, path: &Path<S::Scalar, N, C>, from: S::Scalar, length: S::Scalar) -> Option<S::Scalar> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let number = Taylor::constant;
         let mut to = from;
         for _ in 0..HALVINGS {
             to = to + length + (to - from);
-            let functions = [from - length, to].map(|place| {
-                let part = path.on(place, length);
-                S::functions_in(self.in_regime, number, part.t, &part.q, &part.v)
-            });
-            let guards = |functions: &Functions<Taylor<S::Scalar>, C, W>| {
+            let functions = [from - length, to].map(|place| self.along_part(&path.on(place, length)));
+            let guards = |functions: &Parts<Taylor<S::Scalar>, C, W>| {
                 self.along().all(|guard| {
                     let series = self.guard(guard, functions, number);
                     series.is_finite() && reach(&series) == num_traits::One::one()
@@ -230,13 +243,13 @@ where
         None
     }
 
-    /// Whether a guard is a gap.
-    fn is_gap(&self, guard: Guard) -> bool {
-        matches!(guard, Guard::Row(row) if S::ROWS[row] == super::Row::Unilateral)
+    /// Whether a guard is a gap or a reaction, which a regime begins with as they are.
+    fn is_held(&self, guard: Guard) -> bool {
+        matches!(guard, Guard::Row(row) if S::ROWS[row] == super::Row::Unilateral || self.is_reaction(row))
     }
 }
 
-/// Whether a gap starts below zero: as far as that is possible it has been opened there.
+/// Whether what a regime holds starts below zero: as far as that is possible it has been decided there.
 fn is_below<R: Ordered>(series: &Taylor<R>) -> bool {
     series.start() < R::zero()
 }

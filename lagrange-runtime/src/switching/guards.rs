@@ -1,9 +1,7 @@
 //! Guards: what ends a regime where it falls through zero.
 
-use super::scene::{Scales, extent, most, product, rounding};
+use super::scene::{ROUNDINGS, Scales, most, rounding};
 use super::{Functions, Regime, Row, Switching};
-use crate::constraints::Balance;
-use crate::linear::SaddlePoint;
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::number::real::{Ordered, Real};
 use crate::series::taylor::{Rounded, Taylor};
@@ -35,6 +33,13 @@ pub(super) struct Watch<R, const C: usize> {
     directions: [R; C],
 }
 
+/// What guards are made of: values with their roundings, or polynomials in time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Parts<T, const C: usize, const W: usize> {
+    pub(super) functions: Functions<T, C, W>,
+    pub(super) reactions: [T; C],
+}
+
 /// Values of all guards and their sizes.
 #[derive(Clone, Copy, Debug)]
 struct Values<R, const C: usize, const W: usize> {
@@ -63,13 +68,14 @@ pub(super) struct Guards<'a, S, const N: usize, const K: usize, const C: usize, 
 where
     S: Switching<N, K, C, W>,
 {
-    pub(super) system: &'a S,
     pub(super) in_regime: &'a S::InRegime,
     pub(super) regime: &'a Regime<S::Scalar, C, W>,
     pub(super) inputs: &'a [S::Scalar; K],
     watch: Watch<S::Scalar, C>,
     /// Whether the motion is a polynomial.
     is_along: bool,
+    /// Whether the reactions are polynomials.
+    pub(super) reacts_along: bool,
 }
 
 impl<'a, S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'a, S, N, K, C, W>
@@ -111,7 +117,7 @@ where
         if turns {
             watch.directions = system.laws_at(start.t, &start.q, &start.v).rows.rates;
         }
-        Self { system, in_regime, regime, inputs, watch, is_along }
+        Self { in_regime, regime, inputs, watch, is_along, reacts_along: false }
     }
 
     /// Whether there is nothing to look at.
@@ -121,17 +127,22 @@ where
 
     /// The rows whose guards are reactions, or all of which a method without polynomials knows nothing else.
     fn is_sampled(&self, row: usize) -> bool {
-        self.watch.rows[row] && (!self.is_along || self.is_reaction(row))
+        self.watch.rows[row] && (!self.is_along || self.is_reaction(row) && !self.reacts_along)
+    }
+
+    /// Whether any guard is made of reactions.
+    pub(super) fn has_reactions(&self) -> bool {
+        self.watch.reactions
     }
 
     /// Whether the guard of a row is made of reactions.
-    fn is_reaction(&self, row: usize) -> bool {
+    pub(super) fn is_reaction(&self, row: usize) -> bool {
         S::ROWS[row] == Row::Bilateral || self.regime.active[row]
     }
 
     /// The guards that are polynomials where the motion is one.
     pub(super) fn along(&self) -> impl Iterator<Item = Guard> + '_ {
-        let rows = (0..C).filter(|&row| self.watch.rows[row] && !self.is_reaction(row)).map(Guard::Row);
+        let rows = (0..C).filter(|&row| self.watch.rows[row] && !self.is_sampled(row)).map(Guard::Row);
         rows.chain((0..W).map(Guard::Kink))
     }
 
@@ -141,99 +152,76 @@ where
         (0..C).filter(|&row| self.is_sampled(row)).map(Guard::Row).chain((0..kinks).map(Guard::Kink))
     }
 
-    /// One of the guards that are no reactions.
+    /// One of the guards.
     pub(super) fn guard<T: Real>(
         &self,
         guard: Guard,
-        functions: &Functions<T, C, W>,
+        parts: &Parts<T, C, W>,
         number: impl Fn(S::Scalar) -> T,
     ) -> T {
         let signed = |sign: S::Scalar, value: T| if (-sign).is_positive() { -value } else { value };
-        match guard {
-            Guard::Kink(kink) => signed(self.regime.kinks[kink], functions.kinks[kink]),
-            Guard::Row(row) => match S::ROWS[row] {
-                Row::Friction { pair: None, .. } => signed(self.regime.slip[row], functions.rows[row]),
-                Row::Friction { pair: Some(other), .. } => {
-                    let along = |row: usize| number(self.watch.directions[row]) * functions.rows[row];
-                    along(row) + along(other)
-                }
-                Row::Unilateral | Row::Bilateral => functions.rows[row],
-            },
+        let Parts { functions, reactions } = parts;
+        let Guard::Row(row) = guard else {
+            let Guard::Kink(kink) = guard else { return T::zero() };
+            return signed(self.regime.kinks[kink], functions.kinks[kink]);
+        };
+        match S::ROWS[row] {
+            Row::Bilateral => signed(self.regime.side[row], reactions[row]),
+            Row::Unilateral if self.regime.active[row] => reactions[row],
+            Row::Unilateral => functions.rows[row],
+            Row::Friction { normal, pair } if self.regime.active[row] => {
+                let limit =
+                    normal.map_or(functions.fixed[row], |normal| functions.fixed[row] * reactions[normal]);
+                let force = reactions[row] * reactions[row];
+                let force = pair.map_or(force, |other| force + reactions[other] * reactions[other]);
+                limit * limit - force
+            }
+            Row::Friction { pair: None, .. } => signed(self.regime.slip[row], functions.rows[row]),
+            Row::Friction { pair: Some(other), .. } => {
+                let along = |row: usize| number(self.watch.directions[row]) * functions.rows[row];
+                along(row) + along(other)
+            }
         }
     }
 
-    /// The functions of guards that are no reactions, at a state, with their roundings.
-    fn functions(&self, state: &State<S::Scalar, N>) -> Functions<Rounded<S::Scalar>, C, W> {
-        let [q, v] = [state.q, state.v].map(|numbers| numbers.map(Taylor::value));
-        S::functions_in(self.in_regime, Taylor::constant, Taylor::value(state.t), &q, &v)
+    /// What guards are made of at a state, whose numbers are sums of summands of these sizes.
+    fn parts(
+        &self,
+        state: &State<S::Scalar, N>,
+        sizes: &State<S::Scalar, N>,
+    ) -> Parts<Rounded<S::Scalar>, C, W> {
+        let rounded = |numbers: &[S::Scalar; N], sizes: &[S::Scalar; N]| {
+            core::array::from_fn(|i| Rounded::sum_of(numbers[i], sizes[i]))
+        };
+        let (q, v) = (rounded(&state.q, &sizes.q), rounded(&state.v, &sizes.v));
+        let t = Rounded::sum_of(state.t, sizes.t);
+        let functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v);
+        let mut reactions = [Taylor::constant(num_traits::Zero::zero()); C];
+        if self.watch.reactions {
+            let [multipliers, sizes] = self.multipliers(state);
+            let known =
+                |row: usize| Rounded::sum_of(multipliers[row], S::Scalar::from_f64(ROUNDINGS) * sizes[row]);
+            reactions = core::array::from_fn(known);
+        }
+        Parts { functions, reactions }
     }
 
-    /// One of those guards at a state, whose numbers are sums of summands of these sizes, with its roundings.
+    /// One of the guards at a state, likewise.
     pub(super) fn value(
         &self,
         guard: Guard,
         state: &State<S::Scalar, N>,
         sizes: &State<S::Scalar, N>,
     ) -> Rounded<S::Scalar> {
-        let rounded = |numbers: &[S::Scalar; N], sizes: &[S::Scalar; N]| {
-            core::array::from_fn(|i| Rounded::sum_of(numbers[i], sizes[i]))
-        };
-        let (q, v) = (rounded(&state.q, &sizes.q), rounded(&state.v, &sizes.v));
-        let t = Rounded::sum_of(state.t, sizes.t);
-        self.guard(guard, &S::functions_in(self.in_regime, Taylor::constant, t, &q, &v), Taylor::constant)
-    }
-
-    /// The multipliers at a state, and the forces at their rows that they are differences of: what bears nothing,
-    /// as one of three feet does whose load is on the line between the others, is known no better than the load.
-    fn multipliers(&self, state: &State<S::Scalar, N>) -> [[S::Scalar; C]; 2] {
-        let zero: S::Scalar = num_traits::Zero::zero();
-        let State { t, q, v } = state;
-        let Some(equations) = S::equations_in(self.in_regime, *t, q, v, self.inputs) else {
-            return [[S::Scalar::from_f64(f64::NAN); C], [zero; C]];
-        };
-        let Balance { multipliers, .. } = equations.balance();
-        let units = equations.saddle.units();
-        let forces: [S::Scalar; N] = core::array::from_fn(|i| {
-            let borne = equations.gradients.iter().zip(&multipliers);
-            borne.fold(equations.forces[i].abs(), |sum, (row, &force)| sum + (row[i] * force).abs())
-                * units[i]
-        });
-        let sizes = core::array::from_fn(|row| {
-            let gradient = core::array::from_fn(|i| equations.gradients[row][i] * units[i]);
-            let squares = product(&gradient, &gradient);
-            let size = if squares.is_positive() { extent(&gradient, &forces) / squares } else { zero };
-            most(size, multipliers[row].abs())
-        });
-        [multipliers, sizes]
+        self.guard(guard, &self.parts(state, sizes), Taylor::constant)
     }
 
     /// All guards at a state that are looked at by samples.
     fn values(&self, state: &State<S::Scalar, N>) -> Values<S::Scalar, C, W> {
         let mut values = Values::of(num_traits::Zero::zero());
-        if self.watch.reactions {
-            let laws = self.system.laws_at(state.t, &state.q, &state.v);
-            let [multipliers, sizes] = self.multipliers(state);
-            for row in (0..C).filter(|&row| self.is_sampled(row) && self.is_reaction(row)) {
-                let reaction = multipliers[row];
-                (values.rows[row], values.row_sizes[row]) = match S::ROWS[row] {
-                    Row::Bilateral => (self.regime.side[row] * reaction, sizes[row]),
-                    Row::Unilateral => (reaction, sizes[row]),
-                    Row::Friction { normal, pair } => {
-                        let limit =
-                            laws.fixed[row] * normal.map_or(num_traits::One::one(), |row| multipliers[row]);
-                        let other = pair.map_or(num_traits::Zero::zero(), |row| multipliers[row]);
-                        let force = reaction * reaction + other * other;
-                        (limit * limit - force, limit * limit + force)
-                    }
-                };
-            }
-        }
-        if self.is_along {
-            return values;
-        }
-        let functions = self.functions(state);
-        for guard in self.along() {
-            let value = self.guard(guard, &functions, Taylor::constant);
+        let parts = self.parts(state, state);
+        for guard in self.sampled() {
+            let value = self.guard(guard, &parts, Taylor::constant);
             let known = (value.start(), value.error / S::Scalar::epsilon());
             match guard {
                 Guard::Row(row) => (values.rows[row], values.row_sizes[row]) = known,

@@ -18,6 +18,7 @@ mod hybrid;
 mod impact;
 mod launch;
 mod memory;
+mod reactions;
 mod rest;
 mod run;
 mod scene;
@@ -88,6 +89,8 @@ pub struct Laws<R, const C: usize, const W: usize> {
 pub struct Functions<T, const C: usize, const W: usize> {
     /// Gaps of contacts, slip velocities of frictions.
     pub rows: [T; C],
+    /// Coefficients of the friction that sticks, or its limit.
+    pub fixed: [T; C],
     /// Switching functions of kinks.
     pub kinks: [T; W],
 }

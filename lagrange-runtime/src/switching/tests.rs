@@ -144,7 +144,7 @@ impl<T: Toy<N, C, W>, const N: usize, const C: usize, const W: usize> Switching<
             Row::Friction { .. } => sum(row, v, drift),
             _ => sum(row, q, offsets),
         });
-        Functions { rows, kinks: toy.kinks(q, v) }
+        Functions { rows, fixed: toy.fixed().map(number), kinks: toy.kinks(q, v) }
     }
 
     fn equations_in(

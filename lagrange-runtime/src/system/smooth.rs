@@ -19,6 +19,10 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
     /// under error control are then compared with the equations at some places, and grow with restraint.
     const STEEP: bool = false;
 
+    /// Whether the mass matrix is factored with pivots that all lanes of a vector share, so that rounding
+    /// errors of a lane depend on the others.
+    const SHARES_PIVOTS: bool = false;
+
     /// What depends on parameters alone, computed once per run.
     type JetConstants: Copy + core::fmt::Debug;
 
@@ -44,6 +48,13 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
         tables: &mut Self::Tables<P>,
         series: &mut Series<Self::Scalar, N, P>,
     ) -> bool;
+
+    /// Coefficients of the reactions along the series that `tables` belong to, of a system with contacts: from order
+    /// zero to the one below that of the series, the rows of an order side by side.
+    #[doc(hidden)]
+    fn reactions<const P: usize>(_tables: &Self::Tables<P>) -> &[Self::Scalar] {
+        &[]
+    }
 }
 
 /// Taylor coefficients of coordinates and velocities, of the orders 1 to `P`.

@@ -17,6 +17,7 @@ use super::{Emission, body, scalar, turning};
 use crate::jets::Jets;
 use crate::orders::{Expansion, Expansions, Numbers, Sums, Tiles};
 use crate::schedule::{Given, Instruction, Phase, Slot};
+use crate::structure::Method;
 use names::{Of, label_auxiliaries};
 
 /// Rows of the tables are padded to a multiple of this many lanes.
@@ -64,24 +65,51 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
         ),
         Sums::Few(lanes) => (format!("Tables<{scalar}, {}, ORDERS>", padded(lanes)), String::new()),
     };
+    // Guards of contacts are made of reactions.
+    let held = reacting(expansion);
+    let (tables, reactions) = match held {
+        None => (tables, String::new()),
+        Some(rows) => {
+            let tables = format!("jets::Reacting<lagrange::{tables}, {scalar}, {rows}, ORDERS>");
+            let reactions = format!(
+                "#[inline]\nfn reactions<const ORDERS: usize>(tables: &lagrange::{tables}) -> &[{scalar}] {{\ntables.reactions.rows()\n}}\n"
+            );
+            (tables, reactions)
+        }
+    };
+    let opened = if held.is_none() {
+        String::new()
+    } else {
+        let own = if expansion.factors.is_empty() { "tables: _" } else { "tables" };
+        format!("let lagrange::jets::Reacting {{ {own}, reactions }} = tables;\n")
+    };
+    let text = opened + &text;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let named = |is_read: bool, name: &str| if is_read { name.to_owned() } else { format!("_{name}") };
+    let shares_pivots = emission.solution.blocks.iter().any(|block| matches!(block.method, Method::Lu));
     // Types are spelled out: where the trait cannot be found, `Self::Tables` would be a second error.
     format!(
-        "{}type JetConstants = {constants_type};\n\
+        "{}{}type JetConstants = {constants_type};\n\
          type Tables<const ORDERS: usize> = lagrange::{tables};\n\
          #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
          #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, v: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
-         series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n",
+         series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n{reactions}",
         if jets.is_steep { "const STEEP: bool = true;\n" } else { "" },
+        if shares_pivots { "const SHARES_PIVOTS: bool = true;\n" } else { "" },
         named(factored || !labels.is_empty(), "constants"),
         named(reads.time, "t"),
         named(reads.coordinates.contains(&true) || !emission.solved.turning.is_empty(), "q"),
         named(reads.inputs.contains(&true), "u"),
-        named(!expansion.factors.is_empty(), "tables"),
+        named(!expansion.factors.is_empty() || held.is_some(), "tables"),
         body::imported(gather(&text)),
     )
+}
+
+/// The number of rows of a system that has some which hold at times.
+fn reacting(expansion: &Expansion) -> Option<usize> {
+    let saddle = expansion.saddle.as_ref()?;
+    (!saddle.switches.is_empty()).then_some(saddle.gradients.len())
 }
 
 /// The lanes of the tables of some products.
@@ -218,6 +246,9 @@ impl Pass<'_> {
         text.push_str(&lines(writer.part(&[&early[..], &outputs.order].concat(), names)));
         text.push_str(&solvers::order(expansion, &solvers, writer, of));
         text.push_str(&lines(writer.part(&outputs.solution, names)));
+        if reacting(expansion).is_some() {
+            text.push_str(&format!("reactions.set(order, [{}]);\n", of.multipliers.join(", ")));
+        }
         text.push_str(&format!(
             "series.set(order, [{}], [{}]);\nif order == orders {{\nreturn false;\n}}\n",
             writer.outputs(&expansion.coordinates).join(", "),

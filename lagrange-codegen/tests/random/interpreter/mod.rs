@@ -157,6 +157,11 @@ impl Interpreter<'_> {
                 }
                 match text(path).as_str() {
                     "f64::INFINITY" | "f32::INFINITY" => Ok(Value::Number(f64::INFINITY)),
+                    // Where gradients can differ from zero.
+                    path if path.ends_with(">::PATTERN") => match self.expansion.constants.get("PATTERN") {
+                        Some(pattern) => self.expression(pattern, locals),
+                        None => unknown(path),
+                    },
                     _ => self.parameter(expr),
                 }
             }

@@ -155,6 +155,14 @@ impl Interpreter<'_> {
                 | ("solve_order", Value::Factored(matrix), [_, _, right]) => {
                     solved(matrix, &right.to_numbers()?)
                 }
+                ("solve_order", saddle @ Value::Record(_), [_, right]) => {
+                    let none = Value::numbers(&vec![0.0; self.point.q.len()]);
+                    impulses(saddle, &none, right)?
+                        .list()?
+                        .last()
+                        .cloned()
+                        .map_or_else(|| unknown(text(call)), Ok)
+                }
                 ("solve", inverse @ Value::Record(_), [right]) => recur(inverse, &right.to_numbers()?),
                 ("is_finite", _, []) => Ok(Value::Truth(true)),
                 ("independence", _, []) => Ok(Value::Unit),

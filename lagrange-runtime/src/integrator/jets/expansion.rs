@@ -24,6 +24,7 @@ where
     S::Scalar: Ordered,
 {
     memory.counts.evaluations += 1;
+    memory.is_as_expanded = true;
     let JetsMemory { constants, tables, series, orders, unit, .. } = memory;
     system.jet_at(constants, from.t, &from.q, &from.v, &control.0, *unit, *orders, tables, series)
 }

@@ -26,6 +26,8 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     orientations: &'static [usize],
     pub(super) tables: T,
     pub(super) series: Series<R, N, HIGHEST>,
+    /// Whether `tables` belong to it as it is: not once it has been taken about another place.
+    pub(super) is_as_expanded: bool,
     pub(super) orders: usize,
     /// The tolerance that the order is for.
     pub(super) tolerance: R,
@@ -62,6 +64,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             orientations,
             tables: T::default(),
             series: Series::default(),
+            is_as_expanded: false,
             orders: 0,
             tolerance: -R::one(),
             steepest: R::one(),
@@ -137,6 +140,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
             length: length / self.unit,
             unit: self.unit,
             residue: self.residue.t,
+            reactions: &[],
         }
     }
 

@@ -123,9 +123,11 @@ where
         if check.is_small(&apart(&beyond, &kept), time, footing)
             && check.is_half(&lack, time, footing)
             && check.is_carried_rightly(&lack, from, footing)
+            && (Check { from, ..check }).keeps_energy(&kept, footing)
         {
             memory.series.recentre(one, memory.orders);
             memory.turn();
+            memory.is_as_expanded = false;
             (memory.start, memory.end) = (*from, kept);
             memory.end_residue = apart(from, from);
             memory.end_residue.t = num_traits::Zero::zero();

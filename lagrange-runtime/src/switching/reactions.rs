@@ -1,0 +1,119 @@
+//! Reactions that guards are made of: at a state, and along the polynomial of a step.
+//!
+//! The series of a motion has those of its reactions, from the same solution of each order. What bears nothing, as
+//! one of three feet does whose load is on the line between the others, is known no better than the load. So the bound of
+//! roundings is made of the forces that a reaction is the difference of, order by order.
+
+use super::Switching;
+use super::guards::Guards;
+use super::scene::{ROUNDINGS, extent, most, product};
+use crate::constraints::{Balance, Equations};
+use crate::linear::{SaddlePoint, Switched};
+use crate::number::real::{Ordered, Real};
+use crate::series::taylor::Taylor;
+use crate::system::method::Terms;
+use crate::system::state::State;
+
+/// Rows of gradients in units in which coordinates have unit mass.
+struct Levers<R, const N: usize, const C: usize> {
+    rows: [[R; N]; C],
+    units: [R; N],
+}
+
+impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
+    fn new(equations: &Equations<Switched<R, N, C>, R, N, C>) -> Self {
+        let units = equations.saddle.units();
+        let rows = equations.gradients.map(|row| core::array::from_fn(|i| row[i] * units[i]));
+        Self { rows, units }
+    }
+
+    /// What reactions of these sizes are differences of, beside other `forces` in these units.
+    fn sizes(&self, reactions: &[R; C], forces: &[R; N]) -> [R; C] {
+        let forces: [R; N] = core::array::from_fn(|i| {
+            let borne = self.rows.iter().zip(reactions);
+            borne.fold(forces[i], |sum, (row, &force)| sum + (row[i] * force).abs())
+        });
+        core::array::from_fn(|row| {
+            let squares = product(&self.rows[row], &self.rows[row]);
+            let size =
+                if squares.is_positive() { extent(&self.rows[row], &forces) / squares } else { R::zero() };
+            most(size, reactions[row].abs())
+        })
+    }
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    fn equations(
+        &self,
+        state: &State<S::Scalar, N>,
+    ) -> Option<Equations<Switched<S::Scalar, N, C>, S::Scalar, N, C>> {
+        let State { t, q, v } = state;
+        S::equations_in(self.in_regime, *t, q, v, self.inputs)
+    }
+
+    /// The multipliers at a state, and the forces at their rows that they are differences of.
+    pub(super) fn multipliers(&self, state: &State<S::Scalar, N>) -> [[S::Scalar; C]; 2] {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let Some(equations) = self.equations(state) else {
+            return [[S::Scalar::from_f64(f64::NAN); C], [zero; C]];
+        };
+        let Balance { multipliers, .. } = equations.balance();
+        let levers = Levers::new(&equations);
+        let forces = core::array::from_fn(|i| (equations.forces[i] * levers.units[i]).abs());
+        [multipliers, levers.sizes(&multipliers, &forces)]
+    }
+
+    /// The reactions along a step as polynomials of the part that has passed; `None` where the method has none, or
+    /// they do not converge on the whole of the step as the motion does, to half of the digits of its tolerance.
+    pub(super) fn reactions_along(
+        &self,
+        start: &State<S::Scalar, N>,
+        terms: &Terms<'_, S::Scalar, N>,
+        relative: S::Scalar,
+    ) -> Option<[Taylor<S::Scalar>; C]> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let rows = || {
+            let rows = terms.reactions.chunks_exact(C.max(1)).take(terms.v.len());
+            rows.filter_map(|row| <&[S::Scalar; C]>::try_from(row).ok())
+        };
+        let first = *rows().next()?;
+        let equations = self.equations(start)?;
+        let levers = Levers::new(&equations);
+        let mut forces = core::array::from_fn(|i| (equations.forces[i] * levers.units[i]).abs());
+        let (mut sizes, mut last) = ([zero; C], [[zero; C]; 2]);
+        let (mut power, mut order): (S::Scalar, S::Scalar) = (num_traits::One::one(), num_traits::One::one());
+        for (row, speeds) in rows().zip(terms.v) {
+            // What accelerates is borne as well.
+            let rate = order / terms.unit;
+            for (force, (&speed, &unit)) in forces.iter_mut().zip(speeds.iter().zip(&levers.units)) {
+                if unit.is_positive() {
+                    *force += (rate * speed / unit).abs();
+                }
+            }
+            for (sum, size) in sizes.iter_mut().zip(levers.sizes(row, &forces)) {
+                *sum += power * size;
+            }
+            last = [last[1], row.map(|term| (power * term).abs())];
+            forces = [zero; N];
+            power *= terms.length.abs();
+            order += num_traits::One::one();
+        }
+        let [before, last] = last;
+        let share = relative.sqrt();
+        let converges = |row: usize| before[row] + last[row] <= share * sizes[row];
+        if !(0..C).all(converges) {
+            return None;
+        }
+        Some(core::array::from_fn(|row| {
+            let along = rows().skip(1).map(|terms| terms[row]);
+            let mut reaction = Taylor::variable(first[row], along, terms.length);
+            reaction.error =
+                S::Scalar::from_f64(ROUNDINGS) * S::Scalar::epsilon() * sizes[row] + before[row] + last[row];
+            reaction
+        }))
+    }
+}
