@@ -167,7 +167,7 @@ fn reactions_are_arrows_of_one_scale() -> Result<(), Box<dyn Error>> {
     for (frame, state) in arrows.iter().zip(states) {
         // The lowest point is passed within the second, where the pull is largest.
         let expected = 60.0 * -state.q[1];
-        assert!((length(&frame) - expected).abs() < 1.0, "{} px at {state:?}", length(&frame));
+        assert!((length(frame) - expected).abs() < 1.0, "{} px at {state:?}", length(frame));
     }
     assert_eq!(length(&arrows[0]), 0.0);
     Ok(())
