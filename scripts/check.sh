@@ -16,6 +16,9 @@ usage: scripts/check.sh NAME …
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
   packages    each package is complete: it is built from what would be published
   benchmarks  the benchmark crate builds, optimised
+  lanes       motions in the lanes of SIMD vectors with the instructions of the present processor
+  tables      tables of studies, read by NumPy, pandas and Polars (installs them by pip)
+  mpi         the same bytes by 1, 2 and 4 ranks and after a kill (installs Open MPI and libclang by apt-get)
   digits      31 digits with the other library of math, and the example that uses them
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
@@ -29,8 +32,8 @@ usage: scripts/check.sh NAME …
   gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
               nightly toolchain and NVIDIA's assembler)
   all         everything above
-  ci          the same without random, packages, benchmarks, digits, contacts, gallery and gpu, and of firmware what needs no nightly
-              toolchain
+  ci          the same without random, packages, benchmarks, lanes, tables, mpi, digits, contacts, gallery and gpu, and of
+              firmware what needs no nightly toolchain
 EOF
 }
 
@@ -63,6 +66,15 @@ packages() { cargo package --workspace --exclude benchmarks --allow-dirty --quie
 
 benchmarks() { cargo build --release -p benchmarks; }
 
+# `cargo test` has the vectors of any processor; others have other instructions, such as fused multiplications.
+lanes() {
+    RUSTFLAGS="-C target-cpu=native" cargo test -p lagrange-ensemble --test lanes --target-dir "${CARGO_TARGET_DIR:-target}/present"
+}
+
+tables() { scripts/tables.sh; }
+
+mpi() { scripts/mpi.sh all; }
+
 digits() {
     cargo test --features double-double,libm --test digits
     cargo run --release --features double-double --example true_digits
@@ -88,9 +100,9 @@ gpu() { scripts/gpu.sh all; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | digits | long | drift | contacts | stack | stack-release | gallery | gpu | firmware)
+        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | lanes | tables | mpi | digits | long | drift | contacts | stack | stack-release | gallery | gpu | firmware)
             "$name" ;;
-        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; digits; long; drift; contacts; firmware; gallery; gpu ;;
+        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; lanes; tables; mpi; digits; long; drift; contacts; firmware; gallery; gpu ;;
         ci)
             fmt; clippy; docs; features; book; ui; stack; command_line; long; drift
             FIRMWARE=ci firmware ;;

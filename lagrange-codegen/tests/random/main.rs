@@ -101,6 +101,23 @@ fn systems_that_recur_agree_with_dual_numbers() {
 }
 
 #[test]
+fn systems_of_many_links_agree_with_dual_numbers() {
+    let report = Mutex::new((Report::default(), [0_usize; 2]));
+    let cases = || (strategy::linked(), [strategy::sample(), strategy::sample()]).boxed();
+    runner::run(runner::cases(QUICK) / 16, cases, |(system, samples)| {
+        let outcomes = agrees(system, samples)?;
+        let is_sparse = tokens(&Source::of(system))?.to_string().contains("saddle :: Sparse");
+        let mut report = report.lock().map_err(|error| error.to_string())?;
+        report.0.add(outcomes);
+        report.1[usize::from(is_sparse)] += 1;
+        Ok(())
+    });
+    let (report, [dense, sparse]) = report.into_inner().expect("a worker has failed");
+    println!("{sparse} sparse systems of {}\n{report}", dense + sparse);
+    assert!(3 * sparse > dense, "{sparse} of {} are sparse", dense + sparse);
+}
+
+#[test]
 fn series_of_systems_of_many_links_agree_with_truncated_series() {
     let cases = || (strategy::linked(), [strategy::sample(), strategy::sample()]).boxed();
     let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 32);
