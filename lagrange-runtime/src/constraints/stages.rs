@@ -13,11 +13,12 @@ use crate::system::state::State;
 
 /// Accelerations of a state beside the constraints.
 ///
-/// * Where the rows of A are far apart they follow from the equations at the state itself.
-/// * Where they come closer, the equations beside the constraints have poles: what a state is off the
-///   constraints changes its accelerations by the reciprocal of the distance of the rows. The
+/// * Where the rows of A are clearly independent they follow from the equations at the state itself.
+/// * Where they all but depend on each other, the equations beside the constraints have poles: what a state is
+///   off the constraints changes its accelerations by the reciprocal of the distance of the rows. The
 ///   accelerations are those of the nearest state on the constraints: as good a continuation of the
-///   equations, and a smooth one.
+///   equations, and a smooth one. It costs three factorisations instead of one, so it is left out where rows
+///   are only close: the check of the step's end sees what poles do there.
 /// * Rows that depend on each other wherever the constraints hold are independent beside them, and what they
 ///   then demand together is no motion. The nearest state on the constraints serves there too.
 /// * In a configuration where rows lose their independence for a moment, they are interpolated between states
@@ -36,7 +37,7 @@ where
 {
     let equations = system.equations_at(constants, t, q, v, u);
     let balance = equations.balance();
-    if balance.independence.are_far_apart() && !may_vanish(&equations, q, v) {
+    if balance.independence.is_clear() && !may_vanish(&equations, q, v) {
         return balance.accelerations;
     }
     settled(system, constants, &State { t, q: *q, v: *v }, equations, u).unwrap_or(balance.accelerations)
@@ -81,7 +82,7 @@ where
     let own = Retraction::<S, N, K, C>::with(state, residuals, (saddle, gradients));
     let nearness = own.nearness();
     // Where rows all but vanish together, the nearest state has another velocity.
-    if nearness.are_far_apart() || own.saddle.independence().is_clear() && !nearness.is_determined() {
+    if nearness.is_clear() || own.saddle.independence().is_clear() && !nearness.is_determined() {
         return None;
     }
     let (near, equations) = nearest(system, constants, state, u)?;

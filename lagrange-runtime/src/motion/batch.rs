@@ -5,6 +5,7 @@
 //! order; each takes the step that its own series allows.
 
 mod landing;
+mod lane;
 pub mod relay;
 
 use crate::integrator::jets::probe::{self, Probe};
