@@ -99,7 +99,7 @@ where
 
     /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32`
     /// 100 ε. [`Jets`](crate::Jets) take their order from it; [`Dop853`] takes it for an absolute error
-    /// as well, of 1 or of the largest coordinate or velocity where that is smaller.
+    /// as well.
     #[inline]
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: S::Scalar) -> Self {

@@ -3,7 +3,7 @@
 use super::super::dop853::Dop853Memory;
 use super::super::landing::Check;
 use super::Driven;
-use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::number::real::{Ordered, Real, smaller};
 use crate::system::System;
 use crate::system::control::Control;
 use crate::system::error::{Cause, MotionError, magnitude};
@@ -78,6 +78,7 @@ where
             }
             length += length;
         }
-        finest.map(|finest| larger(finest, limits.relative))
+        // Where a longer step meets the tolerance that is asked for, that one is not the cause.
+        finest.filter(|&finest| finest > limits.relative)
     }
 }
