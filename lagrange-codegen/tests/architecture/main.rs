@@ -196,8 +196,12 @@ fn files_are_read_in_one_sitting() {
         "src",
         "examples",
         "firmware",
+        "gallery/src",
+        "lagrange-ensemble/src",
         "lagrange-gpu/src",
         "lagrange-gpu/kernels",
+        "lagrange-mpi/src",
+        "lagrange-pictures/src",
     ];
     for path in folders.iter().flat_map(|folder| rust_files(&root.join(folder))) {
         let text = fs::read_to_string(&path).expect("the file is text");
