@@ -2,12 +2,11 @@
 
 use std::error::Error;
 
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
 
 #[path = "support/arm.rs"]
 mod arm;
-#[path = "support/plot.rs"]
-mod plot;
 #[path = "support/regulator.rs"]
 mod regulator;
 
@@ -70,7 +69,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let regulator = design(&exact)?;
     let beside = [0.05, -0.04, 0.03, -0.05, 0.06, -0.03];
 
-    let mut chart = plot::Chart::new("Back to the motion that is wanted", "time [s]", "tool astray [mm]");
+    let mut chart = Chart::new("Back to the motion that is wanted", "time [s]", "tool astray [mm]");
     let mut worst = Vec::new();
     for (name, control) in
         [("computed torque", Control::ComputedTorque), ("regulator", Control::Regulator(&regulator))]
@@ -87,7 +86,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
 
     // Errors under computed torque decay as designed: e₀ (1 + λt) exp(−λt), with torques held for a sample.
     let (states, _) = run(&exact, Control::ComputedTorque, beside)?;
-    let mut error = plot::Chart::new("Errors of the joints under computed torque", "time [s]", "error [rad]");
+    let mut error = Chart::new("Errors of the joints under computed torque", "time [s]", "error [rad]");
     for i in 0..6 {
         let of = |state: &State<f64, 6>| (state.t, state.q[i] - wanted(state.t).state.q[i]);
         error = error.line(&format!("joint {}", i + 1), states.iter().step_by(10).map(of));
@@ -111,7 +110,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "Cost of a deviation: predicted {predicted:.6e}, paid {paid:.6e}, by computed torque {paid_by_other:.6e}"
     );
-    plot::save("arm_control", &[chart, error])?;
+    println!("Drawn: {}", Figure::new([chart, error]).save("target/arm_control.svg")?.display());
 
     // A torque that is held for h lags by h/2: of a decay at the rate λ it misses about λh/2.
     let lag = DECAY * STEP;

@@ -4,10 +4,8 @@ use std::error::Error;
 use std::f64::consts::PI;
 
 use lagrangian::Ordered;
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A cart on a rail, driven by a motor, with a pole hinged to it.
 #[derive(Clone, Copy, Debug)]
@@ -121,12 +119,12 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         "\nIn f32 the motor's work {work:.5} J less the hinge's loss {loss:.5} J is the energy gained {gain:.5} J"
     );
 
-    let angle = plot::Chart::new("Swinging up and balancing", "time [s]", "pole from upright [rad]")
+    let angle = Chart::new("Swinging up and balancing", "time [s]", "pole from upright [rad]")
         .line("f64, error control", designed.iter().map(|state| (state.t, state.q[1])))
         .line("f32, RK4 at 1 kHz", ran.iter().map(|state| (state.t.into(), state.q[1].into())));
-    let force = plot::Chart::new("What the motor does", "time [s]", "force [N]")
+    let force = Chart::new("What the motor does", "time [s]", "force [N]")
         .line("", designed.iter().map(|state| (state.t, plant.swing_up(state))));
-    plot::save("cart_pole", &[angle, force])?;
+    println!("Drawn: {}", Figure::new([angle, force]).save("target/cart_pole.svg")?.display());
 
     for (name, angle) in [("f64", designed[samples - 1].q[1]), ("f32", ran[samples - 1].q[1].into())] {
         assert!(angle.sin().abs() < 5e-3 && angle.cos() > 0.0, "{name}: after 8 s the pole is at {angle}");

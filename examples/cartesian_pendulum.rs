@@ -2,10 +2,8 @@
 
 use std::error::Error;
 
+use lagrangian::pictures::{Figure, Record};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A point mass on a massless rod, x downwards.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +48,6 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         pendulum.mass * (pendulum.g * state.q[0] + speed_squared) / pendulum.length
     };
     let mut motion = pendulum.simulate(start).with_tolerance(1e-14);
-    let mut tension = Vec::new();
     let mut worst = 0.0_f64;
     println!("  t [s]    tension [N]   by the law of the circle [N]");
     for k in 0..=400 {
@@ -58,7 +55,6 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         let state = *motion.advance_to(t)?;
         let pull = -motion.reactions().rod;
         worst = worst.max((pull - law(&state)).abs());
-        tension.push((t, pull));
         if k % 50 == 0 {
             println!("{t:7.2} {pull:14.9} {:30.9}", law(&state));
         }
@@ -86,8 +82,20 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let projected = pendulum.consistent(sloppy)?;
     println!("Projected: {:?}", projected.q);
 
-    let charts = [plot::Chart::new("Tension of the rod", "time [s]", "tension [N]").line("", tension)];
-    plot::save("cartesian_pendulum", &charts)?;
+    // The picture has y to the right and x downwards, as the description has it.
+    let record = Record::of(&mut pendulum.simulate(start), 4.0, 400)?;
+    let seen = |_: &Pendulum, q: &PendulumCoordinates| Vector2::new(q.y, -q.x);
+    let film = record
+        .film()
+        .rods(move |p, q| [Vector2::zeros(), seen(p, q)])
+        .reaction(seen, |p, state, found| Vector2::new(state.q[1], -state.q[0]) / p.length * found.rod);
+    println!("Drawn: {}", film.save("target/cartesian_pendulum.film.svg")?.display());
+    let charts = [
+        record.phase_portrait("y")?.titled("Phase portrait", "y [m]", "y′ [m/s]"),
+        record.energies(Pendulum::kinetic_energy, Pendulum::potential_energy),
+        record.reactions().titled("Force of the rod on the bob", "time [s]", "force [N]"),
+    ];
+    println!("Drawn: {}", Figure::new(charts).save("target/cartesian_pendulum.svg")?.display());
 
     assert!(worst < 1e-11, "the tension is off by {worst:e} N");
     assert!((angle - exact).abs() < 1e-12, "after 1 s the angle is {angle}");

@@ -3,10 +3,8 @@
 
 use std::error::Error;
 
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// Point masses on massless links, hung up at one end, in a vertical plane.
 #[derive(Clone, Copy, Debug)]
@@ -99,13 +97,13 @@ fn drawn<const J: usize, const N: usize>(
     joints: impl Fn(&[f64; N]) -> [Vector2<f64>; J],
     rest: &[f64; N],
     shape: &[f64; N],
-) -> plot::Chart {
+) -> Chart {
     let moved = |share: f64| joints(&std::array::from_fn(|i| rest[i] + share * shape[i]));
     let step = 1e-6 / shape.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let (at_rest, above, below) = (moved(0.0), moved(step), moved(-step));
     let displacements: [Vector2<f64>; J] = std::array::from_fn(|i| above[i] - below[i]);
     let largest = displacements.iter().fold(0.0_f64, |most, displacement| most.max(displacement.norm()));
-    let mut chart = plot::Chart::new(title, "x [m]", "y [m]").equal_scales();
+    let mut chart = Chart::new(title, "x [m]", "y [m]").equal_scales();
     for (share, age) in [(-0.15, 0.2), (0.15, 0.2), (0.0, 1.0)] {
         let places = at_rest.iter().zip(&displacements).map(|(rest, by)| rest + by * (share / largest));
         let line = std::iter::once((0.0, 0.0)).chain(places.map(|place| (place.x, place.y)));
@@ -162,7 +160,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         let title = format!("Two ends, mode {n}: {:.2} rad/s", mode.frequency());
         charts.push(drawn(&title, joints, &sagging.state.q, &shape));
     }
-    plot::save("chain_modes", &charts)?;
+    println!("Drawn: {}", Figure::new(charts).save("target/chain_modes.svg")?.display());
 
     assert!(worst < 1e-12, "a frequency is off by {worst:e}");
     assert!(catenary < 1e-11, "the chain at rest is off by {catenary:e}");

@@ -6,10 +6,8 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
+use lagrangian::pictures::Chart;
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A charge that moves in the x-y plane, E along y, B along z.
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +66,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     // Units in which the charge, its mass and the speed of light are 1: slow gyration takes 2π.
     let charge = Charge { mass: 1.0, charge: 1.0, c: 1.0, electric: 0.3, magnetic: 1.0 };
     let mut chart =
-        plot::Chart::new("Gyration drifts across the electric field", "x [c/ω]", "y [c/ω]").equal_scales();
+        Chart::new("Gyration drifts across the electric field", "x [c/ω]", "y [c/ω]").equal_scales();
     let mut misses: Vec<f64> = Vec::new();
     println!("Drift E/B = {} c; a slow gyration takes {TAU:.6}", charge.drift());
     println!("path   start x′ [c]     period   drift after it [c]   velocity error   energy error");
@@ -87,7 +85,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         println!("{name}  {speed:13.2} {period:10.6} {drift:20.15} {velocity:16.1e} {energy:14.1e}");
         misses.extend([drift - charge.drift(), end.q[1], velocity, energy].map(f64::abs));
     }
-    plot::save("charge_in_magnetic_field", &[chart])?;
+    println!("Drawn: {}", chart.save("target/charge_in_magnetic_field.svg")?.display());
 
     let worst = misses.into_iter().fold(0.0, f64::max);
     println!("Largest deviation from the closed form: {worst:.1e}");

@@ -1,13 +1,9 @@
-//! A double pendulum that swings over: table, paths of both masses, a film, and how well the energy is kept.
+//! A double pendulum that swings over: table, a film, phase portraits, and how well the energy is kept.
 
 use std::error::Error;
 
+use lagrangian::pictures::{Figure, Record};
 use lagrangian::prelude::*;
-
-#[path = "support/film.rs"]
-mod film;
-#[path = "support/plot.rs"]
-mod plot;
 
 /// Two point masses on massless rods, swinging in a vertical plane.
 #[derive(Clone, Copy, Debug)]
@@ -47,12 +43,13 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let pendulum = DoublePendulum { m: [1.0, 1.0], l: [1.0, 1.0], g: 9.81 };
     let start = State::at_rest([2.0, 2.5]);
     let mut motion = pendulum.simulate(start).with_tolerance(1e-12);
-    let states = motion.every(0.01).take(2001).collect::<Result<Vec<_>, _>>()?;
+    let record = Record::of(&mut motion, 10.0, 1000)?;
+    let rest = Record::of(&mut motion, 10.0, 1000)?;
 
     let energy = pendulum.energy(&start);
     let error = |state| (pendulum.energy(state) - energy) / energy;
     println!("    t [s]   θ₁ [rad]   θ₂ [rad]  θ₁′ [rad/s]  θ₂′ [rad/s]        E [J]     ΔE/E₀");
-    for state in states.iter().step_by(100) {
+    for state in record.states().iter().step_by(100).chain(rest.states().iter().step_by(100).skip(1)) {
         let ([upper, lower], [upper_rate, lower_rate]) = (state.q, state.v);
         println!(
             "{:9.2} {upper:10.5} {lower:10.5} {upper_rate:12.5} {lower_rate:12.5} {:12.8} {:9.1e}",
@@ -64,34 +61,17 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let steps = motion.steps();
     println!("\n{} steps, {} rejected, {} evaluations", steps.accepted, steps.rejected, steps.evaluations);
 
-    let path = |mass: fn(&DoublePendulum, &DoublePendulumCoordinates) -> Vector2<f64>| {
-        states.iter().take(801).map(move |state| {
-            let position = mass(&pendulum, &state.q.into());
-            (position.x, position.y)
-        })
-    };
-    let paths = plot::Chart::new("Paths during the first 8 s", "x [m]", "y [m]")
-        .equal_scales()
-        .line("lower mass", path(DoublePendulum::lower))
-        .dots(path(DoublePendulum::lower).take(1))
-        .line("upper mass", path(DoublePendulum::upper))
-        .dots(path(DoublePendulum::upper).take(1));
-    plot::save("double_pendulum_paths", &[paths])?;
+    let film =
+        record.film().trail(DoublePendulum::lower).rods(|p, q| [Vector2::zeros(), p.upper(q), p.lower(q)]);
+    println!("Drawn: {}", film.save("target/double_pendulum.svg")?.display());
+    let portraits = [record.phase_portrait("theta[0]")?, record.phase_portrait("theta[1]")?];
+    println!("Drawn: {}", Figure::new(portraits).save("target/double_pendulum.portraits.svg")?.display());
+    let energies = record.energies(DoublePendulum::kinetic_energy, DoublePendulum::potential_energy);
+    let energies = Figure::new([energies, record.energy_change()]);
+    println!("Drawn: {}", energies.save("target/double_pendulum.energies.svg")?.display());
 
-    // Ten seconds in 25 frames each; the path is drawn twice as fine.
-    let every = |count: usize| states.iter().take(1001).step_by(count).map(|state| state.q.into());
-    let joints =
-        |q: DoublePendulumCoordinates| vec![[0.0; 2], pendulum.upper(&q).into(), pendulum.lower(&q).into()];
-    let moving = film::Film::new(10.0)
-        .trail(every(2).map(|q| pendulum.lower(&q).into()))
-        .linkage(every(4).map(joints));
-    film::save("double_pendulum", &moving)?;
-    let errors = plot::Chart::new("Relative energy error at tolerance 10⁻¹²", "time [s]", "|E − E₀| / |E₀|")
-        .logarithmic()
-        .line("", states.iter().map(|state| (state.t, error(state))));
-    plot::save("double_pendulum_energy", &[errors])?;
-
-    let worst = states.iter().map(|state| error(state).abs()).fold(0.0, f64::max);
+    let worst =
+        record.states().iter().chain(rest.states()).map(|state| error(state).abs()).fold(0.0, f64::max);
     assert!(worst < 1e-9, "the energy changed by {worst:e} of itself");
     Ok(())
 }

@@ -4,10 +4,8 @@ use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::ops::RangeInclusive;
 
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A symmetric top with its tip fixed.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +52,7 @@ impl Top {
 }
 
 /// The path of the axis seen from 50° above the horizon, with an initial precession \[rad/s].
-fn axis_path(title: &str, top: &Top, precession: f64) -> Result<plot::Chart, Box<dyn Error>> {
+fn axis_path(title: &str, top: &Top, precession: f64) -> Result<Chart, Box<dyn Error>> {
     let (sin, cos) = 50_f64.to_radians().sin_cos();
     let seen = |axis: Vector3<f64>| (axis.x, axis.z * cos + axis.y * sin);
     let circle = |colatitude: f64, degrees: RangeInclusive<i32>| {
@@ -69,7 +67,7 @@ fn axis_path(title: &str, top: &Top, precession: f64) -> Result<plot::Chart, Box
     let mut motion = top.simulate(start);
     let path = motion.every(0.005).take(500).collect::<Result<Vec<_>, _>>()?;
     let axis = |state: &State<f64, 3>| seen(top.attitude(&state.q.into()) * Vector3::z());
-    Ok(plot::Chart::new(title, "", "")
+    Ok(Chart::new(title, "", "")
         .equal_scales()
         .guide(outline)
         .guide(circle(FRAC_PI_2, 180..=360))
@@ -123,7 +121,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         axis_path("Let go: cusps", &top, 0.0)?,
         axis_path("Started forwards: waves", &top, 1.5)?,
     ];
-    plot::save("heavy_top", &charts)?;
+    println!("Drawn: {}", Figure::new(charts).save("target/heavy_top.svg")?.display());
 
     for (name, simulated, exact) in compared {
         assert!((simulated - exact).abs() < 1e-10, "{name}: {simulated}, not {exact}");

@@ -6,11 +6,9 @@ use std::error::Error;
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use lagrangian::pictures::Chart;
 use lagrangian::prelude::*;
 use lagrangian::{One, Zero};
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A number in single precision with sines and cosines of its own.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -233,10 +231,10 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     }
     println!("\nLargest error {worst:.1e} rad; gained energy {:.1e} J", gained.0);
 
-    let angle = plot::Chart::new("A pendulum with a CORDIC", "time [s]", "angle [rad]")
+    let angle = Chart::new("A pendulum with a CORDIC", "time [s]", "angle [rad]")
         .line("double precision", exact.iter().map(|state| (state.t, state.q[0])))
         .line("CORDIC", found.iter().map(|state| (f64::from(state.t.0), f64::from(state.q[0].0))));
-    plot::save("own_math", &[angle])?;
+    println!("Drawn: {}", angle.save("target/own_math.svg")?.display());
 
     assert!(worst < 2e-5, "the CORDIC is off by {worst} rad");
     assert!(gained.0.abs() < 1e-5, "the energy grew by {} J", gained.0);

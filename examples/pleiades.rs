@@ -4,10 +4,8 @@
 
 use std::error::Error;
 
+use lagrangian::pictures::Chart;
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// Point masses that attract each other, in units in which the gravitational constant is 1.
 #[derive(Clone, Copy, Debug)]
@@ -84,12 +82,12 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let drift = (motion.energy() - energy) / energy;
     println!("\nEnergy error {drift:.1e} after {} steps", motion.steps().accepted);
 
-    let mut chart = plot::Chart::new("Seven stars until t = 3 (dots)", "x", "y").equal_scales();
+    let mut chart = Chart::new("Seven stars until t = 3 (dots)", "x", "y").equal_scales();
     for star in 0..Pleiades::STARS {
         let place = |state: &State<f64, 14>| (state.q[star], state.q[star + Pleiades::STARS]);
         chart = chart.line(&(star + 1).to_string(), states.iter().map(place)).dots([place(&end)]);
     }
-    plot::save("pleiades", &[chart])?;
+    println!("Drawn: {}", chart.save("target/pleiades.svg")?.display());
 
     let worst = (0..14).map(|i| error(i).abs()).fold(0.0, f64::max);
     assert!(worst < 1e-9, "the published positions are missed by {worst:e}");

@@ -3,10 +3,8 @@
 
 use std::error::Error;
 
+use lagrangian::pictures::{Chart, Figure, Record};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A uniform block on a floor so rough that its corners do not slip.
 #[derive(Clone, Copy, Debug)]
@@ -63,29 +61,38 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let start = State::at_rest([block.half_width - arm.x, -arm.y, -tilt]);
 
     let mut motion = block.simulate(start).with_tolerance(1e-12);
-    let states = motion.every(0.005).take(600).collect::<Result<Vec<_>, _>>()?;
+    let record = Record::of(&mut motion, 3.0, 600)?;
+    let states = record.states();
+    let (w, h) = (block.half_width, block.half_height);
+    let corners = [[-w, -h], [w, -h], [w, h], [-w, h]];
     let outline = |state: &State<f64, 3>| {
-        let pose = Isometry2::new(Vector2::new(state.q[0], state.q[1]), state.q[2]);
-        let (w, h) = (block.half_width, block.half_height);
-        [(-w, -h), (w, -h), (w, h), (-w, h), (-w, -h)].map(|(x, y)| {
-            let corner = pose * Point2::new(x, y);
-            (corner.x, corner.y)
-        })
+        let pose = block.block(&state.q.into());
+        [0, 1, 2, 3, 0].map(|corner| (pose * Point2::from(corners[corner])).coords).map(|at| (at.x, at.y))
     };
-    let mut pictures =
-        plot::Chart::new("A block falls from corner to corner", "x [m]", "y [m]").equal_scales();
+    let mut pictures = Chart::new("A block falls from corner to corner", "x [m]", "y [m]").equal_scales();
     for (count, state) in states.iter().take(86).step_by(17).enumerate() {
         pictures = pictures.linkage("", f64::from(count as u32) / 5.0, outline(state));
     }
-    let angle = plot::Chart::new("The tilt dies out in finite time", "time [s]", "tilt [rad]")
+    let angle = Chart::new("The tilt dies out in finite time", "time [s]", "tilt [rad]")
         .line("", states.iter().map(|state| (state.t, state.q[2])));
-    let rates = plot::Chart::new(
+    let rates = record.phase_portrait("phi")?.titled(
         "Phase portrait: each impact takes a fifth of the rate",
         "tilt [rad]",
         "rate [rad/s]",
-    )
-    .line("", states.iter().map(|state| (state.q[2], state.v[2])));
-    plot::save("rocking_block", &[pictures, angle, rates])?;
+    );
+    println!("Drawn: {}", Figure::new([pictures, angle, rates]).save("target/rocking_block.svg")?.display());
+
+    // The force of the floor on a corner, from the reactions of its contact and of its friction.
+    let corner =
+        |side: usize| move |b: &Block, q: &BlockCoordinates| b.block(q).translation.vector + b.arms(q)[side];
+    let film = record
+        .film()
+        .slower(3.0)
+        .ground([[-1.5 * w, 0.0], [1.5 * w, 0.0]])
+        .body(Block::block, &corners)
+        .reaction(corner(0), |_, _, found| [found.slips[0], found.corners[0]])
+        .reaction(corner(1), |_, _, found| [found.slips[1], found.corners[1]]);
+    println!("Drawn: {}", film.save("target/rocking_block.film.svg")?.display());
 
     // Housner: angular momentum about the corner that is hit is kept.
     let factor = 1.0 - 1.5 * slender.sin().powi(2);

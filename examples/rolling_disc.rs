@@ -2,10 +2,8 @@
 
 use std::error::Error;
 
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A thin homogeneous disc on a horizontal plane.
 #[derive(Clone, Copy, Debug)]
@@ -83,14 +81,14 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let drift = (disc.energy(&reached) / disc.energy(&start) - 1.0).abs();
     println!("\nAfter 3 s: {miss:.1e} from the reference, energy {drift:.1e} off");
 
-    let path = |title: &str, start: State<f64, 5>, duration: f64| -> Result<plot::Chart, Box<dyn Error>> {
+    let path = |title: &str, start: State<f64, 5>, duration: f64| -> Result<Chart, Box<dyn Error>> {
         let mut motion = disc.simulate(start);
         let states = motion.every(0.002).take((duration / 0.002) as usize).collect::<Result<Vec<_>, _>>()?;
         let centre = |state: &State<f64, 5>| {
             let centre = disc.centre(&state.q.into());
             (centre.x, centre.y)
         };
-        Ok(plot::Chart::new(title, "x [m]", "y [m]")
+        Ok(Chart::new(title, "x [m]", "y [m]")
             .equal_scales()
             .line("contact", states.iter().map(|state| (state.q[0], state.q[1])))
             .line("centre", states.iter().map(centre)))
@@ -103,7 +101,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
             12.0,
         )?,
     ];
-    plot::save("rolling_disc", &charts)?;
+    println!("Drawn: {}", Figure::new(charts).save("target/rolling_disc.svg")?.display());
 
     assert!(miss < 1e-10, "the disc is {miss:e} off");
     assert!(drift < 1e-12, "the energy changed by {drift:e} of itself");

@@ -3,10 +3,8 @@
 
 use std::error::Error;
 
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A mass held by two springs at right angles in a frame that a motor turns.
 #[derive(Clone, Copy, Debug)]
@@ -91,17 +89,17 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         (position.x, position.y)
     };
     let charts = [
-        plot::Chart::new("Seen from the frame", "x [m]", "y [m]")
+        Chart::new("Seen from the frame", "x [m]", "y [m]")
             .equal_scales()
             .line("", states.iter().map(|state| (state.q[0], state.q[1]))),
-        plot::Chart::new("Seen from outside", "x [m]", "y [m]")
+        Chart::new("Seen from outside", "x [m]", "y [m]")
             .equal_scales()
             .line("", states.iter().map(in_space)),
-        plot::Chart::new("Only one of them is conserved", "time [s]", "energy [J]")
+        Chart::new("Only one of them is conserved", "time [s]", "energy [J]")
             .line("T + V", states.iter().map(|state| (state.t, free.energy(state))))
             .line("Jacobi integral", states.iter().map(|state| (state.t, free.jacobi_integral(state)))),
     ];
-    plot::save("rotating_frame", &charts)?;
+    println!("Drawn: {}", Figure::new(charts).save("target/rotating_frame.svg")?.display());
 
     assert!(varies > 0.1, "the motor does no work");
     assert!(drifts < 1e-11, "the Jacobi integral changed by {drifts:e} of itself");

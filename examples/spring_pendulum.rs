@@ -4,10 +4,8 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A point mass on a spring that swings in a vertical plane.
 #[derive(Clone, Copy, Debug)]
@@ -87,14 +85,14 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         let bob = pendulum.bob(&state.q.into());
         (bob.x, bob.y)
     };
-    let path = plot::Chart::new("Path from the 20th to the 36th swing", "x [m]", "y [m]")
+    let path = Chart::new("Path from the 20th to the 36th swing", "x [m]", "y [m]")
         .equal_scales()
         .line("", states[20 * samples..36 * samples].iter().map(position));
     let times = || (0..).map(|count| f64::from(count) * period);
-    let exchange = plot::Chart::new("Bouncing feeds swinging and back", "time [s]", "amplitude [m]")
+    let exchange = Chart::new("Bouncing feeds swinging and back", "time [s]", "amplitude [m]")
         .line("swing", times().zip(swings.iter().map(|angle| length * angle)))
         .line("bounce", times().zip(bounces));
-    plot::save("spring_pendulum", &[path, exchange])?;
+    println!("Drawn: {}", Figure::new([path, exchange]).save("target/spring_pendulum.svg")?.display());
 
     assert!((growth / expected - 1.0).abs() < 0.02, "the swing grows at {growth} /s, not {expected} /s");
     assert!(drift.abs() < 1e-10, "the energy changed by {drift:e} of itself");

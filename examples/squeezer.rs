@@ -6,10 +6,8 @@
 
 use std::error::Error;
 
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// Fixed hinges \[m].
 const A: [f64; 2] = [-0.069_34, -0.002_27];
@@ -165,16 +163,16 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let wrapped = |angle: f64| {
         (angle + std::f64::consts::PI).rem_euclid(2.0 * std::f64::consts::PI) - std::f64::consts::PI
     };
-    let mut angles = plot::Chart::new("Angles of the bars", "time [s]", "angle [rad]");
+    let mut angles = Chart::new("Angles of the bars", "time [s]", "angle [rad]");
     for (i, name) in Squeezer::COORDINATES.into_iter().enumerate().skip(2) {
         angles = angles.line(name, states.iter().map(|state| (state.t, wrapped(state.q[i]))));
     }
     let charts = [
         angles,
-        plot::Chart::new("The crank gathers speed", "time [s]", "rate of the crank [rad/s]")
+        Chart::new("The crank gathers speed", "time [s]", "rate of the crank [rad/s]")
             .line("", states.iter().map(|state| (state.t, state.v[0]))),
     ];
-    plot::save("squeezer", &charts)?;
+    println!("Drawn: {}", Figure::new(charts).save("target/squeezer.svg")?.display());
 
     assert!(miss < 1e-9, "the mechanism is {miss:e} off");
     assert!(residual < 1e-15, "the loops are open by {residual:e} m");

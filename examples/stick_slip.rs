@@ -3,10 +3,8 @@
 
 use std::error::Error;
 
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A block on a moving belt, tied to a wall by a spring.
 #[derive(Clone, Copy, Debug)]
@@ -62,8 +60,8 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let slipping = 2.0 * (std::f64::consts::PI - ((held - middle) * rate / belt.speed).atan()) / rate;
     let sticking = 2.0 * (held - middle) / belt.speed;
 
-    let mut phases = plot::Chart::new("A block on a belt: phase portrait", "place [m]", "velocity [m/s]");
-    let mut places = plot::Chart::new("Sticking and slipping", "time [s]", "place [m]");
+    let mut phases = Chart::new("A block on a belt: phase portrait", "place [m]", "velocity [m/s]");
+    let mut places = Chart::new("Sticking and slipping", "time [s]", "place [m]");
     for (label, start) in [
         ("about the middle", State::at_rest([0.28])),
         ("pulled far", State::at_rest([-0.2])),
@@ -74,7 +72,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         phases = phases.line(label, states.iter().map(|state| (state.q[0], state.v[0])));
         places = places.line(label, states.iter().map(|state| (state.t, state.q[0])));
     }
-    plot::save("stick_slip", &[phases, places])?;
+    println!("Drawn: {}", Figure::new([phases, places]).save("target/stick_slip.svg")?.display());
 
     // The middle of the cycle, upwards: once a period.
     let mut motion = belt.simulate(State::at_rest([-0.2])).with_tolerance(1e-12);

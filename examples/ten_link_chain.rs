@@ -3,10 +3,8 @@
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use lagrangian::pictures::Chart;
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// Point masses on massless links, hung up at one end, in a vertical plane.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +72,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let mut motion = chain.simulate(State::at_rest([FRAC_PI_2; Chain::LINKS]));
     let released = motion.energy();
     let frames = 17;
-    let mut strobe = plot::Chart::new("A falling chain every 50 ms", "x [m]", "y [m]").equal_scales();
+    let mut strobe = Chart::new("A falling chain every 50 ms", "x [m]", "y [m]").equal_scales();
     println!("  t [s]   tip x [m]   tip y [m]   tip speed [m/s]");
     let mut before = Vector2::new(1.0, 0.0);
     for (frame, state) in motion.every(0.05).take(frames).enumerate() {
@@ -94,7 +92,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let scale = chain.mass * chain.g * chain.length * 55.0;
     let drift = (motion.energy() - released) / scale;
     println!("\nEnergy error while falling: {drift:.1e} of what a fall to the bottom sets free");
-    plot::save("ten_link_chain", &[strobe])?;
+    println!("Drawn: {}", strobe.save("target/ten_link_chain.svg")?.display());
 
     // The slowest mode returns after a period, but for terms of third order in the amplitude.
     let (shape, xi) = slowest_mode();

@@ -5,10 +5,8 @@
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use lagrangian::pictures::{Chart, Figure};
 use lagrangian::prelude::*;
-
-#[path = "support/plot.rs"]
-mod plot;
 
 /// A bead that slides on a circular hoop, which turns about its vertical diameter at a given rate.
 #[derive(Clone, Copy, Debug)]
@@ -128,8 +126,8 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         exact.0, exact.1
     );
 
-    let portrait = |title: &str, hoop: WhirlingHoop| -> Result<plot::Chart, Box<dyn Error>> {
-        let mut chart = plot::Chart::new(title, "angle from the top [rad]", "rate [rad/s]");
+    let portrait = |title: &str, hoop: WhirlingHoop| -> Result<Chart, Box<dyn Error>> {
+        let mut chart = Chart::new(title, "angle from the top [rad]", "rate [rad/s]");
         for (phi, phi_dot) in
             [(PI, 0.6), (PI, 1.8), (PI, 3.5), (2.2, 0.0), (2.0 * PI - 2.2, 0.0), (FRAC_PI_2, 0.0), (1.0, 0.0)]
         {
@@ -163,17 +161,13 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let charts = [
         portrait("Slow, 3 rad/s: the bottom is stable", WhirlingHoop { rate: 3.0, ..hoop })?,
         portrait("Fast, 6 rad/s: the bottom is a saddle", hoop)?,
-        plot::Chart::new(
-            "Where the bead can rest",
-            "rate of the hoop [rad/s]",
-            "angle from the bottom [rad]",
-        )
-        .line("raised, stable", raised.iter().copied())
-        .line("raised, other side", raised.iter().map(|&(rate, phi)| (rate, -phi)))
-        .line("bottom, stable", stable)
-        .line("bottom, unstable", unstable),
+        Chart::new("Where the bead can rest", "rate of the hoop [rad/s]", "angle from the bottom [rad]")
+            .line("raised, stable", raised.iter().copied())
+            .line("raised, other side", raised.iter().map(|&(rate, phi)| (rate, -phi)))
+            .line("bottom, stable", stable)
+            .line("bottom, unstable", unstable),
     ];
-    plot::save("whirling_hoop", &charts)?;
+    println!("Drawn: {}", Figure::new(charts).save("target/whirling_hoop.svg")?.display());
 
     assert!(off < 1e-14, "relative equilibria are off by {off:e}");
     assert!(worst < 1e-11, "the energy balance or the constraints are off by {worst:e}");

@@ -16,8 +16,9 @@ END
     printf '  %s\n' "${pictures[@]}"
 }
 
-# Each is what an example of that name draws.
-pictures=(arm_control chain_modes double_pendulum heavy_top rocking_block stick_slip whirling_hoop)
+# Each is what an example of that name draws; after a dot stands which of several.
+pictures=(arm_control cartesian_pendulum chain_modes double_pendulum heavy_top rocking_block rocking_block.film
+    stick_slip whirling_hoop)
 
 staged=target/book-src
 built=target/book
@@ -26,7 +27,7 @@ pictures() {
     local name
     mkdir -p book/src/pictures
     for name in "${pictures[@]}"; do
-        cargo run -q --release --example "$name" >/dev/null
+        cargo run -q --release --example "${name%%.*}" >/dev/null
         cp "target/$name.svg" book/src/pictures/
     done
 }

@@ -7,17 +7,16 @@ usage() {
     cat <<'EOF'
 usage: scripts/check.sh NAME …
   fmt         formatting
-  clippy      lints, warnings denied, with and without the standard library's math
+  clippy      lints, warnings denied, with all features and peers from crates, and without the standard library
   docs        rustdoc, warnings denied
-  book        its programs with all features; its pictures are what the examples draw; where mdbook is there, it builds
-              and its links resolve
+  features    programs of the book and tests that need a feature: lanes of SIMD vectors, 31 digits
+  book        its pictures are what the examples draw; where mdbook is there, it builds and its links resolve
   ui          messages about mistakes that the compiler finds in types
   random      10 000 random systems (or CASES of them) against dual numbers
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
   packages    each package is complete: it is built from what would be published
-  benchmarks  the benchmark crate builds (its lints cover the peers from crates, too)
-  lanes       several motions in the lanes of SIMD vectors
-  digits      the scalar of 31 digits, with both libraries of math, and the example that uses it
+  benchmarks  the benchmark crate builds, optimised
+  digits      31 digits with the other library of math, and the example that uses them
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
   contacts    ten thousand random systems with contacts and friction
@@ -26,26 +25,33 @@ usage: scripts/check.sh NAME …
               the same in release: the compiler needs more than 16 GB for it, so it is in no list
   firmware    the same bits on microcontrollers and WebAssembly, no panic, no double, sizes (installs emulators); FIRMWARE
               names another part of scripts/firmware.sh
+  gallery     the systems in the browser: they move in Chromium (installs it), on a phone and for a screen reader, too
+  gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
+              nightly toolchain and NVIDIA's assembler)
   all         everything above
-  ci          the same without contacts and packages, of firmware what needs no nightly toolchain
+  ci          the same without random, packages, benchmarks, digits, contacts, gallery and gpu, and of firmware what needs no nightly
+              toolchain
 EOF
 }
 
 fmt() { cargo fmt --all --check; }
 
 clippy() {
-    cargo clippy --workspace --all-targets --features lagrangian/wide,lagrangian/double-double -- -D warnings
-    cargo clippy -p benchmarks --all-targets --features peers -- -D warnings
+    cargo clippy --workspace --all-targets --features lagrangian/wide,lagrangian/double-double,benchmarks/peers -- -D warnings
     cargo clippy -p lagrange-runtime --no-default-features --features libm,double-double -- -D warnings
 }
 
 docs() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --exclude benchmarks --features lagrangian/double-double; }
 
-# `cargo test` runs its programs but for those that need a feature.
-book() {
-    cargo test --features wide,double-double --doc book/src/
-    scripts/book.sh check
+# One build with all features for everything that `cargo test` leaves out.
+features() {
+    local all=wide,double-double
+    cargo test --features $all --test batch --test digits
+    cargo test --features $all --doc book/src/
+    cargo test -p lagrange-runtime --features $all --lib -- double_double digits lanes
 }
+
+book() { scripts/book.sh check; }
 
 ui() { cargo test --test ui_types; }
 
@@ -57,11 +63,7 @@ packages() { cargo package --workspace --exclude benchmarks --allow-dirty --quie
 
 benchmarks() { cargo build --release -p benchmarks; }
 
-lanes() { cargo test --features wide --test batch; }
-
 digits() {
-    cargo test -p lagrange-runtime --features double-double --lib -- double_double digits
-    cargo test --features double-double --test digits
     cargo test --features double-double,libm --test digits
     cargo run --release --features double-double --example true_digits
 }
@@ -78,15 +80,19 @@ stack-release() { cargo test --release --test stack; }
 
 firmware() { scripts/firmware.sh "${FIRMWARE:-all}"; }
 
+gallery() { scripts/gallery.sh test; }
+
+gpu() { scripts/gpu.sh all; }
+
 [ $# -gt 0 ] || { usage; exit 2; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | book | ui | random | packages | benchmarks | lanes | digits | long | drift | contacts | stack | stack-release | firmware)
+        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | digits | long | drift | contacts | stack | stack-release | gallery | gpu | firmware)
             "$name" ;;
-        all) fmt; clippy; docs; book; ui; stack; random; command_line; packages; benchmarks; lanes; digits; long; drift; contacts; firmware ;;
+        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; digits; long; drift; contacts; firmware; gallery; gpu ;;
         ci)
-            fmt; clippy; docs; book; ui; stack; random; command_line; benchmarks; lanes; digits; long; drift
+            fmt; clippy; docs; features; book; ui; stack; command_line; long; drift
             FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac

@@ -110,6 +110,9 @@
 #[cfg(feature = "ensemble")]
 pub use lagrange_ensemble as ensemble;
 pub use lagrange_macros::lagrangian_facade as lagrangian;
+/// Pictures of motions: phase portraits, energies, reactions, and drawings that move.
+#[cfg(feature = "pictures")]
+pub use lagrange_pictures as pictures;
 pub use lagrange_runtime::*;
 
 /// What generated code names. No part of the public interface.
@@ -153,6 +156,7 @@ mod documents {
         Analysis "../book/src/analysis.md"
         Integrators "../book/src/integrators.md"
         Accuracy "../book/src/accuracy.md"
+        Pictures "../book/src/pictures.md"
         Command "../book/src/command.md"
         Errors "../book/src/errors.md"
         ManyMotions "../book/src/many-motions.md"

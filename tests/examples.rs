@@ -1,5 +1,5 @@
 //! Runs every example: `cargo test` alone only compiles them.
-// Each example includes the charts for itself.
+// Two examples include the same study.
 #![allow(clippy::duplicate_mod)]
 
 use std::collections::BTreeSet;

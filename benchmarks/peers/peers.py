@@ -3,11 +3,12 @@
     python3 benchmarks/peers/peers.py run [--system S] [--subject NAME] [--json FILE]
     python3 benchmarks/peers/peers.py serve
     python3 benchmarks/peers/peers.py nonsmooth
+    python3 benchmarks/peers/peers.py many
 
 The first call makes a virtual environment beside this file and installs `requirements.txt` into it. `run`
 prints and writes one record for each system, subject and tolerance. `serve` answers requests line by line,
 see `server.py`; the command `report` uses it to measure these subjects and ours in turn. `nonsmooth` does so for systems
-with contacts, see `nonsmooth/serve.py`.
+with contacts, see `nonsmooth/serve.py`, `many` for studies of many motions by heyoka, see `many/serve.py`.
 """
 
 from __future__ import annotations
@@ -44,7 +45,8 @@ def install() -> None:
 def main() -> None:
     """Installs what is missing and hands over to the server inside the environment."""
     install()
-    script = HERE / ("nonsmooth/serve.py" if sys.argv[1:] == ["nonsmooth"] else "server.py")
+    others = [name for name in ("nonsmooth", "many") if sys.argv[1:] == [name]]
+    script = HERE / (f"{others[0]}/serve.py" if others else "server.py")
     os.execv(PYTHON, [str(PYTHON), str(script), *sys.argv[1:]])
 
 

@@ -1,13 +1,15 @@
 //! What the program of a robot does: it answers requests about its states, line by line.
 //!
-//! `names`; `evaluate accelerations`, `evaluate derivatives`; `time SUBJECT SECONDS`. The states stand in the
-//! file that the program is given: a count, then coordinates, velocities and inputs of each.
+//! `names`; `evaluate accelerations`, `evaluate derivatives`, `evaluate motions`; `time SUBJECT SECONDS`. The
+//! states stand in the file that the program is given: a count, then coordinates, velocities and inputs of each.
 
 use std::hint::black_box;
 use std::io::Write as _;
 use std::time::Instant;
 
-use lagrangian::{Linearized, State, System};
+use lagrangian::integrator::FixedStep;
+use lagrangian::prelude::*;
+use lagrangian::{Linearized, System};
 
 /// What a request is about.
 type Answer<'a> = dyn Fn(&str, Option<f64>) -> String + 'a;
@@ -64,6 +66,54 @@ pub fn derivatives<S: Linearized<N, K, Scalar = f64>, const N: usize, const K: u
         }
         ("generated-derivatives", Some(seconds)) => fastest(&states, seconds, |(state, u)| {
             let _ = black_box(robot.jacobians(black_box(state), u));
+        }),
+        _ => panic!("unknown request {what}"),
+    });
+}
+
+/// How far motions go [s].
+const END: f64 = 0.5;
+/// Steps of fixed length, and that length [s].
+const STEPS: u32 = 10;
+const STEP: f64 = 1e-3;
+
+/// Serves motions.
+pub fn motions<S, const N: usize, const K: usize>(robot: &S, names: &[&str; N])
+where
+    S: System<N, K, Scalar = f64>,
+    Jet<8>: FixedStep<S, N, K>,
+{
+    let states = states::<N, K>();
+    let constants = robot.constants();
+    let steps = |(state, u): &(State<f64, N>, [f64; K])| {
+        let mut stepper = robot.stepper::<Jet<8>>(*state);
+        for _ in 0..STEPS {
+            stepper.step(STEP, u).expect("a regular state");
+        }
+        *stepper.state()
+    };
+    let motion = |(state, _): &(State<f64, N>, [f64; K])| {
+        let mut motion = robot.simulate(*state).with_tolerance(1e-12);
+        *motion.advance_to(END).expect("a regular motion")
+    };
+    serve(names, &|what, seconds| match (what, seconds) {
+        ("motions", None) => {
+            let mut text = String::new();
+            for state in &states {
+                tell(&mut text, &steps(state).q);
+                tell(&mut text, &motion(state).q);
+            }
+            text
+        }
+        ("accelerations-in-turn", Some(seconds)) => fastest(&states, seconds, |(state, u)| {
+            let state = black_box(state);
+            black_box(robot.accelerations_at(&constants, state.t, &state.q, &state.v, u));
+        }),
+        ("steps", Some(seconds)) => fastest(&states, seconds, |state| {
+            black_box(steps(black_box(state)));
+        }),
+        ("motion", Some(seconds)) => fastest(&states, seconds, |state| {
+            black_box(motion(black_box(state)));
         }),
         _ => panic!("unknown request {what}"),
     });

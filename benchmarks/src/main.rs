@@ -1,9 +1,10 @@
-//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report | nonsmooth | stability | robots`.
+//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report | nonsmooth | stability | robots | many`.
 //!
 //! A figure counts only as a ratio within one run: all subjects of a system are timed in turn,
 //! on the same states, and absolute times drift between machines.
 
 mod fixed;
+mod many;
 mod native;
 mod nonsmooth;
 mod precision;
@@ -109,6 +110,13 @@ enum Benchmark {
         #[arg(long)]
         quick: bool,
     },
+    /// Studies of many motions beside heyoka, threads, and what the library costs besides, into MANY.md.
+    Many {
+        #[command(flatten)]
+        common: Common,
+        #[command(flatten)]
+        runs: Runs,
+    },
     /// All integrators on what is hard for integrators, into STABILITY.md and its picture.
     Stability {
         #[command(flatten)]
@@ -136,6 +144,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         Benchmark::Robots { common: Common { system, json }, full, quick } => {
             robots::run(system.as_deref(), json.as_deref(), robots::Extent { full, quick })
+        }
+        Benchmark::Many { common: Common { system, json }, runs } => {
+            // Threads are measured: no core is pinned.
+            native::enter(runs.portable, false)?;
+            let extent = if runs.quick { many::Extent::QUICK } else { many::Extent::FULL };
+            many::run(system.as_deref(), json.as_deref(), extent)
         }
         Benchmark::Stability { common: Common { system, json }, full } => {
             native::pin();

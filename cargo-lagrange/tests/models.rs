@@ -1,7 +1,7 @@
 //! `equations`, `structure`, `cost`, `expand`, `verify` and `new`.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
 const TEMPLATE: &str = "template/main.rs";

@@ -488,6 +488,7 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
             constraints: &["rod"],
         };
         const CONSTRAINED: bool = true;
+        const CONSERVES_ENERGY: bool = true;
         #[inline]
         fn accelerations_at(
             &self,

@@ -10,7 +10,7 @@ use crate::emit::{
     ANALYSIS_METHODS, COMPLETIONS, CONSTRAINT_METHODS, Emission, METHODS, STATE_METHOD, emit,
     is_force_on_place, stubs,
 };
-use crate::mechanics::{Equations, Turning};
+use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::orders::Expansions;
 use crate::schedule::{Operations, plan};
@@ -55,7 +55,8 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     if diagnostics.has_errors() {
         return None;
     }
-    let turning = Turning::of(&mut model);
+    let described = (!model.turning.is_empty()).then(|| model.clone());
+    let turning = mechanics::turning(&mut model);
     eliminate::in_parameters(&mut model);
     let equations = mechanics::derive(&mut model, &|lint| item.allows(lint), diagnostics)?;
     names_are_free(item, &model, &equations, diagnostics);
@@ -75,7 +76,8 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     let jets = jets::derive(&mut model, solved);
     let orders = jets.as_ref().map(|jets| Expansions::plan(&mut model, solved, &solution, jets));
     contacts_stand_alone(item, &model, diagnostics);
-    let switching = regimes::derive(&model, equations.energy, jets.is_some(), diagnostics);
+    let switching =
+        regimes::derive(&model, described.as_ref(), equations.energy, jets.is_some(), diagnostics);
     if diagnostics.has_errors() {
         return None;
     }

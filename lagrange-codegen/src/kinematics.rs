@@ -14,25 +14,22 @@ use crate::number::Number;
 
 /// The direction (v, 0, 1) of (q, v, t): total time derivatives at a = 0.
 pub(crate) fn time_direction(graph: &mut Graph, coordinates: usize) -> Vec<(NodeId, NodeId)> {
-    turning_direction(graph, coordinates, &[], Variable::Spin)
+    turning_direction(graph, coordinates, &[])
 }
 
-/// The same where the matrices of these orientations are variables: R′ = R \[ω]ₓ. In the places of the three
-/// numbers of one stands ω, variables of this kind.
+/// The same where the matrices of these orientations are variables: R′ = R \[ω]ₓ, with ω in the places of the
+/// velocities.
 pub(crate) fn turning_direction(
     graph: &mut Graph,
     coordinates: usize,
     turning: &[usize],
-    spin: fn(u32) -> Variable,
 ) -> Vec<(NodeId, NodeId)> {
     let mut direction = Vec::with_capacity(coordinates + 9 * turning.len() + 1);
     for i in 0..coordinates as u32 {
-        let turns = turning.iter().any(|&first| (first..first + 3).contains(&(i as usize)));
-        let rate = if turns { spin(i) } else { Variable::Velocity(i) };
-        direction.push((graph.variable(Variable::Coordinate(i)), graph.variable(rate)));
+        direction.push((graph.variable(Variable::Coordinate(i)), graph.variable(Variable::Velocity(i))));
     }
     for (place, &first) in turning.iter().enumerate() {
-        let spin = [0, 1, 2].map(|i| graph.variable(spin(first as u32 + i)));
+        let spin = orientation::spin(graph, first);
         for row in orientation::entries(graph, place) {
             direction.extend(row.into_iter().zip(cross(graph, &row, &spin)));
         }

@@ -18,14 +18,25 @@ impl Layout {
 
     /// Bytes of a row.
     pub(crate) fn row(&self) -> usize {
-        let values: usize = self.columns.iter().map(|column| column.kind.size()).sum();
-        values + usize::from(!self.is_plain())
+        self.values() + usize::from(!self.is_plain())
     }
 
-    /// Appends the row of a motion: of one without a result, what [`Kind`] says.
-    pub(crate) fn close(&self, row: &mut Vec<u8>, start: usize, failed: bool) {
+    /// Bytes of the values of a row.
+    fn values(&self) -> usize {
+        self.columns.iter().map(|column| column.kind.size()).sum()
+    }
+
+    /// Why a record does not fit into its columns, if it has so many bytes.
+    pub(crate) fn misfit(&self, bytes: usize) -> Option<Failure> {
+        let values = self.values();
+        let words = || format!("`Record::store` wrote {bytes} bytes, but `Record::columns` take {values}");
+        (bytes != values).then(|| Failure::new(words()))
+    }
+
+    /// Ends the row of a motion: of one without a result, what [`Kind`] says.
+    pub(crate) fn close(&self, row: &mut Vec<u8>, failed: bool) {
         if failed {
-            row.truncate(start);
+            row.clear();
             for column in &self.columns {
                 match column.kind {
                     Kind::F64 => row.extend_from_slice(&f64::NAN.to_le_bytes()),

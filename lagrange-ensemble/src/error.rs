@@ -79,6 +79,11 @@ pub enum Error {
         /// How many columns there are.
         columns: usize,
     },
+    /// The motions of this system cannot be kept apart in the lanes of a vector.
+    NotInLanes {
+        /// What the system has.
+        why: &'static str,
+    },
     /// The product of a shape is not the number of motions.
     InvalidShape {
         /// The shape.
@@ -146,6 +151,10 @@ impl fmt::Display for Error {
                 out,
                 "{names:?} cannot name {columns} columns: give as many names, different ones, none empty, none of them \
                  `index`, `error` or `error_time`"
+            ),
+            Self::NotInLanes { why } => write!(
+                out,
+                "the motions of this system cannot run in lanes: it {why}; leave `in_lanes` out, and they run one by one"
             ),
             Self::InvalidShape { shape, count } => {
                 write!(out, "{count} motions do not fill the shape {shape:?}")

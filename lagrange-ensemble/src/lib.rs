@@ -59,27 +59,32 @@
 //! | type | what it is |
 //! | --- | --- |
 //! | [`Ensemble`] | motions by their index; makes studies of ends, samples, event times, or your own reduction |
+//! | [`InLanes`] | the same motions in the lanes of SIMD vectors: ends and samples |
+//! | [`Chance`] | random numbers that follow from a seed and the index |
 //! | [`Study`] | a table whose rows are a function of their index: `run()` in memory, `in_folder(…)` |
 //! | [`StoredStudy`] | the same in a folder: goes on after a kill, `part(k, n)` |
 //! | [`Table`] | the rows; `write` as `.npy`, CSV, Parquet |
 //! | [`Record`] | what a motion leaves: numbers, states, arrays, tuples, types of yours |
 //!
-//! Motions run one by one in each thread, systems with constraints and contacts like all others. The lanes of
-//! `Batch` are no part of it: all lanes of a batch expand anew when one of them needs another unit of time, and
-//! lanes of constrained systems share their pivots, so the last bits of a motion would depend on its neighbours.
+//! Motions run one by one in each thread, systems with constraints and contacts like all others. Smooth systems
+//! without constraints run several at once in the lanes of a vector by [`Ensemble::in_lanes`]: a lane that has
+//! arrived takes the next motion.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 mod block;
+mod chance;
 mod ensemble;
 mod error;
 mod failure;
 mod fingerprint;
 mod grid;
+mod lanes;
 mod output;
 mod part;
 mod progress;
 mod record;
+mod row;
 mod store;
 mod stored;
 mod study;
@@ -87,12 +92,15 @@ mod table;
 mod whole;
 mod work;
 
-pub use ensemble::{Ensemble, Motion, Row, Start, States};
+pub use chance::Chance;
+pub use ensemble::{Ensemble, Motion, Start, States};
 pub use error::Error;
 pub use failure::Failure;
 pub use grid::Grid;
+pub use lanes::InLanes;
 pub use progress::Progress;
 pub use record::{Cells, Column, Kind, Record};
+pub use row::Row;
 pub use stored::{OpenStudy, StoredStudy};
 pub use study::Study;
 pub use table::Table;

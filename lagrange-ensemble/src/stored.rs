@@ -1,14 +1,17 @@
 //! [`StoredStudy`]: a study in a folder, which goes on after a kill and is shared by several jobs.
 
+use std::cell::Cell;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
 use rayon::prelude::*;
 
+use crate::block::Block;
+use crate::chance::scattered;
 use crate::error::Error;
-use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::record::Record;
+use crate::row::Row;
 use crate::store::Store;
 use crate::study::Study;
 use crate::table::Table;
@@ -29,7 +32,7 @@ pub struct StoredStudy<F, T> {
 
 impl<F, T> StoredStudy<F, T>
 where
-    F: Fn(u64) -> Result<T, Failure> + Sync,
+    F: Row<T>,
     T: Record,
 {
     pub(crate) fn new(study: Study<F, T>, folder: PathBuf) -> Self {
@@ -115,7 +118,7 @@ pub struct OpenStudy<'a, F, T> {
 
 impl<F, T> OpenStudy<'_, F, T>
 where
-    F: Fn(u64) -> Result<T, Failure> + Sync,
+    F: Row<T>,
     T: Record,
 {
     /// The numbers of parts that were missing, or damaged, when the folder was opened.
@@ -134,8 +137,17 @@ where
     /// As [`StoredStudy::run`].
     pub fn compute(&self, dispatch: &dyn Dispatch, progress: &Progress) -> Result<(), Error> {
         let Self { study, store, .. } = self;
-        let motion = |index, row: &mut Vec<u8>| study.append(&store.layout, index, row);
-        work::compute(&study.pool()?, store.parts, dispatch, &motion, progress, |block| store.write(block))?;
+        let motions = |first, count, at: &Cell<u64>, block: &mut Block| {
+            study.append(&store.layout, first, count, at, block)
+        };
+        work::compute(
+            (&study.pool()?, study.at_once()),
+            store.parts,
+            dispatch,
+            &motions,
+            progress,
+            |block| store.write(block),
+        )?;
         store.flush()
     }
 
@@ -188,22 +200,16 @@ where
         let (first, count) = store.parts.part(part);
         // Any motion of it, another one in each part.
         let index = first + scattered(part) % count.max(1);
-        let (mut row, mut failure) = (Vec::new(), None);
-        work::guarded(index, || failure = study.append(&store.layout, index, &mut row))?;
+        let mut again = Block::default();
+        work::guarded(|at| study.append(&store.layout, index, 1, at, &mut again))?;
         let start = (index - first) as usize * store.layout.row();
         let found = block.failures.binary_search_by_key(&index, |(failed, _)| *failed);
-        let found = found.ok().and_then(|place| block.failures.get(place)).map(|(_, failure)| failure);
-        if block.rows.get(start..start + row.len()) != Some(&row) || found != failure.as_ref() {
+        let found = found.ok().and_then(|place| block.failures.get(place));
+        if block.rows.get(start..start + again.rows.len()) != Some(&again.rows)
+            || found != again.failures.first()
+        {
             return Err(Error::NotTheSame { path: store.path(part), index });
         }
         Ok(true)
     }
-}
-
-/// A number that looks like chance: the finaliser of SplitMix64.
-fn scattered(part: u64) -> u64 {
-    let x = part.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
 }

@@ -1,17 +1,19 @@
 //! [`Study`]: a table whose rows are a function of their index, computed by threads.
 
+use std::cell::Cell;
 use std::marker::PhantomData;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::block::Layout;
+use crate::block::{Block, Layout};
 use crate::error::Error;
 use crate::failure::Failure;
 use crate::fingerprint::Fingerprint;
 use crate::progress::Progress;
 use crate::record::Record;
+use crate::row::Row;
 use crate::store::Store;
 use crate::stored::StoredStudy;
 use crate::table::Table;
@@ -20,6 +22,10 @@ use crate::work::{self, InOrder, Parts};
 /// Bytes of the stack of a thread. The tables of large systems stand on it, several times in builds without
 /// optimisation; pages that are not used cost nothing.
 const STACK: usize = 64 << 20;
+
+/// The least number of motions of a part in lanes, unless it is told: each of four threads fills eight lanes several
+/// times. It does not depend on the length of vectors, so that the files do not.
+const IN_LANES: u64 = 512;
 
 /// Motions of a part unless it is told: so many that a study has about a hundred parts, and no more than a
 /// part should have in memory.
@@ -51,10 +57,16 @@ where
     /// A study of `count` rows. `row` must be a function of the index and of nothing else: no clock, no random
     /// numbers but those that the index seeds. The name is that of its files.
     pub fn new(name: impl Into<String>, count: u64, row: F) -> Self {
+        Self::of_rows(name, count, row)
+    }
+}
+
+impl<F: Row<T>, T: Record> Study<F, T> {
+    pub(crate) fn of_rows(name: impl Into<String>, count: u64, row: F) -> Self {
         Self {
             name: name.into(),
             count,
-            size: part_size(count),
+            size: part_size(count).max(if row.at_once() > 1 { IN_LANES } else { 1 }),
             row,
             names: None,
             settings: String::new(),
@@ -82,7 +94,7 @@ where
 
     /// Motions of a part: what is lost, a thread, when a run is killed, and what a thread keeps in memory.
     /// Choose it so that a part takes between a second and some minutes. Default: a 128th of the study, at
-    /// least 64 and at most 65 536. Zero is one.
+    /// least 64, in lanes 512, and at most 65 536. Zero is one.
     #[must_use]
     pub fn with_part_size(mut self, motions: u64) -> Self {
         self.size = motions.max(1);
@@ -131,10 +143,10 @@ where
         let blocks = Mutex::new(Vec::new());
         let all = InOrder::new(0..parts.number());
         let verdict = work::compute(
-            &pool,
+            (&pool, self.at_once()),
             parts,
             &all,
-            &|index, row| self.append(&layout, index, row),
+            &|first, count, at, block| self.append(&layout, first, count, at, block),
             &progress,
             |block| {
                 work::locked(&blocks).push(block);
@@ -151,19 +163,45 @@ where
     /// # Errors
     /// Why there is none.
     pub fn row(&self, index: u64) -> Result<T, Failure> {
-        (self.row)(index)
+        self.row.row(index)
     }
 
-    /// Appends the row of an index.
-    pub(crate) fn append(&self, layout: &Layout, index: u64, row: &mut Vec<u8>) -> Option<Failure> {
-        let start = row.len();
-        let failure = self.row(index).map(|record| record.store(row)).err();
-        layout.close(row, start, failure.is_some());
-        failure
+    /// Appends the rows of consecutive indices to a block that has none. `at` is the one that a function of the
+    /// user works on.
+    pub(crate) fn append(&self, layout: &Layout, first: u64, count: u64, at: &Cell<u64>, block: &mut Block) {
+        let size = layout.row();
+        block.first = first;
+        block.rows.resize(count as usize * size, 0);
+        let mut row = Vec::with_capacity(size);
+        self.row.rows(first, count, at, &mut |index, result| {
+            row.clear();
+            let failure = match result {
+                Ok(record) => {
+                    record.store(&mut row);
+                    layout.misfit(row.len())
+                }
+                Err(failure) => Some(failure),
+            };
+            layout.close(&mut row, failure.is_some());
+            let start = (index - first) as usize * size;
+            if let Some(place) = block.rows.get_mut(start..start + size) {
+                place.copy_from_slice(&row);
+            }
+            block.failures.extend(failure.map(|failure| (index, failure)));
+        });
+        block.failures.sort_by_key(|(index, _)| *index);
+    }
+
+    /// How many indices a thread should take at least.
+    pub(crate) fn at_once(&self) -> u64 {
+        self.row.at_once()
     }
 
     /// The columns with their names.
     pub(crate) fn layout(&self) -> Result<Layout, Error> {
+        if let Some(why) = self.row.refusal() {
+            return Err(Error::NotInLanes { why });
+        }
         let mut columns = T::columns();
         let number = columns.len();
         let names = self.names.clone();

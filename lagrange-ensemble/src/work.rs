@@ -6,6 +6,7 @@
 //! so the parts do not show it.
 
 use std::any::Any;
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::sync_channel;
@@ -16,7 +17,6 @@ use rayon::ThreadPool;
 
 use crate::block::Block;
 use crate::error::Error;
-use crate::failure::Failure;
 use crate::progress::Progress;
 
 /// Who says which part is next: a loop over all parts, or the first rank of a cluster.
@@ -64,8 +64,8 @@ impl Parts {
     }
 }
 
-/// Appends the row of the motion of an index; its failure, if it has no result.
-pub(crate) type Motion<'a> = &'a (dyn Fn(u64, &mut Vec<u8>) -> Option<Failure> + Sync);
+/// Appends the rows of so many indices from one on; says in the cell which one a function of the user works on.
+pub(crate) type Motions<'a> = &'a (dyn Fn(u64, u64, &Cell<u64>, &mut Block) + Sync);
 
 /// A part that threads work on.
 struct Open {
@@ -89,29 +89,30 @@ struct Work<'a> {
     /// Motions that a thread takes at a time.
     grain: u64,
     dispatch: &'a dyn Dispatch,
-    motion: Motion<'a>,
+    motions: Motions<'a>,
     progress: &'a Progress,
     current: Mutex<Option<Arc<Mutex<Open>>>>,
     stopped: AtomicBool,
     panic: Mutex<Option<Error>>,
 }
 
-/// Computes parts and hands them to `sink`, in the order in which they are finished.
+/// Computes parts and hands them to `sink`, in the order in which they are finished. A thread takes `at_once`
+/// motions at least, if a part has so many.
 pub(crate) fn compute(
-    pool: &ThreadPool,
+    (pool, at_once): (&ThreadPool, u64),
     parts: Parts,
     dispatch: &dyn Dispatch,
-    motion: Motion<'_>,
+    motions: Motions<'_>,
     progress: &Progress,
     mut sink: impl FnMut(Block) -> Result<(), Error> + Send,
 ) -> Result<(), Error> {
     let threads = pool.current_num_threads();
-    let grain = (parts.size / (4 * threads as u64)).clamp(1, 256);
+    let grain = (parts.size / (4 * threads as u64)).clamp(1, 256).max(at_once.min(parts.size));
     let work = Work {
         parts,
         grain,
         dispatch,
-        motion,
+        motions,
         progress,
         current: Mutex::new(None),
         stopped: AtomicBool::new(false),
@@ -180,16 +181,11 @@ impl Work<'_> {
 
     /// Computes motions; the part, if they were the last ones of it.
     fn finish(&self, piece: Piece) -> Option<Block> {
-        let mut done = Block { first: piece.first, ..Block::default() };
-        for index in piece.first..piece.first + piece.count {
-            match guarded(index, || (self.motion)(index, &mut done.rows)) {
-                Ok(failure) => done.failures.extend(failure.map(|failure| (index, failure))),
-                Err(error) => {
-                    self.stopped.store(true, Ordering::Relaxed);
-                    locked(&self.panic).get_or_insert(error);
-                    return None;
-                }
-            }
+        let mut done = Block::default();
+        if let Err(error) = guarded(|at| (self.motions)(piece.first, piece.count, at, &mut done)) {
+            self.stopped.store(true, Ordering::Relaxed);
+            locked(&self.panic).get_or_insert(error);
+            return None;
         }
         self.progress.add(piece.count);
         let mut open = locked(&piece.part);
@@ -206,10 +202,11 @@ impl Work<'_> {
     }
 }
 
-/// The result of a function of the user, or its panic as an error.
-pub(crate) fn guarded<T>(index: u64, function: impl FnOnce() -> T) -> Result<T, Error> {
-    catch_unwind(AssertUnwindSafe(function))
-        .map_err(|panic| Error::Panicked { index, message: words(panic.as_ref()) })
+/// The result of functions of the user, or the panic of one as an error. The cell says at which index.
+pub(crate) fn guarded<T>(function: impl FnOnce(&Cell<u64>) -> T) -> Result<T, Error> {
+    let at = Cell::new(0);
+    catch_unwind(AssertUnwindSafe(|| function(&at)))
+        .map_err(|panic| Error::Panicked { index: at.get(), message: words(panic.as_ref()) })
 }
 
 /// No value behind these locks is left half changed by a panic.

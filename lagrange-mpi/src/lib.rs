@@ -31,7 +31,7 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use lagrange_ensemble::{Dispatch, Error as StudyError, Failure, Record, StoredStudy, Table};
+use lagrange_ensemble::{Dispatch, Error as StudyError, Record, Row, StoredStudy, Table};
 use mpi::Threading;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives, Destination, Root, Source};
@@ -93,7 +93,7 @@ impl From<StudyError> for Error {
 /// [`Error::NoMpi`]; as [`StoredStudy::run`] on the rank that fails, and [`Error::OtherRanks`] on others.
 pub fn run<F, T>(study: &StoredStudy<F, T>) -> Result<Option<Table<T>>, Error>
 where
-    F: Fn(u64) -> Result<T, Failure> + Sync,
+    F: Row<T>,
     T: Record,
 {
     // One thread of a rank talks to the others.
@@ -111,7 +111,7 @@ where
 /// As [`run`].
 pub fn run_on<F, T>(world: &SimpleCommunicator, study: &StoredStudy<F, T>) -> Result<Option<Table<T>>, Error>
 where
-    F: Fn(u64) -> Result<T, Failure> + Sync,
+    F: Row<T>,
     T: Record,
 {
     let first = world.rank() == 0;

@@ -14,7 +14,8 @@
 //! | [`linear`] | factorisations of small dense matrices, vectors for any scalar |
 //! | [`number`] | the scalar trait, open to scalars of your own |
 //!
-//! Nothing allocates but analyses with `std` ([`Stored`]), nothing panics, and an error leaves the motion at
+//! Nothing allocates but analyses, and many constraints that depend on each other, with `std` ([`Stored`]).
+//! Nothing panics, and an error leaves the motion at
 //! its last good state.
 //!
 //! | feature | math functions | use |
@@ -63,6 +64,7 @@ pub use integrator::{
 pub use linear::Independence;
 pub use linear::algebra::{self, PrincipalMoments};
 pub use linear::stored::{self, Stored};
+pub use motion::batch::relay::{self, Relay};
 pub use motion::batch::{self, Batch};
 pub use motion::events::{self, Crossing, Event, Events, Guard};
 pub use motion::simulation::{self, Control, Feedback, Held, Samples, Simulation, Steps};
@@ -73,7 +75,7 @@ pub use num_traits::{One, Zero};
 pub use number::real::DoubleDouble;
 #[cfg(feature = "wide")]
 pub use number::real::Lanes;
-pub use number::real::{self, Dual, Ordered, Real};
+pub use number::real::{self, Dual, Ordered, Real, Vector};
 pub use switching::{Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
 pub use system::System;
 pub use system::attitude::{self, BodyAxes, ByName, PoseVelocity};
@@ -130,7 +132,9 @@ pub mod __private {
     pub use crate::system::state::State;
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
-        pub use crate::linear::{Diagonal, Saddle, SaddlePoint, Schur, Switched};
+        pub use crate::linear::{
+            Diagonal, Pattern, Saddle, SaddlePoint, Schur, Sparse, SparseRows, Switched,
+        };
     }
     pub mod jets {
         //! Recurrences of Taylor coefficients.

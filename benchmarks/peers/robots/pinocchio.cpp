@@ -3,12 +3,11 @@
 //   pinocchio MODEL STATES
 //
 // MODEL is what `robots.py` writes: the joints of a model of Pinocchio. STATES has a count and coordinates,
-// velocities and torques of each state, in the order of that model; a floating base has x, y, z, yaw, pitch,
-// roll. Requests come line by line: `evaluate accelerations`, `evaluate derivatives`, `time SUBJECT SECONDS`.
+// velocities and torques of each state, in the order of that model; a floating base has x, y, z and either yaw,
+// pitch, roll or three parameters of its orientation. Requests come line by line: `evaluate accelerations`, `evaluate derivatives`, `time SUBJECT SECONDS`.
 //
 // A floating base is a free flyer with a quaternion, as everybody uses it. Values are converted to those of
-// three shifts and three angles, the coordinates of the description that they are compared with; times are
-// without that.
+// the coordinates of the description that they are compared with; times are without that.
 
 #include <pinocchio/multibody.hpp>
 
@@ -36,11 +35,14 @@ template <class T> using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T> using Vector6 = Eigen::Matrix<T, 6, 1>;
 template <class T> using Matrix3 = Eigen::Matrix<T, 3, 3>;
 
+/// The coordinates that a description has for a base.
+enum class Base { none, angles, pose };
+
 /// A model, and the damping of its joints.
 struct Robot {
   Model model;
   VectorXd damping;
-  bool floating = false;
+  Base base = Base::none;
 };
 
 template <class Matrix> void read(std::istream &in, Matrix &&entries) {
@@ -59,7 +61,7 @@ JointModel joint(const std::string &kind, const Eigen::Vector3d &axis) {
   if (kind == "PZ") return JointModelPZ();
   if (kind == "R") return JointModelRevoluteUnaligned(axis);
   if (kind == "P") return JointModelPrismaticUnaligned(axis);
-  if (kind == "free") return JointModelFreeFlyer();
+  if (kind == "angles" || kind == "pose") return JointModelFreeFlyer();
   throw std::runtime_error("unknown joint " + kind);
 }
 
@@ -86,8 +88,8 @@ Robot load(const char *path) {
     read(in, inertia);
     const auto index = robot.model.addJoint(parent, joint(kind, axis), placement, name);
     robot.model.appendBodyToJoint(index, Inertia(mass, centre, inertia));
-    if (kind == "free") {
-      robot.floating = true;
+    if (kind == "angles" || kind == "pose") {
+      robot.base = kind == "pose" ? Base::pose : Base::angles;
       damping.insert(damping.end(), 6, 0.0);
     } else {
       damping.push_back(damped);
@@ -114,96 +116,134 @@ std::vector<State> states(const char *path, Eigen::Index n) {
   return all;
 }
 
-/// The rotation of yaw, pitch, roll.
-template <class T> Matrix3<T> rotation(const Vector3<T> &angles) {
-  using std::cos, std::sin;
-  const T cy = cos(angles[0]), sy = sin(angles[0]), cp = cos(angles[1]), sp = sin(angles[1]);
-  const T cr = cos(angles[2]), sr = sin(angles[2]);
-  Matrix3<T> turned;
-  turned << cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr, //
-      sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr,       //
-      -sp, cp * sr, cp * cr;
-  return turned;
-}
-
-/// The angular velocity in the base for the rates of yaw, pitch, roll.
-template <class T> Matrix3<T> rates(const Vector3<T> &angles) {
-  using std::cos, std::sin;
-  const T cp = cos(angles[1]), sp = sin(angles[1]), cr = cos(angles[2]), sr = sin(angles[2]);
-  Matrix3<T> matrix;
-  matrix << -sp, T(0), T(1), cp * sr, cr, T(0), cp * cr, -sr, T(0);
-  return matrix;
-}
-
-/// The velocity of a free flyer for those of shifts and angles.
-template <class T> Vector6<T> flying(const Vector3<T> &angles, const Vector6<T> &v) {
-  Vector6<T> twist;
-  twist << rotation(angles).transpose() * v.template head<3>(), rates(angles) * v.template tail<3>();
-  return twist;
-}
-
 /// a × b. That of Eigen conjugates complex numbers.
 template <class T> Vector3<T> crossed(const Vector3<T> &a, const Vector3<T> &b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The accelerations of shifts and angles for those of a free flyer.
+/// a · b, likewise.
+template <class T> T dotted(const Vector3<T> &a, const Vector3<T> &b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The matrix of v ×.
+template <class T> Matrix3<T> skew(const Vector3<T> &v) {
+  Matrix3<T> matrix;
+  matrix << T(0), -v[2], v[1], v[2], T(0), -v[0], -v[1], v[0], T(0);
+  return matrix;
+}
+
+/// Yaw, pitch, roll; or modified Rodrigues parameters ρ = 4 tan(θ/4) n of a turn by θ about n.
+template <class T> struct Turn {
+  Base base;
+  Vector3<T> numbers;
+
+  /// 1/(1 + |ρ|²/16) = cos²(θ/4).
+  T reciprocal() const { return T(1) / (T(1) + dotted<T>(numbers, numbers) / T(16)); }
+
+  /// From the base to the world.
+  Matrix3<T> rotation() const {
+    using std::cos, std::sin;
+    if (base == Base::pose) {
+      // A quaternion (w, u).
+      const T d = reciprocal(), w = T(2) * d - T(1);
+      const Matrix3<T> across = skew<T>(numbers * (d / T(2)));
+      return Matrix3<T>::Identity() + across * (T(2) * w) + across * across * T(2);
+    }
+    const T cy = cos(numbers[0]), sy = sin(numbers[0]), cp = cos(numbers[1]), sp = sin(numbers[1]);
+    const T cr = cos(numbers[2]), sr = sin(numbers[2]);
+    Matrix3<T> turned;
+    turned << cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr, //
+        sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr,       //
+        -sp, cp * sr, cp * cr;
+    return turned;
+  }
+
+  /// The angular velocity in the base for the rates of the numbers.
+  Matrix3<T> rates() const {
+    using std::cos, std::sin;
+    if (base == Base::pose) {
+      const T d = reciprocal(), w = T(2) * d - T(1);
+      const Vector3<T> u = numbers * (d / T(2));
+      return (Matrix3<T>::Identity() * w - skew<T>(u) + u * numbers.transpose() / T(4)) * d;
+    }
+    const T cp = cos(numbers[1]), sp = sin(numbers[1]), cr = cos(numbers[2]), sr = sin(numbers[2]);
+    Matrix3<T> matrix;
+    matrix << -sp, T(0), T(1), cp * sr, cr, T(0), cp * cr, -sr, T(0);
+    return matrix;
+  }
+
+  /// The derivative of `rates` in time, times the rates.
+  Vector3<T> change(const Vector3<T> &v) const {
+    using std::cos, std::sin;
+    if (base == Base::pose) {
+      const T d = reciprocal(), growth = dotted<T>(numbers, v) / T(8);
+      const Vector3<T> turning = rates() * v;
+      return numbers * (d * d * dotted<T>(v, v) / T(8)) - turning * (T(2) * d * growth);
+    }
+    const T cp = cos(numbers[1]), sp = sin(numbers[1]), cr = cos(numbers[2]), sr = sin(numbers[2]);
+    const T yaw = v[0], pitch = v[1], roll = v[2];
+    return {-yaw * pitch * cp, -pitch * roll * sr + yaw * roll * cr * cp - yaw * pitch * sr * sp,
+            -pitch * roll * cr - yaw * roll * sr * cp - yaw * pitch * cr * sp};
+  }
+};
+
+/// The velocity of a free flyer for those of a description.
+template <class T> Vector6<T> flying(const Turn<T> &turn, const Vector6<T> &v) {
+  Vector6<T> twist;
+  twist << turn.rotation().transpose() * v.template head<3>(), turn.rates() * v.template tail<3>();
+  return twist;
+}
+
+/// The accelerations of a description for those of a free flyer.
 template <class T>
-Vector6<T> angular(const Vector3<T> &angles, const Vector6<T> &v, const Vector6<T> &accelerations) {
-  using std::cos, std::sin;
-  const T cp = cos(angles[1]), sp = sin(angles[1]), cr = cos(angles[2]), sr = sin(angles[2]);
-  const T yaw = v[3], pitch = v[4], roll = v[5];
-  const Vector6<T> twist = flying(angles, v);
+Vector6<T> angular(const Turn<T> &turn, const Vector6<T> &v, const Vector6<T> &accelerations) {
+  const Vector6<T> twist = flying(turn, v);
   const Vector3<T> moving = twist.template head<3>(), turning = twist.template tail<3>();
-  // The derivative of `rates` in time, times the rates.
-  const Vector3<T> change(-yaw * pitch * cp,
-                          -pitch * roll * sr + yaw * roll * cr * cp - yaw * pitch * sr * sp,
-                          -pitch * roll * cr - yaw * roll * sr * cp - yaw * pitch * cr * sp);
-  // Its inverse.
-  Matrix3<T> inverse;
-  inverse << T(0), sr / cp, cr / cp, T(0), cr, -sr, T(1), sr * sp / cp, cr * sp / cp;
+  const Vector3<T> beside = accelerations.template tail<3>() - turn.change(v.template tail<3>());
   Vector6<T> result;
-  result << rotation(angles) * (accelerations.template head<3>() + crossed<T>(turning, moving)),
-      inverse * (accelerations.template tail<3>() - change);
+  result << turn.rotation() * (accelerations.template head<3>() + crossed<T>(turning, moving)),
+      turn.rates().inverse() * beside;
   return result;
 }
 
 /// The same state of a free flyer.
-State flying(const State &state) {
-  const Vector3<double> angles = state.q.segment<3>(3);
-  const Eigen::Quaterniond quaternion(rotation(angles));
+State flying(Base base, const State &state) {
+  const Turn<double> turn{base, state.q.segment<3>(3)};
+  const Eigen::Quaterniond quaternion(turn.rotation());
   State result{VectorXd(state.q.size() + 1), state.v, state.tau};
   result.q << state.q.head<3>(), quaternion.coeffs(), state.q.tail(state.q.size() - 6);
-  result.v.head<6>() = flying<double>(angles, state.v.head<6>());
+  result.v.head<6>() = flying<double>(turn, state.v.head<6>());
   return result;
 }
 
-/// Accelerations of shifts and angles.
-VectorXd described(const State &state, VectorXd accelerations) {
-  const Vector6<double> base = accelerations.head<6>();
-  accelerations.head<6>() = angular<double>(state.q.segment<3>(3), state.v.head<6>(), base);
+/// Accelerations of a description.
+VectorXd described(Base base, const State &state, VectorXd accelerations) {
+  const Vector6<double> flyer = accelerations.head<6>();
+  const Turn<double> turn{base, state.q.segment<3>(3)};
+  accelerations.head<6>() = angular<double>(turn, state.v.head<6>(), flyer);
   return accelerations;
 }
 
-/// Their derivatives by shifts and angles or by their velocities, by the chain rule. The functions above are
+/// Their derivatives by coordinates or by velocities, by the chain rule. The functions above are
 /// differentiated by a step in the complex plane, which loses no digits.
-MatrixXd described(const State &state, const Data &data, bool by_velocities) {
+MatrixXd described(Base base, const State &state, const Data &data, bool by_velocities) {
   using Complex = std::complex<double>;
   const Eigen::Index n = state.q.size();
   const double step = 1e-100;
-  const Vector3<double> angles = state.q.segment<3>(3);
+  const Turn<double> turn{base, state.q.segment<3>(3)};
   MatrixXd result = by_velocities ? data.ddq_dv : data.ddq_dq;
-  const Matrix3<double> turned = rotation(angles), turning = rates(angles);
+  const Matrix3<double> turned = turn.rotation(), turning = turn.rates();
   // How the state of the free flyer follows the base, and how its accelerations follow that.
   for (Eigen::Index j = 0; j < n; ++j) {
-    Vector3<Complex> moved = angles.cast<Complex>();
+    Turn<Complex> moved{base, turn.numbers.cast<Complex>()};
     Vector6<Complex> v = state.v.head<6>().cast<Complex>();
     VectorXd column = result.col(j);
     if (j < 6) {
       if (by_velocities)
         v[j] += Complex(0.0, step);
       else if (j >= 3)
-        moved[j - 3] += Complex(0.0, step);
+        moved.numbers[j - 3] += Complex(0.0, step);
       column = data.ddq_dv.leftCols<6>() * (flying<Complex>(moved, v).imag() / step);
       if (!by_velocities && j < 3)
         column += data.ddq_dq.leftCols<3>() * turned.row(j).transpose();
@@ -222,7 +262,7 @@ MatrixXd described(const State &state, const Data &data, bool by_velocities) {
 class Subject {
 public:
   Subject(const Robot &robot, const std::vector<State> &all) : robot(robot), data(robot.model) {
-    for (const State &state : all) inputs.push_back(robot.floating ? flying(state) : state);
+    for (const State &state : all) inputs.push_back(robot.base == Base::none ? state : flying(robot.base, state));
   }
 
   const VectorXd &accelerations(const State &state, Convention convention) {
@@ -287,12 +327,12 @@ int main(int count, char **arguments) {
         for (std::size_t i = 0; i < all.size(); ++i) {
           if (what == "accelerations") {
             const VectorXd &a = subject.accelerations(subject.inputs[i], Convention::LOCAL);
-            tell(robot.floating ? described(all[i], a) : VectorXd(a));
+            tell(robot.base == Base::none ? VectorXd(a) : described(robot.base, all[i], a));
           } else {
             subject.derivatives(subject.inputs[i]);
             for (const bool by_velocities : {false, true}) {
-              if (robot.floating)
-                tell(described(all[i], subject.data, by_velocities));
+              if (robot.base != Base::none)
+                tell(described(robot.base, all[i], subject.data, by_velocities));
               else
                 tell(by_velocities ? subject.data.ddq_dv : subject.data.ddq_dq);
             }

@@ -33,18 +33,23 @@ FLAGS = [
     "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS",
     "-DBOOST_FUSION_INVOKE_MAX_ARITY=12",
 ]
-# Name, file, whether the base floats.
+# Name, file, and the coordinates of a base that floats.
 SYSTEMS = [
-    ("ur5", "ur_description/urdf/ur5_robot.urdf", False),
-    ("panda", "panda_description/urdf/panda.urdf", False),
-    ("a1", "a1_description/urdf/a1.urdf", False),
-    ("a1-floating", "a1_description/urdf/a1.urdf", True),
-    ("g1", "g1_description/urdf/g1_29dof_rev_1_0.urdf", False),
-    ("g1-floating", "g1_description/urdf/g1_29dof_rev_1_0.urdf", True),
-    ("talos", "talos_data/robots/talos_reduced.urdf", False),
-    ("talos-floating", "talos_data/robots/talos_reduced.urdf", True),
+    ("ur5", "ur_description/urdf/ur5_robot.urdf", None),
+    ("panda", "panda_description/urdf/panda.urdf", None),
+    ("a1", "a1_description/urdf/a1.urdf", None),
+    ("a1-floating", "a1_description/urdf/a1.urdf", "angles"),
+    ("a1-pose", "a1_description/urdf/a1.urdf", "pose"),
+    ("g1", "g1_description/urdf/g1_29dof_rev_1_0.urdf", None),
+    ("g1-floating", "g1_description/urdf/g1_29dof_rev_1_0.urdf", "angles"),
+    ("g1-pose", "g1_description/urdf/g1_29dof_rev_1_0.urdf", "pose"),
+    ("talos", "talos_data/robots/talos_reduced.urdf", None),
+    ("talos-floating", "talos_data/robots/talos_reduced.urdf", "angles"),
 ]
-BASE = ["x", "y", "z", "yaw", "pitch", "roll"]
+BASES = {
+    "angles": ["x", "y", "z", "yaw", "pitch", "roll"],
+    "pose": [f"base[{i}]" for i in range(6)],
+}
 KINDS = {
     "JointModelFreeFlyer": "free",
     "JointModelRevoluteUnaligned": "R",
@@ -88,19 +93,23 @@ def numbers(array: Any) -> str:
     return " ".join(repr(float(entry)) for entry in array.flatten())
 
 
-def export(urdf: Path, floating: bool, output: Path) -> list[str]:
+def export(urdf: Path, base: str | None, output: Path) -> list[str]:
     """Writes a model; its coordinates in order."""
     import pinocchio
 
-    base = [pinocchio.JointModelFreeFlyer()] if floating else []
-    model = pinocchio.buildModelFromUrdf(str(urdf), *base)
+    root = [pinocchio.JointModelFreeFlyer()] if base else []
+    model = pinocchio.buildModelFromUrdf(str(urdf), *root)
     lines, coordinates = [], []
     for index in range(1, model.njoints):
         joint, place, inertia = model.joints[index], model.jointPlacements[index], model.inertias[index]
         kind = KINDS[joint.shortname()]
-        axis = numbers(joint.extract().axis) if kind in ("R", "P") else "0 0 0"
         damping = 0.0 if kind == "free" else float(model.damping[joint.idx_v])
-        coordinates += BASE if kind == "free" else [model.names[index]]
+        axis = numbers(joint.extract().axis) if kind in ("R", "P") else "0 0 0"
+        if kind == "free":
+            kind = base
+            coordinates += BASES[base]
+        else:
+            coordinates.append(model.names[index])
         lines.append(
             f"{model.names[index]} {kind} {model.parents[index]} {axis} {numbers(place.rotation)} "
             f"{numbers(place.translation)} {damping!r} {inertia.mass!r} {numbers(inertia.lever)} "
@@ -119,14 +128,14 @@ def offer(folder: Path) -> None:
     prefix = Path(pinocchio.__file__).parents[4]
     robots = prefix / "share" / "example-robot-data" / "robots"
     systems = []
-    for name, file, floating in SYSTEMS:
+    for name, file, base in SYSTEMS:
         model = folder / f"{name}.txt"
-        coordinates = export(robots / file, floating, model)
+        coordinates = export(robots / file, base, model)
         systems.append(
             {
                 "name": name,
                 "urdf": str(robots / file),
-                "floating": floating,
+                "base": base,
                 "model": str(model),
                 "coordinates": coordinates,
             }

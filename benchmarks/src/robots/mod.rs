@@ -4,6 +4,7 @@
 //! and `package.rs` a package of each description, built apart. All programs answer the same requests
 //! (`program.rs`), so that they can be compared on the same states and timed in turn.
 
+mod motions;
 mod package;
 mod program;
 mod states;
@@ -35,12 +36,22 @@ struct Offer {
     systems: Vec<Robot>,
 }
 
+/// The coordinates of a base that floats.
+#[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Base {
+    /// Three shifts and three angles.
+    Angles,
+    /// A pose.
+    Pose,
+}
+
 /// A robot as Pinocchio has it.
 #[derive(Deserialize)]
 pub struct Robot {
     name: String,
     urdf: PathBuf,
-    floating: bool,
+    base: Option<Base>,
     model: PathBuf,
     coordinates: Vec<String>,
 }
@@ -70,28 +81,29 @@ pub struct Extent {
     pub quick: bool,
 }
 
+impl Extent {
+    fn rounds(self) -> usize {
+        if self.quick { 5 } else { 25 }
+    }
+}
+
 /// What one description gives, and what it is compared with.
 struct Task {
     /// The word of requests.
     what: &'static str,
     ours: &'static str,
     peers: &'static [&'static str],
-    derivatives: bool,
+}
+
+impl Task {
+    fn is_of_derivatives(&self) -> bool {
+        self.what == "derivatives"
+    }
 }
 
 const TASKS: [Task; 2] = [
-    Task {
-        what: "accelerations",
-        ours: "generated",
-        peers: &["pinocchio-aba", "pinocchio-aba-world"],
-        derivatives: false,
-    },
-    Task {
-        what: "derivatives",
-        ours: "generated-derivatives",
-        peers: &["pinocchio-derivatives"],
-        derivatives: true,
-    },
+    Task { what: "accelerations", ours: "generated", peers: &["pinocchio-aba", "pinocchio-aba-world"] },
+    Task { what: "derivatives", ours: "generated-derivatives", peers: &["pinocchio-derivatives"] },
 ];
 
 /// Measures all robots, or the one that is named.
@@ -116,18 +128,35 @@ pub fn run(only: Option<&str>, json: Option<&Path>, extent: Extent) -> Result<()
     );
     // Everything is built before anything is timed, on all cores.
     let mut built = Vec::new();
-    for robot in chosen {
+    let both = motions::both(&offer.systems, &chosen, extent);
+    for robot in chosen.iter().copied() {
         for task in &TASKS {
-            if task.derivatives && !extent.full && robot.coordinates.len() > QUICKLY_BUILT {
+            if task.is_of_derivatives() && !extent.full && robot.coordinates.len() > QUICKLY_BUILT {
                 continue;
             }
-            match packages.build(robot, task.derivatives) {
+            match packages.build(robot, task.what) {
                 Ok(package) => built.push((robot, task, package)),
                 Err(error) => failures.push(format!("{} of {}: {error}", task.ours, robot.name)),
             }
         }
     }
+    let both: Vec<_> = both
+        .into_iter()
+        .filter_map(|robots| match motions::build(&packages, robots) {
+            Ok(built) => Some((robots, built)),
+            Err(error) => {
+                failures.push(format!("motions of {}: {error}", robots[1].name));
+                None
+            }
+        })
+        .collect();
     native::pin();
+    for (robots, built) in &both {
+        match motions::measure(*robots, built, &folder, extent) {
+            Ok(measured) => records.extend(measured),
+            Err(error) => failures.push(format!("motions of {}: {error}", robots[1].name)),
+        }
+    }
     for (robot, task, package) in built {
         match measure(&offer, robot, task, &package, &folder, extent) {
             Ok(measured) => {
@@ -180,12 +209,12 @@ fn measure(
     let mut pinocchio = Program::start(&offer.program, &[&robot.model, &theirs])?;
     let request = format!("evaluate {}", task.what);
     let (found, expected) = (generated.numbers(&request)?, pinocchio.numbers(&request)?);
-    let apart = order.apart(&found, &expected, task.derivatives)?;
+    let apart = order.apart(&found, &expected, task.is_of_derivatives())?;
     if apart.is_nan() || apart > AGREEMENT {
         return Err(format!("{apart:e} from Pinocchio").into());
     }
     let mut times = vec![Vec::new(); 1 + task.peers.len()];
-    for _ in 0..if extent.quick { 5 } else { 25 } {
+    for _ in 0..extent.rounds() {
         for (place, times) in times.iter_mut().enumerate() {
             let time = match place.checked_sub(1) {
                 None => generated.time(task.ours, SECONDS)?,

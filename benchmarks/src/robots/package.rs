@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use serde::Deserialize;
 
-use super::Robot;
+use super::{Base, Robot};
 use crate::native::root;
 
 /// The program of every robot.
@@ -54,16 +54,14 @@ impl Packages {
         Ok(packages)
     }
 
-    /// Describes a robot, and builds its program.
-    pub fn build(&self, robot: &Robot, derivatives: bool) -> Result<Built, Box<dyn Error>> {
-        let (ending, call) =
-            if derivatives { ("-derivatives", "derivatives") } else { ("", "accelerations") };
-        let name = format!("{}{ending}", robot.name);
+    /// Describes a robot, and builds the program that serves something.
+    pub fn build(&self, robot: &Robot, what: &str) -> Result<Built, Box<dyn Error>> {
+        let name = format!("{}-{what}", robot.name);
         self.write(&format!("{name}/Cargo.toml"), &manifest_of(&name, &["lagrangian", "serve"]))?;
-        self.write(&format!("{name}/src/robot.rs"), &describe(robot, derivatives)?)?;
+        self.write(&format!("{name}/src/robot.rs"), &describe(robot, what == "derivatives")?)?;
         let main = format!(
             "//! {name}.\n\nmod robot;\n\nuse robot::Robot;\n\n\
-             fn main() {{\n    serve::{call}(&Robot::default(), &Robot::COORDINATES);\n}}\n"
+             fn main() {{\n    serve::{what}(&Robot::default(), &Robot::COORDINATES);\n}}\n"
         );
         self.write(&format!("{name}/src/main.rs"), &main)?;
         eprintln!("robots: building {name}");
@@ -118,9 +116,11 @@ fn describe(robot: &Robot, derivatives: bool) -> Result<String, Box<dyn Error>> 
         .args(["run", "--quiet", "--package", "cargo-lagrange", "--manifest-path"])
         .arg(root().join("Cargo.toml"))
         .args(["--", "import", "--name", "Robot", "--inputs", "all", "--mimic", "ignore"]);
-    if robot.floating {
-        // `pinocchio.cpp` converts to angles what it compares.
-        command.args(["--floating", "--euler"]);
+    if robot.base.is_some() {
+        command.arg("--floating");
+    }
+    if robot.base == Some(Base::Angles) {
+        command.arg("--euler");
     }
     if derivatives {
         command.args(["--with", "jacobians"]);

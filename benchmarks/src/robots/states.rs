@@ -19,7 +19,7 @@ pub struct States {
 impl States {
     /// The same in every run.
     pub fn random(robot: &Robot) -> Self {
-        let (count, base) = (robot.coordinates.len(), if robot.floating { 6 } else { 0 });
+        let (count, base) = (robot.coordinates.len(), if robot.base.is_some() { 6 } else { 0 });
         let mut next = uniform();
         let mut row = |size: f64| (0..count).map(|_| size * next()).collect::<Vec<f64>>();
         let rows = (0..STATES).map(|_| {
@@ -28,6 +28,21 @@ impl States {
             [q, v, torques]
         });
         Self { rows: rows.collect(), base }
+    }
+
+    /// The same with a level base, which are the same motions for all coordinates of a base: there its three
+    /// numbers are zero, and their rates are components of the angular velocity, here all equal.
+    pub fn level(robot: &Robot) -> Self {
+        let mut states = Self::random(robot);
+        for [q, v, torques] in &mut states.rows {
+            if let (Some(turn), Some(rates)) = (q.get_mut(3..states.base), v.get_mut(3..states.base)) {
+                turn.fill(0.0);
+                let rate = rates[0];
+                rates.fill(rate);
+            }
+            torques.fill(0.0);
+        }
+        states
     }
 
     /// Writes them in an order, with torques on the base or without.

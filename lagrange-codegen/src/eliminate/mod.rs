@@ -102,9 +102,9 @@ fn solve(
         }
         Some(coordinate) => coordinate,
         None => {
-            let oriented = |i: &usize| model.orientations.iter().any(|&first| (first..first + 3).contains(i));
+            let oriented = |i: usize| orientation::holds(&model.orientations, i);
             let free: Vec<usize> =
-                (0..q.len()).filter(|i| occurs(i) && !named.contains(i) && !oriented(i)).collect();
+                (0..q.len()).filter(|i| occurs(i) && !named.contains(i) && !oriented(*i)).collect();
             match free.iter().rev().find(|i| is_fixed(i)).or(free.last()) {
                 Some(&last) => last,
                 None => return refused(physics::nothing_to_eliminate(&constraint.written())),
@@ -159,7 +159,7 @@ fn remove(model: &mut Model, solved: &[Solved]) {
     let place = |coordinate: usize| solved.iter().position(|one| one.coordinate == coordinate);
     let rest: Vec<usize> = (0..count).filter(|&coordinate| place(coordinate).is_none()).collect();
     let graph = &mut model.graph;
-    let direction = turning_direction(graph, count, &model.turning, Variable::Spin);
+    let direction = turning_direction(graph, count, &model.turning);
     let (q, v): (Vec<NodeId>, Vec<NodeId>) = direction[..count].iter().copied().unzip();
     let positions: Vec<NodeId> = solved.iter().map(|one| one.position).collect();
     let velocities = pushforward(graph, &positions, &direction);
@@ -182,7 +182,7 @@ fn remove(model: &mut Model, solved: &[Solved]) {
                 if model.graph.is_zero(share) {
                     continue;
                 }
-                match model.turning.iter().any(|&first| (first..first + 3).contains(&i)) {
+                match orientation::holds(&model.turning, i) {
                     true => turned.push((v[i], share)),
                     false => shared.push((i, share)),
                 }
@@ -201,10 +201,7 @@ fn remove(model: &mut Model, solved: &[Solved]) {
     let mut replacements: Vec<(NodeId, NodeId)> = Vec::with_capacity(2 * count);
     for (new, &old) in rest.iter().enumerate() {
         replacements.push((q[old], q[new]));
-        for of in [Variable::Velocity, Variable::Spin] {
-            let [from, to] = [old, new].map(|i| model.graph.variable(of(i as u32)));
-            replacements.push((from, to));
-        }
+        replacements.push((v[old], v[new]));
     }
     let both = [positions, velocities].concat();
     let both = substitute(&mut model.graph, &both, &replacements);

@@ -319,7 +319,7 @@ impl<'a> Writer<'a> {
             }
             Variable::Parameter(i) => self.reads.parameters[i as usize] = true,
             Variable::Entry(i) => self.reads.entries[i as usize] = true,
-            Variable::Auxiliary(_) | Variable::Multiplier(_) | Variable::Position(_) | Variable::Spin(_) => {}
+            Variable::Auxiliary(_) | Variable::Multiplier(_) | Variable::Position(_) => {}
         }
         variable_label(self.model, variable)
     }

@@ -154,7 +154,6 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
         Variable::Parameter(i) => model.locals.parameters[i as usize].clone(),
         Variable::Auxiliary(i) => model.locals.auxiliaries[i as usize].clone(),
         Variable::Entry(i) => model.locals.entries[i as usize].clone(),
-        Variable::Spin(i) => model.locals.velocities[i as usize].clone(),
         Variable::Position(i) => format!("r{i}"),
         Variable::Multiplier(i) => model.locals.multipliers[i as usize].clone(),
     }

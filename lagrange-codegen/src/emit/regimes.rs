@@ -88,7 +88,7 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
         scalar: emission.scalar.clone(),
         model: &mut switching.model,
         equations: &switching.equations,
-        solved: &switching.equations,
+        solved: switching.turned.as_ref().unwrap_or(&switching.equations),
         facts: &switching.facts,
         solution: &switching.solution,
         jets: switching.jets.as_ref(),

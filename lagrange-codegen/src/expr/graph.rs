@@ -38,7 +38,8 @@ impl Exponent {
 pub enum Variable {
     /// A generalized coordinate.
     Coordinate(u32),
-    /// A generalized velocity.
+    /// A generalized velocity. Of an orientation whose matrix is a variable: a component of its angular velocity,
+    /// in its own axes.
     Velocity(u32),
     /// A generalized acceleration, where it is given instead of solved for.
     Acceleration(u32),
@@ -54,8 +55,6 @@ pub enum Variable {
     Multiplier(u32),
     /// An entry of the matrix of an orientation: nine an orientation, row by row.
     Entry(u32),
-    /// A component of the angular velocity of an orientation in its own axes, at the place of its coordinate.
-    Spin(u32),
     /// A component of the position of a particle or body, where a constraint is a function of that.
     Position(u32),
 }
@@ -151,6 +150,11 @@ impl Graph {
     /// The number of nodes made so far.
     pub fn len(&self) -> usize {
         self.nodes.len()
+    }
+
+    /// All nodes, ascending.
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> {
+        (0..self.nodes.len() as u32).map(NodeId)
     }
 
     /// Whether no node was made yet.
@@ -256,7 +260,7 @@ impl Graph {
             Node::Variable(
                 Variable::Coordinate(_) | Variable::Entry(_) | Variable::Auxiliary(_) | Variable::Position(_),
             ) => Dependence::COORDINATES,
-            Node::Variable(Variable::Velocity(_) | Variable::Spin(_)) => Dependence::VELOCITIES,
+            Node::Variable(Variable::Velocity(_)) => Dependence::VELOCITIES,
             Node::Variable(Variable::Acceleration(_)) => Dependence::ACCELERATIONS,
             Node::Variable(Variable::Multiplier(_)) => Dependence::MULTIPLIERS,
             Node::Variable(Variable::Time) => Dependence::TIME,

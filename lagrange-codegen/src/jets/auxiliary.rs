@@ -76,7 +76,7 @@ pub(super) struct NotSmooth;
 impl<'g> Rewriter<'g> {
     /// Of a system in which the matrices of some orientations are variables.
     pub fn new(graph: &'g mut Graph, coordinates: usize, turning: &[usize]) -> Self {
-        let direction = turning_direction(graph, coordinates, turning, Variable::Velocity);
+        let direction = turning_direction(graph, coordinates, turning);
         Rewriter {
             graph,
             direction,

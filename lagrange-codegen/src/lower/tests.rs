@@ -37,7 +37,6 @@ pub fn value(model: &Model, node: NodeId, parameter: impl Fn(&str) -> f64) -> f6
         Variable::Acceleration(_)
         | Variable::Auxiliary(_)
         | Variable::Entry(_)
-        | Variable::Spin(_)
         | Variable::Multiplier(_)
         | Variable::Position(_)
         | Variable::Time => 0.9,

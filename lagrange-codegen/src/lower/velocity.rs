@@ -147,7 +147,7 @@ impl<'a> Interpreter<'a> {
     fn pushed(&mut self, nodes: &[NodeId]) -> Vec<NodeId> {
         let count = self.model.coordinates.len();
         let graph = &mut self.model.graph;
-        let direction = turning_direction(graph, count, &self.model.turning, Variable::Spin);
+        let direction = turning_direction(graph, count, &self.model.turning);
         pushforward(graph, nodes, &direction)
     }
 
@@ -166,7 +166,7 @@ impl<'a> Interpreter<'a> {
             }
             Turn::Space(rotation) => {
                 let graph = &mut self.model.graph;
-                let direction = turning_direction(graph, count, &self.model.turning, Variable::Spin);
+                let direction = turning_direction(graph, count, &self.model.turning);
                 let in_body = body_rate(graph, rotation, &direction);
                 let in_space = space_rate(graph, rotation, &direction);
                 let turned =

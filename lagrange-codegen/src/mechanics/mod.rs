@@ -6,7 +6,6 @@
 //! the same vector without the terms that cancel between d/dt ∂T/∂v and ∂T/∂q.
 
 pub mod analysis;
-mod axes;
 mod constraints;
 mod energy;
 mod equations;
@@ -21,7 +20,7 @@ mod validate;
 
 pub use constraints::{Conditions, Switched};
 pub use linearization::{Linearization, Sensitivities};
-pub use turning::Turning;
+pub use turning::turning;
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::{Graph, NodeId};
@@ -187,7 +186,7 @@ impl Equations {
             power,
             energy_rate,
             conditions,
-            turning: Vec::new(),
+            turning: motion.turning,
             definite: model.lagrangian.is_empty(),
         }
     }

@@ -1,16 +1,15 @@
 //! Velocities and velocity-dependent accelerations of particles and bodies.
 
-use super::axes::{InAxes, in_axes};
 use super::frames::Frames;
 use crate::calculus::pushforward;
-use crate::expr::{Graph, NodeId, Variable};
+use crate::expr::{Graph, NodeId};
 use crate::kinematics::{body_rate, turning_direction};
 use crate::model::{Attitude, Body, Model, Point, Rotation};
 
 /// The axes in which the velocities of what rotations carry have their components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axes {
-    /// Those of space, and of an orientation what this carries.
+    /// Those of space.
     Space,
     /// Those of the rotation that carries it.
     Own,
@@ -82,7 +81,7 @@ impl Motion {
     pub fn of(model: &mut Model, axes: Axes) -> Motion {
         let count = model.coordinates.len();
         let Model { graph, hints, levers, points, bodies, turning: orientations, .. } = model;
-        let direction = turning_direction(graph, count, orientations, Variable::Spin);
+        let direction = turning_direction(graph, count, orientations);
         let q: Vec<_> = direction[..count].iter().map(|&(q, _)| q).collect();
         let v: Vec<_> = direction[..count].iter().map(|&(_, v)| v).collect();
 
@@ -118,31 +117,17 @@ impl Motion {
             }
         }
 
-        let in_orientations: Vec<Option<InAxes>> =
-            moving.iter().map(|(_, position)| in_axes(graph, position, orientations)).collect();
-        for ((_, position), carried) in moving.iter_mut().zip(&in_orientations) {
-            if let Some(InAxes { arm, .. }) = carried {
-                *position = arm.to_vec();
-            }
-        }
-
         // One forward sweep for all positions, so that shared parts are differentiated once.
         let all: Vec<NodeId> = moving.iter().flat_map(|(_, position)| position.iter().copied()).collect();
         let velocities = pushforward(graph, &all, &direction);
         let accelerations = pushforward(graph, &velocities, &direction);
         let mut offset = 0;
-        for ((mass, position), carried) in moving.into_iter().zip(in_orientations) {
+        for (mass, position) in moving {
             let range = offset..offset + position.len();
             offset = range.end;
             let (velocity, acceleration) =
                 (velocities[range.clone()].to_vec(), accelerations[range].to_vec());
-            translations.push(match carried {
-                None => Translation { mass, velocity, acceleration, position: Some(position) },
-                Some(carried) => {
-                    let (velocity, acceleration) = carried.motion(graph, &direction, &velocity);
-                    Translation { mass, velocity, acceleration, position: None }
-                }
-            });
+            translations.push(Translation { mass, position: Some(position), velocity, acceleration });
         }
 
         let mut rotations = Vec::with_capacity(turning.len());

@@ -5,9 +5,10 @@
 //! weighed more than another. Schaub and Junkins, *Analytical Mechanics of Space Systems*, 4th ed., section 3.5
 //! (there σ = ρ/4); ρ is near the rotation vector, and ρ′ near the angular velocity.
 //!
-//! A description is read as one of rotation matrices R and angular velocities ω in body axes, which are
-//! variables of their own with R′ = R \[ω]ₓ. In these the motion is solved for (`mechanics`, by Euler–Poincaré
-//! equations), because there they are simplest; in ρ and ρ′ a system tells everything else.
+//! A description is read as one of rotation matrices R, whose entries are variables of their own, and of
+//! angular velocities ω in body axes in the places of the velocities: R′ = R \[ω]ₓ. In these the motion is
+//! solved for (`mechanics`, by Euler–Poincaré equations), because there they are simplest; in ρ and ρ′ a system
+//! tells everything else.
 
 use crate::expr::{Graph, NodeId, Variable};
 use crate::number::Number;
@@ -69,6 +70,11 @@ pub fn body_rate(graph: &mut Graph, rho: &[NodeId; 3], rates: &[NodeId; 3]) -> [
     })
 }
 
+/// Whether a coordinate is one of the three numbers of an orientation, whose first ones are given.
+pub fn holds(orientations: &[usize], coordinate: usize) -> bool {
+    orientations.iter().any(|&first| (first..first + 3).contains(&coordinate))
+}
+
 /// The variables of the matrix of an orientation, the one at this place among all.
 pub fn entries(graph: &mut Graph, place: usize) -> [[NodeId; 3]; 3] {
     let entry = |row: u32, column: u32| Variable::Entry(9 * place as u32 + 3 * row + column);
@@ -77,7 +83,7 @@ pub fn entries(graph: &mut Graph, place: usize) -> [[NodeId; 3]; 3] {
 
 /// The variables of the angular velocity of the orientation whose numbers begin at a coordinate.
 pub fn spin(graph: &mut Graph, first: usize) -> [NodeId; 3] {
-    [0, 1, 2].map(|i| graph.variable(Variable::Spin(first as u32 + i)))
+    [0, 1, 2].map(|i| graph.variable(Variable::Velocity(first as u32 + i)))
 }
 
 /// What matrices and angular velocities are as functions of a state's numbers.
@@ -85,10 +91,11 @@ pub fn of_parameters(graph: &mut Graph, orientations: &[usize]) -> Vec<(NodeId, 
     let mut known = Vec::with_capacity(12 * orientations.len());
     for (place, &first) in orientations.iter().enumerate() {
         let rho = [0, 1, 2].map(|i| graph.variable(Variable::Coordinate(first as u32 + i)));
-        let rates = [0, 1, 2].map(|i| graph.variable(Variable::Velocity(first as u32 + i)));
+        // The same variables are ω before and ρ′ after.
+        let rates = spin(graph, first);
         let (entries, values) = (entries(graph, place), matrix(graph, &rho));
         known.extend(entries.into_iter().flatten().zip(values.into_iter().flatten()));
-        known.extend(spin(graph, first).into_iter().zip(body_rate(graph, &rho, &rates)));
+        known.extend(rates.into_iter().zip(body_rate(graph, &rho, &rates)));
     }
     known
 }

@@ -171,7 +171,8 @@ fn plan(
     jets: &Jets,
     numbers: Numbers,
 ) -> Expansion {
-    let nodes = solution.saddle_of_series.map(|method| saddle::Nodes::of(model, equations, jets, method));
+    let nodes =
+        solution.saddle_of_series.map(|method| saddle::Nodes::of(model, equations, jets, solution, method));
     let graph = &model.graph;
     let count = model.coordinates.len();
     let mut program = Program::default();

@@ -1,7 +1,8 @@
 //! Velocities and multipliers of a constrained system, from one saddle-point system an order.
 //!
 //! M v − Aᵀκ = r, A v = y with κ = rate · μ. Where M is diagonal the velocities are eliminated on the graph,
-//! so that zeros of A cost nothing: (A M⁻¹ Aᵀ) κ = y − A M⁻¹ r.
+//! so that zeros of A cost nothing: (A M⁻¹ Aᵀ) κ = y − A M⁻¹ r. Where most of that matrix is zero the runtime
+//! forms it.
 
 use super::order::Order;
 use super::terms::{Term, chain, is_literal};
@@ -11,7 +12,7 @@ use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::number::Number;
 use crate::schedule::{Given, Instruction, Program, Slot};
-use crate::structure::Saddle;
+use crate::structure::{Saddle, Solution};
 
 /// The saddle-point system of an order.
 #[derive(Clone, Debug)]
@@ -22,7 +23,7 @@ pub struct SaddlePoint {
     pub gradients: Vec<Vec<Slot>>,
     /// Of a diagonal M, 1 / M; else its lower triangle.
     pub mass: Vec<Slot>,
-    /// Of a diagonal M, the lower triangle of A M⁻¹ Aᵀ.
+    /// Of a diagonal M, the lower triangle of A M⁻¹ Aᵀ, unless the runtime forms it.
     pub schur: Vec<Slot>,
     /// Of rows that hold at times.
     pub switches: Vec<Slot>,
@@ -41,14 +42,23 @@ pub(super) struct Nodes {
 }
 
 impl Nodes {
-    pub fn of(model: &mut Model, equations: &Equations, jets: &Jets, method: Saddle) -> Nodes {
+    pub fn of(
+        model: &mut Model,
+        equations: &Equations,
+        jets: &Jets,
+        solution: &Solution,
+        method: Saddle,
+    ) -> Nodes {
         let graph = &mut model.graph;
+        // The constraints of a series may have other gradients.
+        let covered = solution.sparsity.as_ref().is_some_and(|it| it.covers(graph, &jets.gradients));
+        let method = if method == Saddle::Sparse && !covered { Saddle::Diagonal } else { method };
         let mass = match method {
             Saddle::Whole { .. } | Saddle::Switched { .. } => {
                 let lower = equations.mass.iter().enumerate().flat_map(|(i, row)| row.iter().take(i + 1));
                 lower.copied().collect()
             }
-            Saddle::Diagonal => {
+            Saddle::Diagonal | Saddle::Sparse => {
                 let one = graph.one();
                 equations.mass.iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect()
             }
@@ -101,7 +111,7 @@ impl Order<'_> {
                 (None, None) => self.zero(),
             });
         }
-        if saddle.method == Saddle::Diagonal {
+        if matches!(saddle.method, Saddle::Diagonal | Saddle::Sparse) {
             self.eliminate(saddle, &momenta, conditions, velocities);
         } else {
             for (i, velocity) in velocities.iter_mut().enumerate() {
@@ -133,7 +143,8 @@ impl Order<'_> {
             .collect();
         // Of these very numbers, not of a simpler formula: rounding errors of the gradients, which for a rod
         // are the same in every step, must not make the matrix belong to other gradients.
-        for (c, row) in weighted.iter().enumerate() {
+        let formed = if saddle.method == Saddle::Diagonal { weighted.len() } else { 0 };
+        for (c, row) in weighted.iter().enumerate().take(formed) {
             for other in &saddle.gradients[..=c] {
                 let mut sum: Option<Slot> = None;
                 for (&w, &a) in row.iter().zip(other) {

@@ -4,7 +4,7 @@ use crate::calculus::substitute;
 use crate::eliminate::quantities::rewrite;
 use crate::expr::{Dependence, Graph, Node, NodeId, Unary};
 use crate::mechanics::Equations;
-use crate::model::{Action, Model};
+use crate::model::{Action, Model, orientation};
 use crate::number::Number;
 
 /// What changes in the course of a step.
@@ -28,6 +28,20 @@ pub(super) fn of(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
         }
     }
     arguments
+}
+
+/// These arguments as they stood in a graph while matrices of orientations were variables; `None` if one did not.
+pub(super) fn described(before: &Graph, model: &mut Model, kinks: &[NodeId]) -> Option<Vec<NodeId>> {
+    let mut all: Vec<NodeId> = before.nodes().filter_map(|id| kinked(before, id)).collect();
+    all.dedup();
+    let known = orientation::of_parameters(&mut model.graph, &model.turning);
+    let images = substitute(&mut model.graph, &all, &known);
+    let of = |kink: &NodeId| {
+        let opposite = model.graph.neg(*kink);
+        let place = images.iter().position(|image| image == kink || *image == opposite)?;
+        Some(all[place])
+    };
+    kinks.iter().map(of).collect()
 }
 
 /// Whether there is one in a node.

@@ -43,6 +43,8 @@ pub struct Regimes {
     pub kinks_in: Vec<NodeId>,
     /// Its equations.
     pub equations: Equations,
+    /// Those that its series is made of, where they are others.
+    pub turned: Option<Equations>,
     /// Facts about them.
     pub facts: Facts,
     /// How they are solved.
@@ -63,9 +65,10 @@ impl Regimes {
 }
 
 /// The regimes of a system; `None` of one that has a single one. `is_smooth` says whether the system has a
-/// series as it is.
+/// series as it is; `described` is the model while matrices of orientations were variables, if there are any.
 pub fn derive(
     model: &Model,
+    described: Option<&Model>,
     energy: NodeId,
     is_smooth: bool,
     diagnostics: &mut Diagnostics,
@@ -76,9 +79,7 @@ pub fn derive(
     }
     let mut rows = model.clone();
     let held = rows.constraints.len();
-    let contacts = std::mem::take(&mut rows.contacts);
-    rows.at_times = contacts.len();
-    rows.constraints.extend(contacts.iter().map(|contact| contact.constraint.clone()));
+    let contacts = as_rows(&mut rows);
     // Rows hold at times: there may be more of them than coordinates, and a slip may be the rate of a function.
     // Of all else the system by itself was asked.
     let permits = |_: &str| true;
@@ -113,12 +114,15 @@ pub fn derive(
     if !contacts.is_empty() {
         hold(&mut regime.graph, &mut equations, &switches, held, &contacts);
     }
+    let turned = described.and_then(|described| turned(described, &mut regime, &switches, &kinks));
     let equations = equations.simplified(&mut regime);
     let facts = Facts::of(&regime, &equations);
-    let told = (&equations, &facts);
-    let solution = Solution::plan(&mut regime, told, told, diagnostics);
-    let jets = jets::derive(&mut regime, &equations);
-    let orders = jets.as_ref().map(|jets| Expansions::plan(&mut regime, &equations, &solution, jets));
+    let turned = turned.map(|turned| equations.turned(&mut regime, turned));
+    let solved = turned.as_ref().unwrap_or(&equations);
+    let of_solved = Facts::of(&regime, solved);
+    let solution = Solution::plan(&mut regime, (&equations, &facts), (solved, &of_solved), diagnostics);
+    let jets = jets::derive(&mut regime, solved);
+    let orders = jets.as_ref().map(|jets| Expansions::plan(&mut regime, solved, &solution, jets));
     if contacts.is_empty() && jets.is_none() {
         return None;
     }
@@ -136,12 +140,39 @@ pub fn derive(
         fixed_in,
         kinks_in,
         equations,
+        turned,
         facts,
         solution,
         jets,
         orders,
         laws_of,
     })
+}
+
+/// Takes the contacts of a model as constraints that always hold.
+fn as_rows(model: &mut Model) -> Vec<Contact> {
+    let contacts = std::mem::take(&mut model.contacts);
+    model.at_times = contacts.len();
+    model.constraints.extend(contacts.iter().map(|contact| contact.constraint.clone()));
+    contacts
+}
+
+/// The equations of one regime with angular velocities; `None` where a kink is not found again.
+fn turned(described: &Model, regime: &mut Model, switches: &Switches, kinks: &[NodeId]) -> Option<Equations> {
+    let mut model = described.clone();
+    // What was a node of this graph still is one of the other.
+    (model.graph, model.hints) = (regime.graph.clone(), regime.hints.clone());
+    model.parameters.clone_from(&regime.parameters);
+    let held = model.constraints.len();
+    let contacts = as_rows(&mut model);
+    let kinks = kinks::described(&described.graph, &mut model, kinks)?;
+    kinks::replace(&mut model, &kinks, &switches.kinks);
+    let mut equations = mechanics::turning(&mut model)?;
+    if !contacts.is_empty() {
+        hold(&mut model.graph, &mut equations, switches, held, &contacts);
+    }
+    (regime.graph, regime.hints) = (model.graph, model.hints);
+    Some(equations)
 }
 
 /// The switches as variables of the graph, in the order in which they are parameters.

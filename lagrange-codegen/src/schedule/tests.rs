@@ -14,7 +14,6 @@ fn sample(variable: Variable) -> f64 {
         | Variable::Acceleration(_)
         | Variable::Auxiliary(_)
         | Variable::Entry(_)
-        | Variable::Spin(_)
         | Variable::Multiplier(_)
         | Variable::Position(_) => 0.6,
     }

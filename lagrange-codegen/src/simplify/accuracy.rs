@@ -62,7 +62,6 @@ fn sample(variable: Variable, point: u32) -> f64 {
         Variable::Multiplier(index) => (7, index),
         Variable::Position(index) => (8, index),
         Variable::Entry(index) => (9, index),
-        Variable::Spin(index) => (10, index),
         Variable::Parameter(index) => {
             return 0.3 + 1.4 * (GOLDEN * f64::from(7 * index + 3 * point + 1)).fract();
         }

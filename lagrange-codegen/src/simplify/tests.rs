@@ -20,7 +20,6 @@ fn check(graph: &mut Graph, roots: &[NodeId]) -> (u32, u32) {
             | Variable::Acceleration(_)
             | Variable::Auxiliary(_)
             | Variable::Entry(_)
-            | Variable::Spin(_)
             | Variable::Multiplier(_)
             | Variable::Position(_) => 0.6,
         };

@@ -7,7 +7,9 @@ mod elimination;
 pub mod facts;
 mod recursion;
 pub mod solve;
+mod sparsity;
 
 pub use facts::Facts;
 pub use recursion::{Recursion, Step};
 pub use solve::{Block, Method, Saddle, Solution};
+pub use sparsity::Sparsity;

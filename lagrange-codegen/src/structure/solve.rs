@@ -3,6 +3,7 @@
 use super::elimination::{self, eliminate};
 use super::facts::Facts;
 use super::recursion::{Articulated, Recursion};
+use super::sparsity::Sparsity;
 use crate::diagnostics::{Diagnostics, physics};
 use crate::expr::{Graph, NodeId, Unary};
 use crate::mechanics::Equations;
@@ -68,6 +69,8 @@ pub struct Block {
 pub enum Saddle {
     /// M is diagonal: accelerations are eliminated, and A M⁻¹ Aᵀ is factored.
     Diagonal,
+    /// The same by lists of the places where A and the factors differ from zero.
+    Sparse,
     /// The whole of M and A, in the null space of A.
     Whole {
         /// Whether the mass matrix has no negative direction.
@@ -89,6 +92,8 @@ pub struct Solution {
     pub saddle: Option<Saddle>,
     /// The same for its series.
     pub saddle_of_series: Option<Saddle>,
+    /// Places of the gradients and factors, where the method goes by them.
+    pub sparsity: Option<Sparsity>,
     /// A word for the mass matrix.
     kind: &'static str,
 }
@@ -106,7 +111,19 @@ impl Solution {
             (equations.conditions.count() > 0).then(|| saddle(&model.graph, equations, facts))
         });
         if saddle.is_some() {
-            return Solution { blocks: Vec::new(), saddle, saddle_of_series, kind: kind(told.1) };
+            let sparsity = Sparsity::of(&model.graph, &told.0.conditions.jacobian);
+            let by_places = |method: Option<Saddle>, equations: &Equations| match (method, &sparsity) {
+                (Some(Saddle::Diagonal), Some(sparsity))
+                    if sparsity.covers(&model.graph, &equations.conditions.jacobian) =>
+                {
+                    Some(Saddle::Sparse)
+                }
+                (method, _) => method,
+            };
+            let saddle_of_series = by_places(saddle_of_series, solved.0);
+            let saddle = by_places(saddle, told.0);
+            let kind = kind(told.1);
+            return Solution { blocks: Vec::new(), saddle, saddle_of_series, sparsity, kind };
         }
         let (equations, facts) = solved;
         let mass = &equations.mass;
@@ -154,7 +171,7 @@ impl Solution {
             };
             blocks.push(Block { coordinates: coordinates.clone(), method, constant });
         }
-        Solution { blocks, saddle, saddle_of_series, kind: kind(facts) }
+        Solution { blocks, saddle, saddle_of_series, sparsity: None, kind: kind(facts) }
     }
 
     /// The nodes that a step computes: accelerations where they are written out, else entries of the
@@ -187,6 +204,15 @@ impl Solution {
             return match saddle {
                 Saddle::Diagonal => {
                     format!("{kind}, eliminated from the saddle-point system of the constraints")
+                }
+                Saddle::Sparse => {
+                    let (count, entries) =
+                        self.sparsity.as_ref().map_or((0, 0), |it| (it.order.len(), it.factor()));
+                    let all = count * count.saturating_sub(1) / 2;
+                    format!(
+                        "{kind}, eliminated from the saddle-point system of the constraints; of the {count} × {count} \
+                         matrix that is left a sparse factorisation has {entries} entries beside the diagonal instead of {all}"
+                    )
                 }
                 Saddle::Whole { .. } | Saddle::Switched { .. } => {
                     format!("{kind}, solved with the constraints in the null space of their gradients")

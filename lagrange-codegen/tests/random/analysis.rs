@@ -141,11 +141,9 @@ impl Judge<'_> {
             Variable::Time => self.sample.t,
             Variable::Input(i) => self.sample.u[i as usize],
             Variable::Parameter(i) => self.sample.parameters[i as usize % self.sample.parameters.len()],
-            Variable::Auxiliary(_)
-            | Variable::Entry(_)
-            | Variable::Spin(_)
-            | Variable::Multiplier(_)
-            | Variable::Position(_) => f64::NAN,
+            Variable::Auxiliary(_) | Variable::Entry(_) | Variable::Multiplier(_) | Variable::Position(_) => {
+                f64::NAN
+            }
         });
         let size = values.iter().fold(1.0, |size: f64, value| size + value.abs());
         // Outside the domain of a function, or too large to tell.

@@ -156,7 +156,6 @@ fn value(variable: Variable, point: &[f64; 5], t: f64, a: &[f64; 2]) -> f64 {
         Variable::Input(_)
         | Variable::Auxiliary(_)
         | Variable::Entry(_)
-        | Variable::Spin(_)
         | Variable::Multiplier(_)
         | Variable::Position(_) => f64::NAN,
     }

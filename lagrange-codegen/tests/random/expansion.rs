@@ -23,7 +23,7 @@ pub struct Expansion {
     pub smooth: Functions,
     /// The functions of `impl Linearized`, `Tangent` and `Sensitive`, where they are asked for.
     pub derivatives: Functions,
-    /// The constants of these.
+    /// The constants of these and of `Surface`.
     pub constants: BTreeMap<String, Expr>,
 }
 
@@ -59,7 +59,10 @@ impl Expansion {
                 match name.as_deref() {
                     None => collect(block, &mut expansion.methods)?,
                     Some("System") => collect(block, &mut expansion.system)?,
-                    Some("Surface") => collect(block, &mut expansion.surface)?,
+                    Some("Surface") => {
+                        expansion.constants.extend(constants(&block));
+                        collect(block, &mut expansion.surface)?;
+                    }
                     Some("Linearized" | "Tangent" | "Sensitive") => {
                         expansion.constants.extend(constants(&block));
                         collect(block, &mut expansion.derivatives)?;

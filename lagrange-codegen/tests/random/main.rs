@@ -100,6 +100,13 @@ fn systems_that_recur_agree_with_dual_numbers() {
     assert!(recurring > formed, "{recurring} of {} recur", formed + recurring);
 }
 
+#[test]
+fn series_of_systems_of_many_links_agree_with_truncated_series() {
+    let cases = || (strategy::linked(), [strategy::sample(), strategy::sample()]).boxed();
+    let [compared, kinked, left_out] = compare_series(cases, runner::cases(QUICK) / 32);
+    assert!(2 * compared > kinked + left_out);
+}
+
 /// Compares the series of all samples, and counts: compared, not smooth, left out.
 fn compare_series(
     strategy: impl Fn() -> BoxedStrategy<(System, [Sample; 2])> + Sync,

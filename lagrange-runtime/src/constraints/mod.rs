@@ -11,7 +11,7 @@ mod footing;
 mod residuals;
 mod retraction;
 #[cfg(test)]
-mod samples;
+pub(crate) mod samples;
 mod solution;
 mod stages;
 mod start;
@@ -19,7 +19,7 @@ mod tangential;
 
 use core::ops::Deref;
 
-use crate::linear::{Independence, SaddlePoint};
+use crate::linear::{Independence, Pattern, SaddlePoint};
 use crate::number::real::Real;
 use crate::system::System;
 pub use crate::system::footing::Footing;
@@ -100,11 +100,11 @@ pub struct Balance<R, const N: usize, const C: usize> {
 
 /// The equations of a constrained motion at a state: M a − Aᵀλ = forces, A a = γ.
 #[derive(Clone, Copy, Debug)]
-pub struct Equations<P, R, const N: usize, const C: usize> {
+pub struct Equations<P: SaddlePoint<R, N, C>, R, const N: usize, const C: usize> {
     /// The factors of M and A.
     pub saddle: P,
     /// A, rows by constraint.
-    pub gradients: [[R; N]; C],
+    pub gradients: P::Gradients,
     /// All forces except those of constraints, minus the bias.
     pub forces: [R; N],
     /// γ: the value of A a for which the second derivatives of the constraints vanish.
@@ -126,7 +126,10 @@ impl<P: SaddlePoint<R, N, C>, R: Real, const N: usize, const C: usize> Equations
 /// What generated code implements for `C` scalar constraints.
 pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> {
     /// The factors of M and A.
-    type Saddle: SaddlePoint<Self::Scalar, N, C> + Copy;
+    type Saddle: SaddlePoint<Self::Scalar, N, C> + Clone;
+
+    /// The places of A that can differ from zero, where most cannot.
+    const PATTERN: &'static Pattern = &Pattern::NONE;
 
     /// The equations at a state, factored.
     fn equations_at(
@@ -165,8 +168,14 @@ pub trait Surface<const N: usize, const K: usize, const C: usize>: System<N, K> 
         t: Self::Scalar,
         q: &[Self::Scalar; N],
         v: &[Self::Scalar; N],
-    ) -> (Self::Saddle, [[Self::Scalar; N]; C]);
+    ) -> Factors<Self, N, K, C>;
 }
+
+/// The factors of M and A, and A.
+pub(crate) type Factors<S, const N: usize, const K: usize, const C: usize> = (
+    <S as Surface<N, K, C>>::Saddle,
+    <<S as Surface<N, K, C>>::Saddle as SaddlePoint<<S as System<N, K>>::Scalar, N, C>>::Gradients,
+);
 
 /// The largest entry of an array, and where it is.
 fn worst<R: Real, const C: usize>(values: impl Fn(usize) -> R::Lane) -> (usize, R::Lane) {

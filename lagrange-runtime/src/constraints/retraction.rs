@@ -27,8 +27,8 @@ mod project;
 
 use super::residuals::{Level, ULPS};
 use super::start::SHARE;
-use super::{Residuals, Surface, moved};
-use crate::linear::{Independence, SaddlePoint, determined};
+use super::{Factors, Residuals, Surface, moved};
+use crate::linear::{Gradients, Independence, SaddlePoint, determined};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::metric::Metric;
@@ -70,7 +70,7 @@ pub(crate) struct Retraction<S: Surface<N, K, C>, const N: usize, const K: usize
     pub(crate) state: State<S::Scalar, N>,
     pub(crate) saddle: S::Saddle,
     pub(super) residuals: Residuals<S::Scalar, C>,
-    gradients: [[S::Scalar; N]; C],
+    gradients: <S::Saddle as SaddlePoint<S::Scalar, N, C>>::Gradients,
     pub(super) metric: Metric<S::Scalar, N>,
     /// How fast constraints change, in its units.
     pub(super) slopes: [S::Scalar; C],
@@ -92,7 +92,7 @@ where
     pub(super) fn with(
         state: &State<S::Scalar, N>,
         residuals: Residuals<S::Scalar, C>,
-        (saddle, gradients): (S::Saddle, [[S::Scalar; N]; C]),
+        (saddle, gradients): Factors<S, N, K, C>,
     ) -> Self {
         let metric = Metric::of(&saddle);
         let slopes = metric.slopes(&gradients);
@@ -103,14 +103,14 @@ where
     pub(super) fn from_elsewhere(
         system: &S,
         state: &State<S::Scalar, N>,
-        factors: (S::Saddle, [[S::Scalar; N]; C]),
+        factors: Factors<S, N, K, C>,
     ) -> Self {
         let residuals = system.residuals_at(state.t, &state.q, &state.v);
         Self { is_fresh: false, ..Self::with(state, residuals, factors) }
     }
 
     /// Replaces the factors. They may or may not be those of the state itself.
-    fn take(&mut self, (saddle, gradients): (S::Saddle, [[S::Scalar; N]; C]), is_fresh: bool) {
+    fn take(&mut self, (saddle, gradients): Factors<S, N, K, C>, is_fresh: bool) {
         (self.saddle, self.gradients, self.is_fresh) = (saddle, gradients, is_fresh);
         self.metric = Metric::of(&self.saddle);
         self.slopes = self.metric.slopes(&self.gradients);
@@ -227,8 +227,8 @@ where
             Level::Positions => &mut rest.positions,
             Level::Velocities => &mut rest.rates,
         };
-        for (left, row) in left.iter_mut().zip(&self.gradients) {
-            *left = row.iter().zip(&change).fold(*left, |sum, (&a, &x)| S::Scalar::mul_add(a, x, sum));
+        for (left, rate) in left.iter_mut().zip(self.gradients.rates(&change)) {
+            *left += rate;
         }
         let enough = <S::Scalar as Real>::Lane::from_f64(1.0 - CONTRACTION);
         rest.distance(level, &self.slopes) <= enough * self.residuals.distance(level, &self.slopes)

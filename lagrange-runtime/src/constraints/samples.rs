@@ -2,10 +2,12 @@
 
 use core::cell::Cell;
 
-use super::{Equations, Residuals, Surface};
+use super::{Equations, Footing, Residuals, Surface};
 use crate::integrator::Dop853;
 use crate::linear::Saddle;
 use crate::system::System;
+use crate::system::error::Cause;
+use crate::system::state::State;
 
 /// A pendulum of length 1 whose rod is asked for twice: by its length and by the square of it.
 pub(crate) struct Twofold {
@@ -20,11 +22,30 @@ impl System<2> for Twofold {
 
     const CONSTRAINED: bool = true;
     const COUPLED: bool = true;
+    const CONSERVES_ENERGY: bool = true;
 
     fn constants(&self) {}
 
     fn accelerations_at(&self, (): &(), t: f64, q: &[f64; 2], v: &[f64; 2], u: &[f64; 0]) -> [f64; 2] {
         super::accelerations(self, &(), t, q, v, u)
+    }
+
+    fn project_at(
+        &self,
+        (): &(),
+        state: &mut State<f64, 2>,
+        from: Option<&State<f64, 2>>,
+    ) -> Result<(), Cause> {
+        super::project(self, state, from)
+    }
+
+    fn land_at(
+        &self,
+        constants: &(),
+        state: &mut State<f64, 2>,
+        inputs: Option<&[f64; 0]>,
+    ) -> Result<Footing<f64, 2>, Cause> {
+        super::land(self, constants, state, inputs)
     }
 
     fn energy_at(&self, (): &(), _: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {

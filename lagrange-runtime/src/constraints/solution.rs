@@ -3,7 +3,7 @@
 use nalgebra::SMatrix;
 
 use super::{Balance, Surface, sound, stages};
-use crate::linear::{Defect, Independence, SaddlePoint};
+use crate::linear::{Defect, Gradients, Independence, SaddlePoint};
 use crate::number::real::Real;
 use crate::system::diagnose;
 use crate::system::error::{Cause, MotionError};
@@ -95,7 +95,7 @@ pub fn forces<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    let (_, mut rows) = system.saddle_at(state.t, &state.q, &state.v);
+    let mut rows = system.saddle_at(state.t, &state.q, &state.v).1.rows();
     for (row, &multiplier) in rows.iter_mut().zip(multipliers) {
         for entry in row {
             *entry *= multiplier;

@@ -4,7 +4,7 @@
 use super::residuals::Level;
 use super::retraction::{From, Retraction};
 use super::start::contradiction;
-use super::{Balance, Equations, Metric, Surface, moved, project};
+use super::{Balance, Equations, Factors, Metric, Surface, moved, project};
 use crate::linear::{CLEAR, Independence, SaddlePoint, determined};
 use crate::number::real::Real;
 use crate::system::error::Cause;
@@ -13,10 +13,13 @@ use crate::system::state::State;
 
 /// Accelerations of a state beside the constraints.
 ///
-/// * Where the rows of A are clearly independent they follow from the equations at the state itself.
+/// * Where the rows of A are far apart they follow from the equations at the state itself.
+/// * Where they come closer, the equations beside the constraints have poles: what a state is off the
+///   constraints changes its accelerations by the reciprocal of the distance of the rows. The
+///   accelerations are those of the nearest state on the constraints: as good a continuation of the
+///   equations, and a smooth one.
 /// * Rows that depend on each other wherever the constraints hold are independent beside them, and what they
-///   then demand together is no motion. The accelerations are those of the nearest state on the constraints:
-///   as good a continuation of the equations, and a smooth one.
+///   then demand together is no motion. The nearest state on the constraints serves there too.
 /// * In a configuration where rows lose their independence for a moment, they are interpolated between states
 ///   before and after it, along the velocity: accelerations of the motion that goes straight on.
 #[inline]
@@ -33,7 +36,7 @@ where
 {
     let equations = system.equations_at(constants, t, q, v, u);
     let balance = equations.balance();
-    if balance.independence.is_clear() && !may_vanish(&equations, q, v) {
+    if balance.independence.are_far_apart() && !may_vanish(&equations, q, v) {
         return balance.accelerations;
     }
     settled(system, constants, &State { t, q: *q, v: *v }, equations, u).unwrap_or(balance.accelerations)
@@ -75,9 +78,10 @@ where
     S: Surface<N, K, C>,
 {
     let residuals = system.residuals_at(state.t, &state.q, &state.v);
-    let nearness = Retraction::<S, N, K, C>::with(state, residuals, (saddle, gradients)).nearness();
+    let own = Retraction::<S, N, K, C>::with(state, residuals, (saddle, gradients));
+    let nearness = own.nearness();
     // Where rows all but vanish together, the nearest state has another velocity.
-    if nearness.is_clear() || saddle.independence().is_clear() && !nearness.is_determined() {
+    if nearness.are_far_apart() || own.saddle.independence().is_clear() && !nearness.is_determined() {
         return None;
     }
     let (near, equations) = nearest(system, constants, state, u)?;
@@ -137,7 +141,7 @@ fn apart<R: Real>(time: R, widenings: i32) -> R {
 fn are_redundant<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
-    factors: (S::Saddle, [[S::Scalar; N]; C]),
+    factors: Factors<S, N, K, C>,
     time: S::Scalar,
 ) -> bool
 where
@@ -148,7 +152,7 @@ where
     // Where coordinates are large beside the system, the furthest neighbours have no place in it.
     (0..WIDENINGS).rev().step_by(STRIDE).find_map(|widenings| {
         let there = moved(state, &state.v, &none, apart(time, widenings));
-        let mut retraction = Retraction::from_elsewhere(system, &there, factors);
+        let mut retraction = Retraction::from_elsewhere(system, &there, factors.clone());
         retraction.level(system, Level::Positions, From::Near).ok()?;
         retraction.refresh(system);
         let there = retraction.saddle.independence();
@@ -164,7 +168,7 @@ where
 pub(super) fn check<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
-    factors: (S::Saddle, [[S::Scalar; N]; C]),
+    factors: Factors<S, N, K, C>,
 ) -> Result<(), Cause>
 where
     S: Surface<N, K, C>,

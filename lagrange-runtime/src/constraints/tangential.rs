@@ -1,8 +1,7 @@
 //! Parts of a change that the constraints leave open, and parts that a retraction takes back.
 
 use super::Surface;
-use crate::linear::SaddlePoint;
-use crate::number::real::Real;
+use crate::linear::{Gradients, SaddlePoint};
 use crate::system::state::State;
 
 /// The part of a change of coordinates or velocities along the constraints: the change less the smallest one,
@@ -17,9 +16,6 @@ where
     S: Surface<N, K, C>,
 {
     let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
-    let rates = gradients.map(|row| {
-        row.iter().zip(change).fold(num_traits::Zero::zero(), |sum, (&a, &x)| S::Scalar::mul_add(a, x, sum))
-    });
-    let (normal, _) = saddle.solve(&[num_traits::Zero::zero(); N], &rates);
+    let (normal, _) = saddle.solve(&[num_traits::Zero::zero(); N], &gradients.rates(change));
     core::array::from_fn(|i| change[i] - normal[i])
 }

@@ -1,5 +1,7 @@
 //! [`Adaptive`]: methods that choose their own steps, and Dormand–Prince as one of them.
 
+mod reach;
+
 use super::Field;
 use super::dop853::{Dop853Memory, Ground};
 use super::landing::{Check, Determined};
@@ -180,8 +182,11 @@ where
         };
         memory.ground = Some(ground);
         let natural = memory.length();
-        memory.step(self, limits, target, exactly, attempts)?;
-        self.land(memory, limits, target, (ground, natural), attempts)
+        let landed = match memory.step(self, limits, target, exactly, attempts) {
+            Ok(()) => self.land(memory, limits, target, (ground, natural), attempts),
+            Err(error) => Err(error),
+        };
+        landed.map_err(|error| self.named(memory, limits, target, natural, error))
     }
 
     /// What constraints determine at the start of a motion.

@@ -220,6 +220,20 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         }
     }
 
+    /// Takes a step of `h` \[s] from `end`. Its error in tolerances, if that is at most 1.
+    #[cold]
+    pub(crate) fn stride<F>(&mut self, f: &F, limits: &Limits<R>, h: R) -> Option<R>
+    where
+        F: Field<R, N>,
+    {
+        let slope = match self.slope {
+            Some(slope) => slope,
+            None => self.slope_at_end(f).ok()?,
+        };
+        (self.start, self.slopes[0], self.dense) = (self.end, slope, None);
+        self.attempt(f, limits, h).ok().filter(|&error| error <= R::one())
+    }
+
     /// Tries a step of `h` from `start` and moves `end` if its error is within tolerance (at most 1).
     #[inline]
     fn attempt<F>(&mut self, f: &F, limits: &Limits<R>, h: R) -> Result<R, Cause>
@@ -258,11 +272,11 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         let mut error = R::zero();
         for part in 0..R::PARTS {
             let of = |x: R| x.part(part).largest();
-            let scale = limits.scale().of_part(part, [from, &end.state]);
+            let weights = limits.scale(Some(h)).of_part(part, [from, &end.state]);
             let (mut sum5, mut sum3) = (R::Lane::zero(), R::Lane::zero());
             for n in 0..N {
-                let weight_q = scale.weight(of(from.q[n]), of(end.state.q[n]));
-                let weight_v = scale.weight(of(from.v[n]), of(end.state.v[n]));
+                let weight_q = weights.of_coordinate(of(from.q[n]), of(end.state.q[n]));
+                let weight_v = weights.of_velocity(of(from.v[n]), of(end.state.v[n]));
                 let (q5, v5) = (of(fifth.q[n]) * weight_q, of(fifth.v[n]) * weight_v);
                 let q3 = of(third.q[n]) * weight_q;
                 let v3 = of(third.v[n]) * weight_v;
@@ -343,11 +357,11 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         // The norm of a state or of its slope, for the values or one of their derivatives.
         let norm = |part: usize, q: &[R; N], v: &[R; N]| {
             let of = |x: R| x.part(part).largest();
-            let scale = limits.scale().of_part(part, [from, from]);
+            let weights = limits.scale(None).of_part(part, [from, from]);
             let mut sum = R::Lane::zero();
             for n in 0..N {
-                let q = of(q[n]) * scale.weight(of(from.q[n]), of(from.q[n]));
-                let v = of(v[n]) * scale.weight(of(from.v[n]), of(from.v[n]));
+                let q = of(q[n]) * weights.of_coordinate(of(from.q[n]), of(from.q[n]));
+                let v = of(v[n]) * weights.of_velocity(of(from.v[n]), of(from.v[n]));
                 sum += q * q + v * v;
             }
             sum.sqrt()

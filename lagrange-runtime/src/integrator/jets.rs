@@ -49,7 +49,7 @@ const DECAY: f64 = 0.29;
 
 /// Safety factor: the last term of a series falls to this part of the tolerance. The sum of all terms after
 /// it is then smaller still.
-const SAFETY: f64 = 0.2;
+pub(crate) const SAFETY: f64 = 0.2;
 
 /// Tolerances of at most this many ulps ask for the accuracy of rounding.
 const AT_ROUNDING: f64 = 8.0;

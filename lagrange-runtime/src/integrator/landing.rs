@@ -1,13 +1,16 @@
 //! The check of every step of a constrained motion, and where a step may end.
 //!
-//! Two things tell whether a step went wrong, whatever the reason. The **correction** that brings its end
+//! Three things tell whether a step went wrong, whatever the reason. The **correction** that brings its end
 //! back onto the constraints is a part of its error. The **defect**, the difference between the accelerations
 //! of its polynomial and those of the equations, is another part (Enright, "A new error-control for initial
-//! value solvers", Appl. Math. Comput. 31, 1989). Both are held against the tolerance.
+//! value solvers", Appl. Math. Comput. 31, 1989). The change of the **energy** is one where the macro has
+//! proved that there is none (`landing/energy.rs`). All are held against the tolerance.
 //!
 //! A step does not end where the constraints do not determine the state well, beside a configuration in which
 //! they depend on each other: there, roundings of the constraints are large changes of the state. What was
 //! determined in the motion so far is the measure, so constraints that are redundant everywhere do no harm.
+
+mod energy;
 
 use super::step_size;
 use crate::constraints::Footing;
@@ -24,7 +27,7 @@ const MARGIN: f64 = 16.0;
 
 /// Uncertainty of accelerations, in ulps of their largest term. No error is compared with a tolerance below
 /// that.
-pub(super) const NOISE: f64 = 256.0;
+pub(crate) const NOISE: f64 = 256.0;
 
 /// How far [`Check::leaves`] looks ahead, in parts of the distance from a configuration in which constraints
 /// depend on each other, and of the step.
@@ -151,7 +154,8 @@ where
         });
         let is_near = self.is_near(reached, &landing);
         let obeys = defect.as_ref().is_none_or(|defect| self.obeys(defect, &landing));
-        landing.is_right = is_near && obeys || self.is_excused(reached, &landing, (is_near, defect));
+        landing.is_right = (is_near && obeys || self.is_excused(reached, &landing, (is_near, defect)))
+            && self.keeps_energy(&landing.end, &landing.footing);
         Ok(landing)
     }
 

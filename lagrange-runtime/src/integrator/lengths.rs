@@ -8,7 +8,7 @@ use crate::system::error::Cause;
 
 /// Parts of a length that ends where the state is not determined well: a little shorter or longer ones first,
 /// so that the cost is small.
-const PARTS: [f64; 8] = [0.9, 1.05, 0.8, 0.7, 0.6, 0.5, 0.35, 0.25];
+pub(crate) const PARTS: [f64; 8] = [0.9, 1.05, 0.8, 0.7, 0.6, 0.5, 0.35, 0.25];
 
 /// A length whose error is not measured but bounded is shortened to this part where the bound does not hold.
 const SHORTER: f64 = 0.9;

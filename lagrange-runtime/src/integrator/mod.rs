@@ -10,7 +10,7 @@ mod gauss;
 mod jet;
 pub(crate) mod jets;
 pub(crate) mod landing;
-mod lengths;
+pub(crate) mod lengths;
 mod rk4;
 #[cfg(test)]
 pub(crate) mod samples;

@@ -13,16 +13,16 @@ use crate::system::limits::Limits;
 use crate::system::state::State;
 
 impl<R: Ordered> Limits<R> {
-    /// Weights of the error norm. Neither part may vanish: a relative error below rounding cannot be met, and
-    /// an absolute one of zero would divide by it where a component passes through zero.
+    /// Weights of the error norm for a step of length `h`, or before there is one. Neither part may vanish: a
+    /// relative error below rounding cannot be met, and an absolute one of zero would divide by it where a
+    /// component passes through zero.
     #[inline]
-    pub(crate) fn scale(&self) -> Scale<R> {
+    pub(crate) fn scale(&self, h: Option<R>) -> Scale<R> {
         let ulp = R::epsilon();
-        let absolute = self.absolute.unwrap_or(self.relative);
         // The norm squares its inverse, which in single precision is no number.
         let tiny = smallest::<R>();
         let least = if (tiny * tiny).recip().is_finite() { tiny } else { ulp * ulp };
-        Scale { relative: larger(self.relative, ulp), absolute: larger(absolute, least) }
+        Scale { relative: larger(self.relative, ulp), absolute: self.absolute, least, h }
     }
 }
 
@@ -38,32 +38,66 @@ pub(crate) fn smallest<R: Ordered>() -> R {
     R::epsilon().powi(4)
 }
 
-/// Weights of the error norm.
+/// What a state gives weights to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale<R> {
     relative: R,
-    absolute: R,
+    absolute: Option<R>,
+    least: R,
+    h: Option<R>,
+}
+
+/// Weights of the error norm.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Weights<R> {
+    relative: R,
+    /// Of coordinates and of velocities.
+    absolute: [R; 2],
 }
 
 impl<R: Ordered> Scale<R> {
     /// The weights of the values, or of one of their derivatives on the way from one state to another. Linear
     /// equations have no scale: an absolute error of a derivative is one beside the whole of its column.
+    ///
+    /// Without an absolute tolerance that of the values is the relative one, of 1 or of the largest number of
+    /// its kind, whichever is smaller: so results do not depend on units that make numbers small. A
+    /// velocity is of the kind of what it makes of a coordinate in the step. So at rest there is a size as
+    /// well.
     #[inline]
-    pub(crate) fn of_part<const N: usize>(&self, part: usize, states: [&State<R, N>; 2]) -> Scale<R::Lane> {
-        let (relative, absolute) = (self.relative.largest(), self.absolute.largest());
-        if part == 0 {
-            return Scale { relative, absolute };
+    pub(crate) fn of_part<const N: usize>(&self, part: usize, states: [&State<R, N>; 2]) -> Weights<R::Lane> {
+        let (relative, least) = (self.relative.largest(), self.least.largest());
+        let of_largest = |numbers: &dyn Fn(&State<R, N>) -> [R; N]| {
+            let zero = num_traits::Zero::zero();
+            let all = states.into_iter().flat_map(numbers);
+            all.fold(zero, |most, x| larger(most, x.part(part).largest().abs()))
+        };
+        let (q, v) = (of_largest(&|state| state.q), of_largest(&|state| state.v));
+        if part > 0 {
+            let absolute = self.absolute.unwrap_or(self.relative).largest();
+            return Weights { relative, absolute: [larger(absolute * larger(q, v), least); 2] };
         }
-        let column = states.into_iter().flat_map(|state| state.iter());
-        let whole =
-            column.fold(num_traits::Zero::zero(), |most, x| larger(most, x.part(part).largest().abs()));
-        Scale { relative, absolute: larger(absolute * whole, smallest::<R::Lane>()) }
+        let one = <R::Lane as num_traits::One>::one();
+        let h = self.h.map_or(one, |h| h.largest().abs());
+        let sizes = [larger(q, v * h), larger(v, q / h)];
+        let absolute = sizes.map(|size| {
+            let size = if size > num_traits::Zero::zero() { smaller(size, one) } else { one };
+            larger(self.absolute.map_or(relative * size, Real::largest), least)
+        });
+        Weights { relative, absolute }
+    }
+}
+
+impl<R: Ordered> Weights<R> {
+    /// 1 / tolerated error of a coordinate that goes from `a` to `b`.
+    #[inline]
+    pub(crate) fn of_coordinate(&self, a: R, b: R) -> R {
+        (self.absolute[0] + self.relative * larger(a.abs(), b.abs())).recip()
     }
 
-    /// 1 / tolerated error of a component that goes from `a` to `b`.
+    /// The same of a velocity.
     #[inline]
-    pub(crate) fn weight(&self, a: R, b: R) -> R {
-        (self.absolute + self.relative * larger(a.abs(), b.abs())).recip()
+    pub(crate) fn of_velocity(&self, a: R, b: R) -> R {
+        (self.absolute[1] + self.relative * larger(a.abs(), b.abs())).recip()
     }
 }
 

@@ -44,7 +44,7 @@ impl<R: Real, const N: usize> Ldlt<R, N> {
             for i in k + 1..N {
                 let l = column[i] * inverse[k];
                 factor[i][k] = l;
-                for j in k + 1..=i {
+                for j in k + 1..i + 1 {
                     factor[i][j] -= l * column[j];
                 }
             }

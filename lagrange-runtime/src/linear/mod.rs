@@ -4,12 +4,17 @@
 //! [`Ldlt`] is for symmetric positive definite matrices (the mass matrix of any T), [`Lu`] for the rest (a
 //! user's own L may have an indefinite ∂²L/∂v²). Both report the index of the pivot at which they stop.
 //! [`Inverse`] is made from the factors of a matrix that is not formed.
-//! [`Saddle`] and [`Diagonal`] solve for velocities and multipliers of a constrained system together,
-//! redundant constraints included; [`Schur`] is what is left of such a system once the velocities are
-//! eliminated.
+//! [`Saddle`], [`Diagonal`] and [`Sparse`] solve for velocities and multipliers of a constrained system
+//! together, redundant constraints included; [`Schur`] is what is left of such a system once the velocities
+//! are eliminated.
+//!
+//! Loops over a triangle run to `i + 1` and not to `=i`: the end of an inclusive range is a flag of its own, by which
+//! compilers for small processors and for graphics processors do not see that indices are within bounds, and a panic
+//! would stay.
 
 pub mod algebra;
 pub(crate) mod complex;
+mod gradients;
 mod independence;
 mod inverse;
 mod ldlt;
@@ -20,13 +25,14 @@ mod singular_values;
 pub mod stored;
 mod symmetric;
 
+pub use gradients::{Gradients, Pattern, SparseRows};
 pub use independence::Independence;
 pub(crate) use independence::{CLEAR, determined};
 pub use inverse::{Inverse, RecursionStep};
 pub use ldlt::Ldlt;
 pub use lu::Lu;
 pub(crate) use saddle::TangentSpace;
-pub use saddle::{Defect, Diagonal, Saddle, SaddlePoint, Switched};
+pub use saddle::{Defect, Diagonal, Saddle, SaddlePoint, Sparse, Switched};
 pub use schur::Schur;
 pub(crate) use singular_values::SingularValues;
 pub(crate) use symmetric::diagonalise;

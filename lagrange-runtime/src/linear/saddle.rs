@@ -27,6 +27,7 @@
 //! condition number.
 
 use super::Independence;
+use super::gradients::Gradients;
 use crate::number::real::Real;
 
 mod diagonal;
@@ -35,11 +36,13 @@ pub(super) mod range;
 mod reduced;
 pub(super) mod redundant;
 pub(super) mod scaled;
+mod sparse;
 mod switched;
 mod tangent_space;
 pub(super) mod vectors;
 
 pub use diagonal::Diagonal;
+pub use sparse::Sparse;
 pub use switched::Switched;
 pub(crate) use tangent_space::TangentSpace;
 
@@ -63,6 +66,9 @@ pub enum Defect {
 
 /// A factored saddle-point system: what a caller needs that leaves the method open.
 pub trait SaddlePoint<R, const N: usize, const C: usize> {
+    /// A.
+    type Gradients: Gradients<R, N, C> + Clone;
+
     /// (v, κ) with M v − Aᵀ κ = `r` and A v = `y`; NaN where there is a [`defect`](Self::defect).
     ///
     /// If rows of A are dependent, v follows from a largest set of independent rows, and κ is the shortest of
@@ -308,6 +314,8 @@ pub(super) struct Split<R, const N: usize, const C: usize> {
 }
 
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R, N, C> {
+    type Gradients = [[R; N]; C];
+
     #[inline]
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
         let mut v = add_product(&[R::zero(); N], &self.compliance, r);

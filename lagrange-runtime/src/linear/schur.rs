@@ -18,14 +18,14 @@ use super::saddle::vectors::{add_product, add_scaled, multiply, poison, scale, u
 ///
 /// A pivot is the squared sine of the angle between a row of A and those before it, in the metric of the
 /// kinetic energy, and S is known to about Cε. So a pivot above this bound has lost three digits at most.
-const LEAST: f64 = 1.0 / 1024.0;
+pub(super) const LEAST: f64 = 1.0 / 1024.0;
 
 /// Up to this size the inverse is formed: one product instead of two substitutions.
 pub(super) const SMALL: usize = 6;
 
 /// Orders of a Taylor series whose solutions are refined. The terms of later orders are smaller by two powers
 /// of ten.
-const REFINED: usize = 4;
+pub(super) const REFINED: usize = 4;
 
 /// A factored Schur complement.
 ///
@@ -100,13 +100,9 @@ impl<R: Real, const C: usize> Schur<R, C> {
                 column[i] = factor[i][k];
             }
             for i in k + 1..C {
-                // The links of a long chain make a band, which stays one.
-                if C > SMALL && column[i].is_zero() {
-                    continue;
-                }
                 let l = column[i] * inverse[k];
                 factor[i][k] = l;
-                for j in k + 1..=i {
+                for j in k + 1..i + 1 {
                     factor[i][j] = R::mul_add(-l, column[j], factor[i][j]);
                 }
             }
@@ -137,7 +133,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
     /// The generalised inverse Y₀ᵀ Y₀, with Y₀ the right inverse of A M^(−1/2) on its independent rows.
     #[cold]
     #[inline(never)]
-    fn carefully<const N: usize>((inverse_masses, a): &([R; N], [[R; N]; C])) -> Self {
+    pub(super) fn carefully<const N: usize>((inverse_masses, a): &([R; N], [[R; N]; C])) -> Self {
         let mut rows = *a;
         let units = inverse_masses.map(R::sqrt);
         for row in &mut rows {

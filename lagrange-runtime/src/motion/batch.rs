@@ -4,7 +4,9 @@
 //! from lane to lane and the same generated code serves all of them. All lanes expand together to the same
 //! order; each takes the step that its own series allows.
 
-use crate::integrator::dop853::add;
+mod landing;
+pub mod relay;
+
 use crate::integrator::jets::probe::{self, Probe};
 use crate::integrator::jets::{NEAR, STEEPEST, last_term, orders};
 use crate::number::real::Real;
@@ -41,6 +43,8 @@ pub struct Batch<'a, S: Smooth<N, K>, const N: usize, const K: usize = 0> {
     last: S::Scalar,
     /// The largest accelerations that were met where steps were probed.
     strongest: [S::Scalar; N],
+    /// How independent constraints are at the states; zero before the first step.
+    least: S::Scalar,
 }
 
 impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
@@ -65,6 +69,7 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             expansions: 0,
             last: zero,
             strongest: [zero; N],
+            least: zero,
         }
     }
 
@@ -191,7 +196,15 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
             if missing.min(resolution - length).largest() > zero {
                 return Err(Cause::StepTooSmall);
             }
-            self.take(direction * length, length / self.unit, orders)?;
+            if S::CONSTRAINED {
+                length = self.land(length, orders, direction, resolution)?;
+            } else {
+                (self.state, self.residue) = self.reached(direction * length, length / self.unit, orders)?;
+            }
+            if let Some(settled) = attitude::settle(S::ORIENTATIONS, &self.state) {
+                let zero = [num_traits::Zero::zero(); N];
+                (self.state, self.residue) = (settled, State { t: self.residue.t, q: zero, v: zero });
+            }
             self.last = length.max(number(1e-3) * self.last);
             self.unit = natural;
         }
@@ -211,50 +224,11 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         Err(found.err().unwrap_or(Cause::NotFinite).named(&S::NAMES))
     }
 
-    /// The lengths at which the terms of the highest orders fall to the tolerance, in units. The size of a
-    /// component is that of its first terms over `span`. As in a single motion, terms before the last two
-    /// bear a part of it, because the last ones may vanish by symmetry.
     #[inline]
     fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
-        let number = S::Scalar::from_f64;
-        let relative = S::Scalar::splat(last_term(self.tolerance));
         // Far below any other number, but not zero.
-        let tiny = S::Scalar::epsilon().powi(4);
-        let mut worst = tiny;
-        let mut weigh =
-            |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize, least: S::Scalar| {
-                let row = |k: usize| {
-                    rows.get(k).map_or([num_traits::Zero::zero(); N], |row| row.map(|x| x.part(part)))
-                };
-                let (first, second) = (row(0), row(1));
-                let mut terms: [S::Scalar; N] = [num_traits::Zero::zero(); N];
-                for order in orders / 2..orders.saturating_sub(2) {
-                    let term = row(order);
-                    for i in 0..N {
-                        terms[i] = (terms[i] * number(1.0 / STEEPEST)).max(term[i].abs());
-                    }
-                }
-                let (before, last) = (row(orders - 2), row(orders - 1));
-                let mut sizes: [S::Scalar; N] = core::array::from_fn(|i| {
-                    x[i].part(part).abs().max(first[i].abs() * span).max(second[i].abs() * span * span)
-                });
-                for &first in S::ORIENTATIONS {
-                    attitude::share(&mut sizes, first, least);
-                }
-                for i in 0..N {
-                    let size = sizes[i];
-                    let early = terms[i] * number(1.0 / (STEEPEST * STEEPEST));
-                    let term = last[i].abs().max(number(DECAY) * before[i].abs()).max(early);
-                    worst = worst.max(term / (relative * size + tiny));
-                }
-            };
-        for part in 0..S::Scalar::PARTS {
-            // The size of the parameters of any orientation is 1 rad.
-            let [zero, one] = [num_traits::Zero::zero(), num_traits::One::one()];
-            weigh(&self.state.q, &self.series.q, part, if part == 0 { one } else { zero });
-            weigh(&self.state.v, &self.series.v, part, zero);
-        }
-        (-worst.ln() / number(orders as f64)).exp()
+        let last_terms = [S::Scalar::splat(last_term(self.tolerance)), S::Scalar::epsilon().powi(4)];
+        tolerated::<S, N, K>(&self.state, &self.series, last_terms, orders, span)
     }
 
     /// A length of which every lane obeys the equations of motion.
@@ -303,38 +277,50 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
         };
         row(&self.series.q) && row(&self.series.v)
     }
+}
 
-    /// Goes on by `h` \[s], which are `theta` units.
-    #[inline]
-    fn take(&mut self, h: S::Scalar, theta: S::Scalar, orders: usize) -> Result<(), Cause> {
-        let (gain_q, gain_v) = self.series.gain(theta, orders);
-        let (mut state, mut residue) = (self.state, self.residue);
-        (state.t, residue.t) = add(state.t, residue.t, h);
-        for i in 0..N {
-            (state.q[i], residue.q[i]) = add(state.q[i], residue.q[i], gain_q[i]);
-            (state.v[i], residue.v[i]) = add(state.v[i], residue.v[i], gain_v[i]);
-        }
-        if !state.is_finite() {
-            return Err(Cause::NotFinite);
-        }
-        if S::CONSTRAINED {
-            let free = state;
-            self.system.project_at(&self.system.constants(), &mut state, None)?;
+/// The lengths at which the terms of the highest orders fall to `last_terms`, relative to the size of a component
+/// and absolute, in units. The size of a component is that of its first terms over `span`. As in a single
+/// motion, terms before the last two bear a part of it, because the last ones may vanish by symmetry.
+#[inline]
+fn tolerated<S: Smooth<N, K>, const N: usize, const K: usize>(
+    state: &State<S::Scalar, N>,
+    series: &Series<S::Scalar, N, HIGHEST>,
+    [relative, absolute]: [S::Scalar; 2],
+    orders: usize,
+    span: S::Scalar,
+) -> S::Scalar {
+    let number = S::Scalar::from_f64;
+    let mut worst = S::Scalar::epsilon().powi(4);
+    let mut weigh = |x: &[S::Scalar; N], rows: &[[S::Scalar; N]; HIGHEST], part: usize, least: S::Scalar| {
+        let row =
+            |k: usize| rows.get(k).map_or([num_traits::Zero::zero(); N], |row| row.map(|x| x.part(part)));
+        let (first, second) = (row(0), row(1));
+        let mut terms: [S::Scalar; N] = [num_traits::Zero::zero(); N];
+        for order in orders / 2..orders.saturating_sub(2) {
+            let term = row(order);
             for i in 0..N {
-                // What rounding took belongs to the numbers that were rounded.
-                if state.q[i] != free.q[i] {
-                    residue.q[i] = num_traits::Zero::zero();
-                }
-                if state.v[i] != free.v[i] {
-                    residue.v[i] = num_traits::Zero::zero();
-                }
+                terms[i] = (terms[i] * number(1.0 / STEEPEST)).max(term[i].abs());
             }
         }
-        if let Some(settled) = attitude::settle(S::ORIENTATIONS, &state) {
-            let zero = [num_traits::Zero::zero(); N];
-            (state, residue) = (settled, State { t: residue.t, q: zero, v: zero });
+        let (before, last) = (row(orders - 2), row(orders - 1));
+        let mut sizes: [S::Scalar; N] = core::array::from_fn(|i| {
+            x[i].part(part).abs().max(first[i].abs() * span).max(second[i].abs() * span * span)
+        });
+        for &first in S::ORIENTATIONS {
+            attitude::share(&mut sizes, first, least);
         }
-        (self.state, self.residue) = (state, residue);
-        Ok(())
+        for i in 0..N {
+            let early = terms[i] * number(1.0 / (STEEPEST * STEEPEST));
+            let term = last[i].abs().max(number(DECAY) * before[i].abs()).max(early);
+            worst = worst.max(term / (relative * sizes[i] + absolute));
+        }
+    };
+    for part in 0..S::Scalar::PARTS {
+        // The size of the parameters of any orientation is 1 rad.
+        let [zero, one] = [num_traits::Zero::zero(), num_traits::One::one()];
+        weigh(&state.q, &series.q, part, if part == 0 { one } else { zero });
+        weigh(&state.v, &series.v, part, zero);
     }
+    (-worst.ln() / number(orders as f64)).exp()
 }

@@ -84,16 +84,22 @@ where
     }
 }
 
-impl<S, C, M, const N: usize, const K: usize> Simulation<'_, S, C, M, N, K>
+impl<'a, S, C, M, const N: usize, const K: usize> Simulation<'a, S, C, M, N, K>
 where
     S: System<N, K>,
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
     M: Adaptive<S, C, N, K>,
 {
+    /// The system that moves: its parameters.
+    #[inline]
+    pub fn system(&self) -> &'a S {
+        self.system
+    }
+
     /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32`
     /// 100 ε. [`Jets`](crate::Jets) take their order from it; [`Dop853`] takes it for an absolute error
-    /// as well.
+    /// as well, of 1 or of the largest coordinate or velocity where that is smaller.
     #[inline]
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: S::Scalar) -> Self {
@@ -132,6 +138,12 @@ where
     #[inline]
     pub(crate) fn limits(&mut self) -> &mut Limits<S::Scalar> {
         &mut self.limits
+    }
+
+    /// Where the inputs come from.
+    #[inline]
+    pub fn control(&self) -> &C {
+        &self.control
     }
 
     /// The state: the last one reached or sampled without error.

@@ -4,6 +4,8 @@
 //! method that would go wrong on a system does not compile. Time is summed with compensation, so a million
 //! steps of 1 ms end within one ulp of 1000 s.
 
+mod energy;
+
 use crate::constraints::{Constrained, Reactions};
 use crate::number::real::Real;
 use crate::system::System;
@@ -79,6 +81,11 @@ where
         self.system
             .project_at(&self.constants, &mut next, Some(from))
             .map_err(|cause| MotionError { cause, t: from.t })?;
+        if S::COUPLED && S::CONSERVES_ENERGY && !energy::is_kept(self.system, &self.constants, from, &next) {
+            let (system, constants, ends) = (self.system, &self.constants, [from, &next]);
+            next = energy::mended::<S, M, N, K>(&mut self.memory, system, constants, ends, h, u)
+                .map_err(|cause| MotionError { cause, t: from.t })?;
+        }
         self.residue = increment - (next.t - from.t);
         if let Some(settled) = attitude::settle(S::ORIENTATIONS, &next) {
             (next, self.memory) = (settled, M::begin(self.system));

@@ -23,6 +23,8 @@ pub use dual::Dual;
 mod lanes;
 #[cfg(feature = "wide")]
 pub use lanes::Lanes;
+mod vector;
+pub use vector::Vector;
 
 /// A real number, or several of them side by side (lanes).
 pub trait Real:

@@ -20,7 +20,8 @@ use crate::system::state::State;
 #[doc(hidden)]
 pub use motion::{accelerations, axes, complete, turning};
 
-/// The velocity of a pose.
+/// The velocity of a pose among the coordinates, as a state names it: `v.hull` of `hull: Pose`. What
+/// `self.hull_velocity(q, v)` returns is a [`Twist3`](crate::Twist3), with all components in both axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseVelocity<R> {
     /// Velocity of the pose's origin in space axes \[m/s].

@@ -147,7 +147,8 @@ pub enum Cause {
     /// Impacts and friction cannot be followed backward in time.
     Irreversible,
     /// A fixed step is too long for the constraints: bringing its end back onto them would change the state
-    /// by more than the step itself did.
+    /// by more than the step itself did, or the energy, which is conserved, changes by more than stages of
+    /// the step differ.
     StepTooLong,
     /// A coordinate, velocity, acceleration or parameter is infinite or not a number.
     NotFinite,
@@ -159,6 +160,12 @@ pub enum Cause {
     NoVelocities,
     /// The tolerance asks for steps below the resolution of time.
     StepTooSmall,
+    /// The tolerance is finer than what roundings leave of a state of the motion, so that no step goes on
+    /// from it.
+    ToleranceTooFine {
+        /// The finest relative tolerance that leads on from there.
+        reachable: Magnitude,
+    },
     /// One call took more steps than its limit.
     TooManySteps,
     /// The target time is infinite or not a number.
@@ -199,6 +206,7 @@ impl Cause {
             | Self::NoEigenvalues
             | Self::NoVelocities
             | Self::StepTooSmall
+            | Self::ToleranceTooFine { .. }
             | Self::TooManySteps
             | Self::InvalidTime
             | Self::InvalidStep

@@ -5,7 +5,7 @@
 //! metric, not of z. So the largest coordinate in units of 1/√M\[i]\[i], times the gradient in these units,
 //! is a size as well, the same in all units of the user.
 
-use crate::linear::SaddlePoint;
+use crate::linear::{Gradients, SaddlePoint};
 use crate::number::real::Real;
 
 /// Units of the coordinates at a state, those of the kinetic metric.
@@ -40,14 +40,19 @@ impl<R: Real, const N: usize> Metric<R, N> {
 
     /// How fast constraints with these gradients change along all coordinates together, each in its unit.
     #[inline(always)]
-    pub(crate) fn slopes<const C: usize>(&self, gradients: &[[R; N]; C]) -> [R; C] {
-        let add = |sum, (a, &unit): (&R, &R)| R::mul_add(a.abs(), unit, sum);
-        gradients.each_ref().map(|row| row.iter().zip(&self.units).fold(R::zero(), add))
+    pub(crate) fn slopes<const C: usize>(&self, gradients: &impl Gradients<R, N, C>) -> [R; C] {
+        gradients.slopes(&self.units)
     }
 
     /// An ulp of something of this extent, in the unit of each coordinate.
     #[inline(always)]
     pub(crate) fn ulps(&self, extent: R) -> [R; N] {
-        self.units.map(|unit| R::epsilon() * extent * unit)
+        self.at_extent(R::epsilon() * extent)
+    }
+
+    /// What has this extent, in the unit of each coordinate.
+    #[inline(always)]
+    pub(crate) fn at_extent(&self, extent: R) -> [R; N] {
+        self.units.map(|unit| extent * unit)
     }
 }

@@ -113,6 +113,11 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// Whether there are several constraints, which may come to depend on each other.
     const COUPLED: bool = false;
 
+    /// Whether [`System::energy_at`] is proved to stay the same along each motion on the constraints: then it
+    /// is a check of every step.
+    #[doc(hidden)]
+    const CONSERVES_ENERGY: bool = false;
+
     /// Begins a motion at a state. Refuses a state that violates constraints in its first nine digits, and
     /// removes the rounding errors of any other.
     ///

@@ -19,6 +19,10 @@ pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
     /// under error control are then compared with the equations at some places, and grow with restraint.
     const STEEP: bool = false;
 
+    /// Whether the mass matrix is factored with pivots that all lanes of a vector share, so that rounding
+    /// errors of a lane depend on the others.
+    const SHARES_PIVOTS: bool = false;
+
     /// What depends on parameters alone, computed once per run.
     type JetConstants: Copy + core::fmt::Debug;
 

@@ -11,6 +11,7 @@
 //! | [`passages`] | through configurations in which constraints become dependent, straight on |
 //! | [`far`] | small differences of large coordinates |
 //! | [`linkages`] | four-bar linkages, flat configurations |
+//! | [`many`] | many constraints that have few coordinates in common |
 //! | [`inputs`] | inputs, feedback, dissipation, constraints that move |
 //! | [`contradictions`] | constraints that no state satisfies together, and other ends of motions by their names |
 //! | [`baumgarte`] | stabilisation instead of projection |
@@ -26,6 +27,7 @@ mod far;
 mod formulations;
 mod inputs;
 mod linkages;
+mod many;
 mod passages;
 mod redundancy;
 mod scalars;

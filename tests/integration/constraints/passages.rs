@@ -285,9 +285,14 @@ fn at_the_finest_tolerance_a_passage_ends_soon() {
                 close_on(1.0, system.energy(end), system.energy(&start), 1e-10);
                 passed += 1;
             }
-            Err(error) => {
-                assert!(matches!(error.cause, Cause::Undetermined { .. } | Cause::StepTooSmall), "{error}")
-            }
+            Err(error) => match error.cause {
+                Cause::ToleranceTooFine { reachable } => {
+                    assert!(reachable.0 > 1e-13 && reachable.0 < 1e-8, "{error}");
+                }
+                cause => {
+                    assert!(matches!(cause, Cause::Undetermined { .. } | Cause::StepTooSmall), "{error}")
+                }
+            },
         }
     }
     assert!(passed > 20, "{passed}");

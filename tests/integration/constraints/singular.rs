@@ -153,7 +153,13 @@ fn other_methods_lose_no_energy_in_silence() {
             match motion.advance_to(2.0) {
                 Ok(end) => close(slider.energy(end) / slider.energy(&start), 1.0, 1e-6),
                 Err(error) => {
-                    assert!(matches!(error.cause, Cause::StepTooSmall | Cause::Undetermined { .. }))
+                    assert!(
+                        matches!(
+                            error.cause,
+                            Cause::ToleranceTooFine { .. } | Cause::StepTooSmall | Cause::Undetermined { .. }
+                        ),
+                        "{error}"
+                    )
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use lagrangian::prelude::*;
 
-use crate::support::close::{all_close, close};
+use crate::support::close::{all_close, close, close_on};
 use crate::support::difference::slope;
 use crate::support::identities::model;
 use crate::support::motion::follows;
@@ -163,4 +163,49 @@ fn a_motion_may_start_at_any_time() {
     let half = *motion.advance_to(3.0).unwrap();
     let rest = *driven.simulate(half).with_tolerance(1e-14).advance_to(6.0).unwrap();
     all_close([rest.t, rest.q[0], rest.v[0]], [whole.t, whole.q[0], whole.v[0]], 1e-11);
+}
+
+/// A mass on a spring, pushed by a force that changes linearly between two calls of `set_inputs`.
+struct Pushed;
+
+#[lagrangian(coordinates = [x], inputs = [force, slope, since])]
+impl Pushed {
+    #[point(mass = 1.0)]
+    fn mass(&self, q: &Coordinates) -> Vector1<f64> {
+        Vector1::new(q.x)
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * q.x * q.x
+    }
+
+    #[force(on = x)]
+    fn push(&self, u: &Inputs, t: f64) -> f64 {
+        u.force + u.slope * (t - u.since)
+    }
+}
+
+/// Steps over ten seconds, with a force that is up to a slope a triangle.
+fn pushed(slope: f64) -> u64 {
+    let mut motion = Pushed.simulate(State::at_rest([0.0])).with_tolerance(1e-13);
+    let (mut x, mut v) = (0.0, 0.0);
+    for second in 0..10 {
+        let since = f64::from(second);
+        let (force, slope) = if second % 2 == 0 { (0.5, slope) } else { (0.5 + slope, -slope) };
+        motion.set_inputs([force, slope, since]);
+        let state = *motion.advance_to(since + 1.0).unwrap();
+        // A vibration about the line x = force + slope (t − since).
+        let ((sine, cosine), a, b) = (1.0_f64.sin_cos(), x - force, v - slope);
+        (x, v) = (force + slope + a * cosine + b * sine, slope - a * sine + b * cosine);
+        close_on(1.0, state.q[0], x, 1e-13);
+        close_on(1.0, state.v[0], v, 1e-13);
+    }
+    motion.steps().accepted
+}
+
+#[test]
+fn an_input_may_be_a_polynomial_of_a_step() {
+    // A series takes the line as it takes what is held: in one step for each second.
+    assert_eq!(pushed(0.0), pushed(0.7));
 }

@@ -257,3 +257,51 @@ fn a_die_comes_to_lie_flat_and_slides_on() {
     close(end.q[0], 3.0, 1e-13);
     close(motion.energy(), 9.81 * 0.3 + 0.5 + 0.5 * 0.06, 1e-12);
 }
+
+/// A body that turns about one axis through the kinks of its potential, by its orientation and by an angle.
+struct Ridge;
+
+#[lagrangian(coordinates = [body: Rotation])]
+impl Ridge {
+    #[body(mass = 1.0, inertia = [1.0, 2.0, 3.0])]
+    fn body(&self, q: &Coordinates) -> Isometry3<f64> {
+        Isometry3::from_parts(Translation3::identity(), q.body)
+    }
+
+    #[potential]
+    fn valley(&self, q: &Coordinates) -> f64 {
+        4.0 * (q.body * Vector3::x()).y.abs()
+    }
+}
+
+struct RidgeByAngle;
+
+#[lagrangian(coordinates = [angle])]
+impl RidgeByAngle {
+    #[kinetic]
+    fn turning(&self, v: &Velocities) -> f64 {
+        1.5 * v.angle.powi(2)
+    }
+
+    #[potential]
+    fn valley(&self, q: &Coordinates) -> f64 {
+        4.0 * q.angle.sin().abs()
+    }
+}
+
+#[test]
+fn kinks_of_an_orientation_are_passed() {
+    let spin = RidgeVelocities { body: Vector3::new(0.0, 0.0, 2.0) };
+    let start = Ridge.state(RidgeCoordinates { body: UnitQuaternion::identity() }, spin);
+    let mut motion = Ridge.simulate(start).with_tolerance(1e-13);
+    let mut by_angle = RidgeByAngle.simulate(State::new([0.0], [2.0])).with_tolerance(1e-13);
+    for second in 1..=10 {
+        let (state, angle) = (
+            *motion.advance_to(f64::from(second)).unwrap(),
+            *by_angle.advance_to(f64::from(second)).unwrap(),
+        );
+        let about_z = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle.q[0]);
+        close_on(1.0, RidgeCoordinates::from(state.q).body.angle_to(&about_z), 0.0, 1e-10);
+        close_on(2.0, Ridge.velocities(&state).body.z, angle.v[0], 1e-10);
+    }
+}

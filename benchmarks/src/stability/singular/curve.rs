@@ -18,8 +18,10 @@ const GAUSS: [(f64, f64); 5] = [
     (0.973_906_528_517_171_7, 0.066_671_344_308_688_14),
 ];
 /// Length of an interval of quadrature in s: motions turn by parts of a radian in it, so ten nodes are good
-/// to 1e-15.
+/// to 1e-15, unless the motion comes close to rest.
 const INTERVAL: f64 = 0.02;
+/// How often an interval is halved where its halves differ from the whole.
+const HALVINGS: u32 = 12;
 
 /// A configuration and its derivative by the parameter.
 pub type Point<const N: usize> = ([f64; N], [f64; N]);
@@ -66,11 +68,7 @@ where
         let mass = 2.0 * (energy(&q, &tangent) - potential);
         (2.0 * (total - potential) / mass).sqrt()
     };
-    let time = |from: f64, to: f64| {
-        let (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
-        let pair = |(x, w): (f64, f64)| w * (1.0 / speed(middle + half * x) + 1.0 / speed(middle - half * x));
-        half.abs() * GAUSS.into_iter().map(pair).sum::<f64>()
-    };
+    let time = |from: f64, to: f64| quadrature(&|s| 1.0 / speed(s), from, to, HALVINGS);
     let (mut s, mut left, direction) = (s0, span, rate.signum());
     loop {
         let next = s + direction * INTERVAL;
@@ -96,6 +94,21 @@ where
     let (q, tangent) = curve(s);
     let v = tangent.map(|x| x * direction * speed(s));
     Some((start, State::new(q, v).at_time(span)))
+}
+
+/// The integral of a function, whatever the direction: by halves where these differ from the whole.
+fn quadrature(f: &impl Fn(f64) -> f64, from: f64, to: f64, halvings: u32) -> f64 {
+    let rule = |from: f64, to: f64| {
+        let (middle, half) = ((from + to) / 2.0, (to - from) / 2.0);
+        let pair = |(x, w): (f64, f64)| w * (f(middle + half * x) + f(middle - half * x));
+        half.abs() * GAUSS.into_iter().map(pair).sum::<f64>()
+    };
+    let middle = (from + to) / 2.0;
+    let (whole, halves) = (rule(from, to), rule(from, middle) + rule(middle, to));
+    if halvings == 0 || (whole - halves).abs() <= 4.0 * f64::EPSILON * halves || !halves.is_finite() {
+        return halves;
+    }
+    quadrature(f, from, middle, halvings - 1) + quadrature(f, middle, to, halvings - 1)
 }
 
 /// `count` numbers between 1e-8 and 0.1, log-spaced, on either side of zero in turn.

@@ -20,8 +20,8 @@ pub(crate) use places::is_generated as is_force_on_place;
 pub(super) use record::{Held, declared, held, record, record_ident};
 pub(super) use surface::{Implementations, implementations, system};
 
-use super::scalar;
-use crate::structure::Saddle;
+use super::{Emission, scalar};
+use crate::structure::{Saddle, Sparsity};
 use crate::syntax::Scalar;
 
 /// Statements that fill `name` with rows; what is zero stays.
@@ -37,20 +37,77 @@ pub(super) fn rows(scalar: &Scalar, name: &str, width: usize, rows: &[Vec<String
 }
 
 /// The type that factors M and A.
-pub(super) fn saddle_type(method: Saddle, scalar: &Scalar, count: usize, constraints: usize) -> String {
+pub(super) fn saddle_type(emission: &Emission<'_>, method: Saddle) -> String {
+    let (scalar, count, held) = (&emission.scalar, emission.count(), emission.equations.conditions.count());
     let name = match method {
         Saddle::Diagonal => "Diagonal",
+        Saddle::Sparse => "Sparse",
         Saddle::Whole { .. } => "Saddle",
         Saddle::Switched { .. } => "Switched",
     };
-    format!("lagrange::saddle::{name}<{scalar}, {count}, {constraints}>")
+    let sizes =
+        sparsity(emission, method).map_or(String::new(), |it| format!(", {}, {}", it.entries(), it.factor()));
+    format!("lagrange::saddle::{name}<{scalar}, {count}, {held}{sizes}>")
+}
+
+/// Where gradients can differ from zero, for a method that goes by that.
+fn sparsity<'a>(emission: &Emission<'a>, method: Saddle) -> Option<&'a Sparsity> {
+    emission.solution.sparsity.as_ref().filter(|_| method == Saddle::Sparse)
+}
+
+/// The type of the gradients.
+pub(super) fn gradients_type(emission: &Emission<'_>, method: Saddle) -> String {
+    let scalar = &emission.scalar;
+    match sparsity(emission, method) {
+        Some(it) => format!("lagrange::saddle::SparseRows<{scalar}, {}>", it.entries()),
+        None => format!("[[{scalar}; {}]; {}]", emission.count(), emission.equations.conditions.count()),
+    }
+}
+
+/// Statements that make `gradients` of rows.
+pub(super) fn gradients(emission: &Emission<'_>, method: Saddle, entries: &[Vec<String>]) -> String {
+    let Some(sparsity) = sparsity(emission, method) else {
+        return rows(&emission.scalar, "gradients", emission.count(), entries);
+    };
+    let kept: Vec<&str> = sparsity
+        .order
+        .iter()
+        .zip(&sparsity.coordinates)
+        .flat_map(|(&c, coordinates)| coordinates.iter().map(move |&i| entries[c][i].as_str()))
+        .collect();
+    format!(
+        "let gradients = lagrange::saddle::SparseRows::new(<Self as lagrange::Surface<{}, {}, {}>>::PATTERN, [{}]);\n",
+        emission.count(),
+        emission.model.inputs.len(),
+        emission.equations.conditions.count(),
+        kept.join(", ")
+    )
+}
+
+/// The item of `Surface` that says where gradients can differ from zero.
+pub(super) fn pattern(emission: &Emission<'_>, method: Saddle) -> String {
+    let Some(Sparsity { order, coordinates, coupled, earlier, later }) = sparsity(emission, method) else {
+        return String::new();
+    };
+    let lists = |lists: &[Vec<usize>]| {
+        let lists: Vec<String> = lists.iter().map(|list| format!("&{list:?}")).collect();
+        format!("&[{}]", lists.join(", "))
+    };
+    format!(
+        "const PATTERN: &'static lagrange::saddle::Pattern = &lagrange::saddle::Pattern {{\n\
+         order: &{order:?},\ncoordinates: {},\ncoupled: {},\nearlier: {},\nlater: {},\n}};\n",
+        lists(coordinates),
+        lists(coupled),
+        lists(earlier),
+        lists(later)
+    )
 }
 
 /// The constructor of a factorisation.
 pub(super) fn constructor(method: Saddle) -> &'static str {
     match method {
         Saddle::Whole { definite: false } | Saddle::Switched { definite: false } => "factor_indefinite",
-        Saddle::Diagonal | Saddle::Whole { .. } | Saddle::Switched { .. } => "factor",
+        Saddle::Diagonal | Saddle::Sparse | Saddle::Whole { .. } | Saddle::Switched { .. } => "factor",
     }
 }
 
@@ -65,12 +122,13 @@ pub(super) fn filled_switches(scalar: &Scalar, count: usize, held: usize, values
 }
 
 /// The expression that factors `mass` and `gradients`.
-pub(super) fn factored(method: Saddle, scalar: &Scalar, count: usize, constraints: usize) -> String {
-    let (name, arguments) = match method {
-        Saddle::Diagonal => ("Diagonal", "mass, &gradients"),
-        Saddle::Whole { .. } => ("Saddle", "&mass, &gradients"),
-        Saddle::Switched { .. } => ("Switched", "&mass, &gradients, &coupling, &active"),
+pub(super) fn factored(emission: &Emission<'_>, method: Saddle) -> String {
+    let arguments = match method {
+        Saddle::Diagonal => "mass, &gradients",
+        Saddle::Sparse => "mass, gradients",
+        Saddle::Whole { .. } => "&mass, &gradients",
+        Saddle::Switched { .. } => "&mass, &gradients, &coupling, &active",
     };
-    let constructor = constructor(method);
-    format!("lagrange::saddle::{name}::<{scalar}, {count}, {constraints}>::{constructor}({arguments})")
+    let own = saddle_type(emission, method).replacen('<', "::<", 1);
+    format!("{own}::{}({arguments})", constructor(method))
 }

@@ -1,6 +1,6 @@
 //! `System` of a constrained model, and the runtime's `Surface` and `Constrained`.
 
-use super::{factored, filled_switches, record_ident, rows, saddle_type};
+use super::{factored, filled_switches, gradients, gradients_type, pattern, record_ident, saddle_type};
 use crate::emit::block;
 use crate::emit::body::{self, Source};
 use crate::emit::names::Names;
@@ -56,10 +56,11 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
     let begin = if emission.model.baumgarte.is_some() { "let start = &mut start.clone();\n" } else { "" };
     let names = names(emission.model);
     let coupled = if held > 1 { "const COUPLED: bool = true;\n" } else { "" };
+    let conserves = if conserves_energy(emission) { "const CONSERVES_ENERGY: bool = true;\n" } else { "" };
     let system = format!(
         "type Scalar = {scalar};\ntype Method = {integrator};\n{constants}\
          {names}\
-         const CONSTRAINED: bool = true;\n{coupled}\
+         const CONSTRAINED: bool = true;\n{coupled}{conserves}\
          {accelerations}\
          fn check_at(&self, _constants: &Self::Constants, {place}) -> ::core::result::Result<(), lagrange::Cause> \
          {{\nlagrange::constraints::check::<Self, {count}, {given}, {held}>(self, t, q, v)\n}}\n\
@@ -88,14 +89,26 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
          {{\nself.energy(&lagrange::State {{ t, q: *q, v: *v }})\n}}\n"
     );
     let surface = format!(
-        "type Saddle = {};\n\
+        "type Saddle = {};\n{}\
          #[inline]\nfn equations_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) \
          -> lagrange::Equations<Self::Saddle, {scalar}, {count}, {held}> {{\n{equations}\n}}\n\
          #[inline]\nfn residuals_at(&self, {place}) -> lagrange::Residuals<{scalar}, {held}> {{\n{residuals}\n}}\n\
-         #[inline]\nfn saddle_at(&self, {place}) -> (Self::Saddle, [[{scalar}; {count}]; {held}]) {{\n{saddle}\n}}\n",
-        saddle_type(method, &emission.scalar, count, held)
+         #[inline]\nfn saddle_at(&self, {place}) -> (Self::Saddle, {}) {{\n{saddle}\n}}\n",
+        saddle_type(emission, method),
+        pattern(emission, method),
+        gradients_type(emission, method)
     );
     Implementations { system: system + &project + &energy, constants, surface, operations }
+}
+
+/// Whether `energy_at` is proved to stay the same along each motion on the constraints. Motions by
+/// Baumgarte's method are beside them, and rows that contacts and frictions switch do work.
+fn conserves_energy(emission: &Emission<'_>) -> bool {
+    let facts = emission.facts;
+    facts.conserves()
+        && !facts.has_jacobi_integral
+        && emission.model.baumgarte.is_none()
+        && emission.equations.conditions.switches().is_empty()
 }
 
 /// The implementation of `Constrained` as text.
@@ -145,7 +158,7 @@ fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, St
     text.push_str(&filled_switches(scalar, count, held, &take(extra.len())));
     text.push_str(&format!(
         "lagrange::Equations {{ saddle: {}, gradients, forces: [{}], gamma: [{}] }}",
-        factored(method, scalar, count, held),
+        factored(emission, method),
         forces.join(", "),
         gamma.join(", ")
     ));
@@ -160,7 +173,7 @@ fn masses(emission: &mut Emission<'_>, method: Saddle) -> Vec<NodeId> {
     let rows = &emission.equations.mass;
     match method {
         Saddle::Whole { .. } | Saddle::Switched { .. } => rows.iter().flatten().copied().collect(),
-        Saddle::Diagonal => {
+        Saddle::Diagonal | Saddle::Sparse => {
             let graph = &mut emission.model.graph;
             let one = graph.one();
             rows.iter().enumerate().map(|(i, row)| graph.div(one, row[i])).collect()
@@ -173,15 +186,15 @@ fn mass_and_gradients(
     emission: &Emission<'_>,
     method: Saddle,
     mass: Vec<String>,
-    gradients: Vec<String>,
+    gradient: Vec<String>,
 ) -> String {
     let (scalar, count) = (&emission.scalar, emission.count());
     let mass = match method {
-        Saddle::Diagonal => format!("let mass = [{}];\n", mass.join(", ")),
+        Saddle::Diagonal | Saddle::Sparse => format!("let mass = [{}];\n", mass.join(", ")),
         Saddle::Whole { .. } | Saddle::Switched { .. } => body::lower_triangle(scalar, count, &mass),
     };
-    let gradients: Vec<Vec<String>> = gradients.chunks(count).map(<[String]>::to_vec).collect();
-    mass + &rows(scalar, "gradients", count, &gradients)
+    let rows: Vec<Vec<String>> = gradient.chunks(count).map(<[String]>::to_vec).collect();
+    mass + &gradients(emission, method, &rows)
 }
 
 fn residuals(emission: &mut Emission<'_>) -> String {
@@ -213,9 +226,9 @@ fn saddle(emission: &mut Emission<'_>, method: Saddle) -> String {
     let emission = &*emission;
     body::plain(emission.model, &emission.scalar, &roots, Source::Slices, |values| {
         let (mass, rest) = values.split_at(split);
-        let (gradients, extra) = rest.split_at(count * held);
-        let filled = mass_and_gradients(emission, method, mass.to_vec(), gradients.to_vec())
+        let (gradient, extra) = rest.split_at(count * held);
+        let filled = mass_and_gradients(emission, method, mass.to_vec(), gradient.to_vec())
             + &filled_switches(&emission.scalar, count, held, extra);
-        format!("{filled}({}, gradients)", factored(method, &emission.scalar, count, held))
+        format!("{filled}({}, gradients)", factored(emission, method))
     })
 }

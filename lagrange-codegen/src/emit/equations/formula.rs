@@ -142,7 +142,6 @@ impl Writer<'_> {
             Variable::Time => Text::atom("t".to_owned()),
             Variable::Auxiliary(i) => symbols::symbol(notation, "u", &i.to_string(), 0).into(),
             Variable::Entry(i) => symbols::symbol(notation, "R", &i.to_string(), 0).into(),
-            Variable::Spin(i) => symbols::symbol(notation, "ω", &i.to_string(), 0).into(),
             Variable::Position(i) => symbols::symbol(notation, "r", &i.to_string(), 0).into(),
         }
     }
@@ -157,7 +156,7 @@ impl Writer<'_> {
                 Variable::Time | Variable::Coordinate(_) | Variable::Entry(_) | Variable::Position(_),
             ) => 3,
             Node::Variable(Variable::Input(_) | Variable::Auxiliary(_)) => 4,
-            Node::Variable(Variable::Velocity(_) | Variable::Spin(_)) => 5,
+            Node::Variable(Variable::Velocity(_)) => 5,
             Node::Variable(Variable::Acceleration(_) | Variable::Multiplier(_)) => 6,
             Node::Unary(..) | Node::Binary(..) => 7,
         }

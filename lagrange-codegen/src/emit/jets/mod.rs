@@ -17,12 +17,14 @@ use super::{Emission, body, scalar, turning};
 use crate::jets::Jets;
 use crate::orders::{Expansion, Expansions, Numbers, Sums, Tiles};
 use crate::schedule::{Given, Instruction, Phase, Slot};
+use crate::structure::Method;
 use names::{Of, label_auxiliaries};
 
 /// Rows of the tables are padded to a multiple of this many lanes.
 const WIDTH: usize = 4;
 
-/// So many sums are made anew in each order; more are overwritten, which saves setting them to zero.
+/// The most sums that an order makes anew. Where there are more, it overwrites those of the order before, which saves
+/// setting them to zero.
 const FRESH: usize = 32;
 
 /// The items of the trait, as text.
@@ -84,15 +86,17 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
     let text = opened + &text;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let named = |is_read: bool, name: &str| if is_read { name.to_owned() } else { format!("_{name}") };
+    let shares_pivots = emission.solution.blocks.iter().any(|block| matches!(block.method, Method::Lu));
     // Types are spelled out: where the trait cannot be found, `Self::Tables` would be a second error.
     format!(
-        "{}type JetConstants = {constants_type};\n\
+        "{}{}type JetConstants = {constants_type};\n\
          type Tables<const ORDERS: usize> = lagrange::{tables};\n\
          #[inline]\nfn jet_constants(&self) -> {constants_type} {{\n{constants_body}\n}}\n\
          #[inline]\nfn jet_at<const ORDERS: usize>(\n&self, {}: &{constants_type}, {}: {scalar}, {}: &{vector}, v: &{vector}, \
          {}: &{inputs}, h: {scalar}, orders: usize, {}: &mut lagrange::{tables}, \
          series: &mut lagrange::Series<{scalar}, {count}, ORDERS>,\n) -> bool {{\n{items}{}\n}}\n{reactions}",
         if jets.is_steep { "const STEEP: bool = true;\n" } else { "" },
+        if shares_pivots { "const SHARES_PIVOTS: bool = true;\n" } else { "" },
         named(factored || !labels.is_empty(), "constants"),
         named(reads.time, "t"),
         named(reads.coordinates.contains(&true) || !emission.solved.turning.is_empty(), "q"),

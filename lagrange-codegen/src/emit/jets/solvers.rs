@@ -110,14 +110,24 @@ pub(super) fn start(
 fn saddle_start(emission: &Emission<'_>, saddle: &SaddlePoint, writer: &Writer<'_>) -> String {
     let (scalar, count, held) = (&emission.scalar, emission.count(), saddle.gradients.len());
     let mass = writer.outputs(&saddle.mass);
-    let gradients: Vec<String> =
-        saddle.gradients.iter().map(|row| format!("[{}]", writer.outputs(row).join(", "))).collect();
-    let gradients = format!("[{}]", gradients.join(", "));
+    let rows: Vec<Vec<String>> = saddle.gradients.iter().map(|row| writer.outputs(row)).collect();
     // One row depends on no other.
     let noted = |independence: String| match held {
         0 | 1 => String::new(),
         _ => format!("series.independence = {independence};\n"),
     };
+    if saddle.method == Saddle::Sparse {
+        return format!(
+            "let mass = [{}];\n{}let {SADDLE} = {};\n\
+             if lagrange::constraints::is_singular(&{SADDLE}) {{ return false; }}\n{}",
+            mass.join(", "),
+            constraints::gradients(emission, saddle.method, &rows),
+            constraints::factored(emission, saddle.method),
+            noted(format!("lagrange::constraints::independence(&{SADDLE})"))
+        );
+    }
+    let rows: Vec<String> = rows.iter().map(|row| format!("[{}]", row.join(", "))).collect();
+    let gradients = format!("[{}]", rows.join(", "));
     if saddle.method == Saddle::Diagonal {
         return format!(
             "{}let {SADDLE} = lagrange::saddle::Schur::<{scalar}, {held}>::factor::<{count}>(mass, || ([{}], {gradients}));\n\
@@ -132,7 +142,7 @@ fn saddle_start(emission: &Emission<'_>, saddle: &SaddlePoint, writer: &Writer<'
          if lagrange::constraints::is_singular(&{SADDLE}) {{ return false; }}\n{}",
         body::lower_triangle(scalar, count, &mass),
         constraints::filled_switches(scalar, count, held, &writer.outputs(&saddle.switches)),
-        constraints::factored(saddle.method, scalar, count, held),
+        constraints::factored(emission, saddle.method),
         noted(format!("lagrange::constraints::independence(&{SADDLE})"))
     )
 }
@@ -155,6 +165,7 @@ pub(super) fn order(expansion: &Expansion, solvers: &[String], writer: &Writer<'
         Saddle::Diagonal => {
             format!("let [{impulses}] = {SADDLE}.solve_order(order, &mass, [{conditions}]);\n")
         }
+        Saddle::Sparse => format!("let [{impulses}] = {SADDLE}.solve_order(order, [{conditions}]);\n"),
         Saddle::Whole { .. } | Saddle::Switched { .. } => format!(
             "let ([{}], [{impulses}]) = lagrange::saddle::SaddlePoint::{}(&{SADDLE}, &[{}], &[{conditions}]);\n",
             of.velocities.join(", "),

@@ -13,7 +13,7 @@ use super::nullspace::{Noise, null_space};
 use super::turns::{Shift, Turn};
 use crate::expr::{Graph, NodeId, Rounded, Variable};
 use crate::mechanics::Equations;
-use crate::model::Model;
+use crate::model::{Model, orientation};
 use crate::number::Number;
 
 /// More unknowns than this are too many for an elimination in an unoptimised macro.
@@ -145,8 +145,7 @@ fn unknowns(model: &Model, equations: &Equations) -> Vec<Unknown> {
     let mass = &equations.mass;
     let count = mass.len();
     // Linear functions of an orientation's numbers mean nothing.
-    let is_turned = |i: &usize| model.orientations.iter().any(|&first| (first..first + 3).contains(i));
-    let plain: Vec<usize> = (0..count).filter(|i| !is_turned(i)).collect();
+    let plain: Vec<usize> = (0..count).filter(|&i| !orientation::holds(&model.orientations, i)).collect();
     let shifts = plain.iter().copied().map(Unknown::Shift);
     let turns = model.orientations.iter().flat_map(|&first| {
         let all = [false, true].into_iter().flat_map(|in_body| (0..3).map(move |axis| (axis, in_body)));
@@ -211,7 +210,6 @@ impl Sample {
             Variable::Acceleration(_)
             | Variable::Auxiliary(_)
             | Variable::Entry(_)
-            | Variable::Spin(_)
             | Variable::Multiplier(_)
             | Variable::Position(_) => f64::NAN,
         };

@@ -1,6 +1,6 @@
 //! The runtime's part of a constrained system: the saddle-point equations, solved densely.
 
-use super::value::{Run, Value, symmetric, unknown};
+use super::value::{Run, Stop, Value, symmetric, unknown};
 use super::{Interpreter, find};
 use crate::oracle::gauss;
 
@@ -13,9 +13,11 @@ impl Interpreter<'_> {
             ("lagrange::constraints::accelerations", [Value::Model, ..]) => {
                 self.balance_of(arguments).and_then(|balance| balance.field("accelerations").cloned())
             }
-            ("lagrange::saddle::Diagonal::factor", [inverses, gradients]) => {
-                diagonal(inverses).map(|mass| saddle(Value::rows(&mass), gradients))
-            }
+            ("lagrange::saddle::SparseRows::new", [pattern, entries]) => self.rows_of(pattern, entries),
+            (
+                "lagrange::saddle::Diagonal::factor" | "lagrange::saddle::Sparse::factor",
+                [inverses, gradients],
+            ) => diagonal(inverses).map(|mass| saddle(Value::rows(&mass), gradients)),
             (
                 "lagrange::saddle::Saddle::factor" | "lagrange::saddle::Saddle::factor_indefinite",
                 [mass, gradients],
@@ -55,6 +57,23 @@ impl Interpreter<'_> {
     fn balance_of(&self, arguments: &[Value]) -> Run<Value> {
         let equations = self.call(find(&self.expansion.surface, "equations_at")?, arguments.to_vec())?;
         balance(equations.field("saddle")?, equations.field("forces")?, equations.field("gamma")?)
+    }
+
+    /// Rows of which the entries are listed that can differ from zero.
+    fn rows_of(&self, pattern: &Value, entries: &Value) -> Run<Value> {
+        let order = pattern.field("order")?.to_indices()?;
+        let mut rows = vec![vec![0.0; self.point.q.len()]; order.len()];
+        let mut entries = entries.to_numbers()?.into_iter();
+        for (&constraint, coordinates) in order.iter().zip(pattern.field("coordinates")?.list()?) {
+            for coordinate in coordinates.to_indices()? {
+                let entry = entries.next().ok_or_else(|| Stop::Unknown("too few gradients".to_owned()))?;
+                rows[constraint][coordinate] = entry;
+            }
+        }
+        if entries.next().is_some() {
+            return unknown("too many gradients");
+        }
+        Ok(Value::rows(&rows))
     }
 
     /// The factors and the gradients at a state.

@@ -6,7 +6,8 @@ use super::value::{Run, Value, unknown};
 use super::{Interpreter, Point, find};
 
 /// The runtime's structs that generated code makes field by field.
-pub(super) const RECORDS: [&str; 6] = [
+pub(super) const RECORDS: [&str; 7] = [
+    "lagrange::saddle::Pattern",
     "lagrange::RecursionStep",
     "lagrange::Residuals",
     "lagrange::Equations",

@@ -4,21 +4,23 @@
 //! run as [`Stop::Unknown`], which is a failure of the test and never skipped. Factorisations of the
 //! runtime are replaced by an elimination of its own.
 
+mod calls;
 mod constrained;
 mod derivatives;
 mod patterns;
 mod series;
+mod tokens;
 mod value;
 
 use std::collections::{BTreeMap, HashMap};
 
 use quote::ToTokens;
-use syn::{BinOp, Block, Expr, ImplItemFn, Lit, Member, Stmt, UnOp};
+use syn::{BinOp, Block, Expr, ImplItemFn, Member, Stmt, UnOp};
 
 use crate::expansion::{Expansion, Functions};
-use crate::oracle::gauss;
+use tokens::{literal_value, path_of, rooted_in_self, text};
+use value::unknown;
 pub use value::{Run, Stop, Value};
-use value::{carries, real, solved, symmetric, unknown};
 
 /// The point where a system is evaluated.
 #[derive(Clone, Debug)]
@@ -155,6 +157,11 @@ impl Interpreter<'_> {
                 }
                 match text(path).as_str() {
                     "f64::INFINITY" | "f32::INFINITY" => Ok(Value::Number(f64::INFINITY)),
+                    // Where gradients can differ from zero.
+                    path if path.ends_with(">::PATTERN") => match self.expansion.constants.get("PATTERN") {
+                        Some(pattern) => self.expression(pattern, locals),
+                        None => unknown(path),
+                    },
                     _ => self.parameter(expr),
                 }
             }
@@ -290,61 +297,6 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A call of a function by its path.
-    fn call_path(&self, path: &str, arguments: Vec<Value>) -> Run<Value> {
-        let numbers = |arguments: &[Value]| arguments.iter().map(Value::number).collect::<Run<Vec<f64>>>();
-        let of_runtime = self
-            .of_constraints(path, &arguments)
-            .or_else(|| self.of_derivatives(path, &arguments))
-            .or_else(|| self.of_series(path, &arguments));
-        if let Some(value) = of_runtime {
-            return value;
-        }
-        match (path, arguments.as_slice()) {
-            ("lagrange::solve::pivot", [value, scale]) => {
-                let (value, scale) = (value.number()?, scale.number()?);
-                Ok(Value::Number(if carries(value, scale) { value } else { f64::NAN }))
-            }
-            ("lagrange::solve::check", [value, scale, Value::Integer(_)]) => {
-                Ok(Value::verdict(carries(value.number()?, scale.number()?)))
-            }
-            ("lagrange::solve::factor", [lower]) => Ok(Value::Factored(symmetric(&lower.to_rows()?)?)),
-            ("lagrange::solve::symmetric", [lower]) => Ok(Value::rows(&symmetric(&lower.to_rows()?)?)),
-            ("lagrange::solve::solve", [Value::Factored(matrix), right]) => {
-                solved(matrix, &right.to_numbers()?)
-            }
-            ("lagrange::solve::check_block", [mass, coordinates]) => {
-                let (rows, coordinates) = (mass.to_rows()?, coordinates.to_indices()?);
-                if coordinates.iter().any(|&i| i >= rows.len()) {
-                    return unknown(format!("a block of the coordinates {coordinates:?}"));
-                }
-                let row = |&i: &usize| coordinates.iter().map(|&j| rows[i][j]).collect();
-                let block: Vec<Vec<f64>> = coordinates.iter().map(row).collect();
-                Ok(Value::verdict(gauss(&block, &[]).is_some()))
-            }
-            ("lagrange::solve::finite", [Value::Model, _, Value::State(_), accelerations]) => {
-                let finite = accelerations.to_numbers()?.iter().all(|x| x.is_finite());
-                let accelerations = Box::new(accelerations.clone());
-                Ok(Value::Result(if finite { Ok(accelerations) } else { Err("not finite".to_owned()) }))
-            }
-            // The net under the reading is tested where the user's functions can be called.
-            ("lagrange::reading::checked" | "lagrange::constraints::sound", _) => Ok(Value::verdict(true)),
-            ("core::result::Result::Ok", [value]) => Ok(Value::Result(Ok(Box::new(value.clone())))),
-            ("lagrange::System::constants", [Value::Model]) => self.constants(),
-            ("lagrange::System::accelerations_at", _) => {
-                self.call(find(&self.expansion.system, "accelerations_at")?, arguments)
-            }
-            ("lagrange::Zero::zero", []) => Ok(Value::Number(0.0)),
-            ("lagrange::One::one", []) => Ok(Value::Number(1.0)),
-            ("lagrange::Real::from_f64", [value]) => value.number().map(Value::Number),
-            ("lagrange::Real::from_parts", [value, _]) => value.number().map(Value::Number),
-            _ => match path.strip_prefix("Real::") {
-                Some(name) => real(name, &numbers(&arguments)?),
-                None => unknown(format!("`{path}(…)`")),
-            },
-        }
-    }
-
     /// The user's own expression for a parameter.
     fn parameter(&self, expr: &Expr) -> Run<Value> {
         let name = text(expr);
@@ -385,45 +337,4 @@ impl Interpreter<'_> {
 
 fn find<'f>(functions: &'f Functions, name: &str) -> Run<&'f ImplItemFn> {
     functions.get(name).ok_or_else(|| Stop::Unknown(format!("no function `{name}`")))
-}
-
-/// `self`, or a field or an element of it.
-fn rooted_in_self(expr: &Expr) -> bool {
-    match expr {
-        Expr::Path(path) => path.path.is_ident("self"),
-        Expr::Field(field) => rooted_in_self(&field.base),
-        Expr::Index(index) => rooted_in_self(&index.expr),
-        _ => false,
-    }
-}
-
-fn literal_value(literal: &Lit) -> Run<Value> {
-    match literal {
-        // Zero, one and powers of ten can lack the decimal point of a float, not its suffix.
-        Lit::Float(float) => match float.base10_parse() {
-            Ok(value) => Ok(Value::Number(value)),
-            Err(error) => unknown(error.to_string()),
-        },
-        Lit::Int(integer) => match integer.base10_parse() {
-            Ok(value) => Ok(Value::Integer(value)),
-            Err(error) => unknown(error.to_string()),
-        },
-        Lit::Bool(boolean) => Ok(Value::Truth(boolean.value)),
-        _ => unknown(text(literal)),
-    }
-}
-
-/// The segments of a path without the arguments of types.
-fn path_of(function: &Expr) -> String {
-    match function {
-        Expr::Path(path) => {
-            path.path.segments.iter().map(|segment| segment.ident.to_string()).collect::<Vec<_>>().join("::")
-        }
-        other => text(other),
-    }
-}
-
-/// Tokens without blanks.
-fn text(tokens: &impl ToTokens) -> String {
-    tokens.to_token_stream().to_string().split_whitespace().collect()
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use syn::{Expr, ExprCall, ExprIf, ExprMethodCall, ImplItem, ImplItemFn, Item, Pat, Stmt};
 
-use super::value::{Run, Stop, Value, solved, unknown};
+use super::value::{Run, Stop, Value, solved, symmetric, unknown};
 use super::{Interpreter, Locals, find, path_of, patterns, text};
 use crate::oracle::gauss;
 
@@ -59,7 +59,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// A function of the runtime that only expansions call; `None` if it is none.
+    /// The value of a function of the runtime that only expansions call; `None` for any other function.
     pub(super) fn of_series(&self, function: &str, arguments: &[Value]) -> Option<Run<Value>> {
         let number = |value: f64| Ok(Value::Number(value));
         Some(match (function, arguments) {
@@ -117,7 +117,7 @@ impl Interpreter<'_> {
             }
             "lagrange::saddle::Schur::factor" => self
                 .expression(&call.args[0], locals)
-                .and_then(|lower| Ok(Value::Factored(super::symmetric(&lower.to_rows()?)?))),
+                .and_then(|lower| Ok(Value::Factored(symmetric(&lower.to_rows()?)?))),
             _ => return None,
         })
     }
@@ -154,6 +154,14 @@ impl Interpreter<'_> {
                 ("solve", Value::Factored(matrix), [right])
                 | ("solve_order", Value::Factored(matrix), [_, _, right]) => {
                     solved(matrix, &right.to_numbers()?)
+                }
+                ("solve_order", saddle @ Value::Record(_), [_, right]) => {
+                    let none = Value::numbers(&vec![0.0; self.point.q.len()]);
+                    impulses(saddle, &none, right)?
+                        .list()?
+                        .last()
+                        .cloned()
+                        .map_or_else(|| unknown(text(call)), Ok)
                 }
                 ("solve", inverse @ Value::Record(_), [right]) => recur(inverse, &right.to_numbers()?),
                 ("is_finite", _, []) => Ok(Value::Truth(true)),

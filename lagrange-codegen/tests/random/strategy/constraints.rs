@@ -3,7 +3,9 @@
 
 use proptest::prelude::*;
 
-use super::expressions::{Reach, call, constant, index, number, operation, plus, positive, scalar, times};
+use super::expressions::{
+    Reach, call, constant, fixed, index, number, operation, plus, positive, scalar, times,
+};
 use crate::constraint::{Kind, Rows};
 use crate::expression::{Body, Expr, Operator, Vector};
 use crate::function::Function;
@@ -53,6 +55,27 @@ pub fn restraints() -> BoxedStrategy<Vec<Restraint>> {
             rows: vec![first, second],
         });
     prop_oneof![1 => Just(Vec::new()), 1 => prop::collection::vec(one, 1..=4)].boxed()
+}
+
+/// A constraint between each coordinate and the next, `count` of them: one depends on few coordinates, and has
+/// one that those after it do not depend on.
+pub fn links(count: usize) -> BoxedStrategy<Role> {
+    let one = (fixed(), fixed(), index());
+    (index(), prop::collection::vec(one, count))
+        .prop_map(|(name, links)| {
+            let link = |(i, (own, other, form)): (usize, (Expr, Expr, usize))| {
+                let next = Expr::Coordinate(i + 1);
+                let next = if form.is_multiple_of(2) {
+                    call(Function::Sin, next)
+                } else {
+                    times(next.clone(), next)
+                };
+                plus(times(own, Expr::Coordinate(i)), times(other, next))
+            };
+            let rows = links.into_iter().enumerate().map(link).collect();
+            Role::Constraint(Kind::Holonomic, name, Body { lets: Vec::new(), result: Rows::Array(rows) })
+        })
+        .boxed()
 }
 
 fn row() -> BoxedStrategy<Row> {

@@ -9,4 +9,4 @@ mod expressions;
 mod roles;
 mod systems;
 
-pub use systems::{chained, sample, system};
+pub use systems::{chained, linked, sample, system};

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::constraints::{Carrier, Restraint, restraints};
+use super::constraints::{Carrier, Restraint, links, restraints};
 use super::expressions::{Reach, body, fixed, index, scalar};
 use super::roles::{Base, base, chain, role};
 use crate::check::Sample;
@@ -56,6 +56,22 @@ pub fn chained() -> BoxedStrategy<System> {
                 system.roles.push(extra);
             }
             system
+        })
+        .boxed()
+}
+
+/// Diagonal mass matrices with many constraints that have few coordinates in common.
+pub fn linked() -> BoxedStrategy<System> {
+    let scalar_type = prop_oneof![3 => Just(Scalar::F64), 1 => Just(Scalar::Generic)];
+    let helpers = prop::collection::vec(body(Reach::Helper, scalar(Reach::Helper)), 1);
+    let held = (9_usize..=12).prop_flat_map(|count| (Just(count), links(count - 2)));
+    (scalar_type, held, inputs(), helpers, prop::collection::vec(base(true), 12))
+        .prop_map(|(scalar, (count, links), inputs, helpers, bases)| {
+            let coordinates = named(&[Some(count)], &COORDINATES, 0);
+            let mut roles: Vec<Role> =
+                bases.into_iter().take(count).enumerate().map(|(i, base)| base.role(i)).collect();
+            roles.push(links);
+            System { scalar, coordinates, inputs, helpers, roles, baumgarte: None }
         })
         .boxed()
 }

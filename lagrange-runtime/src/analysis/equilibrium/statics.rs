@@ -203,7 +203,7 @@ where
             }
             let (saddle, gradients) = self.tangent(&q);
             let metric = Metric::of(&*saddle);
-            let slopes = metric.slopes(&gradients);
+            let slopes = metric.slopes(&*gradients);
             let by_state = slopes.map(|slope| slope * metric.extent(&q));
             let before = residuals.distance(Level::Positions, &slopes);
             let (change, _) = saddle.solve(&none, &residuals.positions.map(|f| -f));
@@ -226,7 +226,7 @@ where
                 name: Name::NONE,
             }));
         }
-        let cause = residuals.cause(Level::Positions, &Metric::of(&*saddle).slopes(&gradients));
+        let cause = residuals.cause(Level::Positions, &Metric::of(&*saddle).slopes(&*gradients));
         Err(EquilibriumError::Constraints(match cause {
             Cause::PositionViolated { constraint, name, .. } if saddle.rank() < C => {
                 Cause::Contradictory { constraint, name }
@@ -317,7 +317,7 @@ where
         if residuals.is_within(Level::Velocities, S::Scalar::epsilon().sqrt(), &[S::Scalar::zero(); C]) {
             return Ok(());
         }
-        match residuals.cause(Level::Velocities, &Metric::of(&*saddle).slopes(&rest.gradients)) {
+        match residuals.cause(Level::Velocities, &Metric::of(&*saddle).slopes(&*rest.gradients)) {
             Cause::VelocityViolated { constraint, name, .. } => {
                 Err(EquilibriumError::MovingConstraint { constraint, name })
             }

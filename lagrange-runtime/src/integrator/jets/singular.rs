@@ -123,6 +123,7 @@ where
         if check.is_small(&apart(&beyond, &kept), time, footing)
             && check.is_half(&lack, time, footing)
             && check.is_carried_rightly(&lack, from, footing)
+            && (Check { from, ..check }).keeps_energy(&kept, footing)
         {
             memory.series.recentre(one, memory.orders);
             memory.turn();

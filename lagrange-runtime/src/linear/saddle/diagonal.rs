@@ -9,8 +9,7 @@ use super::{Defect, SaddlePoint};
 
 /// A saddle-point system with a diagonal M: particles in Cartesian coordinates.
 ///
-/// κ solves A M⁻¹ Aᵀ κ = y − A M⁻¹ r, whose matrix has the band of the constraints: links of a chain stay a
-/// chain.
+/// κ solves A M⁻¹ Aᵀ κ = y − A M⁻¹ r.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Diagonal<R, const N: usize, const C: usize> {
     inverse_masses: [R; N],
@@ -33,7 +32,7 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
         let mut rows = *a;
         for c in 0..C {
             multiply(&mut rows[c], &inverse_masses);
-            for d in 0..=c {
+            for d in 0..c + 1 {
                 lower[c][d] = dot(&rows[c], &a[d]);
             }
         }
@@ -44,6 +43,8 @@ impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
 }
 
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<R, N, C> {
+    type Gradients = [[R; N]; C];
+
     #[inline]
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
         let lack = subtract_product(y, &self.drift, r);

@@ -148,10 +148,10 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             scale(&mut basis[k], self.inverse[k]);
         }
         let mut inverse = [[R::zero(); C]; N];
-        for (k, vector) in basis.iter().enumerate().take(rank) {
-            let factor = self.sizes[k].recip();
+        for ((vector, size), &place) in basis.iter().zip(&self.sizes).zip(&self.order).take(rank) {
+            let factor = size.recip();
             for (row, &x) in inverse.iter_mut().zip(vector) {
-                put(row, self.order[k], x * factor);
+                put(row, place, x * factor);
             }
         }
         Split { null: basis, inverse }

@@ -29,7 +29,7 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
             }
         }
         for i in rank..N {
-            for j in rank..=i {
+            for j in rank..i + 1 {
                 matrix[i][j] = dot(&inertia[i], &basis[j]);
             }
         }
@@ -73,7 +73,7 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
             for i in k + 1..N {
                 let l = column[i] * inverse;
                 matrix[i][k] = l;
-                for j in k + 1..=i {
+                for j in k + 1..i + 1 {
                     matrix[i][j] = R::mul_add(-l, column[j], matrix[i][j]);
                 }
                 add_scaled(&mut solution[i], &above, -l);
@@ -153,9 +153,9 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
         let end = N.min(direction + 1);
         for k in (rank..end).rev() {
             let mut sum = if k == direction { R::one() } else { R::zero() };
-            for (i, &known) in c.iter().enumerate().take(end).skip(k + 1) {
+            for (i, &c) in c.iter().enumerate().take(end).skip(k + 1) {
                 // Both factors are unit triangular: Lᵀ, or U.
-                sum -= if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * known;
+                sum -= if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * c;
             }
             c[k] = sum;
             add_scaled(&mut motion, &self.basis[k], sum);

@@ -83,6 +83,8 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
 }
 
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Switched<R, N, C> {
+    type Gradients = [[R; N]; C];
+
     #[inline]
     fn solve(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
         self.saddle.solve(r, y)

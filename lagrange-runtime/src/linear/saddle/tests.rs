@@ -7,6 +7,8 @@ mod exact;
 #[cfg(feature = "wide")]
 mod lanes;
 mod redundancy;
+#[cfg(all(feature = "std", feature = "double-double"))]
+mod sparse;
 
 const EPS: f64 = f64::EPSILON;
 

@@ -6,7 +6,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use num_traits::{One, Zero};
 use wide::{f32x4, f32x8, f64x2, f64x4, f64x8};
 
-use super::Real;
+use super::{Real, Vector};
 
 /// A SIMD vector as a scalar: `Lanes<f64x4>`, `Lanes<f64x8>`, `Lanes<f32x8>`, …
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +26,20 @@ macro_rules! lanes {
             #[inline]
             fn from(lanes: Lanes<$vector>) -> Self {
                 lanes.0.into()
+            }
+        }
+
+        impl Vector for Lanes<$vector> {
+            const COUNT: usize = $count;
+
+            #[inline(always)]
+            fn lanes(&self) -> &[$lane] {
+                self.0.as_array()
+            }
+
+            #[inline(always)]
+            fn lanes_mut(&mut self) -> &mut [$lane] {
+                self.0.as_mut_array()
             }
         }
 
@@ -174,4 +188,89 @@ lanes! {
     f64x8 of 8 f64;
     f32x4 of 4 f32;
     f32x8 of 8 f32;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Common numbers, and those at the ends of the domains of functions.
+    const NUMBERS: [f64; 22] = [
+        0.3,
+        1.0,
+        -0.7,
+        2.5,
+        0.0,
+        -0.0,
+        1e-9,
+        -1e-300,
+        5e-324,
+        40.0,
+        -37.5,
+        710.0,
+        -745.0,
+        1e5,
+        3e15,
+        -1e300,
+        1.5,
+        100.0,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+        -1.0,
+    ];
+
+    /// The function of a number beside others, in vectors of any length: its bits do not depend on them.
+    fn alone(
+        name: &str,
+        two: impl Fn(Lanes<f64x2>, Lanes<f64x2>) -> Lanes<f64x2>,
+        four: impl Fn(Lanes<f64x4>, Lanes<f64x4>) -> Lanes<f64x4>,
+        eight: impl Fn(Lanes<f64x8>, Lanes<f64x8>) -> Lanes<f64x8>,
+    ) {
+        // Not a number is not a number.
+        let bits = |x: f64| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() };
+        for x in NUMBERS {
+            for y in [0.5, -3.0, 0.0, 1e200] {
+                let expected = bits(four(Lanes::splat(x), Lanes::splat(y)).lane(0));
+                assert_eq!(bits(two(Lanes::splat(x), Lanes::splat(y)).lane(1)), expected, "{name}({x}, {y})");
+                for other in NUMBERS {
+                    for lane in 0..8 {
+                        let beside = |count| (0..count).map(move |k| if k == lane { x } else { other });
+                        let (mut few, mut many) =
+                            (Lanes::<f64x4>::splat(other), Lanes::<f64x8>::splat(other));
+                        beside(4).enumerate().for_each(|(k, x)| few.set_lane(k, x));
+                        beside(8).enumerate().for_each(|(k, x)| many.set_lane(k, x));
+                        if lane < 4 {
+                            let found = four(few, Lanes::splat(y)).lane(lane);
+                            assert_eq!(bits(found), expected, "{name}({x}, {y}) beside {other}");
+                        }
+                        let found = eight(many, Lanes::splat(y)).lane(lane);
+                        assert_eq!(bits(found), expected, "{name}({x}, {y}) beside {other}, of eight");
+                    }
+                }
+            }
+        }
+    }
+
+    macro_rules! alone {
+        ($($name:ident($($other:ident)?);)*) => {$(
+            alone(
+                stringify!($name),
+                |x, _y| x.$name($(alone!(@ $other _y))?),
+                |x, _y| x.$name($(alone!(@ $other _y))?),
+                |x, _y| x.$name($(alone!(@ $other _y))?),
+            );
+        )*};
+        (@ y $y:ident) => { $y };
+    }
+
+    /// What ensembles in lanes rely on.
+    #[test]
+    fn a_lane_has_the_same_bits_beside_any_others() {
+        alone! {
+            sin(); cos(); tan(); exp(); ln(); sqrt(); abs(); asin(); acos(); atan(); sinh(); cosh(); tanh(); exp_m1();
+            ln_1p(); cbrt(); asinh(); acosh(); atanh(); signum(); recip();
+            atan2(y); powf(y); max(y); min(y); hypot(y); add(y); mul(y); div(y);
+        }
+    }
 }

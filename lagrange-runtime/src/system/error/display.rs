@@ -103,7 +103,8 @@ impl fmt::Display for Cause {
             ),
             Self::StepTooLong => out.write_str(
                 "the step is too long for the constraints: bringing its end back onto them would change more than the step \
-                 did; take shorter steps",
+                 did, or the energy, which is conserved, changes by more than the step can have made of it; take shorter \
+                 steps",
             ),
             Self::NotFinite => out.write_str(
                 "a value is infinite or not a number: check the parameters and the start, or stop before \
@@ -123,6 +124,11 @@ impl fmt::Display for Cause {
             Self::StepTooSmall => out.write_str(
                 "the step fell below the resolution of time: the motion is singular here or too stiff, \
                  or the tolerance is too tight for this scalar",
+            ),
+            Self::ToleranceTooFine { reachable } => write!(
+                out,
+                "the tolerance is below what roundings leave of the state: {reachable} can be reached from here; loosen the \
+                 tolerance"
             ),
             Self::TooManySteps => out.write_str(
                 "too many steps in one call: advance in shorter intervals, loosen the tolerance or raise \

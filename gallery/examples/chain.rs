@@ -1,0 +1,3 @@
+//! The page of [`gallery::models::chain`] as a module of WebAssembly.
+
+gallery::page!(gallery::models::chain::Chain, 10);

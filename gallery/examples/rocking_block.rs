@@ -1,0 +1,3 @@
+//! The page of [`gallery::models::rocking_block`] as a module of WebAssembly.
+
+gallery::page!(gallery::models::rocking_block::Block, 3);

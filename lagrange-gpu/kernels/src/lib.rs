@@ -1,0 +1,186 @@
+//! Five mechanical systems as kernels of a graphics processor: of each a kernel of fixed steps and one under error
+//! control. A motion is a function of its index; [`spread`] scatters the starts.
+//!
+//! Without a standard library on hosts, too: `x.sin()` is then the function of the crate `libm` on both sides, and not
+//! the host's own with other last bits.
+#![no_std]
+#![cfg_attr(target_arch = "nvptx64", feature(abi_ptx))]
+
+mod systems;
+
+use lagrangian::FixedStep;
+use lagrangian::prelude::*;
+
+pub use systems::{CartPole, DoublePendulum, FourBar, Kepler, Links};
+
+/// Gravitational acceleration \[m/s²].
+const G: f64 = 9.81;
+
+/// What motions of fixed steps share: length \[s] and number of the steps.
+pub type Steps = (f64, u64);
+
+/// What motions under error control share: the time of their end \[s] and the tolerance.
+pub type Until = (f64, f64);
+
+/// Where a motion ends.
+pub type End<const N: usize> = Result<State<f64, N>, MotionError<f64>>;
+
+/// Numbers between −1 and 1 that fill the square evenly, without rounding.
+pub fn spread(index: u64) -> [f64; 2] {
+    // The plastic number's powers, as fractions of 2⁶⁴ (Roberts 2018).
+    [0xC13F_A9A9_02A6_328F_u64, 0x91E1_0DA5_C79E_7B1D].map(|step| {
+        let place = index.wrapping_add(1).wrapping_mul(step) >> 11;
+        place as f64 * (1.0 / (1_u64 << 52) as f64) - 1.0
+    })
+}
+
+/// The end of a motion of fixed steps; `inputs` hold during a step.
+fn fixed<M, S, const N: usize, const K: usize>(
+    system: &S,
+    start: State<f64, N>,
+    &(h, steps): &Steps,
+    inputs: impl Fn(&State<f64, N>) -> [f64; K],
+) -> End<N>
+where
+    S: System<N, K, Scalar = f64>,
+    M: FixedStep<S, N, K>,
+{
+    let mut motion = system.stepper::<M>(start);
+    for _ in 0..steps {
+        let inputs = inputs(motion.state());
+        motion.step(h, &inputs)?;
+    }
+    Ok(*motion.state())
+}
+
+/// The end of a motion under error control.
+fn adaptive<S, const N: usize, const K: usize>(
+    system: &S,
+    start: State<f64, N>,
+    &(end, tolerance): &Until,
+) -> End<N>
+where
+    S: System<N, K, Scalar = f64>,
+{
+    let mut motion = system.simulate(start).with_tolerance(tolerance);
+    motion.advance_to(end).copied()
+}
+
+/// The double pendulum of an index, and its start: at rest, at any angles.
+pub fn a_double_pendulum(index: u64) -> (DoublePendulum, State<f64, 2>) {
+    let angles = spread(index).map(|part| core::f64::consts::PI * part);
+    (DoublePendulum { m: [1.0, 1.0], l: [1.0, 1.0], g: G }, State::at_rest(angles))
+}
+
+/// The cart of an index, with its pole nearly upright, at rest.
+pub fn a_cart_pole(index: u64) -> (CartPole, State<f64, 2>) {
+    let [x, theta] = spread(index).map(|part| 0.2 * part);
+    (
+        CartPole { cart_mass: 0.5, pole_mass: 0.2, length: 0.4, damping: 0.002, g: G },
+        State::at_rest([x, theta]),
+    )
+}
+
+/// The planet of an index, on an ellipse.
+pub fn a_planet(index: u64) -> (Kepler, State<f64, 2>) {
+    let [slant, speed] = spread(index).map(|part| 0.1 * part);
+    (Kepler { mu: 1.0 }, State::new([1.0, 0.0], [slant, 1.05 + speed]))
+}
+
+/// The chain of an index, at rest, hanging to both sides.
+pub fn a_chain(index: u64) -> (Links, State<f64, { Links::LINKS }>) {
+    let [first, last] = spread(index);
+    let angles = [first, 0.75 * first, 0.5 * (first + last), 0.75 * last, last];
+    (Links { mass: 1.0, length: 1.0, g: G }, State::at_rest(angles))
+}
+
+/// The crank stands upright or up to half a radian beside it, and turns; the other bars follow.
+///
+/// # Errors
+/// If the loop is not closed.
+pub fn a_four_bar(index: u64) -> Result<(FourBar, State<f64, 3>), MotionError<f64>> {
+    let [lean, rate] = spread(index);
+    let four_bar = FourBar { l: [1.0, 3.5, 3.0], m: [0.5, 1.0, 1.0], ground: 4.0, g: G };
+    let near = State::new([core::f64::consts::FRAC_PI_2 + 0.5 * lean, 0.55, 1.92], [3.0 + rate, 0.0, 0.0]);
+    Ok((four_bar, four_bar.consistent(near)?))
+}
+
+/// A double pendulum by Runge and Kutta's method.
+pub fn double_pendulum_rk4(index: u64, steps: &Steps) -> End<2> {
+    let (system, start) = a_double_pendulum(index);
+    fixed::<Rk4, _, 2, 0>(&system, start, steps, |_| [])
+}
+
+/// A double pendulum by series of order 6.
+pub fn double_pendulum_jet6(index: u64, steps: &Steps) -> End<2> {
+    let (system, start) = a_double_pendulum(index);
+    fixed::<Jet<6>, _, 2, 0>(&system, start, steps, |_| [])
+}
+
+/// A double pendulum under error control.
+pub fn double_pendulum_adaptive(index: u64, until: &Until) -> End<2> {
+    let (system, start) = a_double_pendulum(index);
+    adaptive(&system, start, until)
+}
+
+/// A pole that a feedback holds up, by series of order 6.
+pub fn cart_pole_jet6(index: u64, steps: &Steps) -> End<2> {
+    let (system, start) = a_cart_pole(index);
+    fixed::<Jet<6>, _, 2, 1>(&system, start, steps, CartPole::feedback)
+}
+
+/// A pole that falls, under error control.
+pub fn cart_pole_adaptive(index: u64, until: &Until) -> End<2> {
+    let (system, start) = a_cart_pole(index);
+    adaptive(&system, start, until)
+}
+
+/// A planet by series of order 6.
+pub fn kepler_jet6(index: u64, steps: &Steps) -> End<2> {
+    let (system, start) = a_planet(index);
+    fixed::<Jet<6>, _, 2, 0>(&system, start, steps, |_| [])
+}
+
+/// A planet under error control.
+pub fn kepler_adaptive(index: u64, until: &Until) -> End<2> {
+    let (system, start) = a_planet(index);
+    adaptive(&system, start, until)
+}
+
+/// Five links by series of order 6.
+pub fn links_jet6(index: u64, steps: &Steps) -> End<{ Links::LINKS }> {
+    let (system, start) = a_chain(index);
+    fixed::<Jet<6>, _, _, 0>(&system, start, steps, |_| [])
+}
+
+/// Five links under error control.
+pub fn links_adaptive(index: u64, until: &Until) -> End<{ Links::LINKS }> {
+    let (system, start) = a_chain(index);
+    adaptive(&system, start, until)
+}
+
+/// A linkage with its constraints by series of order 6.
+pub fn four_bar_jet6(index: u64, steps: &Steps) -> End<3> {
+    let (system, start) = a_four_bar(index)?;
+    fixed::<Jet<6>, _, 3, 0>(&system, start, steps, |_| [])
+}
+
+/// A linkage with its constraints under error control.
+pub fn four_bar_adaptive(index: u64, until: &Until) -> End<3> {
+    let (system, start) = a_four_bar(index)?;
+    adaptive(&system, start, until)
+}
+
+lagrange_gpu::kernels!(
+    double_pendulum_rk4,
+    double_pendulum_jet6,
+    double_pendulum_adaptive,
+    cart_pole_jet6,
+    cart_pole_adaptive,
+    kepler_jet6,
+    kepler_adaptive,
+    links_jet6,
+    links_adaptive,
+    four_bar_jet6,
+    four_bar_adaptive,
+);

@@ -1,0 +1,191 @@
+//! [`Gpu`] and [`Kernels`]: a processor and the kernels loaded on it.
+
+use std::panic::catch_unwind;
+use std::sync::Arc;
+
+use cudarc::driver::sys::{self, CUresult};
+use cudarc::driver::{
+    CudaContext, CudaFunction, CudaModule, CudaSlice, CudaStream, DriverError, LaunchConfig, PushKernelArg,
+};
+
+use crate::error::Error;
+use crate::kernel::{Kernel, MISMATCHED};
+use crate::ptx::{Arithmetic, Ptx};
+use crate::rows::Rows;
+use crate::words::Words;
+
+/// Threads of a block. Kernels of motions need so many registers that a multiprocessor holds a few hundred threads;
+/// blocks of two warps leave the least of it empty.
+const BLOCK: u32 = 64;
+
+/// Motions of a launch: many times what any processor holds at once, and soon done.
+const LAUNCH: u64 = 1 << 21;
+
+/// A graphics processor of NVIDIA.
+#[derive(Clone, Debug)]
+pub struct Gpu {
+    context: Arc<CudaContext>,
+    number: usize,
+}
+
+impl Gpu {
+    /// The processor with a number, counted from zero.
+    ///
+    /// # Errors
+    /// [`Error::NoDriver`], [`Error::NoDevice`]; [`Error::WrongVersion`] and [`Error::Driver`] of a driver that does
+    /// not run.
+    pub fn new(number: usize) -> Result<Self, Error> {
+        // SAFETY: loading the driver runs its initialisation, as any use of it does.
+        #[allow(unsafe_code)]
+        let installed = unsafe { sys::is_culib_present() };
+        if !installed {
+            return Err(Error::NoDriver);
+        }
+        // The library looks up all functions at first use, and panics where one is missing.
+        let context = catch_unwind(|| CudaContext::new(number))
+            .map_err(|_| Error::WrongVersion { needed: "a driver of CUDA 11.8 or later".to_owned() })?;
+        let context = context.map_err(|error| match error.0 {
+            CUresult::CUDA_ERROR_STUB_LIBRARY => Error::NoDriver,
+            CUresult::CUDA_ERROR_NO_DEVICE | CUresult::CUDA_ERROR_INVALID_DEVICE => {
+                Error::NoDevice { number }
+            }
+            _ => error.into(),
+        })?;
+        Ok(Self { context, number })
+    }
+
+    /// Its name.
+    ///
+    /// # Errors
+    /// [`Error::Driver`].
+    pub fn name(&self) -> Result<String, Error> {
+        Ok(self.context.name()?)
+    }
+
+    /// Its number, counted from zero.
+    pub fn number(&self) -> usize {
+        self.number
+    }
+
+    /// Compiles kernels for this processor.
+    ///
+    /// # Errors
+    /// [`Error::Refused`], [`Error::WrongVersion`], [`Error::OutOfMemory`], [`Error::Driver`].
+    pub fn load(&self, ptx: &Ptx, arithmetic: Arithmetic) -> Result<Kernels, Error> {
+        let module = self.context.load_module(ptx.text(arithmetic).into());
+        let needed =
+            || format!("a driver for PTX {} and a processor {} or later", ptx.version(), ptx.target());
+        let module = module.map_err(|error| Error::of_loading(error, needed))?;
+        Ok(Kernels {
+            module,
+            stream: self.context.default_stream(),
+            context: self.context.clone(),
+            arithmetic,
+        })
+    }
+}
+
+/// Kernels loaded on a processor.
+#[derive(Clone, Debug)]
+pub struct Kernels {
+    context: Arc<CudaContext>,
+    module: Arc<CudaModule>,
+    stream: Arc<CudaStream>,
+    arithmetic: Arithmetic,
+}
+
+impl Kernels {
+    /// Computes `count` motions, as many at a time as the memory of the processor takes, and returns all rows.
+    ///
+    /// Of each launch one motion is computed here as well: with exact arithmetic its row must have the same bits, or the
+    /// kernel was built from another source.
+    ///
+    /// # Errors
+    /// [`Error::NoKernel`], [`Error::Mismatched`], [`Error::Differs`]; [`Error::OutOfMemory`], [`Error::Driver`].
+    pub fn run<S: Words, R: Words, E>(
+        &self,
+        kernel: Kernel<S, R, E>,
+        setting: S,
+        count: u64,
+    ) -> Result<Rows<S, R, E>, Error> {
+        let name = || kernel.name().to_owned();
+        let function = self.module.load_function(kernel.name()).map_err(|error| match error.0 {
+            CUresult::CUDA_ERROR_NOT_FOUND => Error::NoKernel { name: name() },
+            _ => error.into(),
+        })?;
+        // A buffer has a word at least.
+        let mut words = vec![0; S::WORDS.max(1)];
+        let mut places = words.iter_mut();
+        setting.put(&mut |word| places.next().into_iter().for_each(|place| *place = word));
+        let words = self.stream.clone_htod(&words)?;
+        let mut rows = Rows::new(kernel, setting, count, self.batch::<R>(count)?);
+        let columns = 1 + R::WORDS;
+        let mut cells = self.stream.alloc_zeros(index(rows.batch) * columns)?;
+        for first in (0..count).step_by(index(rows.batch)) {
+            let length = rows.batch.min(count - first);
+            self.launch(&function, [first, length, kernel.shape()], &words, &mut cells)?;
+            // The copy waits for the launch, and ends in its error.
+            let part = self.stream.clone_dtoh(&cells.slice(..index(length) * columns))?;
+            self.stream.synchronize()?;
+            if part.first() == Some(&MISMATCHED) {
+                return Err(Error::Mismatched { name: name() });
+            }
+            rows.add(part);
+            let sample = first + length / 2;
+            if self.arithmetic == Arithmetic::Exact && !rows.is_that_of_the_function(sample) {
+                return Err(Error::Differs { name: name(), index: sample });
+            }
+        }
+        Ok(rows)
+    }
+
+    /// Motions of a launch: their rows take a quarter of the free memory at most.
+    fn batch<R: Words>(&self, count: u64) -> Result<u64, Error> {
+        let (free, _) = self.context.mem_get_info()?;
+        let row = 8 * (1 + R::WORDS as u64);
+        let most = free as u64 / 4 / row;
+        if most == 0 { Err(Error::OutOfMemory) } else { Ok(count.min(LAUNCH).min(most).max(1)) }
+    }
+
+    /// Starts a launch.
+    fn launch(
+        &self,
+        function: &CudaFunction,
+        [first, count, shape]: [u64; 3],
+        setting: &CudaSlice<u64>,
+        cells: &mut CudaSlice<u64>,
+    ) -> Result<(), DriverError> {
+        let blocks = u32::try_from(count.div_ceil(u64::from(BLOCK))).unwrap_or(u32::MAX);
+        let config = LaunchConfig { grid_dim: (blocks, 1, 1), block_dim: (BLOCK, 1, 1), shared_mem_bytes: 0 };
+        let mut launch = self.stream.launch_builder(function);
+        launch.arg(&first).arg(&count).arg(&shape).arg(setting).arg(cells);
+        // SAFETY: the arguments are those of the kernels that `kernels!` makes. The kernel compares `shape` with its own
+        // types before it touches a word, the setting has the words of its first half,
+        // and the cells one more than those of its second half for each motion.
+        #[allow(unsafe_code)]
+        unsafe {
+            launch.launch(config)?;
+        }
+        Ok(())
+    }
+}
+
+impl Kernels {
+    /// Registers and stack that a kernel has got from the compiler of the driver.
+    ///
+    /// # Errors
+    /// [`Error::NoKernel`], [`Error::Driver`].
+    pub fn registers_and_stack(&self, name: &str) -> Result<(u32, u32), Error> {
+        let function = self.module.load_function(name).map_err(|error| match error.0 {
+            CUresult::CUDA_ERROR_NOT_FOUND => Error::NoKernel { name: name.to_owned() },
+            _ => error.into(),
+        })?;
+        let number = |count: i32| u32::try_from(count).unwrap_or(0);
+        Ok((number(function.num_regs()?), number(function.local_size_bytes()?)))
+    }
+}
+
+/// A number of motions of a launch, which is below [`LAUNCH`].
+fn index(count: u64) -> usize {
+    usize::try_from(count).unwrap_or(usize::MAX)
+}

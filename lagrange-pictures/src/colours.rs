@@ -1,0 +1,23 @@
+//! Colours of all pictures.
+
+pub(crate) use plotters::style::RGBColor as Colour;
+
+/// Colours of Okabe and Ito, which remain distinct to colour-blind readers.
+pub(crate) const COLOURS: [Colour; 7] = [
+    Colour(0, 114, 178),
+    Colour(213, 94, 0),
+    Colour(0, 158, 115),
+    Colour(204, 121, 167),
+    Colour(86, 180, 233),
+    Colour(230, 159, 0),
+    Colour(90, 90, 90),
+];
+/// Guides, supports and rods.
+pub(crate) const GREY: Colour = Colour(170, 170, 170);
+/// Lines of the grid.
+pub(crate) const GRID: Colour = Colour(236, 236, 236);
+
+/// A colour as attributes of SVG name it.
+pub(crate) fn hex(Colour(red, green, blue): Colour) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}

@@ -1,0 +1,106 @@
+//! The energy as a check of a step: where the macro has proved that it is conserved, what a step has
+//! changed of it is an error, whatever the cause. It tells a jump to another motion that obeys the
+//! equations as well.
+
+use super::{Check, relative};
+use crate::constraints::Footing;
+use crate::number::real::{Ordered, Real};
+use crate::system::System;
+use crate::system::state::State;
+
+/// Roundings of the energy itself, in ulps: it is a sum of a few terms.
+const ULPS: f64 = 4.0;
+
+impl<S: System<N, K>, const N: usize, const K: usize> Check<'_, S, N, K>
+where
+    S::Scalar: Ordered,
+{
+    /// Whether a step to this end keeps the energy, where it is conserved: to what errors within the
+    /// tolerance make of it, one of each coordinate and velocity.
+    #[inline]
+    pub(crate) fn keeps_energy(&self, end: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> bool {
+        if !S::CONSERVES_ENERGY {
+            return true;
+        }
+        let here = self.energy(end);
+        let change = (here - self.energy(self.from)).abs();
+        // In the kinetic metric squares of velocities are energies, so this is less than the sum over all.
+        let speed = footing.metric.extent(&end.v);
+        change <= relative(self.limits) * speed * speed || change <= self.tolerated_energy(end, footing, here)
+    }
+
+    /// What errors within the tolerance make of the energy, and roundings of it.
+    #[cold]
+    #[inline(never)]
+    fn tolerated_energy(
+        &self,
+        end: &State<S::Scalar, N>,
+        footing: &Footing<S::Scalar, N>,
+        here: S::Scalar,
+    ) -> S::Scalar {
+        let sizes = self.sizes(end, (end.t - self.from.t).abs(), footing);
+        let [q, v] =
+            sizes.of.map(|size| footing.metric.at_extent(relative(self.limits) * size + sizes.absolute));
+        let mut sum = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon() * here.abs();
+        for i in 0..N {
+            for (by_q, by_v) in [(q[i], num_traits::Zero::zero()), (num_traits::Zero::zero(), v[i])] {
+                let mut beside = *end;
+                beside.q[i] += by_q;
+                beside.v[i] += by_v;
+                sum += (self.energy(&beside) - here).abs();
+            }
+        }
+        sum
+    }
+
+    /// The energy without derivatives.
+    fn energy(&self, state: &State<S::Scalar, N>) -> S::Scalar {
+        self.system.energy_at(self.constants, state.t, &state.q, &state.v).part(0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::cell::Cell;
+
+    use super::*;
+    use crate::constraints::samples::Twofold;
+    use crate::system::limits::Limits;
+
+    #[test]
+    fn a_change_of_the_energy_is_held_against_the_tolerance() {
+        let rod = Twofold { factored: Cell::new(0) };
+        let from = State::new([0.8, -0.6], [0.6, 0.8]);
+        for (tolerance, change, is_kept) in [
+            (1e-10, 0.0, true),
+            (1e-10, 4e-11, true),
+            (1e-10, 1e-8, false),
+            (1e-6, 1e-8, true),
+            (1e-6, 1e-4, false),
+            (1e-14, 1e-14, true),
+            (1e-14, 1e-11, false),
+        ] {
+            let limits = Limits { relative: tolerance, ..Limits::new() };
+            let check = Check { system: &rod, constants: &(), inputs: &[], limits: &limits, from: &from };
+            let mut end = State { v: from.v.map(|v| v * (1.0 + change)), ..from }.at_time(1e-3);
+            let footing = rod.land_at(&(), &mut end.clone(), None).unwrap();
+            assert_eq!(check.keeps_energy(&end, &footing), is_kept, "{change} at {tolerance}");
+            end.v = end.v.map(|v| -v);
+            assert_eq!(check.keeps_energy(&end, &footing), is_kept, "{change} backward");
+        }
+    }
+
+    #[test]
+    fn an_error_of_a_place_is_one_of_its_potential() {
+        let rod = Twofold { factored: Cell::new(0) };
+        // At rest velocities have no size.
+        let from = State::new([1.0, 0.0], [0.0, 0.0]);
+        for (fallen, is_kept) in [(1e-11, true), (1e-8, false)] {
+            let limits = Limits::new();
+            let check = Check { system: &rod, constants: &(), inputs: &[], limits: &limits, from: &from };
+            let end = State::new([1.0, -fallen], [0.0, 0.0]);
+            let footing = rod.land_at(&(), &mut end.clone(), None).unwrap();
+            assert_eq!(check.keeps_energy(&end, &footing), is_kept, "{fallen}");
+        }
+    }
+}

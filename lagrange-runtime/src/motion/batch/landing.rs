@@ -1,0 +1,158 @@
+//! The end of a step of a constrained batch: on the constraints, lane by lane, where it can be checked
+//! and goes on well.
+
+use super::Batch;
+use crate::integrator::dop853::add;
+use crate::integrator::landing::NOISE;
+use crate::integrator::lengths::PARTS;
+use crate::linear::determined;
+use crate::number::real::Real;
+use crate::system::error::Cause;
+use crate::system::footing::Footing;
+use crate::system::smooth::Smooth;
+use crate::system::state::State;
+
+/// A step that is still wrong after all [`PARTS`] is shortened to this part, again and again.
+const HALF: f64 = 0.5;
+
+/// A state and what rounding took from it.
+type Reached<R, const N: usize> = (State<R, N>, State<R, N>);
+
+/// A state, what rounding took from it, and how far it is from right: positive in lanes that have to take
+/// another length.
+struct Landing<R, const N: usize> {
+    state: State<R, N>,
+    residue: State<R, N>,
+    least: R,
+    excess: R,
+}
+
+impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
+    /// Goes on by `length` \[s], which is without direction, or by other lengths in lanes where that one ends
+    /// badly.
+    pub(super) fn land(
+        &mut self,
+        mut length: S::Scalar,
+        orders: usize,
+        direction: S::Scalar,
+        resolution: S::Scalar,
+    ) -> Result<S::Scalar, Cause> {
+        let constants = self.system.constants();
+        if !self.least.is_positive() {
+            let here = self.system.land_at(&constants, &mut self.state.clone(), None)?;
+            self.least = here.independence.least.max(S::Scalar::epsilon());
+        }
+        let natural = length;
+        let mut parts = PARTS.iter();
+        loop {
+            let landing = self.landing(&constants, direction * length, length / self.unit, orders);
+            let (excess, cause) = match landing {
+                Ok(landing) if landing.excess.largest() <= num_traits::Zero::zero() => {
+                    (self.state, self.residue, self.least) = (landing.state, landing.residue, landing.least);
+                    return Ok(length);
+                }
+                Ok(landing) => (landing.excess, Cause::StepTooSmall),
+                // Which lane it is, is not known.
+                Err(cause) => (num_traits::One::one(), cause),
+            };
+            let other = match parts.next() {
+                Some(&part) => S::Scalar::from_f64(part) * natural,
+                None => S::Scalar::from_f64(HALF) * length,
+            };
+            length = chosen(excess, other, length);
+            if (resolution - length).largest() >= num_traits::Zero::zero() {
+                return Err(cause);
+            }
+        }
+    }
+
+    /// The state after `h` \[s], which are `theta` units, on the constraints.
+    fn landing(
+        &self,
+        constants: &S::Constants,
+        h: S::Scalar,
+        theta: S::Scalar,
+        orders: usize,
+    ) -> Result<Landing<S::Scalar, N>, Cause> {
+        let (mut state, mut residue) = self.reached(h, theta, orders)?;
+        let free = state;
+        let footing = self.system.land_at(constants, &mut state, None)?;
+        for i in 0..N {
+            // What rounding took belongs to the numbers that were rounded.
+            if state.q[i] != free.q[i] {
+                residue.q[i] = num_traits::Zero::zero();
+            }
+            if state.v[i] != free.v[i] {
+                residue.v[i] = num_traits::Zero::zero();
+            }
+        }
+        let least = footing.independence.least;
+        // A step ends where constraints determine the state as well as where it began, or well.
+        let closer = self.least.min(determined()) - least;
+        let excess = closer.max(self.lost(constants, &state, &footing));
+        if !excess.is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        Ok(Landing { state, residue, least, excess })
+    }
+
+    /// The state after `h` \[s], which are `theta` units, as the series tells, and what rounding took from it.
+    pub(super) fn reached(
+        &self,
+        h: S::Scalar,
+        theta: S::Scalar,
+        orders: usize,
+    ) -> Result<Reached<S::Scalar, N>, Cause> {
+        let (gain_q, gain_v) = self.series.gain(theta, orders);
+        let (mut state, mut residue) = (self.state, self.residue);
+        (state.t, residue.t) = add(state.t, residue.t, h);
+        for i in 0..N {
+            (state.q[i], residue.q[i]) = add(state.q[i], residue.q[i], gain_q[i]);
+            (state.v[i], residue.v[i]) = add(state.v[i], residue.v[i], gain_v[i]);
+        }
+        if state.is_finite() { Ok((state, residue)) } else { Err(Cause::NotFinite) }
+    }
+
+    /// By how much a step to this end changes the energy, where it is conserved, beyond what errors of all
+    /// numbers within the tolerance make of it.
+    fn lost(
+        &self,
+        constants: &S::Constants,
+        end: &State<S::Scalar, N>,
+        footing: &Footing<S::Scalar, N>,
+    ) -> S::Scalar {
+        if !S::CONSERVES_ENERGY {
+            return -S::Scalar::epsilon();
+        }
+        let energy = |state: &State<S::Scalar, N>| {
+            self.system.energy_at(constants, state.t, &state.q, &state.v).part(0)
+        };
+        let here = energy(end);
+        let change = (here - energy(&self.state)).abs();
+        let relative =
+            S::Scalar::splat(self.tolerance).max(S::Scalar::from_f64(NOISE) * S::Scalar::epsilon());
+        let speed = footing.metric.extent(&end.v);
+        let by_speed = change - relative * speed * speed;
+        if by_speed.largest() <= num_traits::Zero::zero() {
+            return by_speed;
+        }
+        let size = footing.metric.extent(&end.q).max(speed * (end.t - self.state.t).abs());
+        let [q, v] = [size, speed].map(|size| footing.metric.at_extent(relative * size));
+        let mut sum = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon() * here.abs();
+        for i in 0..N {
+            for (by_q, by_v) in [(q[i], num_traits::Zero::zero()), (num_traits::Zero::zero(), v[i])] {
+                let mut beside = *end;
+                beside.q[i] += by_q;
+                beside.v[i] += by_v;
+                sum += (energy(&beside) - here).abs();
+            }
+        }
+        change - sum
+    }
+}
+
+/// `bad` in lanes where `excess` is positive, else `good`.
+fn chosen<R: Real>(excess: R, bad: R, good: R) -> R {
+    let (half, sign) = (R::from_f64(0.5), excess.signum());
+    half * ((R::one() + sign) * bad + (R::one() - sign) * good)
+}

@@ -1,0 +1,408 @@
+//! [`Relay`]: a motion after the other in each lane of a SIMD vector.
+//!
+//! A [`Batch`](super::Batch) moves all its lanes to one time and stops if one of them cannot go on. Here each lane
+//! has an end of its own, and a lane that has arrived, or has stopped, is given another motion. What a lane
+//! does follows from its own numbers: its steps, its unit of time, whether it stops. So the bits of a motion
+//! are the same in any lane, beside any others.
+//!
+//! That holds for systems without constraints, without functions that hide from series
+//! ([`Smooth::STEEP`]) and without shared pivots ([`Smooth::SHARES_PIVOTS`]): see [`Relay::unsuited`].
+
+use num_traits::{One, Zero};
+
+use super::{ORDERS_PER_DIGIT, tolerated};
+use crate::integrator::dop853::add;
+use crate::integrator::jets::{NEAR, SAFETY, last_term, orders};
+use crate::integrator::step_size;
+use crate::number::real::{Real, Vector, larger, smaller};
+use crate::series::HIGHEST;
+use crate::system::attitude;
+use crate::system::limits::Limits;
+use crate::system::smooth::{Series, Smooth};
+use crate::system::state::State;
+
+/// A lane of a scalar.
+type Lane<R> = <R as Real>::Lane;
+
+/// What a lane does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// It has no motion.
+    Idle,
+    /// It is on its way.
+    Running,
+    /// It is at its end. The next step takes it for idle.
+    Arrived,
+    /// It cannot go on: its numbers are not finite, its steps vanish, or they are too many. A motion of its own
+    /// tells the cause.
+    Stopped,
+}
+
+/// Lanes that a relay has at most.
+pub const MOST: usize = 16;
+
+/// Motions of `system`, one after the other in each lane of its scalar, by Taylor series.
+#[derive(Clone, Copy, Debug)]
+pub struct Relay<S: Smooth<N, K>, const N: usize, const K: usize = 0>
+where
+    S::Scalar: Vector,
+{
+    system: S,
+    constants: S::JetConstants,
+    tables: S::Tables<HIGHEST>,
+    series: Series<S::Scalar, N, HIGHEST>,
+    limits: Limits<Lane<S::Scalar>>,
+    standing: [Standing; MOST],
+    /// Attempts that a lane may still make.
+    attempts: [u64; MOST],
+    /// Ends \[s].
+    target: S::Scalar,
+    /// Unit of time of the coefficients \[s], with the direction of the motion; zero if not known.
+    unit: S::Scalar,
+    state: State<S::Scalar, N>,
+    /// What rounding took from the state.
+    residue: State<S::Scalar, N>,
+    /// Where the last step began, and its unit.
+    before: (State<S::Scalar, N>, State<S::Scalar, N>, S::Scalar),
+    expansions: u64,
+}
+
+impl<S: Smooth<N, K>, const N: usize, const K: usize> Relay<S, N, K>
+where
+    S::Scalar: Vector,
+{
+    /// Lanes without motions. `system` has the parameters of all lanes, those of idle lanes anything that has
+    /// a solution at `start`.
+    pub fn new(system: S, start: State<S::Scalar, N>) -> Self {
+        let zero: S::Scalar = Zero::zero();
+        let none = State { t: zero, q: [zero; N], v: [zero; N] };
+        Self {
+            constants: system.jet_constants(),
+            system,
+            tables: S::Tables::default(),
+            series: Series::default(),
+            limits: Limits::new(),
+            standing: [Standing::Idle; MOST],
+            attempts: [0; MOST],
+            target: start.t,
+            unit: zero,
+            state: start,
+            residue: none,
+            before: (start, none, zero),
+            expansions: 0,
+        }
+    }
+
+    /// Why the lanes of such a system would depend on each other, or would miss what a single motion sees.
+    pub fn unsuited() -> Option<&'static str> {
+        if S::CONSTRAINED {
+            Some("has constraints, whose pivots and corrections lanes would share")
+        } else if S::STEEP {
+            Some("has a function that hides from Taylor series, whose steps are compared with the equations")
+        } else if S::SHARES_PIVOTS {
+            Some("has a mass matrix that may be indefinite, whose pivots lanes would share")
+        } else if S::Scalar::COUNT > MOST {
+            Some("has more lanes than can be kept apart")
+        } else {
+            None
+        }
+    }
+
+    /// As [`Batch::with_tolerance`](super::Batch::with_tolerance); `absolute` as in
+    /// [`Simulation::with_tolerances`](crate::Simulation::with_tolerances).
+    #[must_use]
+    pub fn with_tolerances(mut self, relative: Lane<S::Scalar>, absolute: Option<Lane<S::Scalar>>) -> Self {
+        (self.limits.relative, self.limits.absolute) = (relative, absolute);
+        self
+    }
+
+    /// Longest step \[s].
+    #[must_use]
+    pub fn with_step_limit(mut self, longest: Lane<S::Scalar>) -> Self {
+        self.limits.step = Some(longest);
+        self
+    }
+
+    /// The largest number of steps of a motion, rejected ones included. Default 10 million.
+    #[must_use]
+    pub fn with_max_steps(mut self, steps: u64) -> Self {
+        self.limits.attempts = steps;
+        self
+    }
+
+    /// What a lane does.
+    pub fn standing(&self, lane: usize) -> Standing {
+        self.standing.get(lane).copied().unwrap_or(Standing::Idle)
+    }
+
+    /// The states, lane by lane.
+    pub fn state(&self) -> &State<S::Scalar, N> {
+        &self.state
+    }
+
+    /// Expansions so far, each of all lanes.
+    pub fn expansions(&self) -> u64 {
+        self.expansions
+    }
+
+    /// Replaces the parameters, after which lanes that do not go on must [`begin`](Self::begin) or
+    /// [`rest`](Self::rest). Those of lanes that are running must be what they were.
+    pub fn set_system(&mut self, system: S) {
+        (self.constants, self.system) = (system.jet_constants(), system);
+    }
+
+    /// Begins a motion in a lane: `start` to time `end` \[s].
+    pub fn begin(&mut self, lane: usize, start: &State<Lane<S::Scalar>, N>, end: Lane<S::Scalar>) {
+        set(&mut self.state, lane, start);
+        set(&mut self.residue, lane, &zeros());
+        self.target.set_lane(lane, end);
+        self.unit.set_lane(lane, Zero::zero());
+        if let (Some(standing), Some(attempts)) = (self.standing.get_mut(lane), self.attempts.get_mut(lane)) {
+            *standing = if start.t == end { Standing::Arrived } else { Standing::Running };
+            *attempts = self.limits.attempts;
+        }
+    }
+
+    /// Leaves a lane idle. It then has the numbers of another lane, `like`, whose parameters it must have, too:
+    /// no cause to stop comes from it.
+    pub fn rest(&mut self, lane: usize, like: usize) {
+        let (state, unit) = (get(&self.state, like), self.unit.lane(like));
+        set(&mut self.state, lane, &state);
+        self.unit.set_lane(lane, unit);
+        if let Some(standing) = self.standing.get_mut(lane) {
+            *standing = Standing::Idle;
+        }
+    }
+
+    /// One step of each lane that is running, of the length that its own series allows. Lanes whose unit of time
+    /// was far from the step stay where they are and have a better one for the next call.
+    ///
+    /// False if the equations have no solution in some lane; nothing has moved then. [`Relay::stop_unsolvable`]
+    /// finds these lanes.
+    #[must_use]
+    pub fn step(&mut self) -> bool {
+        let one: S::Scalar = One::one();
+        for lane in 0..S::Scalar::COUNT {
+            if self.unit.lane(lane) == Zero::zero() {
+                let left = self.target.lane(lane) - self.state.t.lane(lane);
+                self.unit.set_lane(lane, if left == Zero::zero() { One::one() } else { left });
+            }
+        }
+        let orders = orders(self.limits.relative, ORDERS_PER_DIGIT);
+        if !self.expand(orders) {
+            return false;
+        }
+        let mut tolerated = self.tolerated(orders, one);
+        let half = Lane::<S::Scalar>::from_f64(0.5);
+        if (0..S::Scalar::COUNT).any(|lane| tolerated.lane(lane) < half) {
+            // In a unit much longer than the step the first terms are no measure of the size.
+            let closer = self.tolerated(orders, tolerated.min(one));
+            for lane in 0..S::Scalar::COUNT {
+                if tolerated.lane(lane) < half {
+                    tolerated.set_lane(lane, closer.lane(lane));
+                }
+            }
+        }
+        self.before = (self.state, self.residue, self.unit);
+        let (mut length, mut theta): (S::Scalar, S::Scalar) = (Zero::zero(), Zero::zero());
+        let mut next = self.unit;
+        for lane in 0..S::Scalar::COUNT {
+            let found = self.length(lane, tolerated.lane(lane), orders);
+            if let Some(found) = found {
+                length.set_lane(lane, found.length);
+                theta.set_lane(lane, found.theta);
+                next.set_lane(lane, found.unit);
+            }
+        }
+        self.take(length, theta, orders);
+        self.unit = next;
+        true
+    }
+
+    /// Stops the lanes in which the equations have no solution, after [`Relay::step`] found that there are any.
+    /// `alone` gives a system with the parameters of a lane in all lanes, so that whether a lane stops follows from
+    /// its own numbers.
+    pub fn stop_unsolvable(&mut self, alone: impl Fn(usize) -> S) {
+        let orders = orders(self.limits.relative, ORDERS_PER_DIGIT);
+        for lane in 0..S::Scalar::COUNT {
+            if self.standing(lane) != Standing::Running {
+                continue;
+            }
+            let kept = (self.constants, self.state, self.unit);
+            let system = core::mem::replace(&mut self.system, alone(lane));
+            self.constants = self.system.jet_constants();
+            let (state, unit) = (get(&self.state, lane), self.unit.lane(lane));
+            for other in 0..S::Scalar::COUNT {
+                set(&mut self.state, other, &state);
+                self.unit.set_lane(other, unit);
+            }
+            let goes_on = self.expand(orders);
+            (self.system, (self.constants, self.state, self.unit)) = (system, kept);
+            if let (false, Some(standing)) = (goes_on, self.standing.get_mut(lane)) {
+                *standing = Standing::Stopped;
+            }
+        }
+    }
+
+    /// States at times within the last step of each lane, by its series. In other lanes the numbers mean
+    /// nothing.
+    pub fn within(&self, times: S::Scalar) -> State<S::Scalar, N> {
+        let orders = orders(self.limits.relative, ORDERS_PER_DIGIT);
+        let (state, residue, unit) = &self.before;
+        let theta = ((times - state.t) - residue.t) / *unit;
+        let (gain_q, gain_v) = self.series.gain(theta, orders);
+        State {
+            t: times,
+            q: core::array::from_fn(|i| state.q[i] + (residue.q[i] + gain_q[i])),
+            v: core::array::from_fn(|i| state.v[i] + (residue.v[i] + gain_v[i])),
+        }
+    }
+
+    fn expand(&mut self, orders: usize) -> bool {
+        let Self { system, constants, tables, series, state, unit, .. } = self;
+        self.expansions += 1;
+        let inputs = [Zero::zero(); K];
+        system.jet_at(constants, state.t, &state.q, &state.v, &inputs, *unit, orders, tables, series)
+    }
+
+    fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
+        let Limits { relative, absolute, .. } = self.limits;
+        let absolute =
+            absolute.map_or(Zero::zero(), |absolute| Lane::<S::Scalar>::from_f64(SAFETY) * absolute);
+        let last_terms = [last_term(relative), absolute + step_size::smallest()].map(S::Scalar::splat);
+        tolerated::<S, N, K>(&self.state, &self.series, last_terms, orders, span)
+    }
+
+    /// The step of a lane; none if it does not move.
+    fn length(
+        &mut self,
+        lane: usize,
+        tolerated: Lane<S::Scalar>,
+        orders: usize,
+    ) -> Option<Step<Lane<S::Scalar>>> {
+        let number = Lane::<S::Scalar>::from_f64;
+        let zero = number(0.0);
+        let (Some(standing), Some(attempts)) = (self.standing.get_mut(lane), self.attempts.get_mut(lane))
+        else {
+            return None;
+        };
+        if *standing != Standing::Running {
+            *standing = Standing::Idle;
+            return None;
+        }
+        let (t, target) = (self.state.t.lane(lane), self.target.lane(lane));
+        let left = (target - t) - self.residue.t.lane(lane);
+        let unit = self.unit.lane(lane);
+        let (direction, unit) = (unit.signum(), unit.abs());
+        let resolution = number(4.0) * Lane::<S::Scalar>::epsilon() * larger(target.abs(), t.abs());
+        if *attempts == 0 || !(left.is_finite() && get(&self.state, lane).is_finite()) {
+            *standing = Standing::Stopped;
+            return None;
+        }
+        *attempts -= 1;
+        let is_finite = |rows: &[[S::Scalar; N]; HIGHEST]| {
+            rows.get(orders - 1).is_some_and(|row| row.iter().all(|x| x.lane(lane).is_finite()))
+        };
+        let is_finite = tolerated.is_finite() && is_finite(&self.series.q) && is_finite(&self.series.v);
+        // A lane out of the range of the arithmetic, or of the domain of the equations, and units far from the
+        // steps: coefficients near the ends of the arithmetic.
+        let factor = if !is_finite {
+            Some(number(1e-3))
+        } else if tolerated < number(1.0 / NEAR) || tolerated > number(NEAR) && left.abs() > unit {
+            Some(smaller(larger(tolerated, number(1e-6)), number(1e6)))
+        } else {
+            None
+        };
+        if let Some(factor) = factor {
+            let better = factor * unit;
+            if better <= resolution {
+                *standing = Standing::Stopped;
+            }
+            return Some(Step { length: zero, theta: zero, unit: direction * better });
+        }
+        let natural = self.limits.clip(smaller(tolerated, number(NEAR)) * unit);
+        let length = smaller(natural, left.abs());
+        if length <= resolution && left.abs() > resolution {
+            *standing = Standing::Stopped;
+            return None;
+        }
+        Some(Step { length: direction * length, theta: length / unit, unit: direction * natural })
+    }
+
+    /// Goes on by lengths \[s], which are `theta` units.
+    fn take(&mut self, length: S::Scalar, theta: S::Scalar, orders: usize) {
+        let (gain_q, gain_v) = self.series.gain(theta, orders);
+        let (mut state, mut residue) = (self.state, self.residue);
+        (state.t, residue.t) = add(state.t, residue.t, length);
+        for i in 0..N {
+            (state.q[i], residue.q[i]) = add(state.q[i], residue.q[i], gain_q[i]);
+            (state.v[i], residue.v[i]) = add(state.v[i], residue.v[i], gain_v[i]);
+        }
+        let settled = attitude::settle(S::ORIENTATIONS, &state);
+        for lane in 0..S::Scalar::COUNT {
+            let moves = theta.lane(lane) > Zero::zero();
+            let Some(standing) = self.standing.get_mut(lane) else { continue };
+            if *standing != Standing::Running || !moves {
+                continue;
+            }
+            set(&mut self.state, lane, &get(&state, lane));
+            set(&mut self.residue, lane, &get(&residue, lane));
+            if let Some(settled) = &settled {
+                let settled = get(settled, lane);
+                // Other triples of the same orientations: what rounding took belonged to the old ones.
+                if settled != self.state_of(lane) {
+                    let t = self.residue.t.lane(lane);
+                    set(&mut self.state, lane, &settled);
+                    set(&mut self.residue, lane, &State { t, ..zeros() });
+                }
+            }
+            self.arrives(lane);
+        }
+    }
+
+    fn state_of(&self, lane: usize) -> State<Lane<S::Scalar>, N> {
+        get(&self.state, lane)
+    }
+
+    /// Notes the end of a lane that is there.
+    fn arrives(&mut self, lane: usize) {
+        let (t, target) = (self.state.t.lane(lane), self.target.lane(lane));
+        let left = (target - t) - self.residue.t.lane(lane);
+        let resolution =
+            Lane::<S::Scalar>::from_f64(4.0) * Lane::<S::Scalar>::epsilon() * larger(target.abs(), t.abs());
+        let finite = self.state_of(lane).is_finite();
+        let Some(standing) = self.standing.get_mut(lane) else { return };
+        if !finite {
+            *standing = Standing::Stopped;
+        } else if left.abs() <= resolution {
+            self.state.t.set_lane(lane, target);
+            self.residue.t.set_lane(lane, Zero::zero());
+            *standing = Standing::Arrived;
+        }
+    }
+}
+
+/// A step of a lane: its length \[s], the same in units, and the unit of the next one.
+struct Step<L> {
+    length: L,
+    theta: L,
+    unit: L,
+}
+
+fn zeros<R: Real, const N: usize>() -> State<R, N> {
+    State { t: R::zero(), q: [R::zero(); N], v: [R::zero(); N] }
+}
+
+/// The numbers of a lane.
+pub fn get<R: Vector, const N: usize>(state: &State<R, N>, lane: usize) -> State<R::Lane, N> {
+    State { t: state.t.lane(lane), q: state.q.map(|x| x.lane(lane)), v: state.v.map(|x| x.lane(lane)) }
+}
+
+/// Replaces the numbers of a lane.
+pub fn set<R: Vector, const N: usize>(state: &mut State<R, N>, lane: usize, numbers: &State<R::Lane, N>) {
+    state.t.set_lane(lane, numbers.t);
+    for i in 0..N {
+        state.q[i].set_lane(lane, numbers.q[i]);
+        state.v[i].set_lane(lane, numbers.v[i]);
+    }
+}
