@@ -375,7 +375,7 @@ fn ten_thousand_random_contacts_obey_their_laws() {
 #[test]
 fn random_balls_in_a_corner_obey_their_laws() {
     let mut tally = Tally::default();
-    let corners = (0..40).chain([80, 83, 84, 142, 218, 248, 493]);
+    let corners = (0..40).chain([80, 83, 84, 142, 218, 493]);
     corners.for_each(|number| follow_in_corner(number, &mut tally));
     assert!(tally.switches > 5 * tally.motions, "{tally:?}");
 }

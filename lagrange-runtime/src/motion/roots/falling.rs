@@ -314,7 +314,9 @@ pub(crate) fn clear<R: Ordered>(guard: &Taylor<R>, own: R) -> R {
     let [first, second, ..] = guard.coefficients.map(Real::abs);
     let drowned = R::from_f64(DROWNED);
     for _ in 0..AGREED {
-        if size(guard, clear) <= drowned * larger(first, second * clear) {
+        // What is nothing but roundings is so on each part of it.
+        let shown = larger(drowned * larger(first, second * clear), guard.error);
+        if size(guard, clear) <= shown {
             break;
         }
         clear *= R::from_f64(0.25);
