@@ -116,9 +116,8 @@ where
             }
             if converged < one {
                 if width > shortest {
-                    // Never by so little that the roundings of the next series ask for more.
-                    width *=
-                        larger(smaller(converged, S::Scalar::from_f64(NEARER)), S::Scalar::from_f64(FURTHER));
+                    // Shorter than asked for, so that the roundings of the next series ask for no more.
+                    width *= larger(converged * S::Scalar::from_f64(NEARER), S::Scalar::from_f64(FURTHER));
                     continue;
                 }
                 from = self.beyond(&path, from, shortest).ok_or(Unresolved::NotFinite)?;
