@@ -5,6 +5,7 @@
 //! is taken anew from there.
 
 use super::guards::{Guard, Guards, Parts};
+use super::reactions::Borne;
 use super::scene::above;
 use super::{Functions, Switching};
 use crate::motion::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach, stays_above};
@@ -31,6 +32,9 @@ struct Path<R, const N: usize, const C: usize> {
     q: [Taylor<R>; N],
     v: [Taylor<R>; N],
     reactions: [Taylor<R>; C],
+    /// What roundings make of velocities until the end of the step, and the time of the step.
+    roundings: [R; N],
+    time: R,
 }
 
 /// The first guard to fall, and where.
@@ -38,7 +42,7 @@ type First<R> = (Fall<R>, Guard);
 
 impl<R: Ordered, const N: usize, const C: usize> Path<R, N, C> {
     /// Along a whole step.
-    fn new(start: &State<R, N>, terms: &Terms<'_, R, N>, reactions: [Taylor<R>; C]) -> Self {
+    fn new(start: &State<R, N>, terms: &Terms<'_, R, N>, borne: &Borne<R, N, C>) -> Self {
         let along = |numbers: &[R; N], rows: &[[R; N]]| {
             core::array::from_fn(|i| {
                 Taylor::variable(numbers[i], rows.iter().map(|row| row[i]), terms.length)
@@ -48,22 +52,27 @@ impl<R: Ordered, const N: usize, const C: usize> Path<R, N, C> {
             t: Taylor::variable(start.t, core::iter::once(terms.unit), terms.length),
             q: along(&start.q, terms.q),
             v: along(&start.v, terms.v),
-            reactions,
+            reactions: borne.reactions,
+            roundings: borne.roundings,
+            time: (terms.length * terms.unit).abs(),
         }
     }
 
     /// Along the part from `from` that is so long.
     fn on(&self, from: R, width: R) -> Self {
-        if from == R::zero() && width == R::one() {
-            return *self;
+        let mut part = *self;
+        let reach = from + width;
+        if reach != width || width != R::one() {
+            let on = |x: &Taylor<R>| x.on(from, width);
+            (part.t, part.reactions) = (on(&self.t), self.reactions.each_ref().map(on));
+            (part.q, part.v) = (self.q.each_ref().map(on), self.v.each_ref().map(on));
         }
-        let part = |x: &Taylor<R>| x.on(from, width);
-        Self {
-            t: part(&self.t),
-            q: self.q.each_ref().map(part),
-            v: self.v.each_ref().map(part),
-            reactions: self.reactions.each_ref().map(part),
+        let half = R::from_f64(0.5);
+        for (i, &rounding) in self.roundings.iter().enumerate() {
+            part.v[i].error += rounding * reach;
+            part.q[i].error += half * self.time * rounding * reach * reach;
         }
+        part
     }
 }
 
@@ -75,12 +84,14 @@ where
     /// The first guard that falls through zero along a step, and the part of the step that has passed then, to the
     /// roundings of its polynomial. That of `fired` is zero where the step starts.
     pub(super) fn first_along(
-        &self,
+        &mut self,
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
-        reactions: &[Taylor<S::Scalar>; C],
         fired: Option<Guard>,
+        relative: S::Scalar,
     ) -> Result<Option<First<S::Scalar>>, Unresolved> {
+        let borne = self.borne(start, terms, relative);
+        self.reacts_along = borne.is_known;
         if self.along().next().is_none() {
             return Ok(None);
         }
@@ -88,7 +99,7 @@ where
         let half = S::Scalar::from_f64(0.5);
         let shortest = half.powi(HALVINGS);
         let clearest = half.powi(CLEAREST);
-        let path = Path::new(start, terms, *reactions);
+        let path = Path::new(start, terms, &borne);
         let (mut from, mut width) = (zero, one);
         loop {
             let part = path.on(from, width);
@@ -105,9 +116,8 @@ where
             }
             if converged < one {
                 if width > shortest {
-                    // Never by so little that the roundings of the next series ask for more.
-                    width *=
-                        larger(smaller(converged, S::Scalar::from_f64(NEARER)), S::Scalar::from_f64(FURTHER));
+                    // Shorter than asked for, so that the roundings of the next series ask for no more.
+                    width *= larger(converged * S::Scalar::from_f64(NEARER), S::Scalar::from_f64(FURTHER));
                     continue;
                 }
                 from = self.beyond(&path, from, shortest).ok_or(Unresolved::NotFinite)?;
@@ -126,7 +136,11 @@ where
                 continue;
             }
             if width > clearest {
-                let parts = self.along().map(|guard| clear(&self.guard(guard, &functions, number)));
+                let starts = self.at_place(&part, Taylor::start);
+                let parts = self.along().map(|guard| {
+                    let own = self.guard(guard, &starts, Taylor::constant);
+                    clear(&self.guard(guard, &functions, number), own.error)
+                });
                 let part = parts.fold(one, smaller);
                 if part < one {
                     width *= part;
@@ -191,16 +205,29 @@ where
         Parts { functions, reactions: part.reactions }
     }
 
+    /// What they are made of at one end of it, with the roundings of the whole.
+    fn at_place(
+        &self,
+        part: &Path<S::Scalar, N, C>,
+        place: impl Fn(&Taylor<S::Scalar>) -> S::Scalar,
+    ) -> Parts<Rounded<S::Scalar>, C, W> {
+        let known = |x: &Taylor<S::Scalar>| {
+            let mut known = Rounded::constant(place(x));
+            known.error = x.error;
+            known
+        };
+        let (q, v) = (part.q.each_ref().map(known), part.v.each_ref().map(known));
+        let functions = S::functions_in(self.in_regime, Taylor::constant, known(&part.t), &q, &v);
+        Parts { functions, reactions: part.reactions.each_ref().map(known) }
+    }
+
     /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its zero.
     fn agrees(&self, part: &Path<S::Scalar, N, C>, parts: &Parts<Taylor<S::Scalar>, C, W>) -> bool {
         let Functions { rows, fixed, kinks } = &parts.functions;
         if rows.iter().chain(fixed).chain(kinks).all(|function| function.is_whole) {
             return true;
         }
-        let end = |x: &Taylor<S::Scalar>| Rounded::value(x.end());
-        let (q, v) = (part.q.each_ref().map(end), part.v.each_ref().map(end));
-        let functions = S::functions_in(self.in_regime, Taylor::constant, end(&part.t), &q, &v);
-        let values = Parts { functions, reactions: part.reactions.each_ref().map(end) };
+        let values = self.at_place(part, Taylor::end);
         self.along().all(|guard| {
             let series = self.guard(guard, parts, Taylor::constant);
             let value = self.guard(guard, &values, Taylor::constant);

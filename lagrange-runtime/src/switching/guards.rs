@@ -1,6 +1,6 @@
 //! Guards: what ends a regime where it falls through zero.
 
-use super::scene::{ROUNDINGS, Scales, most, rounding};
+use super::scene::{Scales, most, rounding};
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::number::real::{Ordered, Real};
@@ -199,9 +199,7 @@ where
         let mut reactions = [Taylor::constant(num_traits::Zero::zero()); C];
         if self.watch.reactions {
             let [multipliers, sizes] = self.multipliers(state);
-            let known =
-                |row: usize| Rounded::sum_of(multipliers[row], S::Scalar::from_f64(ROUNDINGS) * sizes[row]);
-            reactions = core::array::from_fn(known);
+            reactions = core::array::from_fn(|row| Rounded::sum_of(multipliers[row], sizes[row]));
         }
         Parts { functions, reactions }
     }

@@ -200,7 +200,6 @@ where
         let regime = regime(&S::ROWS, parts, options, &driven, self.kinks)?;
         let in_regime = self.system.in_regime(&regime);
         let wanted = core::array::from_fn(|row| self.wanted(row, &demand.restitution));
-        let none = [num_traits::Zero::zero(); N];
         let State { t, q, v } = &self.state;
         let solve = |in_regime: &S::InRegime, v: &[S::Scalar; N]| {
             let equations = S::equations_in(in_regime, *t, q, v, self.inputs)?;
@@ -220,27 +219,16 @@ where
         if !pairs(&S::ROWS).any(|[row, _]| turns(row)) {
             return solve(&in_regime, v).map(found);
         }
-        let mut stuck = regime;
-        for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
-            stuck.slip[row] = zero;
-            (stuck.active[row], stuck.active[other]) = (true, true);
-        }
-        let held = S::equations_in(&self.system.in_regime(&stuck), *t, q, v, self.inputs)?;
         let smooth = self.without_friction(parts, options, demand)?;
         let rates = &self.laws.rows.rates;
         let after =
             |row: usize, changes: &[S::Scalar; N]| rates[row] + product(&self.gradients[row], changes);
-        let mut slips: [S::Scalar; C] = core::array::from_fn(|row| after(row, &smooth));
+        // Velocities that have these slips: where slips depend on each other, theirs are those that some motion has.
+        let mut changes = smooth;
         let mut turning = Turning::new();
         for _ in 0..TURNS {
-            let mut apart = [zero; C];
-            for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
-                for row in [row, other] {
-                    apart[row] = slips[row] - rates[row];
-                }
-            }
-            let (change, _) = held.saddle.solve(&none, &apart);
-            let strike = solve(&in_regime, &core::array::from_fn(|i| v[i] + change[i]))?;
+            let slips: [S::Scalar; C] = core::array::from_fn(|row| after(row, &changes));
+            let strike = solve(&in_regime, &core::array::from_fn(|i| v[i] + changes[i]))?;
             let (mut lacks, mut is_done) = ([zero; C], true);
             for [row, other] in pairs(&S::ROWS).filter(|[row, _]| turns(*row)) {
                 for row in [row, other] {
@@ -252,7 +240,8 @@ where
             if is_done {
                 return Some(found(strike));
             }
-            slips = turning.next(&slips, &lacks);
+            let share = turning.share(&slips, &lacks);
+            changes = core::array::from_fn(|i| changes[i] + share * (strike.0[i] - changes[i]));
         }
         None
     }

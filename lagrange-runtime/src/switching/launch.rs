@@ -73,7 +73,8 @@ where
                 break;
             }
             is_scaled = true;
-            slips = turning.next(&slips, &lacks);
+            let share = turning.share(&slips, &lacks);
+            slips = core::array::from_fn(|row| slips[row] + share * lacks[row]);
         }
         Some(velocities)
     }

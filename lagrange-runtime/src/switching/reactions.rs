@@ -6,7 +6,7 @@
 
 use super::Switching;
 use super::guards::Guards;
-use super::scene::{ROUNDINGS, extent, most, product};
+use super::scene::{most, product, rounding};
 use crate::constraints::{Balance, Equations};
 use crate::linear::{SaddlePoint, Switched};
 use crate::number::real::{Ordered, Real};
@@ -14,29 +14,61 @@ use crate::series::taylor::Taylor;
 use crate::system::method::Terms;
 use crate::system::state::State;
 
+/// What is borne along a step.
+pub(super) struct Borne<R, const N: usize, const C: usize> {
+    /// What roundings of the forces make of velocities until the end of the step: an acceleration may be a small
+    /// difference of them, as where a slip begins, so that its own size tells nothing.
+    pub(super) roundings: [R; N],
+    /// The reactions as polynomials of the part that has passed.
+    pub(super) reactions: [Taylor<R>; C],
+    /// Whether the method has them, and they converge on the whole of the step as the motion does, to half of the
+    /// digits of its tolerance.
+    pub(super) is_known: bool,
+}
+
 /// Rows of gradients in units in which coordinates have unit mass.
 struct Levers<R, const N: usize, const C: usize> {
     rows: [[R; N]; C],
     units: [R; N],
+    /// Coordinates that each row meets, by itself or through other rows.
+    reach: [[bool; N]; C],
 }
 
 impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
     fn new(equations: &Equations<Switched<R, N, C>, R, N, C>) -> Self {
         let units = equations.saddle.units();
         let rows = equations.gradients.map(|row| core::array::from_fn(|i| row[i] * units[i]));
-        Self { rows, units }
+        let mut reach = rows.map(|row: [R; N]| row.map(|entry| entry != R::zero()));
+        for _ in 1..C {
+            let last = reach;
+            for own in &mut reach {
+                for other in &last {
+                    if (0..N).any(|i| own[i] && other[i]) {
+                        *own = core::array::from_fn(|i| own[i] || other[i]);
+                    }
+                }
+            }
+        }
+        Self { rows, units, reach }
     }
 
-    /// What reactions of these sizes are differences of, beside other `forces` in these units.
-    fn sizes(&self, reactions: &[R; C], forces: &[R; N]) -> [R; C] {
-        let forces: [R; N] = core::array::from_fn(|i| {
+    /// The sizes of forces with those of reactions.
+    fn with(&self, reactions: &[R; C], forces: &[R; N]) -> [R; N] {
+        core::array::from_fn(|i| {
             let borne = self.rows.iter().zip(reactions);
             borne.fold(forces[i], |sum, (row, &force)| sum + (row[i] * force).abs())
-        });
+        })
+    }
+
+    /// What reactions of these sizes are differences of, beside other `forces` in these units. Roundings of
+    /// coordinates turn forces in the metric of the masses: each direction has its part of those of all others.
+    fn sizes(&self, reactions: &[R; C], forces: &[R; N]) -> [R; C] {
+        let forces = self.with(reactions, forces);
         core::array::from_fn(|row| {
-            let squares = product(&self.rows[row], &self.rows[row]);
-            let size =
-                if squares.is_positive() { extent(&self.rows[row], &forces) / squares } else { R::zero() };
+            let lever = product(&self.rows[row], &self.rows[row]).sqrt();
+            let met = forces.iter().zip(&self.reach[row]).filter(|(_, met)| **met);
+            let force = met.fold(R::zero(), |sum, (&force, _)| sum + force);
+            let size = if lever.is_positive() { force / lever } else { R::zero() };
             most(size, reactions[row].abs())
         })
     }
@@ -67,23 +99,32 @@ where
         [multipliers, levers.sizes(&multipliers, &forces)]
     }
 
-    /// The reactions along a step as polynomials of the part that has passed; `None` where the method has none, or
-    /// they do not converge on the whole of the step as the motion does, to half of the digits of its tolerance.
-    pub(super) fn reactions_along(
+    /// What is borne along a step.
+    pub(super) fn borne(
         &self,
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
         relative: S::Scalar,
-    ) -> Option<[Taylor<S::Scalar>; C]> {
+    ) -> Borne<S::Scalar, N, C> {
         let zero: S::Scalar = num_traits::Zero::zero();
+        let mut borne =
+            Borne { roundings: [zero; N], reactions: [Taylor::constant(zero); C], is_known: false };
+        let Some(equations) = self.equations(start) else { return borne };
+        let levers = Levers::new(&equations);
+        let mut forces = core::array::from_fn(|i| (equations.forces[i] * levers.units[i]).abs());
         let rows = || {
             let rows = terms.reactions.chunks_exact(C.max(1)).take(terms.v.len());
             rows.filter_map(|row| <&[S::Scalar; C]>::try_from(row).ok())
         };
-        let first = *rows().next()?;
-        let equations = self.equations(start)?;
-        let levers = Levers::new(&equations);
-        let mut forces = core::array::from_fn(|i| (equations.forces[i] * levers.units[i]).abs());
+        let first = rows().next().copied();
+        let rounding: S::Scalar = rounding();
+        let time = (terms.length * terms.unit).abs();
+        let all = levers.with(&first.unwrap_or([zero; C]), &forces);
+        borne.roundings = core::array::from_fn(|i| {
+            let gained = terms.v.first().map_or(zero, |row| (terms.length * row[i]).abs());
+            rounding * (gained + time * all[i] * levers.units[i])
+        });
+        let Some(first) = first.filter(|_| self.has_reactions()) else { return borne };
         let (mut sizes, mut last) = ([zero; C], [[zero; C]; 2]);
         let (mut power, mut order): (S::Scalar, S::Scalar) = (num_traits::One::one(), num_traits::One::one());
         for (row, speeds) in rows().zip(terms.v) {
@@ -104,16 +145,13 @@ where
         }
         let [before, last] = last;
         let share = relative.sqrt();
-        let converges = |row: usize| before[row] + last[row] <= share * sizes[row];
-        if !(0..C).all(converges) {
-            return None;
-        }
-        Some(core::array::from_fn(|row| {
+        borne.is_known = (0..C).all(|row| before[row] + last[row] <= share * sizes[row]);
+        borne.reactions = core::array::from_fn(|row| {
             let along = rows().skip(1).map(|terms| terms[row]);
             let mut reaction = Taylor::variable(first[row], along, terms.length);
-            reaction.error =
-                S::Scalar::from_f64(ROUNDINGS) * S::Scalar::epsilon() * sizes[row] + before[row] + last[row];
+            reaction.error = rounding * sizes[row] + before[row] + last[row];
             reaction
-        }))
+        });
+        borne
     }
 }

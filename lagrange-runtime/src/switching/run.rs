@@ -8,7 +8,6 @@ use super::standstill::is_at_rest;
 use super::{Regime, Row, Switching};
 use crate::motion::roots::Unresolved;
 use crate::number::real::{Ordered, Real};
-use crate::series::taylor::Taylor;
 use crate::system::System;
 use crate::system::control::Held;
 use crate::system::error::{Cause, MotionError};
@@ -227,22 +226,15 @@ where
         let (start, end) = (memory.start, memory.end);
         let (in_regime, constants) = (&memory.in_regime, &memory.constants);
         let terms = M::terms(&memory.inner);
-        let is_along = terms.is_some();
         let inputs = &self.control.0;
-        let mut guards = Guards::new(self.system, in_regime, &memory.regime, inputs, &start, is_along);
+        let mut guards = Guards::new(self.system, in_regime, &memory.regime, inputs, &start, terms.is_some());
         if guards.is_empty() {
             return Ok(None);
         }
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let mut fall = None;
         if let Some(terms) = terms {
-            let mut reactions = [Taylor::constant(zero); C];
-            if guards.has_reactions()
-                && let Some(along) = guards.reactions_along(&start, &terms, self.limits.relative)
-            {
-                (reactions, guards.reacts_along) = (along, true);
-            }
-            let found = guards.first_along(&start, &terms, &reactions, memory.fired);
+            let found = guards.first_along(&start, &terms, memory.fired, self.limits.relative);
             let found = found.map_err(Unresolved::cause)?;
             fall = found.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);

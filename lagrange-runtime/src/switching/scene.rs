@@ -7,7 +7,7 @@ use crate::system::state::State;
 
 /// Values below this many rounding errors of their scale count as zero: gaps where contacts touch, slip
 /// velocities of friction at rest, reactions and accelerations where one regime ends and another begins.
-pub(super) const ROUNDINGS: f64 = 256.0;
+const ROUNDINGS: f64 = 256.0;
 
 /// The part of a size that counts as zero.
 pub(super) fn rounding<R: Real>() -> R {

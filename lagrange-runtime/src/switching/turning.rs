@@ -23,8 +23,8 @@ impl<R: Real, const C: usize> Turning<R, C> {
         Self { last: None }
     }
 
-    /// The next slips after some that lack so much.
-    pub(super) fn next(&mut self, x: &[R; C], lack: &[R; C]) -> [R; C] {
+    /// The share of what they lack by which some slips are to change.
+    pub(super) fn share(&mut self, x: &[R; C], lack: &[R; C]) -> R {
         let mut share = R::from_f64(0.25);
         if let Some((before, lacked)) = self.last {
             let (mut along, mut square) = (R::zero(), R::zero());
@@ -40,7 +40,7 @@ impl<R: Real, const C: usize> Turning<R, C> {
             share = if above(share, whole) { whole } else { most(share, least) };
         }
         self.last = Some((*x, *lack));
-        core::array::from_fn(|row| x[row] + share * lack[row])
+        share
     }
 }
 

@@ -160,3 +160,14 @@ fn a_gap_without_a_gradient_is_named() {
         "{error}"
     );
 }
+
+#[test]
+fn a_leash_goes_through_its_centre() {
+    // The distance has no series there, and near it one with large roundings.
+    for [x, y] in [[1.0, 0.0], [0.8, 0.6], [-0.28, 0.96]] {
+        let start = State::new([0.5 * x, 0.5 * y], [-x, -y]);
+        let state = *Leash.simulate(start).with_tolerance(TIGHT).advance_to(2.0).unwrap();
+        all_close(state.q, [-x, -y], 1e-14);
+        all_close(state.v, [0.0; 2], 1e-14);
+    }
+}

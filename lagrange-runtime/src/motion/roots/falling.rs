@@ -175,6 +175,8 @@ fn changes<R: Ordered>(powers: &mut [R], more: R) -> Changes {
     match count {
         0 if above => Changes::None,
         0 | 1 => Changes::One,
+        // What hovers about the edge of its roundings has not fallen: halves of it would hover as well.
+        _ if powers.iter().all(|&term| term > -more) => Changes::None,
         _ => Changes::Several,
     }
 }
@@ -305,17 +307,25 @@ pub(crate) fn reach<R: Ordered>(guard: &Taylor<R>) -> R {
     reach
 }
 
-/// The part of the interval on which a guard has roundings like those where it starts, by factors of four.
-pub(crate) fn clear<R: Ordered>(guard: &Taylor<R>) -> R {
+/// The part of the interval on which a guard has roundings like those where it starts, which are `own`, by factors of
+/// four. Roundings grow with the guard, and with what it is made of.
+pub(crate) fn clear<R: Ordered>(guard: &Taylor<R>, own: R) -> R {
     let mut clear = R::one();
     let [first, second, ..] = guard.coefficients.map(Real::abs);
+    let drowned = R::from_f64(DROWNED);
     for _ in 0..AGREED {
-        if size(guard, clear) <= R::from_f64(DROWNED) * larger(first, second * clear) {
+        // What is nothing but roundings is so on each part of it.
+        let shown = larger(drowned * larger(first, second * clear), guard.error);
+        if size(guard, clear) <= shown {
             break;
         }
         clear *= R::from_f64(0.25);
     }
-    clear
+    let terms = R::from_f64(guard.degree as f64 + 1.0);
+    if clear < R::one() || guard.error <= drowned * terms * (own + R::epsilon() * guard.extent()) {
+        return clear;
+    }
+    R::from_f64(0.25)
 }
 
 /// A bound of a guard on a part of the interval.

@@ -113,3 +113,27 @@ fn newtons_steps_end_where_roundings_decide() {
     let place = falls(&guard, Before::Unknown).unwrap().place;
     assert!((place - core::f64::consts::FRAC_PI_4).abs() < 4e-15, "{place}");
 }
+
+#[test]
+fn what_hovers_at_the_edge_of_its_roundings_is_decided_soon() {
+    // Halves of what crosses that edge on each of its parts would be millions.
+    let oscillation =
+        [1.0, -128.0, 2688.0, -21504.0, 84480.0, -180224.0, 212992.0, -131072.0, 32768.0].map(|c| 1e-17 * c);
+    let mut guard = Taylor::variable(oscillation[0] - 1e-16, oscillation[1..].iter().copied(), 1.0);
+    guard.error = 1e-16;
+    assert_eq!(falls(&guard, Before::Zero), None);
+    // What leaves it has fallen.
+    guard.coefficients[1] -= 1e-14;
+    assert!(falls(&guard, Before::Zero).is_some());
+}
+
+#[test]
+fn what_is_nothing_but_roundings_is_clear_everywhere() {
+    // Contacts that rest on each other have such gaps: shorter parts show nothing, and steps would be millions of them.
+    let mut guard = Taylor::variable(0.0, [0.0, 1e-17].into_iter(), 1.0);
+    guard.error = 1e-16;
+    assert_eq!(clear(&guard, guard.error), 1.0);
+    // What shows is looked at on shorter parts, until it does no more.
+    guard.error = 1e-19;
+    assert_eq!(clear(&guard, guard.error), 0.0625);
+}
