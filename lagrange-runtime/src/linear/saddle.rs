@@ -161,7 +161,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
                 }
                 Err(_) => {}
             }
-        } else if C == 1 && N <= partition::WIDEST {
+        } else if C == 1 && N <= partition::WIDEST && size_of::<R>() == size_of::<R::Lane>() {
+            // Of several lanes each may have a gradient, in no coordinate that is common to all.
             return Self::without_gradient(a);
         }
         Self::carefully::<DEFINITE>(mass, a)
