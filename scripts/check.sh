@@ -22,6 +22,7 @@ usage: scripts/check.sh NAME …
   digits      31 digits with the other library of math, and the example that uses them
   long        energy over millions of steps
   drift       constraints and their energy over millions of steps
+  roots       a million polynomials and steps cut anywhere: no zero is missed, none is found twice
   contacts    ten thousand random systems with contacts and friction
   stack       analyses of 100 coordinates on the stack of a common thread
   stack-release
@@ -32,7 +33,7 @@ usage: scripts/check.sh NAME …
   gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
               nightly toolchain and NVIDIA's assembler)
   all         everything above
-  ci          the same without random, packages, benchmarks, lanes, tables, mpi, digits, contacts, gallery and gpu, and of
+  ci          the same without random, packages, benchmarks, lanes, tables, mpi, digits, roots, contacts, gallery and gpu, and of
               firmware what needs no nightly toolchain
 EOF
 }
@@ -84,6 +85,8 @@ long() { cargo test --release --test long free:: -- --nocapture; }
 
 drift() { cargo test --release --test long constrained:: -- --nocapture; }
 
+roots() { cargo test --release -p lagrange-runtime --lib motion::roots -- --ignored; }
+
 contacts() { cargo test --release --test integration contact::random::ten_thousand -- --ignored --nocapture; }
 
 stack() { cargo test --test stack; }
@@ -100,9 +103,9 @@ gpu() { scripts/gpu.sh all; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | lanes | tables | mpi | digits | long | drift | contacts | stack | stack-release | gallery | gpu | firmware)
+        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | lanes | tables | mpi | digits | long | drift | roots | contacts | stack | stack-release | gallery | gpu | firmware)
             "$name" ;;
-        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; lanes; tables; mpi; digits; long; drift; contacts; firmware; gallery; gpu ;;
+        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; lanes; tables; mpi; digits; long; drift; roots; contacts; firmware; gallery; gpu ;;
         ci)
             fmt; clippy; docs; features; book; ui; stack; command_line; long; drift
             FIRMWARE=ci firmware ;;

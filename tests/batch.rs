@@ -373,7 +373,7 @@ fn every_lane_passes_a_flat_position_on_its_branch_or_says_that_it_does_not() {
         let mut batch = Batch::new(&bars, start);
         let end = match batch.advance_to(0.5) {
             Ok(end) => *end,
-            // Right beside the flat position steps of lanes may come to an end.
+            // Beside the flat position steps of lanes may come to an end. How near is observed, not derived.
             Err(error) => {
                 assert!(k > 8, "{k}: {error}");
                 continue;

@@ -51,7 +51,7 @@ pub trait Model<const N: usize>: Sized + 'static {
     /// The system with these parameters, in the order of `PARAMETERS`.
     fn new(parameters: &[f64]) -> Self;
 
-    /// The state with these settings, in the order of `SETTINGS`; `None` if there is none.
+    /// The state with these settings, in the order of `SETTINGS`; `None` where the settings allow no state.
     fn placed(&self, settings: &[f64]) -> Option<State<f64, N>>;
 
     /// What the settings are in a state.

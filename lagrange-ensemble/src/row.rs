@@ -9,7 +9,7 @@ pub trait Row<T>: Sync {
     /// The row of an index.
     ///
     /// # Errors
-    /// Why there is none.
+    /// Why the motion has no row.
     fn row(&self, index: u64) -> Result<T, Failure>;
 
     /// The rows of `count` indices from `first` on, each handed to `put` once, in any order. Each has the bits that

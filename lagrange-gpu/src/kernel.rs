@@ -45,7 +45,7 @@ impl<S: Words, R: Words, E> Kernel<S, R, E> {
     /// The result of one motion, computed here.
     ///
     /// # Errors
-    /// Why there is none.
+    /// Why the motion has no row.
     pub fn row(&self, index: u64, setting: &S) -> Result<R, E> {
         (self.row)(index, setting)
     }

@@ -65,7 +65,7 @@ impl<S: Words, R: Words, E: Into<Failure>> Rows<S, R, E> {
     /// The row of a motion.
     ///
     /// # Errors
-    /// Why there is none. A processor only marks such a motion; it is computed again here, up to its end, to say why.
+    /// Why the motion has no row. A processor only marks such a motion; it is computed again here, up to its end, to say why.
     pub fn row(&self, index: u64) -> Result<R, Failure> {
         if let Some(row) = self.found(index) {
             return Ok(row);

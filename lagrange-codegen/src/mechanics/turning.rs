@@ -8,7 +8,7 @@
 use super::{Conditions, Equations, cheapest};
 use crate::model::Model;
 
-/// The equations of a model whose orientations are matrices; `None` where there are none.
+/// The equations of a model whose orientations are matrices; `None` for a model without orientations.
 pub fn turning(model: &mut Model) -> Option<Equations> {
     (!model.turning.is_empty()).then(|| cheapest(model, Equations::in_axes, Equations::roots))
 }

@@ -10,7 +10,7 @@
 //! they depend on each other: there, roundings of the constraints are large changes of the state. What was
 //! determined in the motion so far is the measure, so constraints that are redundant everywhere do no harm.
 
-mod energy;
+pub(crate) mod energy;
 
 use super::step_size;
 use crate::constraints::Footing;

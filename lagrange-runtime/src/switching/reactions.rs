@@ -30,15 +30,20 @@ pub(super) struct Borne<R, const N: usize, const C: usize> {
 struct Levers<R, const N: usize, const C: usize> {
     rows: [[R; N]; C],
     units: [R; N],
-    /// Coordinates that each row meets, by itself or through other rows.
-    reach: [[bool; N]; C],
 }
+
+/// Coordinates that each row meets, by itself or through other rows.
+type Reach<const N: usize, const C: usize> = [[bool; N]; C];
 
 impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
     fn new(equations: &Equations<Switched<R, N, C>, R, N, C>) -> Self {
         let units = equations.saddle.units();
         let rows = equations.gradients.map(|row| core::array::from_fn(|i| row[i] * units[i]));
-        let mut reach = rows.map(|row: [R; N]| row.map(|entry| entry != R::zero()));
+        Self { rows, units }
+    }
+
+    fn reach(&self) -> Reach<N, C> {
+        let mut reach = self.rows.map(|row| row.map(|entry| entry != R::zero()));
         for _ in 1..C {
             let last = reach;
             for own in &mut reach {
@@ -49,7 +54,7 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
                 }
             }
         }
-        Self { rows, units, reach }
+        reach
     }
 
     /// The sizes of forces with those of reactions.
@@ -62,11 +67,11 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
 
     /// What reactions of these sizes are differences of, beside other `forces` in these units. Roundings of
     /// coordinates turn forces in the metric of the masses: each direction has its part of those of all others.
-    fn sizes(&self, reactions: &[R; C], forces: &[R; N]) -> [R; C] {
+    fn sizes(&self, reach: &Reach<N, C>, reactions: &[R; C], forces: &[R; N]) -> [R; C] {
         let forces = self.with(reactions, forces);
         core::array::from_fn(|row| {
             let lever = product(&self.rows[row], &self.rows[row]).sqrt();
-            let met = forces.iter().zip(&self.reach[row]).filter(|(_, met)| **met);
+            let met = forces.iter().zip(&reach[row]).filter(|(_, met)| **met);
             let force = met.fold(R::zero(), |sum, (&force, _)| sum + force);
             let size = if lever.is_positive() { force / lever } else { R::zero() };
             most(size, reactions[row].abs())
@@ -96,7 +101,7 @@ where
         let Balance { multipliers, .. } = equations.balance();
         let levers = Levers::new(&equations);
         let forces = core::array::from_fn(|i| (equations.forces[i] * levers.units[i]).abs());
-        [multipliers, levers.sizes(&multipliers, &forces)]
+        [multipliers, levers.sizes(&levers.reach(), &multipliers, &forces)]
     }
 
     /// What is borne along a step.
@@ -125,6 +130,7 @@ where
             rounding * (gained + time * all[i] * levers.units[i])
         });
         let Some(first) = first.filter(|_| self.has_reactions()) else { return borne };
+        let reach = levers.reach();
         let (mut sizes, mut last) = ([zero; C], [[zero; C]; 2]);
         let (mut power, mut order): (S::Scalar, S::Scalar) = (num_traits::One::one(), num_traits::One::one());
         for (row, speeds) in rows().zip(terms.v) {
@@ -135,7 +141,7 @@ where
                     *force += (rate * speed / unit).abs();
                 }
             }
-            for (sum, size) in sizes.iter_mut().zip(levers.sizes(row, &forces)) {
+            for (sum, size) in sizes.iter_mut().zip(levers.sizes(&reach, row, &forces)) {
                 *sum += power * size;
             }
             last = [last[1], row.map(|term| (power * term).abs())];

@@ -41,22 +41,44 @@ where
         let sizes = self.sizes(end, (end.t - self.from.t).abs(), footing);
         let [q, v] =
             sizes.of.map(|size| footing.metric.at_extent(relative(self.limits) * size + sizes.absolute));
-        let mut sum = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon() * here.abs();
-        for i in 0..N {
-            for (by_q, by_v) in [(q[i], num_traits::Zero::zero()), (num_traits::Zero::zero(), v[i])] {
-                let mut beside = *end;
-                beside.q[i] += by_q;
-                beside.v[i] += by_v;
-                sum += (self.energy(&beside) - here).abs();
-            }
-        }
-        sum
+        S::Scalar::from_f64(ULPS) * S::Scalar::epsilon() * here.abs()
+            + blurred(self.system, self.constants, end, [q, v])
     }
 
-    /// The energy without derivatives.
     fn energy(&self, state: &State<S::Scalar, N>) -> S::Scalar {
-        self.system.energy_at(self.constants, state.t, &state.q, &state.v).part(0)
+        energy(self.system, self.constants, state)
     }
+}
+
+/// The energy without derivatives.
+pub(crate) fn energy<S: System<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &State<S::Scalar, N>,
+) -> S::Scalar {
+    system.energy_at(constants, state.t, &state.q, &state.v).part(0)
+}
+
+/// What errors of coordinates and velocities, each by itself, make of the energy at a state: the sum of all.
+#[cold]
+#[inline(never)]
+pub(crate) fn blurred<S: System<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &State<S::Scalar, N>,
+    [q, v]: [[S::Scalar; N]; 2],
+) -> S::Scalar {
+    let here = energy(system, constants, state);
+    let mut sum: S::Scalar = num_traits::Zero::zero();
+    for i in 0..N {
+        for (by_q, by_v) in [(q[i], num_traits::Zero::zero()), (num_traits::Zero::zero(), v[i])] {
+            let mut beside = *state;
+            beside.q[i] += by_q;
+            beside.v[i] += by_v;
+            sum += (energy(system, constants, &beside) - here).abs();
+        }
+    }
+    sum
 }
 
 #[cfg(test)]

@@ -164,7 +164,7 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sp
     }
 
     /// A.
-    #[cfg(test)]
+    #[cfg(all(test, feature = "double-double"))]
     pub(super) fn gradients(&self) -> &SparseRows<R, A> {
         &self.gradients
     }

@@ -4,6 +4,7 @@
 use super::Batch;
 use crate::integrator::dop853::add;
 use crate::integrator::landing::NOISE;
+use crate::integrator::landing::energy::{blurred, energy};
 use crate::integrator::lengths::PARTS;
 use crate::linear::determined;
 use crate::number::real::Real;
@@ -124,11 +125,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
         if !S::CONSERVES_ENERGY {
             return -S::Scalar::epsilon();
         }
-        let energy = |state: &State<S::Scalar, N>| {
-            self.system.energy_at(constants, state.t, &state.q, &state.v).part(0)
-        };
-        let here = energy(end);
-        let change = (here - energy(&self.state)).abs();
+        let here = energy(self.system, constants, end);
+        let change = (here - energy(self.system, constants, &self.state)).abs();
         let relative =
             S::Scalar::splat(self.tolerance).max(S::Scalar::from_f64(NOISE) * S::Scalar::epsilon());
         let speed = footing.metric.extent(&end.v);
@@ -138,16 +136,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
         }
         let size = footing.metric.extent(&end.q).max(speed * (end.t - self.state.t).abs());
         let [q, v] = [size, speed].map(|size| footing.metric.at_extent(relative * size));
-        let mut sum = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon() * here.abs();
-        for i in 0..N {
-            for (by_q, by_v) in [(q[i], num_traits::Zero::zero()), (num_traits::Zero::zero(), v[i])] {
-                let mut beside = *end;
-                beside.q[i] += by_q;
-                beside.v[i] += by_v;
-                sum += (energy(&beside) - here).abs();
-            }
-        }
-        change - sum
+        let own = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon() * here.abs();
+        change - own - blurred(self.system, constants, end, [q, v])
     }
 }
 

@@ -4,6 +4,8 @@
 //! quarter at most of what it loses. Beside a configuration in which constraints depend on each other a
 //! step may lose anything, and its halves as well.
 
+use crate::integrator::landing::NOISE;
+use crate::integrator::landing::energy::{blurred, energy};
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::error::Cause;
@@ -16,9 +18,6 @@ const HALVINGS: i32 = 6;
 
 /// Halves of a step lose at most this part of what it loses: any method is of the second order.
 const QUARTER: f64 = 0.25;
-
-/// Roundings of the energy, in what an ulp of each coordinate makes of it, and in ulps of itself.
-const NOISE: f64 = 256.0;
 
 /// Whether a step has lost so little of the energy that half of all digits are left of the kinetic energy.
 #[inline]
@@ -102,23 +101,9 @@ fn roundings<S, const N: usize, const K: usize>(
 where
     S: System<N, K>,
 {
-    let here = energy(system, constants, state);
-    let mut sum = S::Scalar::epsilon() * here.abs();
-    for (i, &ulp) in footing.ulps_q.iter().enumerate() {
-        let mut beside = *state;
-        beside.q[i] += ulp;
-        sum += (energy(system, constants, &beside) - here).abs();
-    }
-    S::Scalar::from_f64(NOISE) * sum
-}
-
-/// The energy without derivatives.
-fn energy<S: System<N, K>, const N: usize, const K: usize>(
-    system: &S,
-    constants: &S::Constants,
-    state: &State<S::Scalar, N>,
-) -> S::Scalar {
-    system.energy_at(constants, state.t, &state.q, &state.v).part(0)
+    let none = [num_traits::Zero::zero(); N];
+    let own = S::Scalar::epsilon() * energy(system, constants, state).abs();
+    S::Scalar::from_f64(NOISE) * (own + blurred(system, constants, state, [footing.ulps_q, none]))
 }
 
 #[cfg(test)]

@@ -33,7 +33,7 @@ impl Machine {
     /// A machine with the constants of a module.
     ///
     /// # Errors
-    /// If one holds the address of something that is none.
+    /// If an operand takes the address of something that has no address.
     pub fn new(module: Module) -> Result<Self, String> {
         let mut machine =
             Self { module: Module::default(), memory: vec![0; BASE], names: HashMap::new(), count: 0 };
