@@ -1,7 +1,8 @@
 //! What the program of a robot does: it answers requests about its states, line by line.
 //!
 //! `names`; `evaluate accelerations`, `evaluate derivatives`, `evaluate motions`; `time SUBJECT SECONDS`. The
-//! states stand in the file that the program is given: a count, then coordinates, velocities and inputs of each.
+//! states stand in the file that the program is given: a count, then coordinates, velocities and inputs of
+//! each.
 
 use std::hint::black_box;
 use std::io::Write as _;

@@ -1,4 +1,5 @@
-//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report | nonsmooth | stability | robots | many`.
+//! Measurements: `cargo run --release -p benchmarks -- rhs | fixed | precision | report | nonsmooth |
+//! stability | robots | many`.
 //!
 //! A figure counts only as a ratio within one run: all subjects of a system are timed in turn,
 //! on the same states, and absolute times drift between machines.

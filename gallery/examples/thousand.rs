@@ -41,7 +41,8 @@ extern "C" fn angle(pendulum: u32, rod: u32) -> f64 {
     STATES.with_borrow_mut(found).unwrap_or(f64::NAN)
 }
 
-/// The largest change of energy since the start, as a part of what a fall from the top to the bottom sets free.
+/// The largest change of energy since the start, as a part of what a fall from the top to the bottom sets
+/// free.
 #[unsafe(no_mangle)]
 extern "C" fn worst(angle: f64, spread: f64) -> f64 {
     STATES.with_borrow(|states| {

@@ -1,7 +1,8 @@
-//! Eight systems in the browser, each a module of WebAssembly: what a page shows of a system, and the systems.
+//! Eight systems in the browser, each a module of WebAssembly: what a page shows of a system, and the
+//! systems.
 //!
-//! A page talks to its module by numbers alone: no memory is shared and no text crosses the border. What has a name is
-//! in the catalogue (`src/main.rs`), which the build writes beside the modules.
+//! A page talks to its module by numbers alone: no memory is shared and no text crosses the border. What has
+//! a name is in the catalogue (`src/main.rs`), which the build writes beside the modules.
 
 pub mod models;
 mod page;

@@ -39,7 +39,8 @@ impl<M: Model<N>, const N: usize> Page<M, N> {
         state.map(|state| self.restart(state)).is_some()
     }
 
-    /// Sets a parameter; `false` and no change where the system cannot have it in any state like the present one.
+    /// Sets a parameter; `false` and no change where the system cannot have it in any state like the present
+    /// one.
     pub fn set_parameter(&mut self, index: usize, value: f64) -> bool {
         let mut parameters = self.parameters.clone();
         let Some(parameter) = parameters.get_mut(index) else { return false };

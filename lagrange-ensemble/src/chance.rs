@@ -12,9 +12,9 @@ use lagrange_runtime::Real;
 /// assert_ne!(mass(41), mass(42));
 /// ```
 ///
-/// The k-th number of a motion is a hash of seed, index and k: the finaliser of SplitMix64 (Steele, Lea and Flood, *Fast
-/// splittable pseudorandom number generators*, 2014), three times. For a k it is another one for each index. It is
-/// no secret.
+/// The k-th number of a motion is a hash of seed, index and k: the finaliser of SplitMix64 (Steele, Lea and
+/// Flood, *Fast splittable pseudorandom number generators*, 2014), three times. For a k it is another one for
+/// each index. It is no secret.
 #[derive(Clone, Copy, Debug)]
 pub struct Chance {
     motion: u64,

@@ -150,10 +150,10 @@ impl<F> Ensemble<F> {
     /// `jacobians`, which generates its equations over any scalar.
     ///
     /// The choice has a name because bits differ from those of single motions, in which the functions of the
-    /// standard library stand and expansions have other orders. The errors are those that the tolerance allows
-    /// in either. In lanes, too, the bits of a row depend on its index and nothing else: not on what runs in other
-    /// lanes, on threads, parts or ranks. A motion that cannot go on in its lane is computed alone, from its start,
-    /// and has the row of that.
+    /// standard library stand and expansions have other orders. The errors are those that the tolerance
+    /// allows in either. In lanes, too, the bits of a row depend on its index and nothing else: not on what
+    /// runs in other lanes, on threads, parts or ranks. A motion that cannot go on in its lane is computed
+    /// alone, from its start, and has the row of that.
     ///
     /// Systems with constraints, with functions that hide from Taylor series (exponentials, high negative
     /// powers) or with an indefinite mass matrix cannot be kept apart in lanes:

@@ -243,8 +243,8 @@ where
     V: Vector<Lane = S::Scalar>,
     S::Over<V>: Smooth<N, K>,
 {
-    /// The motion of an index for a lane; none where a single motion would not begin, or there is no time to go
-    /// to. The first system is kept as `template`.
+    /// The motion of an index for a lane; none where a single motion would not begin, or there is no time to
+    /// go to. The first system is kept as `template`.
     fn job(&self, index: u64, template: &mut Option<S>) -> Result<Option<Job<S::Scalar, N>>, Failure> {
         let (system, start) = (self.ensemble.start)(index).start()?;
         let end = (0..).map_while(|k| (self.time)(&start, k)).last();
@@ -291,8 +291,8 @@ where
         relay
     }
 
-    /// Takes the states at times that the last step of a lane has passed, but for the last one, which is where it
-    /// arrives.
+    /// Takes the states at times that the last step of a lane has passed, but for the last one, which is
+    /// where it arrives.
     fn sample(&self, relay: &Relay<S::Over<V>, N, K>, lanes: &mut [Option<Job<S::Scalar, N>>]) {
         loop {
             let mut times = relay.state().t;

@@ -12,8 +12,9 @@ pub trait Row<T>: Sync {
     /// Why the motion has no row.
     fn row(&self, index: u64) -> Result<T, Failure>;
 
-    /// The rows of `count` indices from `first` on, each handed to `put` once, in any order. Each has the bits that
-    /// [`Row::row`] gives it. `at` is the index that a function of the user works on, for the message of a panic.
+    /// The rows of `count` indices from `first` on, each handed to `put` once, in any order. Each has the
+    /// bits that [`Row::row`] gives it. `at` is the index that a function of the user works on, for the
+    /// message of a panic.
     fn rows(&self, first: u64, count: u64, at: &Cell<u64>, put: &mut dyn FnMut(u64, Result<T, Failure>)) {
         for index in first..first + count {
             at.set(index);

@@ -23,8 +23,8 @@ use crate::work::{self, InOrder, Parts};
 /// optimisation; pages that are not used cost nothing.
 const STACK: usize = 64 << 20;
 
-/// The least number of motions of a part in lanes, unless it is told: each of four threads fills eight lanes several
-/// times. It does not depend on the length of vectors, so that the files do not.
+/// The least number of motions of a part in lanes, unless it is told: each of four threads fills eight lanes
+/// several times. It does not depend on the length of vectors, so that the files do not.
 const IN_LANES: u64 = 512;
 
 /// Motions of a part unless it is told: so many that a study has about a hundred parts, and no more than a
@@ -166,8 +166,8 @@ impl<F: Row<T>, T: Record> Study<F, T> {
         self.row.row(index)
     }
 
-    /// Appends the rows of consecutive indices to a block that has none. `at` is the one that a function of the
-    /// user works on.
+    /// Appends the rows of consecutive indices to a block that has none. `at` is the one that a function of
+    /// the user works on.
     pub(crate) fn append(&self, layout: &Layout, first: u64, count: u64, at: &Cell<u64>, block: &mut Block) {
         let size = layout.row();
         block.first = first;

@@ -64,7 +64,8 @@ impl Parts {
     }
 }
 
-/// Appends the rows of so many indices from one on; says in the cell which one a function of the user works on.
+/// Appends the rows of so many indices from one on; says in the cell which one a function of the user works
+/// on.
 pub(crate) type Motions<'a> = &'a (dyn Fn(u64, u64, &Cell<u64>, &mut Block) + Sync);
 
 /// A part that threads work on.

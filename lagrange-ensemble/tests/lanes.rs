@@ -1,4 +1,5 @@
-//! Motions in lanes: the bits of a row depend on its index alone, and its errors are those of a single motion.
+//! Motions in lanes: the bits of a row depend on its index alone, and its errors are those of a single
+//! motion.
 
 use lagrange_ensemble::{Ensemble, Error, Failure, Record, Row, Study};
 use lagrangian::Lanes;

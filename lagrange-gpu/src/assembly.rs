@@ -7,8 +7,8 @@ pub struct Usage {
     pub kernel: String,
     /// Registers of 32 bits; there are at most 255.
     pub registers: u32,
-    /// Bytes of the stack, with those of the functions that it calls: memory, where registers are too few or where
-    /// arrays are indexed.
+    /// Bytes of the stack, with those of the functions that it calls: memory, where registers are too few or
+    /// where arrays are indexed.
     pub stack: u32,
     /// Bytes written because registers are too few, in the functions that it calls, too.
     pub spill_stores: u32,

@@ -9,8 +9,8 @@ use crate::words::Words;
 /// The motion of this thread: number `first` and following, `count` of them, one a thread.
 ///
 /// # Safety
-/// `setting` points to as many words as the upper half of `shape` says, and `cells` to `count` times one more than the
-/// lower half says, which nobody else uses.
+/// `setting` points to as many words as the upper half of `shape` says, and `cells` to `count` times one more
+/// than the lower half says, which nobody else uses.
 #[allow(unsafe_code)]
 #[inline(always)]
 pub unsafe fn enter<S: Words, R: Words, E>(

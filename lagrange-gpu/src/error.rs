@@ -48,7 +48,8 @@ pub enum Error {
         /// The name.
         name: String,
     },
-    /// The kernel takes or gives other types than the function of the same name: it was built from another source.
+    /// The kernel takes or gives other types than the function of the same name: it was built from another
+    /// source.
     Mismatched {
         /// The kernel.
         name: String,

@@ -14,8 +14,8 @@ use crate::ptx::{Arithmetic, Ptx};
 use crate::rows::Rows;
 use crate::words::Words;
 
-/// Threads of a block. Kernels of motions need so many registers that a multiprocessor holds a few hundred threads;
-/// blocks of two warps leave the least of it empty.
+/// Threads of a block. Kernels of motions need so many registers that a multiprocessor holds a few hundred
+/// threads; blocks of two warps leave the least of it empty.
 const BLOCK: u32 = 64;
 
 /// Motions of a launch: many times what any processor holds at once, and soon done.
@@ -32,8 +32,8 @@ impl Gpu {
     /// The processor with a number, counted from zero.
     ///
     /// # Errors
-    /// [`Error::NoDriver`], [`Error::NoDevice`]; [`Error::WrongVersion`] and [`Error::Driver`] of a driver that does
-    /// not run.
+    /// [`Error::NoDriver`], [`Error::NoDevice`]; [`Error::WrongVersion`] and [`Error::Driver`] of a driver
+    /// that does not run.
     pub fn new(number: usize) -> Result<Self, Error> {
         // SAFETY: loading the driver runs its initialisation, as any use of it does.
         #[allow(unsafe_code)]
@@ -95,13 +95,15 @@ pub struct Kernels {
 }
 
 impl Kernels {
-    /// Computes `count` motions, as many at a time as the memory of the processor takes, and returns all rows.
+    /// Computes `count` motions, as many at a time as the memory of the processor takes, and returns all
+    /// rows.
     ///
-    /// Of each launch one motion is computed here as well: with exact arithmetic its row must have the same bits, or the
-    /// kernel was built from another source.
+    /// Of each launch one motion is computed here as well: with exact arithmetic its row must have the same
+    /// bits, or the kernel was built from another source.
     ///
     /// # Errors
-    /// [`Error::NoKernel`], [`Error::Mismatched`], [`Error::Differs`]; [`Error::OutOfMemory`], [`Error::Driver`].
+    /// [`Error::NoKernel`], [`Error::Mismatched`], [`Error::Differs`]; [`Error::OutOfMemory`],
+    /// [`Error::Driver`].
     pub fn run<S: Words, R: Words, E>(
         &self,
         kernel: Kernel<S, R, E>,
@@ -159,9 +161,9 @@ impl Kernels {
         let config = LaunchConfig { grid_dim: (blocks, 1, 1), block_dim: (BLOCK, 1, 1), shared_mem_bytes: 0 };
         let mut launch = self.stream.launch_builder(function);
         launch.arg(&first).arg(&count).arg(&shape).arg(setting).arg(cells);
-        // SAFETY: the arguments are those of the kernels that `kernels!` makes. The kernel compares `shape` with its own
-        // types before it touches a word, the setting has the words of its first half,
-        // and the cells one more than those of its second half for each motion.
+        // SAFETY: the arguments are those of the kernels that `kernels!` makes. The kernel compares `shape`
+        // with its own types before it touches a word, the setting has the words of its first half, and the
+        // cells one more than those of its second half for each motion.
         #[allow(unsafe_code)]
         unsafe {
             launch.launch(config)?;

@@ -1,7 +1,7 @@
 //! [`Kernel`]: a function of an index, and the cells in which its rows stand.
 //!
-//! The cells of a launch are `1 + words` columns of `count` words: a mark for each motion, then the first word of each
-//! row, and so on. Neighbouring threads write to neighbouring places.
+//! The cells of a launch are `1 + words` columns of `count` words: a mark for each motion, then the first
+//! word of each row, and so on. Neighbouring threads write to neighbouring places.
 
 use crate::words::Words;
 
@@ -73,8 +73,8 @@ pub(crate) const fn shape<S: Words, R: Words>() -> u64 {
     (S::WORDS as u64) << 32 | R::WORDS as u64
 }
 
-/// The whole of a kernel but the memory: computes a motion and puts its mark and its words, by column. This is what
-/// the processor does, and what tests do without one.
+/// The whole of a kernel but the memory: computes a motion and puts its mark and its words, by column. This
+/// is what the processor does, and what tests do without one.
 #[inline(always)]
 pub(crate) fn compute<S: Words, R: Words, E>(
     row: impl Fn(u64, &S) -> Result<R, E>,
@@ -95,10 +95,11 @@ pub(crate) fn compute<S: Words, R: Words, E>(
     }
 }
 
-/// Makes kernels of functions of this crate, when it is built for a processor; elsewhere it checks their types.
+/// Makes kernels of functions of this crate, when it is built for a processor; elsewhere it checks their
+/// types.
 ///
-/// A function takes the index of a motion and a reference to what all motions share, and returns a `Result`: both sides
-/// are [`Words`](crate::Words). It must not panic or allocate, and the build says if it could.
+/// A function takes the index of a motion and a reference to what all motions share, and returns a `Result`:
+/// both sides are [`Words`](crate::Words). It must not panic or allocate, and the build says if it could.
 ///
 /// The crate begins with `#![cfg_attr(target_arch = "nvptx64", no_std, feature(abi_ptx))]`.
 #[macro_export]
@@ -106,8 +107,8 @@ macro_rules! kernels {
     ($($function:ident),+ $(,)?) => {$(
         #[cfg(target_arch = "nvptx64")]
         const _: () = {
-            // SAFETY: no other name of the program is that of a kernel, or the compiler says so; whoever launches it
-            // keeps what `enter` asks for.
+            // SAFETY: no other name of the program is that of a kernel, or the compiler says so; whoever
+            // launches it keeps what `enter` asks for.
             #[allow(unsafe_code)]
             #[unsafe(no_mangle)]
             unsafe extern "ptx-kernel" fn $function(
@@ -128,7 +129,8 @@ macro_rules! kernels {
     )+};
 }
 
-/// A function that [`kernels!`](crate::kernels!) made a kernel of, to be launched or computed: `kernel!(path)`.
+/// A function that [`kernels!`](crate::kernels!) made a kernel of, to be launched or computed:
+/// `kernel!(path)`.
 #[macro_export]
 macro_rules! kernel {
     ($function:path) => {

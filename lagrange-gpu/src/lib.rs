@@ -1,7 +1,8 @@
 //! Many motions of the `lagrangian` crate on a graphics processor.
 //!
-//! A kernel is an ordinary function of an index. It is compiled twice: for the processor, and for the machine that
-//! the processor is in, where tests call it and where it runs if there is no processor. Both have the same bits.
+//! A kernel is an ordinary function of an index. It is compiled twice: for the processor, and for the machine
+//! that the processor is in, where tests call it and where it runs if there is no processor. Both have the
+//! same bits.
 //!
 //! ```
 //! #![cfg_attr(target_arch = "nvptx64", no_std, feature(abi_ptx))]
@@ -54,8 +55,9 @@
 //! }
 //! ```
 //!
-//! A crate that computes sines and the like outside descriptions is better `no_std` on its host, too: `x.sin()` is then the
-//! function of the crate `libm` on both sides, where hosts with a standard library have their own, with other last bits.
+//! A crate that computes sines and the like outside descriptions is better `no_std` on its host, too:
+//! `x.sin()` is then the function of the crate `libm` on both sides, where hosts with a standard library have
+//! their own, with other last bits.
 //!
 //! | name | what it is |
 //! | --- | --- |

@@ -1,4 +1,5 @@
-//! What `scripts/gpu.sh` asks of built kernels: `lagrange-gpu check FILE`, `fuse FILE TO`, `table EXACT FUSED`.
+//! What `scripts/gpu.sh` asks of built kernels: `lagrange-gpu check FILE`, `fuse FILE TO`, `table EXACT
+//! FUSED`.
 
 use std::env;
 use std::error::Error;

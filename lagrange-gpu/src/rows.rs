@@ -65,7 +65,8 @@ impl<S: Words, R: Words, E: Into<Failure>> Rows<S, R, E> {
     /// The row of a motion.
     ///
     /// # Errors
-    /// Why the motion has no row. A processor only marks such a motion; it is computed again here, up to its end, to say why.
+    /// Why the motion has no row. A processor only marks such a motion; it is computed again here, up to its
+    /// end, to say why.
     pub fn row(&self, index: u64) -> Result<R, Failure> {
         if let Some(row) = self.found(index) {
             return Ok(row);
@@ -98,7 +99,8 @@ impl<S: Words, R: Words, E: Into<Failure>> Rows<S, R, E> {
 }
 
 impl<S: Words + Sync, R: Words + Record, E: Into<Failure>> Kernel<S, R, E> {
-    /// The same motions without a processor: a study on the cores of this machine. In a folder it goes on after a kill.
+    /// The same motions without a processor: a study on the cores of this machine. In a folder it goes on
+    /// after a kill.
     pub fn study<'a>(self, count: u64, setting: &'a S) -> Study<impl Row<R> + 'a, R>
     where
         R: 'a,

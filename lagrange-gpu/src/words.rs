@@ -1,13 +1,14 @@
 //! [`Words`]: what travels between a machine and its processor, as words of 64 bits.
 //!
-//! Types have no layout that two targets must share. So values are taken apart into words and put together again.
+//! Types have no layout that two targets must share. So values are taken apart into words and put together
+//! again.
 
 use lagrange_runtime::State;
 
 /// What can be handed to a processor and back: a fixed number of words of 64 bits.
 ///
-/// Numbers, `bool`, [`State`], arrays and tuples are made of words. A type of yours is by two short functions that go
-/// through its fields in the same order:
+/// Numbers, `bool`, [`State`], arrays and tuples are made of words. A type of yours is by two short functions
+/// that go through its fields in the same order:
 ///
 /// ```
 /// use lagrange_gpu::Words;

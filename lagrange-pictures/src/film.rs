@@ -10,7 +10,8 @@ use crate::paper::{self, Kind, Shape, View};
 use crate::place::{Place, Pose, Spot};
 use crate::record::Record;
 
-/// What moves, seen from the front where places are in the plane, or from above one side where they are in space.
+/// What moves, seen from the front where places are in the plane, or from above one side where they are in
+/// space.
 ///
 /// Functions take the system and its coordinates by name, so that those of the description fit:
 /// `record.film().trail(Pendulum::bob)`. A closure that reads a coordinate names the type,
@@ -39,7 +40,8 @@ where
         self
     }
 
-    /// Looks at space from this direction \[rad]: the azimuth from the x axis, the elevation above the horizon.
+    /// Looks at space from this direction \[rad]: the azimuth from the x axis, the elevation above the
+    /// horizon.
     #[must_use]
     pub fn seen_from(mut self, azimuth: f64, elevation: f64) -> Self {
         self.view = View { azimuth, elevation };
@@ -91,8 +93,8 @@ where
         self.shape(Kind::Trail, |system, state| vec![place(system, &state.q.into()).spot()])
     }
 
-    /// A force as an arrow from where it acts. The longest of the film has a fixed length, all arrows the same scale,
-    /// and none is drawn where the force is zero.
+    /// A force as an arrow from where it acts. The longest of the film has a fixed length, all arrows the
+    /// same scale, and none is drawn where the force is zero.
     #[must_use]
     pub fn force<Q, P, F>(
         self,

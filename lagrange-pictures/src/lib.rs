@@ -1,9 +1,9 @@
-//! Pictures of motions of the `lagrangian` crate: phase portraits, energies, reactions, and drawings that move. The
-//! facade has this package as `lagrangian::pictures`, with its feature `pictures`.
+//! Pictures of motions of the `lagrangian` crate: phase portraits, energies, reactions, and drawings that
+//! move. The facade has this package as `lagrangian::pictures`, with its feature `pictures`.
 //!
-//! [`Record::of`] runs a motion and keeps its states. A record makes a [`Chart`] of what is plotted over time and a
-//! [`Film`] of what moves. Both are SVG: [`Chart::save`], [`Film::save`]. A film plays by itself wherever an image is
-//! shown, without a script.
+//! [`Record::of`] runs a motion and keeps its states. A record makes a [`Chart`] of what is plotted over time
+//! and a [`Film`] of what moves. Both are SVG: [`Chart::save`], [`Film::save`]. A film plays by itself
+//! wherever an image is shown, without a script.
 //!
 //! ```
 //! use lagrangian::prelude::*;

@@ -1,4 +1,5 @@
-//! [`Place`] and [`Pose`]: where something is, in the plane or in space, in any of the types that descriptions use.
+//! [`Place`] and [`Pose`]: where something is, in the plane or in space, in any of the types that
+//! descriptions use.
 
 use lagrange_runtime::nalgebra::{
     AbstractRotation, Isometry, Point2, Point3, RealField, Rotation2, Rotation3, UnitComplex, UnitQuaternion,

@@ -21,8 +21,8 @@ where
     S: System<N, K>,
     S::Scalar: Ordered + Into<f64>,
 {
-    /// Moves on by `duration` \[s], backward if it is negative, and keeps the present state and those at the ends
-    /// of so many equal intervals.
+    /// Moves on by `duration` \[s], backward if it is negative, and keeps the present state and those at the
+    /// ends of so many equal intervals.
     ///
     /// # Errors
     /// [`PictureError::Motion`] where the motion ends before, and if there is no interval or no duration.
@@ -114,8 +114,8 @@ where
             .line("total", total)
     }
 
-    /// By how much the energy has changed since the first state, on a logarithmic axis: of a conservative system,
-    /// the error of the motion.
+    /// By how much the energy has changed since the first state, on a logarithmic axis: of a conservative
+    /// system, the error of the motion.
     #[must_use]
     pub fn energy_change(&self) -> Chart {
         let constants = self.system.constants();
@@ -128,8 +128,8 @@ where
             .line("", self.over_time(|_, state| energy(state) - first))
     }
 
-    /// The multiplier of each constraint, contact and friction over time, by the names in `CONSTRAINTS` of the
-    /// system. An impulse has no place in it: at an impact reactions jump.
+    /// The multiplier of each constraint, contact and friction over time, by the names in `CONSTRAINTS` of
+    /// the system. An impulse has no place in it: at an impact reactions jump.
     #[must_use]
     pub fn reactions<const C: usize>(&self) -> Chart
     where

@@ -54,8 +54,8 @@ pub fn overhead() -> Result<Overhead, Box<dyn Error>> {
     Ok(Overhead { row: alone / ROWS as f64 * 1e6, memory: more(memory), folder: more(stored) })
 }
 
-/// The most memory of the process so far [kB], after studies in a folder of ten thousand and a million rows, and
-/// after the table of the latter is written.
+/// The most memory of the process so far [kB], after studies in a folder of ten thousand and a million rows,
+/// and after the table of the latter is written.
 pub fn memory() -> Result<[(String, u64); 4], Box<dyn Error>> {
     let folder = std::env::temp_dir().join(format!("lagrange-memory-{}", std::process::id()));
     let study = |count| {

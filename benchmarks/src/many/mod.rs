@@ -1,7 +1,7 @@
 //! Studies of many motions: motions a second beside heyoka, threads, and what the library costs besides.
 //!
-//! Everything is processor time, so that other processes on the machine disturb it little: they slow the caches and
-//! a core's other half, which taking turns spreads over all subjects.
+//! Everything is processor time, so that other processes on the machine disturb it little: they slow the
+//! caches and a core's other half, which taking turns spreads over all subjects.
 
 mod costs;
 mod page;

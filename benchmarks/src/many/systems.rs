@@ -1,4 +1,5 @@
-//! The systems of the studies, as a user describes them, each with what differs from motion to motion: its start.
+//! The systems of the studies, as a user describes them, each with what differs from motion to motion: its
+//! start.
 
 use lagrangian::prelude::*;
 

@@ -1,4 +1,5 @@
-//! A pose as the base beside three shifts and three angles: the same motions of the same robot, timed in turn.
+//! A pose as the base beside three shifts and three angles: the same motions of the same robot, timed in
+//! turn.
 
 use std::error::Error;
 use std::path::Path;

@@ -29,8 +29,8 @@ pub struct NewArguments {
     lagrangian: Option<PathBuf>,
 }
 
-/// Runs `new`: `cargo new` with another program and a dependency, so that names, workspaces and version control are
-/// treated as cargo treats them.
+/// Runs `new`: `cargo new` with another program and a dependency, so that names, workspaces and version
+/// control are treated as cargo treats them.
 pub fn run(arguments: &NewArguments) -> Result<(), String> {
     let path = &arguments.path;
     let dependency = match &arguments.lagrangian {

@@ -75,8 +75,8 @@ impl Expansion {
         prettyplease::unparse(&self.file)
     }
 
-    /// The generated functions of this name, formatted, each in the `impl` block that holds it. `None` if no function has
-    /// the name.
+    /// The generated functions of this name, formatted, each in the `impl` block that holds it. `None` if no
+    /// function has the name.
     #[must_use]
     pub fn method(&self, name: &str) -> Option<String> {
         let mut blocks = Blocks::default();

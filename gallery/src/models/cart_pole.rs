@@ -54,8 +54,8 @@ impl CartPole {
 }
 
 impl CartPole {
-    /// Force \[N] that pumps energy into the hanging pole, and balances it once it is nearly up: the regulator of
-    /// `examples/cart_pole.rs`.
+    /// Force \[N] that pumps energy into the hanging pole, and balances it once it is nearly up: the
+    /// regulator of `examples/cart_pole.rs`.
     fn swing_up(&self, state: &State<f64, 2>) -> f64 {
         let ([x, theta], [speed, rate]) = (state.q, state.v);
         let (sin, cos) = theta.sin_cos();

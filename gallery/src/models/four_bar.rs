@@ -1,4 +1,5 @@
-//! A four-bar linkage: three bars and the frame, closed by a constraint whose multipliers are the force in a hinge.
+//! A four-bar linkage: three bars and the frame, closed by a constraint whose multipliers are the force in a
+//! hinge.
 
 use lagrangian::prelude::*;
 

@@ -38,8 +38,8 @@ impl Exponent {
 pub enum Variable {
     /// A generalized coordinate.
     Coordinate(u32),
-    /// A generalized velocity. Of an orientation whose matrix is a variable: a component of its angular velocity,
-    /// in its own axes.
+    /// A generalized velocity. Of an orientation whose matrix is a variable: a component of its angular
+    /// velocity, in its own axes.
     Velocity(u32),
     /// A generalized acceleration, where it is given instead of solved for.
     Acceleration(u32),

@@ -7,8 +7,8 @@
 //!
 //! A description is read as one of rotation matrices R, whose entries are variables of their own, and of
 //! angular velocities ω in body axes in the places of the velocities: R′ = R \[ω]ₓ. In these the motion is
-//! solved for (`mechanics`, by Euler–Poincaré equations), because there they are simplest; in ρ and ρ′ a system
-//! tells everything else.
+//! solved for (`mechanics`, by Euler–Poincaré equations), because there they are simplest; in ρ and ρ′ a
+//! system tells everything else.
 
 use crate::expr::{Graph, NodeId, Variable};
 use crate::number::Number;

@@ -30,7 +30,8 @@ pub(super) fn of(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
     arguments
 }
 
-/// These arguments as they stood in a graph while matrices of orientations were variables; `None` if one did not.
+/// These arguments as they stood in a graph while matrices of orientations were variables; `None` if one did
+/// not.
 pub(super) fn described(before: &Graph, model: &mut Model, kinks: &[NodeId]) -> Option<Vec<NodeId>> {
     let mut all: Vec<NodeId> = before.nodes().filter_map(|id| kinked(before, id)).collect();
     all.dedup();

@@ -40,9 +40,9 @@ impl Sparsity {
         (LISTED * found.operations() < dense(rows.len(), size)).then_some(found)
     }
 
-    /// Constraints in the order of fewest neighbours. Among equals those that reach fewer coordinates are first,
-    /// for what holds a system to the ground stays far from depending on the rest. Then come those next to
-    /// where elimination has come to, so that a chain is eliminated from one end to the other.
+    /// Constraints in the order of fewest neighbours. Among equals those that reach fewer coordinates are
+    /// first, for what holds a system to the ground stays far from depending on the rest. Then come those
+    /// next to where elimination has come to, so that a chain is eliminated from one end to the other.
     fn eliminated(rows: &[BTreeSet<usize>]) -> Sparsity {
         let count = rows.len();
         let mut reaching: Vec<Vec<usize>> =

@@ -154,8 +154,8 @@ impl Translator<'_> {
         Meaning { path, statement: format!("let _: fn(&{ours}) -> {ours} = {theirs};").into() }
     }
 
-    /// The type that a name stands for: one of nalgebra, or the velocity of a body. Generic arguments are those written,
-    /// or else the scalar.
+    /// The type that a name stands for: one of nalgebra, or the velocity of a body. Generic arguments are
+    /// those written, or else the scalar.
     fn ours(&mut self, segment: &syn::PathSegment) -> String {
         let written = generic_arguments(segment);
         let arguments: Vec<String> = match written.as_slice() {

@@ -140,7 +140,8 @@ impl Function {
             Function::Atan => one / (one + x * x),
             Function::Sinh => x.apply(Function::Cosh),
             Function::Cosh => x.apply(Function::Sinh),
-            // As the recurrence of a series has it: where the function saturates, the digits of 1 − y² cancel.
+            // As the recurrence of a series has it: where the function saturates, the digits of 1 − y²
+            // cancel.
             Function::Tanh => {
                 let y = x.apply(Function::Tanh);
                 one - y * y

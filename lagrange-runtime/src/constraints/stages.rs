@@ -14,8 +14,8 @@ use crate::system::state::State;
 /// Accelerations of a state beside the constraints.
 ///
 /// * Where the rows of A are clearly independent they follow from the equations at the state itself.
-/// * Where they all but depend on each other, the equations beside the constraints have poles: what a state is
-///   off the constraints changes its accelerations by the reciprocal of the distance of the rows. The
+/// * Where they all but depend on each other, the equations beside the constraints have poles: what a state
+///   is off the constraints changes its accelerations by the reciprocal of the distance of the rows. The
 ///   accelerations are those of the nearest state on the constraints: as good a continuation of the
 ///   equations, and a smooth one. It costs three factorisations instead of one, so it is left out where rows
 ///   are only close: the check of the step's end sees what poles do there.

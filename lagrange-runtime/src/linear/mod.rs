@@ -8,9 +8,9 @@
 //! together, redundant constraints included; [`Schur`] is what is left of such a system once the velocities
 //! are eliminated.
 //!
-//! Loops over a triangle run to `i + 1` and not to `=i`: the end of an inclusive range is a flag of its own, by which
-//! compilers for small processors and for graphics processors do not see that indices are within bounds, and a panic
-//! would stay.
+//! Loops over a triangle run to `i + 1` and not to `=i`: the end of an inclusive range is a flag of its own,
+//! by which compilers for small processors and for graphics processors do not see that indices are within
+//! bounds, and a panic would stay.
 
 pub mod algebra;
 pub(crate) mod complex;

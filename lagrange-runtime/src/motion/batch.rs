@@ -280,9 +280,9 @@ impl<'a, S: Smooth<N, K>, const N: usize, const K: usize> Batch<'a, S, N, K> {
     }
 }
 
-/// The lengths at which the terms of the highest orders fall to `last_terms`, relative to the size of a component
-/// and absolute, in units. The size of a component is that of its first terms over `span`. As in a single
-/// motion, terms before the last two bear a part of it, because the last ones may vanish by symmetry.
+/// The lengths at which the terms of the highest orders fall to `last_terms`, relative to the size of a
+/// component and absolute, in units. The size of a component is that of its first terms over `span`. As in a
+/// single motion, terms before the last two bear a part of it, because the last ones may vanish by symmetry.
 #[inline]
 fn tolerated<S: Smooth<N, K>, const N: usize, const K: usize>(
     state: &State<S::Scalar, N>,

@@ -223,7 +223,8 @@ where
         let rates = &self.laws.rows.rates;
         let after =
             |row: usize, changes: &[S::Scalar; N]| rates[row] + product(&self.gradients[row], changes);
-        // Velocities that have these slips: where slips depend on each other, theirs are those that some motion has.
+        // Velocities that have these slips: where slips depend on each other, theirs are those that some
+        // motion has.
         let mut changes = smooth;
         let mut turning = Turning::new();
         for _ in 0..TURNS {

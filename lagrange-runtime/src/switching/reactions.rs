@@ -1,8 +1,9 @@
 //! Reactions that guards are made of: at a state, and along the polynomial of a step.
 //!
-//! The series of a motion has those of its reactions, from the same solution of each order. What bears nothing, as
-//! one of three feet does whose load is on the line between the others, is known no better than the load. So the bound of
-//! roundings is made of the forces that a reaction is the difference of, order by order.
+//! The series of a motion has those of its reactions, from the same solution of each order. What bears
+//! nothing, as one of three feet does whose load is on the line between the others, is known no better than
+//! the load. So the bound of roundings is made of the forces that a reaction is the difference of, order by
+//! order.
 
 use super::Switching;
 use super::guards::Guards;
@@ -16,13 +17,13 @@ use crate::system::state::State;
 
 /// What is borne along a step.
 pub(super) struct Borne<R, const N: usize, const C: usize> {
-    /// What roundings of the forces make of velocities until the end of the step: an acceleration may be a small
-    /// difference of them, as where a slip begins, so that its own size tells nothing.
+    /// What roundings of the forces make of velocities until the end of the step: an acceleration may be a
+    /// small difference of them, as where a slip begins, so that its own size tells nothing.
     pub(super) roundings: [R; N],
     /// The reactions as polynomials of the part that has passed.
     pub(super) reactions: [Taylor<R>; C],
-    /// Whether the method has them, and they converge on the whole of the step as the motion does, to half of the
-    /// digits of its tolerance.
+    /// Whether the method has them, and they converge on the whole of the step as the motion does, to half of
+    /// the digits of its tolerance.
     pub(super) is_known: bool,
 }
 
@@ -66,7 +67,8 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
     }
 
     /// What reactions of these sizes are differences of, beside other `forces` in these units. Roundings of
-    /// coordinates turn forces in the metric of the masses: each direction has its part of those of all others.
+    /// coordinates turn forces in the metric of the masses: each direction has its part of those of all
+    /// others.
     fn sizes(&self, reach: &Reach<N, C>, reactions: &[R; C], forces: &[R; N]) -> [R; C] {
         let forces = self.with(reactions, forces);
         core::array::from_fn(|row| {

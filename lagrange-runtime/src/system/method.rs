@@ -44,7 +44,8 @@ pub struct Terms<'a, R, const N: usize> {
     pub unit: R,
     /// What rounding took from the time of the start \[s].
     pub residue: R,
-    /// Terms of the reactions from order zero on, the rows of an order side by side; none where they are not known.
+    /// Terms of the reactions from order zero on, the rows of an order side by side; none where they are not
+    /// known.
     pub reactions: &'a [R],
 }
 

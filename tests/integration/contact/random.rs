@@ -371,7 +371,8 @@ fn ten_thousand_random_contacts_obey_their_laws() {
     assert!(tally.switches > 5 * tally.motions && 20 * tally.paradoxes < tally.motions, "{tally:?}");
 }
 
-/// Balls beside which reactions are nothing but roundings, and such whose slips at two walls depend on each other.
+/// Balls beside which reactions are nothing but roundings, and such whose slips at two walls depend on each
+/// other.
 #[test]
 fn random_balls_in_a_corner_obey_their_laws() {
     let mut tally = Tally::default();

@@ -23,8 +23,8 @@ use names::{Of, label_auxiliaries};
 /// Rows of the tables are padded to a multiple of this many lanes.
 const WIDTH: usize = 4;
 
-/// The most sums that an order makes anew. Where there are more, it overwrites those of the order before, which saves
-/// setting them to zero.
+/// The most sums that an order makes anew. Where there are more, it overwrites those of the order before,
+/// which saves setting them to zero.
 const FRESH: usize = 32;
 
 /// The items of the trait, as text.
@@ -234,8 +234,8 @@ impl Pass<'_> {
             text.push_str(&format!("let {}: {scalar} = lagrange::jets::time(h, order);\n", of.time));
         }
         text.push_str(&sums);
-        // What does not need the solution is computed while that is waited for. Of many products there is more
-        // than registers hold.
+        // What does not need the solution is computed while that is waited for. Of many products there is
+        // more than registers hold.
         let early = match &expansion.sums {
             Sums::Few(_) => {
                 expansion.program.settled(Phase::Order, &[&outputs.solution[..], &outputs.end].concat())

@@ -57,8 +57,8 @@ pub fn restraints() -> BoxedStrategy<Vec<Restraint>> {
     prop_oneof![1 => Just(Vec::new()), 1 => prop::collection::vec(one, 1..=4)].boxed()
 }
 
-/// A constraint between each coordinate and the next, `count` of them: one depends on few coordinates, and has
-/// one that those after it do not depend on.
+/// A constraint between each coordinate and the next, `count` of them: one depends on few coordinates, and
+/// has one that those after it do not depend on.
 pub fn links(count: usize) -> BoxedStrategy<Role> {
     let one = (fixed(), fixed(), index());
     (index(), prop::collection::vec(one, count))

@@ -1,5 +1,5 @@
-//! All kernels on the first graphics processor, beside the cores of this machine: `run FILE.ptx`. It prints the last
-//! section of `benchmarks/GPU.md`. Motions whose bits are not those of this machine are an error.
+//! All kernels on the first graphics processor, beside the cores of this machine: `run FILE.ptx`. It prints
+//! the last section of `benchmarks/GPU.md`. Motions whose bits are not those of this machine are an error.
 
 use std::env;
 use std::error::Error;

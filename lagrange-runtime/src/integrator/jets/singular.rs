@@ -26,8 +26,9 @@ const LENGTHS: usize = 64;
 /// the time in which accelerations change.
 const CORRECTIONS: usize = 24;
 
-/// Takes a step about its end, where the constraints determine the state by a distance of `enough`. False where the constraints depend on each other beside the start as
-/// well, so that it is as good as any other state.
+/// Takes a step about its end, where the constraints determine the state by a distance of `enough`. False
+/// where the constraints depend on each other beside the start as well, so that it is as good as any other
+/// state.
 ///
 /// # Errors
 /// [`Cause::Undetermined`] where they are independent beside it, but no motion leads there with this

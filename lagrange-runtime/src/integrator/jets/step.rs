@@ -20,8 +20,8 @@ use crate::system::smooth::Smooth;
 /// it keeps the end within reach of the check.
 const LONGER: f64 = 32.0;
 
-/// How much better a state beyond a configuration in which constraints depend on each other is determined than
-/// the start of the step that leads across, at least.
+/// How much better a state beyond a configuration in which constraints depend on each other is determined
+/// than the start of the step that leads across, at least.
 const BETTER: f64 = 2.0;
 
 /// One step from the end of the last one towards `target`.

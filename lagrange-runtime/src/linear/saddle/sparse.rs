@@ -1,15 +1,15 @@
-//! The saddle-point system of a diagonal mass matrix where most constraints have no coordinate in common: links
-//! of a chain, a net of rods.
+//! The saddle-point system of a diagonal mass matrix where most constraints have no coordinate in common:
+//! links of a chain, a net of rods.
 //!
-//! The Schur complement S = A M⁻¹ Aᵀ couples constraints with a common coordinate. It is factored as L D Lᵀ in
-//! an order with little fill that was found at expansion, row by row over the places that can differ from zero
-//! (Davis, "Direct Methods for Sparse Linear Systems", 2006, ch. 4). So factors, solutions and memory are in
-//! proportion to the system.
+//! The Schur complement S = A M⁻¹ Aᵀ couples constraints with a common coordinate. It is factored as L D Lᵀ
+//! in an order with little fill that was found at expansion, row by row over the places that can differ from
+//! zero (Davis, "Direct Methods for Sparse Linear Systems", 2006, ch. 4). So factors, solutions and memory
+//! are in proportion to the system.
 //!
-//! The order has no regard to sizes. So every pivot is held against what it was before anything was subtracted,
-//! as in [`Schur`]: S is known to about ε of its diagonal times the number of neighbours, and what is above that
-//! bound has lost three digits more at most, in any order. Where a pivot is below it, [`Schur`] decides about
-//! rank, with pivoting, on the whole of A.
+//! The order has no regard to sizes. So every pivot is held against what it was before anything was
+//! subtracted, as in [`Schur`]: S is known to about ε of its diagonal times the number of neighbours, and
+//! what is above that bound has lost three digits more at most, in any order. Where a pivot is below it,
+//! [`Schur`] decides about rank, with pivoting, on the whole of A.
 
 use crate::linear::Independence;
 use crate::linear::gradients::{Gradients, SparseRows, entry};
@@ -19,7 +19,8 @@ use crate::number::real::Real;
 
 use super::{Defect, SaddlePoint};
 
-/// A saddle-point system with a diagonal M and a sparse A. `A` entries of A can differ from zero, and `L` of L.
+/// A saddle-point system with a diagonal M and a sparse A. `A` entries of A can differ from zero, and `L` of
+/// L.
 ///
 /// Lanes are as in [`Schur`].
 #[derive(Clone, Debug, PartialEq)]

@@ -97,7 +97,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
         Ok(Landing { state, residue, least, excess })
     }
 
-    /// The state after `h` \[s], which are `theta` units, as the series tells, and what rounding took from it.
+    /// The state after `h` \[s], which are `theta` units, as the series tells, and what rounding took from
+    /// it.
     pub(super) fn reached(
         &self,
         h: S::Scalar,

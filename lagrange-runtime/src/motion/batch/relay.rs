@@ -1,9 +1,9 @@
 //! [`Relay`]: a motion after the other in each lane of a SIMD vector.
 //!
-//! A [`Batch`](super::Batch) moves all its lanes to one time and stops if one of them cannot go on. Here each lane
-//! has an end of its own, and a lane that has arrived, or has stopped, is given another motion. What a lane
-//! does follows from its own numbers: its steps, its unit of time, whether it stops. So the bits of a motion
-//! are the same in any lane, beside any others.
+//! A [`Batch`](super::Batch) moves all its lanes to one time and stops if one of them cannot go on. Here each
+//! lane has an end of its own, and a lane that has arrived, or has stopped, is given another motion. What a
+//! lane does follows from its own numbers: its steps, its unit of time, whether it stops. So the bits of a
+//! motion are the same in any lane, beside any others.
 //!
 //! That holds for systems without constraints, without functions that hide from series
 //! ([`Smooth::STEEP`]) and without shared pivots ([`Smooth::SHARES_PIVOTS`]): see [`Relay::unsuited`].
@@ -35,8 +35,8 @@ pub enum Standing {
     Running,
     /// It is at its end. The next step takes it for idle.
     Arrived,
-    /// It cannot go on: its numbers are not finite, its steps vanish, or they are too many. A motion of its own
-    /// tells the cause.
+    /// It cannot go on: its numbers are not finite, its steps vanish, or they are too many. A motion of its
+    /// own tells the cause.
     Stopped,
 }
 
@@ -165,8 +165,8 @@ where
         }
     }
 
-    /// Leaves a lane idle. It then has the numbers of another lane, `like`, whose parameters it must have, too:
-    /// no cause to stop comes from it.
+    /// Leaves a lane idle. It then has the numbers of another lane, `like`, whose parameters it must have,
+    /// too: no cause to stop comes from it.
     pub fn rest(&mut self, lane: usize, like: usize) {
         let (state, unit) = (get(&self.state, like), self.unit.lane(like));
         set(&mut self.state, lane, &state);
@@ -176,11 +176,11 @@ where
         }
     }
 
-    /// One step of each lane that is running, of the length that its own series allows. Lanes whose unit of time
-    /// was far from the step stay where they are and have a better one for the next call.
+    /// One step of each lane that is running, of the length that its own series allows. Lanes whose unit of
+    /// time was far from the step stay where they are and have a better one for the next call.
     ///
-    /// False if the equations have no solution in some lane; nothing has moved then. [`Relay::stop_unsolvable`]
-    /// finds these lanes.
+    /// False if the equations have no solution in some lane; nothing has moved then.
+    /// [`Relay::stop_unsolvable`] finds these lanes.
     #[must_use]
     pub fn step(&mut self) -> bool {
         let one: S::Scalar = One::one();
@@ -221,9 +221,9 @@ where
         true
     }
 
-    /// Stops the lanes in which the equations have no solution, after [`Relay::step`] found that there are any.
-    /// `alone` gives a system with the parameters of a lane in all lanes, so that whether a lane stops follows from
-    /// its own numbers.
+    /// Stops the lanes in which the equations have no solution, after [`Relay::step`] found that there are
+    /// any. `alone` gives a system with the parameters of a lane in all lanes, so that whether a lane stops
+    /// follows from its own numbers.
     pub fn stop_unsolvable(&mut self, alone: impl Fn(usize) -> S) {
         let orders = orders(self.limits.relative, ORDERS_PER_DIGIT);
         for lane in 0..S::Scalar::COUNT {
@@ -306,8 +306,8 @@ where
             rows.get(orders - 1).is_some_and(|row| row.iter().all(|x| x.lane(lane).is_finite()))
         };
         let is_finite = tolerated.is_finite() && is_finite(&self.series.q) && is_finite(&self.series.v);
-        // A lane out of the range of the arithmetic, or of the domain of the equations, and units far from the
-        // steps: coefficients near the ends of the arithmetic.
+        // A lane out of the range of the arithmetic, or of the domain of the equations, and units far from
+        // the steps: coefficients near the ends of the arithmetic.
         let factor = if !is_finite {
             Some(number(1e-3))
         } else if tolerated < number(1.0 / NEAR) || tolerated > number(NEAR) && left.abs() > unit {

@@ -307,8 +307,8 @@ pub(crate) fn reach<R: Ordered>(guard: &Taylor<R>) -> R {
     reach
 }
 
-/// The part of the interval on which a guard has roundings like those where it starts, which are `own`, by factors of
-/// four. Roundings grow with the guard, and with what it is made of.
+/// The part of the interval on which a guard has roundings like those where it starts, which are `own`, by
+/// factors of four. Roundings grow with the guard, and with what it is made of.
 pub(crate) fn clear<R: Ordered>(guard: &Taylor<R>, own: R) -> R {
     let mut clear = R::one();
     let [first, second, ..] = guard.coefficients.map(Real::abs);

@@ -1,5 +1,5 @@
-//! Kernels without a processor: interprets the PTX itself, thread by thread, and compares the memory that it leaves with
-//! that of the functions on this machine: `emulate FILE.ptx`. Every bit must be the same.
+//! Kernels without a processor: interprets the PTX itself, thread by thread, and compares the memory that it
+//! leaves with that of the functions on this machine: `emulate FILE.ptx`. Every bit must be the same.
 
 mod machine;
 mod text;

@@ -7,8 +7,8 @@ fn float(bits: u64, kind: &str) -> f64 {
     if kind == "f32" { f64::from(f32::from_bits(bits as u32)) } else { f64::from_bits(bits) }
 }
 
-/// The bits of a result in single or double precision. Sums, products, quotients and roots of singles, computed in double
-/// precision and rounded once more, are those of singles (Figueroa 1995).
+/// The bits of a result in single or double precision. Sums, products, quotients and roots of singles,
+/// computed in double precision and rounded once more, are those of singles (Figueroa 1995).
 fn bits(value: f64, kind: &str) -> u64 {
     if kind == "f32" { u64::from((value as f32).to_bits()) } else { value.to_bits() }
 }

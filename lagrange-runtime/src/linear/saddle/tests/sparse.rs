@@ -18,8 +18,8 @@ fn leaked(lists: Vec<Vec<usize>>) -> &'static [&'static [usize]] {
     Box::leak(lists.into_boxed_slice())
 }
 
-/// The pattern of rods in a space of `axes` dimensions, where they are eliminated in the order of their numbers
-/// turned by `turn`.
+/// The pattern of rods in a space of `axes` dimensions, where they are eliminated in the order of their
+/// numbers turned by `turn`.
 fn pattern(rods: &Rods, axes: usize, turn: usize) -> &'static Pattern {
     let count = rods.len();
     let order: Vec<usize> = (0..count).map(|k| (k + turn) % count).collect();

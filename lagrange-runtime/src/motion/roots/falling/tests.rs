@@ -129,7 +129,8 @@ fn what_hovers_at_the_edge_of_its_roundings_is_decided_soon() {
 
 #[test]
 fn what_is_nothing_but_roundings_is_clear_everywhere() {
-    // Contacts that rest on each other have such gaps: shorter parts show nothing, and steps would be millions of them.
+    // Contacts that rest on each other have such gaps: shorter parts show nothing, and steps would be
+    // millions of them.
     let mut guard = Taylor::variable(0.0, [0.0, 1e-17].into_iter(), 1.0);
     guard.error = 1e-16;
     assert_eq!(clear(&guard, guard.error), 1.0);
