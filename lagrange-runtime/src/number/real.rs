@@ -172,6 +172,12 @@ pub trait Real:
         self.signum() * (-decay / (decay + Self::from_f64(2.0)))
     }
 
+    /// One over the hyperbolic cosine: 0 where that overflows, and so are its derivatives.
+    #[inline]
+    fn sech(self) -> Self {
+        self.cosh().recip()
+    }
+
     /// Inverse hyperbolic sine.
     #[inline]
     fn asinh(self) -> Self {

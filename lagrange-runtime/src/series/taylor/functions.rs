@@ -176,7 +176,7 @@ impl<R: Ordered, const T: usize> Real for Taylor<R, T> {
     fn tanh(self) -> Self {
         let mut slope = Self::constant(R::zero());
         let (x, degree) = (self.start(), if self.degree > 0 { self.orders } else { 0 });
-        let decay = x.cosh().recip();
+        let decay = x.sech();
         // y′ = s x′ with s = 1 − y², whose value would cancel where y is near one.
         let mut squares = decay * decay;
         let mut tanh = Self { orders: self.orders, is_whole: self.is_whole, ..Self::constant(x.tanh()) };
@@ -192,6 +192,20 @@ impl<R: Ordered, const T: usize> Real for Taylor<R, T> {
             (slope.coefficients[order], slope.degree) = (squares, order);
         }
         self.following(tanh, slope.extent())
+    }
+    fn sech(self) -> Self {
+        // y′ = −y tanh(x) x′.
+        let tangent = self.tanh();
+        let mut slope = [R::zero(); T];
+        let secant = self.series(self.start().sech(), |order, known| {
+            if let Some(last) = slope.get_mut(order - 1) {
+                for (&y, &z) in known.iter().zip(tangent.terms().iter().take(order).rev()) {
+                    *last -= y * z;
+                }
+            }
+            self.integral(order, slope.get(..order).unwrap_or_default())
+        });
+        self.following(secant, secant.extent())
     }
     fn exp(self) -> Self {
         let exp = self.series(self.start().exp(), |order, known| self.integral(order, known));
