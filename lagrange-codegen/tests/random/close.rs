@@ -15,7 +15,8 @@ pub struct Agreement {
     /// The largest error relative to the largest component, cancelled components aside.
     pub error: f64,
     pub components: usize,
-    /// Components in which the oracle has lost so many digits that a relative error says nothing.
+    /// Components in which the oracle has lost so many digits that a relative error says nothing, of
+    /// quantities that are not zero altogether.
     pub cancelled: usize,
     /// Components with an error beyond what the oracle's rounding errors account for.
     pub beyond: usize,
@@ -49,9 +50,12 @@ pub fn compare(quantity: &str, emitted: &[f64], expected: &[Tracked]) -> Result<
             ));
         }
         agreement.beyond += usize::from(error > rounding);
+        if largest == 0.0 {
+            continue;
+        }
         if rounding > TOLERANCE * largest {
             agreement.cancelled += 1;
-        } else if largest > 0.0 {
+        } else {
             agreement.error = agreement.error.max(error / largest);
         }
     }

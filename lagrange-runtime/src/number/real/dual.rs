@@ -257,6 +257,10 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
     fn powf(self, exponent: Self) -> Self {
         let value = self.value.powf(exponent.value);
         let by_base = exponent.value * self.value.powf(exponent.value - R::one());
+        // What does not change has no share, and at a base of zero its slope would be no number.
+        if exponent.slopes.iter().all(|&slope| slope == R::zero()) {
+            return self.with(value, by_base);
+        }
         self.with_both(exponent, value, [by_base, self.value.ln() * value])
     }
     #[inline]

@@ -51,6 +51,12 @@ fn tanh_keeps_its_digits_far_away() {
 }
 
 #[test]
+fn a_power_of_nothing_has_a_slope() {
+    let power = D::variable(0.0, 0).powf(D::constant(2.5));
+    assert_eq!((power.value, power.slopes), (0.0, [0.0; 2]));
+}
+
+#[test]
 fn derivatives_of_functions_of_two_numbers() {
     let points = [(0.3, 1.2), (1.2, 0.3), (2.0, -0.7), (0.4, 2.1)];
     type Of<R> = fn(R, R) -> R;
