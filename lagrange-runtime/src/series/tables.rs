@@ -20,8 +20,8 @@ const fn is_wide<R: Real>() -> bool {
     size_of::<R>() > size_of::<R::Lane>()
 }
 
-/// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before). Where each factor is stored
-/// once, the first `L` of them stand on the left and the others on the right.
+/// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before). Where each factor is
+/// stored once, the first `L` of them stand on the left and the others on the right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Tables<R, const L: usize, const P: usize> {
@@ -121,8 +121,8 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     }
 }
 
-/// Every sum anew, from the places of its factors and what it is. Written out: compilers know a product's factors then
-/// and keep the sums in registers, while a loop over products stays a loop.
+/// Every sum anew, from the places of its factors and what it is. Written out: compilers know a product's
+/// factors then and keep the sums in registers, while a loop over products stays a loop.
 #[inline(always)]
 fn each<R: Copy, const N: usize>(
     products: &[[usize; 2]; N],
