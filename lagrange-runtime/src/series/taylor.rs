@@ -21,6 +21,10 @@ use crate::number::real::{Ordered, Real};
 /// The number of coefficients.
 pub(crate) const TERMS: usize = HIGHEST + 1;
 
+/// The number of coefficients of a first look. What it leaves out of a variable counts as roundings do; at the end of
+/// a step it is small beside the rest, as a rule.
+pub(crate) const FEW: usize = HIGHEST / 4 + 1;
+
 /// A number known by its value alone, and the bound of its roundings.
 pub(crate) type Rounded<R> = Taylor<R, 1>;
 
@@ -49,25 +53,30 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         Self { coefficients, degree: 0, orders: T.saturating_sub(1), error: R::zero(), is_whole: true }
     }
 
-    /// A number that changes by these terms, the first of order one, in the unit `scale`. It and they are rounded.
+    /// A number that changes by these terms, the first of order one, in a unit with these powers. It and they are
+    /// rounded; terms beyond the last coefficient count as roundings.
     #[inline]
-    pub(crate) fn variable(value: R, terms: impl Iterator<Item = R>, scale: R) -> Self {
-        Self::along(value, terms, &powers(scale))
+    pub(crate) fn along(value: R, terms: impl Iterator<Item = R>, powers: &[R; TERMS]) -> Self {
+        let mut variable = Self::constant(value);
+        let mut terms = terms.zip(powers.iter().skip(1)).map(|(term, &power)| term * power);
+        let mut degree = 0;
+        for (place, term) in variable.coefficients.iter_mut().skip(1).zip(&mut terms) {
+            *place = term;
+            degree += 1;
+        }
+        while degree > 0 && variable.coefficients[degree].is_zero() {
+            degree -= 1;
+        }
+        variable.degree = degree;
+        let beyond = terms.fold(R::zero(), |sum, term| sum + term.abs());
+        variable.error = R::epsilon() * (variable.extent() + beyond) + beyond;
+        variable
     }
 
-    /// The same, with the powers of the unit.
-    #[inline]
-    pub(crate) fn along(value: R, terms: impl Iterator<Item = R>, powers: &[R; T]) -> Self {
-        let mut variable = Self::constant(value);
-        let places = variable.coefficients.iter_mut().zip(powers).enumerate().skip(1);
-        for ((order, (place, &power)), term) in places.zip(terms) {
-            *place = term * power;
-            if !term.is_zero() {
-                variable.degree = order;
-            }
-        }
-        variable.error = R::epsilon() * variable.extent();
-        variable
+    /// The same in the unit `scale`.
+    #[cfg(test)]
+    pub(crate) fn variable(value: R, terms: impl Iterator<Item = R>, scale: R) -> Self {
+        Self::along(value, terms, &powers(scale))
     }
 
     /// A number known by its value alone.
@@ -110,6 +119,18 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
     #[inline]
     pub(crate) fn down(&self) -> R {
         sum(self.terms().get(1..).unwrap_or_default(), |term| if term < R::zero() { term } else { R::zero() })
+    }
+
+    /// The same with no more coefficients than these: what others there are counts as roundings.
+    pub(crate) fn shortened<const U: usize>(longer: &Taylor<R, U>) -> Self {
+        let mut short = Self::constant(R::zero());
+        for (to, &term) in short.coefficients.iter_mut().zip(longer.terms()) {
+            *to = term;
+        }
+        short.degree = longer.degree.min(short.orders);
+        short.is_whole = longer.is_whole;
+        short.error = longer.error + sum(longer.terms().get(T..).unwrap_or_default(), Real::abs);
+        short
     }
 
     /// A variable on the interval from `from` that is `width` long, in units of the present one. Roundings are those
@@ -182,9 +203,9 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
     }
 }
 
-/// The powers of a number, from the first on.
+/// The powers of a number, from that of order zero on.
 #[inline]
-pub(crate) fn powers<R: Real, const T: usize>(base: R) -> [R; T] {
+pub(crate) fn powers<R: Real>(base: R) -> [R; TERMS] {
     let mut next = R::one();
     core::array::from_fn(|_| {
         let power = next;

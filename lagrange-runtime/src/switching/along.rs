@@ -10,7 +10,7 @@ use super::scene::above;
 use super::{Functions, Switching};
 use crate::motion::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach, stays_above};
 use crate::number::real::{Ordered, Real, larger, smaller};
-use crate::series::taylor::{Rounded, Taylor, powers};
+use crate::series::taylor::{FEW, Rounded, TERMS, Taylor, powers};
 use crate::system::method::Terms;
 use crate::system::state::State;
 
@@ -27,11 +27,11 @@ const FURTHER: f64 = 1.0 / 16.0;
 
 /// State, reactions and time along a part of a step.
 #[derive(Clone, Copy)]
-struct Path<R, const N: usize, const C: usize> {
-    t: Taylor<R>,
-    q: [Taylor<R>; N],
-    v: [Taylor<R>; N],
-    reactions: [Taylor<R>; C],
+struct Path<R, const N: usize, const C: usize, const T: usize = TERMS> {
+    t: Taylor<R, T>,
+    q: [Taylor<R, T>; N],
+    v: [Taylor<R, T>; N],
+    reactions: [Taylor<R, T>; C],
     /// What roundings make of velocities until the end of the step, and the time of the step.
     roundings: [R; N],
     time: R,
@@ -40,7 +40,7 @@ struct Path<R, const N: usize, const C: usize> {
 /// The first guard to fall, and where.
 type First<R> = (Fall<R>, Guard);
 
-impl<R: Ordered, const N: usize, const C: usize> Path<R, N, C> {
+impl<R: Ordered, const N: usize, const C: usize, const T: usize> Path<R, N, C, T> {
     /// Along the whole step.
     fn new(start: &State<R, N>, terms: &Terms<'_, R, N>, borne: &Borne<R, N, C>) -> Self {
         let powers = powers(terms.length);
@@ -48,10 +48,10 @@ impl<R: Ordered, const N: usize, const C: usize> Path<R, N, C> {
             core::array::from_fn(|i| Taylor::along(numbers[i], rows.iter().map(|row| row[i]), &powers))
         };
         let mut whole = Self {
-            t: Taylor::variable(start.t, core::iter::once(terms.unit), terms.length),
+            t: Taylor::along(start.t, core::iter::once(terms.unit), &powers),
             q: along(&start.q, terms.q),
             v: along(&start.v, terms.v),
-            reactions: borne.reactions,
+            reactions: borne.reactions.each_ref().map(Taylor::shortened),
             roundings: borne.roundings,
             time: (terms.length * terms.unit).abs(),
         };
@@ -61,7 +61,7 @@ impl<R: Ordered, const N: usize, const C: usize> Path<R, N, C> {
 
     /// Along the part from `from` that is so long.
     fn on(&self, from: R, width: R) -> Self {
-        let on = |x: &Taylor<R>| x.on(from, width);
+        let on = |x: &Taylor<R, T>| x.on(from, width);
         let mut part = Self {
             t: on(&self.t),
             q: self.q.each_ref().map(on),
@@ -89,12 +89,14 @@ where
     S::Scalar: Ordered,
 {
     /// The first guard that falls through zero along a step, and the part of the step that has passed then, to the
-    /// roundings of its polynomial. That of `fired` is zero where the step starts.
+    /// roundings of its polynomial. That of `fired` is zero where the step starts; `glances`
+    /// tells whether a glance has bounded guards so far.
     pub(super) fn first_along(
         &mut self,
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
         fired: Option<Guard>,
+        glances: &mut bool,
         relative: S::Scalar,
     ) -> Result<Option<First<S::Scalar>>, Unresolved> {
         let borne = self.borne(start, terms, relative);
@@ -103,6 +105,14 @@ where
             return Ok(None);
         }
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
+        // What has fired is zero where the step starts, and needs more than a glance.
+        if *glances && fired.is_none() {
+            let glance = self.glance(&Path::new(start, terms, &borne));
+            if glance == Some(true) {
+                return Ok(None);
+            }
+            *glances = glance.is_some();
+        }
         let half = S::Scalar::from_f64(0.5);
         let shortest = half.powi(HALVINGS);
         let clearest = half.powi(CLEAREST);
@@ -208,8 +218,19 @@ where
         zero.polish(|place| value(place).start())
     }
 
+    /// Whether no guard comes near zero on the whole of the step, as far as polynomials of low order bound that; `None`
+    /// where a guard is no sum of what they bound.
+    fn glance(&self, path: &Path<S::Scalar, N, C, FEW>) -> Option<bool> {
+        let functions = self.along_part(path);
+        let are_whole = self.along().all(|guard| functions.get(guard).is_whole);
+        are_whole.then(|| self.along().all(|guard| stays_above(functions.get(guard))))
+    }
+
     /// The guards along a part of the step.
-    fn along_part(&self, part: &Path<S::Scalar, N, C>) -> Functions<Taylor<S::Scalar>, C, W> {
+    fn along_part<const T: usize>(
+        &self,
+        part: &Path<S::Scalar, N, C, T>,
+    ) -> Functions<Taylor<S::Scalar, T>, C, W> {
         let mut functions = S::functions_in(self.in_regime, Taylor::constant, part.t, &part.q, &part.v);
         self.guard(&mut functions, &part.reactions, Taylor::constant);
         functions

@@ -144,7 +144,7 @@ fn to_bernstein<R: Ordered>(powers: &mut [R]) {
 }
 
 /// Whether a guard is above zero on the whole of its interval, by more than its roundings.
-pub(crate) fn stays_above<R: Ordered>(guard: &Taylor<R>) -> bool {
+pub(crate) fn stays_above<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> bool {
     let terms = guard.terms();
     let summed = R::from_f64(2.0 * guard.degree as f64 + 2.0) * R::epsilon();
     let noise = guard.error + summed * guard.extent();
@@ -154,9 +154,8 @@ pub(crate) fn stays_above<R: Ordered>(guard: &Taylor<R>) -> bool {
     if !(guard.start() > noise && guard.end() > noise) {
         return false;
     }
-    let mut part = [R::zero(); TERMS];
-    let Some(part) = part.get_mut(..terms.len()) else { return false };
-    part.copy_from_slice(terms);
+    let mut part = guard.coefficients;
+    let part = part.get_mut(..terms.len()).unwrap_or_default();
     to_bernstein(part);
     part.iter().all(|&term| term > noise)
 }
