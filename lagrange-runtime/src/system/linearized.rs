@@ -5,7 +5,7 @@
 
 use nalgebra::SMatrix;
 
-use crate::linear::Lu;
+use crate::linear::{Lu, Rows};
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::diagnose;
@@ -98,23 +98,43 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         }
         let Linearization { mass, by_q, by_v } = self.linearization_at(&constants, *t, q, v, &a, u);
         let by_u = self.by_inputs_at(&constants, *t, q, v, u);
-        let factors = Lu::factor(mass).map_err(|_| failed())?;
-        let jacobians = Jacobians {
-            by_q: solved(&factors, &by_q),
-            by_v: solved(&factors, &by_v),
-            by_u: solved(&factors, &by_u),
-        };
+        let jacobians = solved(mass, by_q, by_v, by_u).ok_or_else(failed)?;
         let finite =
             jacobians.by_q.iter().chain(&jacobians.by_v).chain(&jacobians.by_u).all(|x| x.is_finite());
         if finite { Ok(jacobians) } else { Err(failed()) }
     }
 }
 
-/// M⁻¹ times the columns of `rows`.
-fn solved<R: Real, const N: usize, const C: usize>(
-    factors: &Lu<R, N>,
-    rows: &[[R; C]; N],
-) -> SMatrix<R, N, C> {
-    let columns: [[R; N]; C] = core::array::from_fn(|j| factors.solve(core::array::from_fn(|i| rows[i][j])));
-    SMatrix::from_fn(|i, j| columns[j][i])
+/// M⁻¹ times the columns of three matrices. An M that is not positive definite takes pivots.
+fn solved<R: Real, const N: usize, const K: usize>(
+    mass: [[R; N]; N],
+    mut by_q: [[R; N]; N],
+    mut by_v: [[R; N]; N],
+    mut by_u: [[R; K]; N],
+) -> Option<Jacobians<R, N, K>> {
+    match Rows::factor(&mass) {
+        Some(factors) => {
+            factors.solve(&mut by_q);
+            factors.solve(&mut by_v);
+            factors.solve(&mut by_u);
+        }
+        None => {
+            let factors = Lu::factor(mass).ok()?;
+            by_column(&factors, &mut by_q);
+            by_column(&factors, &mut by_v);
+            by_column(&factors, &mut by_u);
+        }
+    }
+    Some(Jacobians { by_q: matrix(&by_q), by_v: matrix(&by_v), by_u: matrix(&by_u) })
+}
+
+fn by_column<R: Real, const N: usize, const C: usize>(factors: &Lu<R, N>, rows: &mut [[R; C]; N]) {
+    for j in 0..C {
+        let column = factors.solve(core::array::from_fn(|i| rows[i][j]));
+        rows.iter_mut().zip(column).for_each(|(row, entry)| row[j] = entry);
+    }
+}
+
+fn matrix<R: Real, const N: usize, const C: usize>(rows: &[[R; C]; N]) -> SMatrix<R, N, C> {
+    SMatrix::from_fn(|i, j| rows[i][j])
 }

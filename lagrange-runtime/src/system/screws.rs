@@ -1,0 +1,377 @@
+//! M and the derivatives of inverse dynamics of rigid bodies that hang on each other, from the screws of the coordinates.
+//!
+//! A coordinate that moves some bodies as one gives them all the twist S v, and what they do in its absence is carried
+//! along. With a body's twist V, its acceleration A (that of its frame less gravity), its inertia I and
+//! F = I A + V ×* I V, where dots are rates along the motion,
+//!
+//! ∂F/∂q = S ×* F + I S̈ + B Ṡ,  ∂F/∂v = 2 I Ṡ + B S,  B x = I (x × V) + x ×* I V + V ×* I x.
+//!
+//! I, B and F add up over all bodies that a coordinate moves. So a pair of coordinates takes a few dot products, and nothing
+//! is carried from link to link (Carpentier and Mansard, RSS 2018; Singh, Russell and Wensing, IEEE Robotics and Automation
+//! Letters 7, 2022). B asks for the angular part of x alone: B x = 2 (G x, −P × x), with the momentum P. All vectors are
+//! in space axes, about a point of space at which one of the bodies is.
+
+use crate::number::real::Real;
+use crate::system::linearized::Linearization;
+
+type Vector<R> = [R; 3];
+
+/// Coordinates that move the same bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Group {
+    /// The place of the group that moves these bodies and more: before this one. Without any, the number of groups.
+    pub parent: usize,
+    /// The coordinates.
+    pub coordinates: &'static [usize],
+    /// Where the rates of their screws stand. Without any they follow from the motion of the group: screws that what moves
+    /// them alone changes.
+    pub given: Option<usize>,
+}
+
+/// What a state is for the groups.
+#[derive(Clone, Copy, Debug)]
+pub struct Screws<R, const N: usize, const G: usize, const C: usize, const P: usize> {
+    /// S of each coordinate: angular part, linear part.
+    pub screws: [[R; 6]; N],
+    /// Ṡ and S̈ where they are given, in the order of groups.
+    pub rates: [[[R; 6]; 2]; C],
+    /// ∂S/∂q where rates are given, for each group the rows S with the columns q.
+    pub changes: [[R; 6]; P],
+    /// Mass, first moment, and moments of inertia xx, xy, xz, yy, yz, zz of the bodies that a group moves and no other group after
+    /// it.
+    pub inertias: [[R; 10]; G],
+    /// The acceleration of free fall.
+    pub gravity: Vector<R>,
+}
+
+/// A twist, or a wrench: angular part, linear part.
+#[derive(Clone, Copy)]
+struct Pair<R>(Vector<R>, Vector<R>);
+
+/// Bodies as one, at a state.
+#[derive(Clone, Copy)]
+struct Composite<R> {
+    mass: R,
+    moment: Vector<R>,
+    inertia: [Vector<R>; 3],
+    /// The columns of G.
+    gyration: [Vector<R>; 3],
+    /// P.
+    momentum: Vector<R>,
+    /// F.
+    force: Pair<R>,
+}
+
+/// The screws and their rates on the way to a group, components apart, so that loops over them run on vectors.
+struct Path<R, const N: usize> {
+    coordinates: [usize; N],
+    screws: [[R; N]; 6],
+    rates: [[R; N]; 6],
+    second: [[R; N]; 6],
+}
+
+impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Screws<R, N, G, C, P> {
+    /// Weights less inertia forces.
+    #[must_use]
+    pub fn residual(&self, groups: &[Group; G], v: &[R; N], a: &[R; N]) -> [R; N] {
+        let (_, composites) = self.composites(groups, v, a);
+        let mut residual = [R::zero(); N];
+        for (group, bodies) in groups.iter().zip(&composites) {
+            for &j in group.coordinates {
+                residual[j] = -self.screw(j).dot(&bodies.force);
+            }
+        }
+        residual
+    }
+
+    /// M, and the derivatives of the residual by coordinates and velocities.
+    #[must_use]
+    pub fn linearization(&self, groups: &[Group; G], v: &[R; N], a: &[R; N]) -> Linearization<R, N> {
+        let (rates, composites) = self.composites(groups, v, a);
+        self.pairs(groups, &rates, &composites)
+    }
+
+    /// Ṡ and S̈ of all coordinates, and what each group moves as one.
+    fn composites(
+        &self,
+        groups: &[Group; G],
+        v: &[R; N],
+        a: &[R; N],
+    ) -> ([[Pair<R>; 2]; N], [Composite<R>; G]) {
+        let nothing = Pair::zero();
+        let mut twists = [nothing; G];
+        let mut accelerations = [nothing; G];
+        let mut rates = [[nothing; 2]; N];
+        let mut composites = [Composite::zero(); G];
+        let free = Pair([R::zero(); 3], self.gravity.map(|g| -g));
+        for (place, group) in groups.iter().enumerate() {
+            let (mut twist, mut acceleration) = match twists.get(group.parent) {
+                Some(&twist) => (twist, accelerations[group.parent]),
+                None => (nothing, free),
+            };
+            for &j in group.coordinates {
+                twist = twist.plus(v[j], &self.screw(j));
+            }
+            for (k, &j) in group.coordinates.iter().enumerate() {
+                let screw = self.screw(j);
+                rates[j][0] = match group.given {
+                    Some(first) => Pair::of(&self.rates[first + k][0]),
+                    None => twist.moves(&screw),
+                };
+                acceleration = acceleration.plus(v[j], &rates[j][0]).plus(a[j], &screw);
+            }
+            for (k, &j) in group.coordinates.iter().enumerate() {
+                let screw = self.screw(j);
+                rates[j][1] = match group.given {
+                    Some(first) => Pair::of(&self.rates[first + k][1]).plus(R::one(), &free.moves(&screw)),
+                    None => acceleration.moves(&screw).plus(R::one(), &twist.moves(&rates[j][0])),
+                };
+            }
+            (twists[place], accelerations[place]) = (twist, acceleration);
+            composites[place] = Composite::of(&self.inertias[place], &twist, &acceleration);
+        }
+        for (place, group) in groups.iter().enumerate().rev() {
+            let own = composites[place];
+            if let Some(parent) = composites.get_mut(group.parent) {
+                parent.add(&own);
+            }
+        }
+        (rates, composites)
+    }
+
+    fn screw(&self, coordinate: usize) -> Pair<R> {
+        Pair::of(&self.screws[coordinate])
+    }
+
+    fn pairs(
+        &self,
+        groups: &[Group; G],
+        rates: &[[Pair<R>; 2]; N],
+        composites: &[Composite<R>; G],
+    ) -> Linearization<R, N> {
+        let zero = [[R::zero(); N]; N];
+        let mut result = Linearization { mass: zero, by_q: zero, by_v: zero };
+        let mut path = Path::<R, N>::new();
+        let mut ends = [0; G];
+        let mut changes = self.changes.iter();
+        for (place, (group, bodies)) in groups.iter().zip(composites).enumerate() {
+            let start = ends.get(group.parent).copied().unwrap_or(0);
+            let end = start + group.coordinates.len();
+            ends[place] = end;
+            for (k, &j) in group.coordinates.iter().enumerate() {
+                path.put(start + k, j, &self.screw(j), &rates[j]);
+            }
+            for &j in group.coordinates {
+                let screw = self.screw(j);
+                let [rate, second] = &rates[j];
+                let momentum = bodies.times(&screw);
+                let by_q = screw.turns(&bodies.force).sum(&bodies.times(second)).sum(&bodies.gyrates(rate));
+                let by_v = bodies.times(rate).doubled().sum(&bodies.gyrates(&screw));
+                let back = bodies.gyrates_back(&screw);
+                let above = path.dots(end, &path.screws, &by_q);
+                let moving = path.dots(end, &path.screws, &by_v);
+                let inertia = path.dots(end, &path.screws, &momentum);
+                for (k, &i) in path.coordinates[..end].iter().enumerate() {
+                    result.by_q[i][j] = -above[k];
+                    result.by_v[i][j] = -moving[k];
+                    result.mass[i][j] = inertia[k];
+                    result.mass[j][i] = inertia[k];
+                }
+                let below = path.against(start, &path.second, &path.rates, &momentum, &back);
+                let doubled = momentum.doubled();
+                let moved = path.against(start, &path.rates, &path.screws, &doubled, &back);
+                for (k, &i) in path.coordinates[..start].iter().enumerate() {
+                    result.by_q[j][i] = -below[k];
+                    result.by_v[j][i] = -moved[k];
+                }
+            }
+            if group.given.is_some() {
+                for &i in group.coordinates {
+                    for &j in group.coordinates {
+                        let Some(change) = changes.next() else { continue };
+                        result.by_q[i][j] -= Pair::of(change).dot(&bodies.force);
+                    }
+                }
+            }
+        }
+        result
+    }
+}
+
+impl<R: Real, const N: usize> Path<R, N> {
+    fn new() -> Self {
+        let zero = [[R::zero(); N]; 6];
+        Path { coordinates: [0; N], screws: zero, rates: zero, second: zero }
+    }
+
+    fn put(&mut self, place: usize, coordinate: usize, screw: &Pair<R>, rates: &[Pair<R>; 2]) {
+        self.coordinates[place] = coordinate;
+        for (to, from) in
+            [(&mut self.screws, screw), (&mut self.rates, &rates[0]), (&mut self.second, &rates[1])]
+        {
+            for (row, &part) in to.iter_mut().zip(from.0.iter().chain(&from.1)) {
+                row[place] = part;
+            }
+        }
+    }
+
+    /// x · `by` of the first places.
+    #[inline]
+    fn dots(&self, end: usize, x: &[[R; N]; 6], by: &Pair<R>) -> [R; N] {
+        let mut sums = [R::zero(); N];
+        for (row, &part) in x.iter().zip(by.0.iter().chain(&by.1)) {
+            for (sum, &x) in sums[..end].iter_mut().zip(&row[..end]) {
+                *sum = R::mul_add(part, x, *sum);
+            }
+        }
+        sums
+    }
+
+    /// x · `by` + y · `angular` of the first places, y with its angular part alone.
+    #[inline]
+    fn against(
+        &self,
+        end: usize,
+        x: &[[R; N]; 6],
+        y: &[[R; N]; 6],
+        by: &Pair<R>,
+        angular: &Vector<R>,
+    ) -> [R; N] {
+        let mut sums = self.dots(end, x, by);
+        for (row, &part) in y.iter().zip(angular) {
+            for (sum, &y) in sums[..end].iter_mut().zip(&row[..end]) {
+                *sum = R::mul_add(part, y, *sum);
+            }
+        }
+        sums
+    }
+}
+
+impl<R: Real> Pair<R> {
+    fn zero() -> Self {
+        Pair([R::zero(); 3], [R::zero(); 3])
+    }
+
+    fn of(&[a, b, c, d, e, f]: &[R; 6]) -> Self {
+        Pair([a, b, c], [d, e, f])
+    }
+
+    /// The sum with a multiple.
+    fn plus(&self, factor: R, other: &Self) -> Self {
+        let both = |a: &Vector<R>, b: &Vector<R>| [0, 1, 2].map(|i| R::mul_add(factor, b[i], a[i]));
+        Pair(both(&self.0, &other.0), both(&self.1, &other.1))
+    }
+
+    fn sum(&self, other: &Self) -> Self {
+        Pair(sum(&self.0, &other.0), sum(&self.1, &other.1))
+    }
+
+    fn doubled(&self) -> Self {
+        self.sum(self)
+    }
+
+    fn dot(&self, other: &Self) -> R {
+        dot(&self.0, &other.0) + dot(&self.1, &other.1)
+    }
+
+    /// How a twist changes what it carries: self × twist.
+    fn moves(&self, twist: &Self) -> Self {
+        Pair(cross(&self.0, &twist.0), sum(&cross(&self.0, &twist.1), &cross(&self.1, &twist.0)))
+    }
+
+    /// How it changes a wrench: self ×* wrench.
+    fn turns(&self, wrench: &Self) -> Self {
+        Pair(sum(&cross(&self.0, &wrench.0), &cross(&self.1, &wrench.1)), cross(&self.0, &wrench.1))
+    }
+}
+
+impl<R: Real> Composite<R> {
+    fn zero() -> Self {
+        let nothing = [R::zero(); 3];
+        Composite {
+            mass: R::zero(),
+            moment: nothing,
+            inertia: [nothing; 3],
+            gyration: [nothing; 3],
+            momentum: nothing,
+            force: Pair::zero(),
+        }
+    }
+
+    fn of(
+        &[mass, hx, hy, hz, xx, xy, xz, yy, yz, zz]: &[R; 10],
+        twist: &Pair<R>,
+        acceleration: &Pair<R>,
+    ) -> Self {
+        let (moment, inertia) = ([hx, hy, hz], [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]);
+        let mut bodies = Composite { mass, moment, inertia, ..Composite::zero() };
+        let momentum = bodies.times(twist);
+        bodies.momentum = momentum.1;
+        bodies.force = bodies.times(acceleration).sum(&twist.turns(&momentum));
+        // G x = ω × (J x − ½ tr J x) − (h × v) × x − v × (h × x).
+        let Pair(spin, velocity) = twist;
+        let half = (xx + yy + zz) * R::from_f64(0.5);
+        let [cx, cy, cz] = cross(&moment, velocity);
+        let along = dot(velocity, &moment);
+        let zero = R::zero();
+        let crossed = [[zero, -cz, cy], [cz, zero, -cx], [-cy, cx, zero]];
+        for k in 0..3 {
+            let mut column = inertia[k];
+            column[k] -= half;
+            let mut gyration = cross(spin, &column);
+            for i in 0..3 {
+                gyration[i] += crossed[k][i] - moment[i] * velocity[k];
+            }
+            gyration[k] += along;
+            bodies.gyration[k] = gyration;
+        }
+        bodies
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.mass += other.mass;
+        self.moment = sum(&self.moment, &other.moment);
+        for k in 0..3 {
+            self.inertia[k] = sum(&self.inertia[k], &other.inertia[k]);
+            self.gyration[k] = sum(&self.gyration[k], &other.gyration[k]);
+        }
+        self.momentum = sum(&self.momentum, &other.momentum);
+        self.force = self.force.sum(&other.force);
+    }
+
+    /// I x.
+    fn times(&self, Pair(angular, linear): &Pair<R>) -> Pair<R> {
+        let [tx, ty, tz] = cross(&self.moment, linear);
+        let [fx, fy, fz] = cross(angular, &self.moment);
+        let turned =
+            [dot(&self.inertia[0], angular), dot(&self.inertia[1], angular), dot(&self.inertia[2], angular)];
+        let pushed = linear.map(|part| self.mass * part);
+        Pair(sum(&turned, &[tx, ty, tz]), sum(&pushed, &[fx, fy, fz]))
+    }
+
+    /// B x.
+    fn gyrates(&self, Pair(x, _): &Pair<R>) -> Pair<R> {
+        let [a, b, c] = &self.gyration;
+        let torque = [0, 1, 2].map(|i| R::mul_add(a[i], x[0], R::mul_add(b[i], x[1], c[i] * x[2])));
+        Pair(torque, cross(x, &self.momentum)).doubled()
+    }
+
+    /// The angular part of Bᵀ x, the only one.
+    fn gyrates_back(&self, Pair(angular, linear): &Pair<R>) -> Vector<R> {
+        let across = cross(&self.momentum, linear);
+        let half = [0, 1, 2].map(|k| dot(&self.gyration[k], angular) + across[k]);
+        sum(&half, &half)
+    }
+}
+
+fn cross<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
+}
+
+fn dot<R: Real>(a: &Vector<R>, b: &Vector<R>) -> R {
+    R::mul_add(a[0], b[0], R::mul_add(a[1], b[1], a[2] * b[2]))
+}
+
+fn sum<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
+    [0, 1, 2].map(|i| a[i] + b[i])
+}
