@@ -23,8 +23,7 @@ pub fn pushforward(graph: &mut Graph, roots: &[NodeId], seeds: &[(NodeId, NodeId
     roots.iter().map(|root| rates[root.index()].unwrap_or(zero)).collect()
 }
 
-/// How many operations a sweep for each of some variables takes: of each operand that depends on a variable, a product
-/// and a sum.
+/// How many operations a sweep for each of some variables takes: one for each variable that an operand depends on.
 pub fn forward_operations(graph: &Graph, roots: &[NodeId], variables: &[NodeId]) -> usize {
     let words = variables.len().div_ceil(64);
     let mut sets: Vec<Vec<u64>> = vec![Vec::new(); graph.len()];
@@ -38,7 +37,7 @@ pub fn forward_operations(graph: &Graph, roots: &[NodeId], variables: &[NodeId])
         let mut union = sets[id.index()].clone();
         graph.operands(id, |operand| {
             let set = &sets[operand.index()];
-            operations += 2 * set.iter().map(|word| word.count_ones() as usize).sum::<usize>();
+            operations += set.iter().map(|word| word.count_ones() as usize).sum::<usize>();
             if !set.is_empty() {
                 union.resize(words, 0);
             }

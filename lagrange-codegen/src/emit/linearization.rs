@@ -70,14 +70,15 @@ fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String)
     let (residual, matrices) = match &screws {
         Some(screws) => screws::bodies(emission, screws, &forces.values, derivatives.collect()),
         None => {
-            let residual = function(emission, &forces.values, |values| format!("[{}]", values.join(", ")));
+            let residual =
+                body::simplified(emission, &forces.values, |values| format!("[{}]", values.join(", ")));
             let mut roots = mass(emission);
             roots.extend(derivatives);
-            (residual, function(emission, &roots, |values| dense(&zero, count, values)))
+            (residual, body::simplified(emission, &roots, |values| dense(&zero, count, values)))
         }
     };
     let by_u: Vec<NodeId> = by_u.into_iter().flatten().collect();
-    let by_inputs = function(emission, &by_u, |values| {
+    let by_inputs = body::simplified(emission, &by_u, |values| {
         let rows = values.chunks(inputs.max(1)).map(|row| format!("[{}]", row.join(", ")));
         let rows: Vec<String> = rows.collect();
         if inputs == 0 { format!("[[]; {count}]") } else { format!("[{}]", rows.join(", ")) }
@@ -275,16 +276,6 @@ fn mass(emission: &Emission<'_>) -> Vec<NodeId> {
     let count = emission.count();
     let full = |i: usize| (0..count).map(move |j| (i.max(j), i.min(j)));
     (0..count).flat_map(full).map(|(i, j)| emission.equations.mass[i][j]).collect()
-}
-
-/// A body that computes some nodes.
-pub(super) fn function(
-    emission: &mut Emission<'_>,
-    nodes: &[NodeId],
-    result: impl FnOnce(&[String]) -> String,
-) -> String {
-    let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
-    body::plain(emission.model, &emission.scalar, &nodes, Source::Slices, result)
 }
 
 /// A body that computes some nodes at a `Place`.

@@ -1,8 +1,7 @@
 //! The residual and its derivatives where bodies hang on each other: the screws of a state for the runtime, and
 //! what other forces add.
 
-use super::linearization::function;
-use super::{Emission, scalar};
+use super::{Emission, body, scalar};
 use crate::expr::NodeId;
 use crate::mechanics::Screws;
 
@@ -17,7 +16,7 @@ pub(super) fn bodies(
     let (count, zero) = (emission.count(), scalar::zero(&emission.scalar));
     let nodes = screws.nodes();
     let groups = groups(screws);
-    let residual = function(emission, &[nodes.as_slice(), rest].concat(), |values| {
+    let residual = body::simplified(emission, &[nodes.as_slice(), rest].concat(), |values| {
         let (values, rest) = values.split_at(nodes.len());
         let mut text = literal(screws, values);
         text.push_str(&format!("let mut residual = screws.residual(&{groups}, v, accelerations);\n"));
@@ -26,7 +25,7 @@ pub(super) fn bodies(
         }
         text + "residual"
     });
-    let matrices = function(emission, &[nodes.as_slice(), &derivatives].concat(), |values| {
+    let matrices = body::simplified(emission, &[nodes.as_slice(), &derivatives].concat(), |values| {
         let (values, derivatives) = values.split_at(nodes.len());
         let mut text = literal(screws, values);
         text.push_str(&format!("let mut matrices = screws.linearization(&{groups}, v, accelerations);\n"));

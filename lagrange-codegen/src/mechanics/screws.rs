@@ -6,28 +6,21 @@
 //! every tree of hinges, slides, angles and poses; nothing here knows of them. Which bodies a coordinate moves, and how, is
 //! read from velocities at points without any structure.
 
+mod moved;
+mod weight;
+
 use super::equations::{Loads, negated};
 use super::forces;
-use super::frames::Frames;
 use super::motion::{Axes, Motion};
 use crate::calculus::pushforward;
-use crate::expr::{Dependence, Graph, NodeId, Variable};
-use crate::kinematics::{cross, slopes_to, times, turning_direction};
-use crate::model::{Attitude, Model, Rotation};
+use crate::expr::{Graph, NodeId, Variable};
+use crate::kinematics::{cross, times, turning_direction};
+use crate::model::Model;
 use crate::number::Number;
+pub use moved::Group;
+use moved::{Moved, Part, groups, parts, vanish};
 
 type Vector = [NodeId; 3];
-
-/// Coordinates that move the same bodies.
-#[derive(Clone, Debug)]
-pub struct Group {
-    /// The group that moves these bodies and more, which stands before this one.
-    pub parent: Option<usize>,
-    /// The coordinates.
-    pub coordinates: Vec<usize>,
-    /// Where the rates of their screws stand, unless what moves them is all that changes them.
-    pub given: Option<usize>,
-}
 
 /// Inertia forces and weights of bodies.
 #[derive(Clone, Debug)]
@@ -48,22 +41,6 @@ pub struct Screws {
     pub rest: Vec<NodeId>,
 }
 
-/// A body or a particle.
-struct Part {
-    mass: NodeId,
-    place: Vector,
-    rotation: Rotation,
-    inertia: Option<[Vector; 3]>,
-    /// ω and ṗ in the axes of the rotation.
-    rate: Vector,
-    velocity: Vector,
-}
-
-/// Points of the space of coordinates and parameters, at which motions are compared.
-const POINTS: u32 = 2;
-/// What differs by more at such a point, where numbers are of size one, differs by more than roundings.
-const APART: f64 = 1e-9;
-
 impl Screws {
     /// `None` where the bodies do not hang on each other like this.
     pub fn of(model: &mut Model) -> Option<Screws> {
@@ -83,7 +60,7 @@ impl Screws {
             deriving.direction.push((velocity, graph.variable(Variable::Acceleration(i))));
         }
         let mut screws = deriving.screws(graph, groups);
-        let (gravity, falling) = deriving.gravity(model);
+        let (gravity, falling) = weight::gravity(model, &deriving.parts);
         screws.gravity = gravity;
         screws.rest = rest(model, &falling);
         Some(screws)
@@ -95,143 +72,6 @@ impl Screws {
         let flat = self.screws.as_flattened().iter().chain(rates).chain(self.changes.as_flattened());
         flat.chain(self.inertias.as_flattened()).chain(&self.gravity).copied().collect()
     }
-}
-
-/// Everything that has mass, with its motion; `None` where a motion is no rigid one, or is given by time.
-fn parts(model: &mut Model) -> Option<Vec<Part>> {
-    let count = model.coordinates.len();
-    let Model { graph, levers, points, bodies, .. } = model;
-    let direction = turning_direction(graph, count, &[]);
-    let mut frames = Frames::new(levers, &direction);
-    let mut parts = Vec::with_capacity(bodies.len() + points.len());
-    let mut all = Vec::with_capacity(bodies.len() + points.len());
-    for point in points {
-        let rotation = levers.carrying(&point.position)?.rotation.clone();
-        all.push((point.mass, point.position.as_slice(), rotation, None));
-    }
-    for body in bodies {
-        let Attitude::Spatial { rotation, inertia } = &body.attitude else { return None };
-        all.push((body.mass, body.position.as_slice(), rotation.clone(), Some(*inertia)));
-    }
-    for (mass, position, rotation, inertia) in all {
-        let place: Vector = position.try_into().ok()?;
-        let rate = frames.spin(graph, &rotation).rate;
-        let velocity = frames.motion(graph, &rotation, &place).velocity;
-        let is_fixed = |&node: &NodeId| graph.dependence(node).is_fixed();
-        if !is_fixed(&mass) || !inertia.iter().flatten().flatten().all(is_fixed) {
-            return None;
-        }
-        let moving = rotation.matrix.as_flattened().iter().chain(&place).chain(&rate).chain(&velocity);
-        let given = Dependence::TIME.union(Dependence::INPUTS);
-        if moving.into_iter().any(|&node| graph.dependence(node).meets(given)) {
-            return None;
-        }
-        parts.push(Part { mass, place, rotation, inertia, rate, velocity });
-    }
-    (!parts.is_empty()).then_some(parts)
-}
-
-/// A number of size one, the same in every expansion.
-fn number(point: u32, variable: Variable) -> f64 {
-    let (kind, index) = match variable {
-        Variable::Coordinate(i) => (1, i),
-        Variable::Parameter(i) => (2, i),
-        _ => (3, 0),
-    };
-    let mixed = (u64::from(point) << 48 | kind << 32 | u64::from(index)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    let mixed = (mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    0.5 + ((mixed ^ mixed >> 32) >> 11) as f64 / (1_u64 << 53) as f64
-}
-
-/// Which parts each coordinate moves.
-struct Moved {
-    sets: Vec<Vec<bool>>,
-}
-
-impl Moved {
-    /// `None` where a coordinate moves parts in different ways, or none.
-    fn of(graph: &Graph, parts: &[Part], count: usize) -> Option<Moved> {
-        let mut roots: Vec<NodeId> = Vec::new();
-        for part in parts {
-            roots.extend(part.rotation.matrix.as_flattened());
-            roots.extend(part.place.iter().chain(&part.rate).chain(&part.velocity));
-        }
-        let mut sets = vec![vec![false; parts.len()]; count];
-        for point in 0..POINTS {
-            for (j, set) in sets.iter_mut().enumerate() {
-                let values = graph.evaluate(&roots, |variable| match variable {
-                    Variable::Velocity(i) => f64::from(u8::from(i as usize == j)),
-                    other => number(point, other),
-                });
-                let mut common: Option<[f64; 6]> = None;
-                for (values, moves) in values.as_chunks::<18>().0.iter().zip(set) {
-                    let screw = screw(values);
-                    if !screw.iter().all(|part| part.is_finite()) {
-                        return None;
-                    }
-                    if screw.iter().all(|part| part.abs() < APART) {
-                        continue;
-                    }
-                    *moves = true;
-                    let common = common.get_or_insert(screw);
-                    if common.iter().zip(&screw).any(|(a, b)| (a - b).abs() > APART * (1.0 + a.abs())) {
-                        return None;
-                    }
-                }
-            }
-        }
-        sets.iter().all(|set| set.contains(&true)).then_some(Moved { sets })
-    }
-}
-
-/// The twist about the origin from R, p, and ω and ṗ in the axes of R.
-fn screw(values: &[f64; 18]) -> [f64; 6] {
-    let turned = |v: &[f64]| [0, 1, 2].map(|i| (0..3).map(|k| values[3 * i + k] * v[k]).sum::<f64>());
-    let (p, w, u) = (&values[9..12], turned(&values[12..15]), turned(&values[15..18]));
-    let linear = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| w[i] * p[j] - w[j] * p[i]);
-    [w[0], w[1], w[2], u[0] - linear[0], u[1] - linear[1], u[2] - linear[2]]
-}
-
-/// Coordinates with the same parts, each group before what it holds and that before what it does not hold; `None` where two
-/// groups overlap.
-fn groups(sets: &[Vec<bool>]) -> Option<Vec<Group>> {
-    let mut found: Vec<(&Vec<bool>, Vec<usize>)> = Vec::new();
-    for (coordinate, set) in sets.iter().enumerate() {
-        match found.iter_mut().find(|(other, _)| *other == set) {
-            Some((_, coordinates)) => coordinates.push(coordinate),
-            None => found.push((set, vec![coordinate])),
-        }
-    }
-    let size = |set: &[bool]| set.iter().filter(|&&moves| moves).count();
-    let meet = |a: &[bool], b: &[bool]| a.iter().zip(b).filter(|&(a, b)| *a && *b).count();
-    for (place, (a, _)) in found.iter().enumerate() {
-        for (b, _) in &found[..place] {
-            let common = meet(a, b);
-            if common != 0 && common != size(a) && common != size(b) {
-                return None;
-            }
-        }
-    }
-    // Of nested sets the larger one comes first, and all that it holds before any other.
-    let holder = |place: usize| {
-        let (set, _) = found[place];
-        let larger = (0..found.len()).filter(|&other| {
-            let other = found[other].0;
-            size(other) > size(set) && meet(other, set) > 0
-        });
-        larger.min_by_key(|&other| size(found[other].0))
-    };
-    let holders: Vec<Option<usize>> = (0..found.len()).map(holder).collect();
-    let mut ordered = Vec::with_capacity(found.len());
-    let mut places = vec![0; found.len()];
-    let mut waiting: Vec<usize> = (0..found.len()).rev().filter(|&place| holders[place].is_none()).collect();
-    while let Some(place) = waiting.pop() {
-        places[place] = ordered.len();
-        let parent = holders[place].map(|holder| places[holder]);
-        ordered.push(Group { parent, coordinates: found[place].1.clone(), given: None });
-        waiting.extend((0..found.len()).rev().filter(|&other| holders[other] == Some(place)));
-    }
-    Some(ordered)
 }
 
 /// What screws are made from.
@@ -321,97 +161,6 @@ impl Deriving {
         let rates = pushforward(graph, vector, &self.direction);
         [rates[0], rates[1], rates[2]]
     }
-
-    /// The acceleration of free fall that all potentials together, or those that name the place of a part, are the weight of, and
-    /// these potentials.
-    fn gravity(&self, model: &mut Model) -> (Vector, Vec<usize>) {
-        let all: Vec<usize> = (0..model.potential.len()).collect();
-        let graph = &mut model.graph;
-        let (zero, one) = (graph.zero(), graph.one());
-        let q: Vec<NodeId> =
-            (0..self.sets.len() as u32).map(|i| graph.variable(Variable::Coordinate(i))).collect();
-        let places: Vec<NodeId> = self.parts.iter().flat_map(|part| part.place).collect();
-        let mut named = Vec::new();
-        let mut fall = None;
-        for &term in &all {
-            let seeds = [(model.potential[term].value, one)];
-            let (forces, _) = slopes_to(graph, &seeds, &places, &q, &[]);
-            for (part, force) in self.parts.iter().zip(forces.as_chunks::<3>().0) {
-                if force.iter().all(|&component| graph.is_zero(component)) {
-                    continue;
-                }
-                named.push(term);
-                fall.get_or_insert_with(|| {
-                    force.map(|component| {
-                        let weight = graph.div(component, part.mass);
-                        graph.neg(weight)
-                    })
-                });
-            }
-        }
-        named.dedup();
-        let Some(fall) = fall else { return ([zero; 3], Vec::new()) };
-        let is_fixed = fall.iter().all(|&component| graph.dependence(component).is_fixed());
-        for terms in [all, named] {
-            if is_fixed
-                && self.is_weight(graph, &q, &fall, terms.iter().map(|&term| model.potential[term].value))
-            {
-                return (fall, terms);
-            }
-        }
-        ([zero; 3], Vec::new())
-    }
-
-    /// Whether some potentials do the work of the weight.
-    fn is_weight(
-        &self,
-        graph: &mut Graph,
-        q: &[NodeId],
-        fall: &Vector,
-        potentials: impl Iterator<Item = NodeId>,
-    ) -> bool {
-        let one = graph.one();
-        let seeds: Vec<(NodeId, NodeId)> = potentials.map(|value| (value, one)).collect();
-        let (_, slopes) = slopes_to(graph, &seeds, &[], q, &[]);
-        let mut roots: Vec<NodeId> = fall.iter().chain(&slopes).copied().collect();
-        for part in &self.parts {
-            roots.push(part.mass);
-            roots.extend(part.rotation.matrix.as_flattened().iter().chain(&part.velocity));
-        }
-        (0..POINTS).all(|point| {
-            (0..q.len()).all(|j| {
-                let values = graph.evaluate(&roots, |variable| match variable {
-                    Variable::Velocity(i) => f64::from(u8::from(i as usize == j)),
-                    other => number(point, other),
-                });
-                let (fall, rest) = values.split_at(3);
-                let (slopes, parts) = rest.split_at(q.len());
-                let (mut power, mut size) = (slopes[j], slopes[j].abs());
-                for part in parts.as_chunks::<13>().0 {
-                    let (mass, matrix, velocity) = (part[0], &part[1..10], &part[10..]);
-                    for (i, fall) in fall.iter().enumerate() {
-                        let along: f64 = (0..3).map(|k| matrix[3 * i + k] * velocity[k]).sum();
-                        power += mass * fall * along;
-                        size += (mass * fall * along).abs();
-                    }
-                }
-                // False for what is not a number.
-                power.abs() <= APART * (1.0 + size)
-            })
-        })
-    }
-}
-
-impl Part {
-    /// ∂ω/∂v and ∂ṗ/∂v by one velocity, in space axes.
-    fn slopes(&self, graph: &mut Graph, coordinate: usize) -> [Vector; 2] {
-        let velocity = graph.variable(Variable::Velocity(coordinate as u32));
-        let one = graph.one();
-        [&self.rate, &self.velocity].map(|vector| {
-            let slopes = pushforward(graph, vector, &[(velocity, one)]);
-            times(graph, &self.rotation.matrix, &[slopes[0], slopes[1], slopes[2]])
-        })
-    }
 }
 
 /// ∂S/∂q of a group, rows S, about a point at rest.
@@ -431,14 +180,6 @@ fn changes_of(graph: &mut Graph, group: &Group, slopes: &[[Vector; 2]], placed: 
         }
     }
     changes
-}
-
-/// Whether nodes are zero at points without structure.
-fn vanish(graph: &Graph, nodes: &[[NodeId; 6]]) -> bool {
-    (0..POINTS).all(|point| {
-        let values = graph.evaluate(nodes.as_flattened(), |variable| number(point, variable));
-        values.iter().all(|value| value.abs() < APART)
-    })
 }
 
 /// Mass, first moment and moments of inertia of some parts together.

@@ -62,12 +62,14 @@ struct Composite<R> {
     force: Pair<R>,
 }
 
-/// The screws and their rates on the way to a group, components apart, so that loops over them run on vectors.
+/// Coordinates that are taken together with another one, on vectors.
+const LANES: usize = 4;
+
+/// The coordinates on the way to a group.
 struct Path<R, const N: usize> {
     coordinates: [usize; N],
-    screws: [[R; N]; 6],
-    rates: [[R; N]; 6],
-    second: [[R; N]; 6],
+    /// The parts of S, Ṡ and S̈ of some coordinates side by side.
+    blocks: [[[R; LANES]; 18]; N],
 }
 
 impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Screws<R, N, G, C, P> {
@@ -143,6 +145,7 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
         Pair::of(&self.screws[coordinate])
     }
 
+    #[inline(never)]
     fn pairs(
         &self,
         groups: &[Group; G],
@@ -162,28 +165,7 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
                 path.put(start + k, j, &self.screw(j), &rates[j]);
             }
             for &j in group.coordinates {
-                let screw = self.screw(j);
-                let [rate, second] = &rates[j];
-                let momentum = bodies.times(&screw);
-                let by_q = screw.turns(&bodies.force).sum(&bodies.times(second)).sum(&bodies.gyrates(rate));
-                let by_v = bodies.times(rate).doubled().sum(&bodies.gyrates(&screw));
-                let back = bodies.gyrates_back(&screw);
-                let above = path.dots(end, &path.screws, &by_q);
-                let moving = path.dots(end, &path.screws, &by_v);
-                let inertia = path.dots(end, &path.screws, &momentum);
-                for (k, &i) in path.coordinates[..end].iter().enumerate() {
-                    result.by_q[i][j] = -above[k];
-                    result.by_v[i][j] = -moving[k];
-                    result.mass[i][j] = inertia[k];
-                    result.mass[j][i] = inertia[k];
-                }
-                let below = path.against(start, &path.second, &path.rates, &momentum, &back);
-                let doubled = momentum.doubled();
-                let moved = path.against(start, &path.rates, &path.screws, &doubled, &back);
-                for (k, &i) in path.coordinates[..start].iter().enumerate() {
-                    result.by_q[j][i] = -below[k];
-                    result.by_v[j][i] = -moved[k];
-                }
+                path.pairs_with(j, &Moving::of(bodies, &self.screw(j), &rates[j]), start, end, &mut result);
             }
             if group.given.is_some() {
                 for &i in group.coordinates {
@@ -198,52 +180,90 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
     }
 }
 
+/// What a coordinate does to the bodies that it moves.
+struct Moving<R> {
+    /// I S.
+    momentum: Pair<R>,
+    /// S ×* F + I S̈ + B Ṡ.
+    by_q: Pair<R>,
+    /// 2 I Ṡ + B S.
+    by_v: Pair<R>,
+    /// Bᵀ S.
+    back: Vector<R>,
+}
+
+impl<R: Real> Moving<R> {
+    fn of(bodies: &Composite<R>, screw: &Pair<R>, [rate, second]: &[Pair<R>; 2]) -> Self {
+        Moving {
+            momentum: bodies.times(screw),
+            by_q: screw.turns(&bodies.force).sum(&bodies.times(second)).sum(&bodies.gyrates(rate)),
+            by_v: bodies.times(rate).doubled().sum(&bodies.gyrates(screw)),
+            back: bodies.gyrates_back(screw),
+        }
+    }
+}
+
 impl<R: Real, const N: usize> Path<R, N> {
     fn new() -> Self {
-        let zero = [[R::zero(); N]; 6];
-        Path { coordinates: [0; N], screws: zero, rates: zero, second: zero }
+        Path { coordinates: [0; N], blocks: [[[R::zero(); LANES]; 18]; N] }
     }
 
     fn put(&mut self, place: usize, coordinate: usize, screw: &Pair<R>, rates: &[Pair<R>; 2]) {
         self.coordinates[place] = coordinate;
-        for (to, from) in
-            [(&mut self.screws, screw), (&mut self.rates, &rates[0]), (&mut self.second, &rates[1])]
-        {
-            for (row, &part) in to.iter_mut().zip(from.0.iter().chain(&from.1)) {
-                row[place] = part;
-            }
-        }
+        let block = &mut self.blocks[place / LANES];
+        let parts =
+            [screw, &rates[0], &rates[1]].into_iter().flat_map(|pair| pair.0.into_iter().chain(pair.1));
+        block.iter_mut().zip(parts).for_each(|(row, part)| row[place % LANES] = part);
     }
 
-    /// x · `by` of the first places.
+    /// The entries of a coordinate with those on its path, of which the first `start` move more bodies than it.
     #[inline]
-    fn dots(&self, end: usize, x: &[[R; N]; 6], by: &Pair<R>) -> [R; N] {
-        let mut sums = [R::zero(); N];
-        for (row, &part) in x.iter().zip(by.0.iter().chain(&by.1)) {
-            for (sum, &x) in sums[..end].iter_mut().zip(&row[..end]) {
-                *sum = R::mul_add(part, x, *sum);
-            }
-        }
-        sums
-    }
-
-    /// x · `by` + y · `angular` of the first places, y with its angular part alone.
-    #[inline]
-    fn against(
+    fn pairs_with(
         &self,
+        j: usize,
+        moving: &Moving<R>,
+        start: usize,
         end: usize,
-        x: &[[R; N]; 6],
-        y: &[[R; N]; 6],
-        by: &Pair<R>,
-        angular: &Vector<R>,
-    ) -> [R; N] {
-        let mut sums = self.dots(end, x, by);
-        for (row, &part) in y.iter().zip(angular) {
-            for (sum, &y) in sums[..end].iter_mut().zip(&row[..end]) {
-                *sum = R::mul_add(part, y, *sum);
+        result: &mut Linearization<R, N>,
+    ) {
+        let Moving { momentum, by_q, by_v, back } = moving;
+        let (momentum, doubled) = (momentum.parts(), momentum.doubled().parts());
+        let (by_q, by_v) = (by_q.parts(), by_v.parts());
+        let blocks = self.coordinates[..end].chunks(LANES).zip(&self.blocks);
+        for (first, (coordinates, block)) in (0..).step_by(LANES).zip(blocks) {
+            let nothing = [R::zero(); LANES];
+            let (mut above, mut ahead, mut inertia, mut below, mut behind) =
+                (nothing, nothing, nothing, nothing, nothing);
+            for i in 0..6 {
+                let (screw, rate, second) = (&block[i], &block[6 + i], &block[12 + i]);
+                add(&mut above, by_q[i], screw);
+                add(&mut ahead, by_v[i], screw);
+                add(&mut inertia, momentum[i], screw);
+                add(&mut below, momentum[i], second);
+                add(&mut behind, doubled[i], rate);
+            }
+            for (i, &back) in back.iter().enumerate() {
+                add(&mut below, back, &block[6 + i]);
+                add(&mut behind, back, &block[i]);
+            }
+            for (lane, &i) in coordinates.iter().enumerate() {
+                result.by_q[i][j] = -above[lane];
+                result.by_v[i][j] = -ahead[lane];
+                result.mass[i][j] = inertia[lane];
+                if first + lane < start {
+                    result.mass[j][i] = inertia[lane];
+                    result.by_q[j][i] = -below[lane];
+                    result.by_v[j][i] = -behind[lane];
+                }
             }
         }
-        sums
+    }
+}
+
+#[inline(always)]
+fn add<R: Real>(sum: &mut [R; LANES], factor: R, row: &[R; LANES]) {
+    for (sum, &entry) in sum.iter_mut().zip(row) {
+        *sum = R::mul_add(factor, entry, *sum);
     }
 }
 
@@ -260,6 +280,11 @@ impl<R: Real> Pair<R> {
     fn plus(&self, factor: R, other: &Self) -> Self {
         let both = |a: &Vector<R>, b: &Vector<R>| [0, 1, 2].map(|i| R::mul_add(factor, b[i], a[i]));
         Pair(both(&self.0, &other.0), both(&self.1, &other.1))
+    }
+
+    fn parts(&self) -> [R; 6] {
+        let Pair([a, b, c], [d, e, f]) = *self;
+        [a, b, c, d, e, f]
     }
 
     fn sum(&self, other: &Self) -> Self {
