@@ -19,20 +19,24 @@ pub(super) fn bodies(
     let residual = body::simplified(emission, &[nodes.as_slice(), rest].concat(), |values| {
         let (values, rest) = values.split_at(nodes.len());
         let mut text = literal(screws, values);
-        text.push_str(&format!("let mut residual = screws.residual(&{groups}, v, accelerations);\n"));
+        text.push_str(&format!(
+            "let mut residual = lagrange::screws::residual(&screws, &{groups}, v, accelerations);\n"
+        ));
         for (i, force) in rest.iter().enumerate().filter(|(_, force)| **force != zero) {
-            text.push_str(&format!("residual[{i}] += {force};\n"));
+            text.push_str(&format!("residual[{i}] = residual[{i}] + {force};\n"));
         }
         text + "residual"
     });
     let matrices = body::simplified(emission, &[nodes.as_slice(), &derivatives].concat(), |values| {
         let (values, derivatives) = values.split_at(nodes.len());
         let mut text = literal(screws, values);
-        text.push_str(&format!("let mut matrices = screws.linearization(&{groups}, v, accelerations);\n"));
+        text.push_str(&format!(
+            "let mut matrices = lagrange::screws::linearization(&screws, &{groups}, v, accelerations);\n"
+        ));
         for (name, entries) in ["by_q", "by_v"].into_iter().zip(derivatives.chunks(count * count)) {
             for (place, entry) in entries.iter().enumerate().filter(|(_, entry)| **entry != zero) {
                 let (i, j) = (place / count, place % count);
-                text.push_str(&format!("matrices.{name}[{i}][{j}] += {entry};\n"));
+                text.push_str(&format!("matrices.{name}[{i}][{j}] = matrices.{name}[{i}][{j}] + {entry};\n"));
             }
         }
         text + "matrices"
@@ -44,9 +48,9 @@ pub(super) fn bodies(
 fn groups(screws: &Screws) -> String {
     let groups = screws.groups.iter().map(|group| {
         let parent = group.parent.unwrap_or(screws.groups.len());
-        let (coordinates, given) = (&group.coordinates, group.given);
+        let (coordinates, given) = (&group.coordinates, group.given.unwrap_or(screws.rates.len()));
         format!(
-            "lagrange::screws::Group {{ parent: {parent}, coordinates: &{coordinates:?}, given: {given:?} }}"
+            "lagrange::screws::Group {{ parent: {parent}, coordinates: &{coordinates:?}, given: {given} }}"
         )
     });
     format!("[{}]", groups.collect::<Vec<_>>().join(", "))

@@ -23,9 +23,9 @@ pub struct Group {
     pub parent: usize,
     /// The coordinates.
     pub coordinates: &'static [usize],
-    /// Where the rates of their screws stand. Without any they follow from the motion of the group: screws that what moves
-    /// them alone changes.
-    pub given: Option<usize>,
+    /// Where the rates of their screws stand. Without any, their number: what moves the screws is then all that
+    /// changes them.
+    pub given: usize,
 }
 
 /// What a state is for the groups.
@@ -72,27 +72,37 @@ struct Path<R, const N: usize> {
     blocks: [[[R; LANES]; 18]; N],
 }
 
-impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Screws<R, N, G, C, P> {
-    /// Weights less inertia forces.
-    #[must_use]
-    pub fn residual(&self, groups: &[Group; G], v: &[R; N], a: &[R; N]) -> [R; N] {
-        let (_, composites) = self.composites(groups, v, a);
-        let mut residual = [R::zero(); N];
-        for (group, bodies) in groups.iter().zip(&composites) {
-            for &j in group.coordinates {
-                residual[j] = -self.screw(j).dot(&bodies.force);
-            }
+/// Weights less inertia forces.
+#[must_use]
+pub fn residual<R: Real, const N: usize, const G: usize, const C: usize, const P: usize>(
+    screws: &Screws<R, N, G, C, P>,
+    groups: &[Group; G],
+    v: &[R; N],
+    a: &[R; N],
+) -> [R; N] {
+    let (_, composites) = screws.composites(groups, v, a);
+    let mut residual = [R::zero(); N];
+    for (group, bodies) in groups.iter().zip(&composites) {
+        for &j in group.coordinates {
+            residual[j] = -screws.screw(j).dot(&bodies.force);
         }
-        residual
     }
+    residual
+}
 
-    /// M, and the derivatives of the residual by coordinates and velocities.
-    #[must_use]
-    pub fn linearization(&self, groups: &[Group; G], v: &[R; N], a: &[R; N]) -> Linearization<R, N> {
-        let (rates, composites) = self.composites(groups, v, a);
-        self.pairs(groups, &rates, &composites)
-    }
+/// M, and the derivatives of the residual by coordinates and velocities.
+#[must_use]
+pub fn linearization<R: Real, const N: usize, const G: usize, const C: usize, const P: usize>(
+    screws: &Screws<R, N, G, C, P>,
+    groups: &[Group; G],
+    v: &[R; N],
+    a: &[R; N],
+) -> Linearization<R, N> {
+    let (rates, composites) = screws.composites(groups, v, a);
+    screws.pairs(groups, &rates, &composites)
+}
 
+impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Screws<R, N, G, C, P> {
     /// Ṡ and S̈ of all coordinates, and what each group moves as one.
     fn composites(
         &self,
@@ -116,17 +126,17 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
             }
             for (k, &j) in group.coordinates.iter().enumerate() {
                 let screw = self.screw(j);
-                rates[j][0] = match group.given {
-                    Some(first) => Pair::of(&self.rates[first + k][0]),
+                rates[j][0] = match self.rates.get(group.given + k) {
+                    Some([rate, _]) => Pair::of(rate),
                     None => twist.moves(&screw),
                 };
                 acceleration = acceleration.plus(v[j], &rates[j][0]).plus(a[j], &screw);
             }
             for (k, &j) in group.coordinates.iter().enumerate() {
                 let screw = self.screw(j);
-                rates[j][1] = match group.given {
-                    Some(first) => Pair::of(&self.rates[first + k][1]).plus(R::one(), &free.moves(&screw)),
-                    None => acceleration.moves(&screw).plus(R::one(), &twist.moves(&rates[j][0])),
+                rates[j][1] = match self.rates.get(group.given + k) {
+                    Some([_, second]) => Pair::of(second).sum(&free.moves(&screw)),
+                    None => acceleration.moves(&screw).sum(&twist.moves(&rates[j][0])),
                 };
             }
             (twists[place], accelerations[place]) = (twist, acceleration);
@@ -167,7 +177,7 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
             for &j in group.coordinates {
                 path.pairs_with(j, &Moving::of(bodies, &self.screw(j), &rates[j]), start, end, &mut result);
             }
-            if group.given.is_some() {
+            if group.given < C {
                 for &i in group.coordinates {
                     for &j in group.coordinates {
                         let Some(change) = changes.next() else { continue };
