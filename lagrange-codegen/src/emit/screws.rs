@@ -1,12 +1,12 @@
-//! The residual and its derivatives where bodies hang on each other: the screws of a state for the runtime, and
-//! what other forces add.
+//! The residual and its derivatives where bodies hang on each other: the screws of a state for the runtime,
+//! and what other forces add.
 
 use super::{Emission, body, scalar};
 use crate::expr::NodeId;
 use crate::mechanics::Screws;
 
-/// The bodies of `residual_at` and `linearization_at`, from the other forces and their derivatives by coordinates and then
-/// by velocities, row by row.
+/// The bodies of `residual_at` and `linearization_at`, from the other forces and their derivatives by
+/// coordinates and then by velocities, row by row.
 pub(super) fn bodies(
     emission: &mut Emission<'_>,
     screws: &Screws,

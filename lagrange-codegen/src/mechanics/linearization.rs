@@ -2,8 +2,9 @@
 //! multipliers.
 //!
 //! No inverse of M is differentiated: the derivatives of the accelerations are the solution of a linear
-//! system with M and A and these on the right. Of bodies that hang on each other they follow from the screws of the
-//! coordinates ([`Screws`]), where that takes fewer operations than a forward sweep for each coordinate and velocity.
+//! system with M and A and these on the right. Of bodies that hang on each other they follow from the
+//! screws of the coordinates ([`Screws`]), where that takes fewer operations than a forward sweep for each
+//! coordinate and velocity.
 
 use super::{Conditions, Equations, Screws};
 use crate::calculus::{forward_operations, pushforward};

@@ -1,10 +1,11 @@
 //! Rigid bodies that hang on each other, as the screws of the coordinates.
 //!
-//! A coordinate whose velocity gives the same twist to all bodies that it moves carries them, and whatever depends on other
-//! coordinates is carried along. Where that holds of all coordinates, and what any two of them move is nested or apart, the
-//! derivatives of inverse dynamics follow from sums over bodies (runtime, `system/screws.rs`). That is so for
-//! every tree of hinges, slides, angles and poses; nothing here knows of them. Which bodies a coordinate moves, and how, is
-//! read from velocities at points without any structure.
+//! A coordinate whose velocity gives the same twist to all bodies that it moves carries them, and whatever
+//! depends on other coordinates is carried along. Where that holds of all coordinates, and what any two of
+//! them move is nested or apart, the derivatives of inverse dynamics follow from sums over bodies (runtime,
+//! `system/screws.rs`). That is so for every tree of hinges, slides, angles and poses; nothing here knows
+//! of them. Which bodies a coordinate moves, and how, is read from velocities at points without any
+//! structure.
 
 mod moved;
 mod weight;

@@ -1,14 +1,14 @@
 //! M = Lᵀ D L of a symmetric positive definite matrix, for right-hand sides with many columns.
 //!
-//! Velocities are eliminated from the last to the first. What hangs on a link is declared after it, so a tree
-//! fills no entry: the zeros of M, which are passed over, are zeros of L (Featherstone, *Rigid Body Dynamics Algorithms*,
-//! section 6.3). Columns are solved for many at a time, side by side on vectors, because what one waits for the others
-//! do not.
+//! Velocities are eliminated from the last to the first. What hangs on a link is declared after it, so a
+//! tree fills no entry: the zeros of M, which are passed over, are zeros of L (Featherstone, *Rigid Body
+//! Dynamics Algorithms*, section 6.3). Columns are solved for many at a time, side by side on vectors,
+//! because what one waits for the others do not.
 
 use crate::number::real::Real;
 
-/// Columns that are solved for side by side: eight vectors of four, each with one result under way, fill the time
-/// that a result takes.
+/// Columns that are solved for side by side: eight vectors of four, each with one result under way, fill
+/// the time that a result takes.
 pub(crate) const COLUMNS: usize = 32;
 
 /// The factors of a symmetric positive definite matrix.
@@ -46,8 +46,8 @@ impl<const N: usize> Places<N> {
 }
 
 impl<R: Real, const N: usize> Rows<R, N> {
-    /// Factors a matrix, of which only the lower triangle is read; `None` where a pivot is not positive beyond
-    /// rounding, by the bound of `Ldlt`.
+    /// Factors a matrix, of which only the lower triangle is read; `None` where a pivot is not positive
+    /// beyond rounding, by the bound of `Ldlt`.
     pub fn factor(matrix: &[[R; N]; N]) -> Option<Self> {
         let mut factor = *matrix;
         let mut inverse = [R::zero(); N];

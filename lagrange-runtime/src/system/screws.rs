@@ -1,30 +1,34 @@
-//! M and the derivatives of inverse dynamics of rigid bodies that hang on each other, from the screws of the coordinates.
+//! M and the derivatives of inverse dynamics of rigid bodies that hang on each other, from the screws of
+//! the coordinates.
 //!
-//! A coordinate that moves some bodies as one gives them all the twist S v, and what they do in its absence is carried
-//! along. With a body's twist V, its acceleration A (that of its frame less gravity), its inertia I and
-//! F = I A + V ×* I V, where dots are rates along the motion,
+//! A coordinate that moves some bodies as one gives them all the twist S v, and what they do in its absence
+//! is carried along. With a body's twist V, its acceleration A (that of its frame less gravity), its
+//! inertia I and F = I A + V ×* I V, where dots are rates along the motion,
 //!
 //! ∂F/∂q = S ×* F + I S̈ + B Ṡ,  ∂F/∂v = 2 I Ṡ + B S,  B x = I (x × V) + x ×* I V + V ×* I x.
 //!
-//! I, B and F add up over all bodies that a coordinate moves. So a pair of coordinates takes a few dot products, and nothing
-//! is carried from link to link (Carpentier and Mansard, RSS 2018; Singh, Russell and Wensing, IEEE Robotics and Automation
-//! Letters 7, 2022). B asks for the angular part of x alone: B x = 2 (G x, −P × x), with the momentum P. All vectors are
-//! in space axes, about a point of space at which one of the bodies is.
+//! I, B and F add up over all bodies that a coordinate moves. So a pair of coordinates takes a few dot
+//! products, and nothing is carried from link to link (Carpentier and Mansard, RSS 2018; Singh, Russell and
+//! Wensing, IEEE Robotics and Automation Letters 7, 2022). B asks for the angular part of x alone: B x = 2
+//! (G x, −P × x), with the momentum P. All vectors are in space axes, about a point of space at which one
+//! of the bodies is.
+
+mod composite;
 
 use crate::number::real::Real;
 use crate::system::linearized::Linearization;
-
-type Vector<R> = [R; 3];
+use composite::{Composite, Pair, Vector};
 
 /// Coordinates that move the same bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct Group {
-    /// The place of the group that moves these bodies and more: before this one. Without any, the number of groups.
+    /// The place of the group that moves these bodies and more: before this one. Without any, the number of
+    /// groups.
     pub parent: usize,
     /// The coordinates.
     pub coordinates: &'static [usize],
-    /// Where the rates of their screws stand. Without any, their number: what moves the screws is then all that
-    /// changes them.
+    /// Where the rates of their screws stand. Without any, their number: what moves the screws is then all
+    /// that changes them.
     pub given: usize,
 }
 
@@ -37,29 +41,11 @@ pub struct Screws<R, const N: usize, const G: usize, const C: usize, const P: us
     pub rates: [[[R; 6]; 2]; C],
     /// ∂S/∂q where rates are given, for each group the rows S with the columns q.
     pub changes: [[R; 6]; P],
-    /// Mass, first moment, and moments of inertia xx, xy, xz, yy, yz, zz of the bodies that a group moves and no other group after
-    /// it.
+    /// Mass, first moment, and moments of inertia xx, xy, xz, yy, yz, zz of the bodies that a group moves
+    /// and no other group after it.
     pub inertias: [[R; 10]; G],
     /// The acceleration of free fall.
     pub gravity: Vector<R>,
-}
-
-/// A twist, or a wrench: angular part, linear part.
-#[derive(Clone, Copy)]
-struct Pair<R>(Vector<R>, Vector<R>);
-
-/// Bodies as one, at a state.
-#[derive(Clone, Copy)]
-struct Composite<R> {
-    mass: R,
-    moment: Vector<R>,
-    inertia: [Vector<R>; 3],
-    /// The columns of G.
-    gyration: [Vector<R>; 3],
-    /// P.
-    momentum: Vector<R>,
-    /// F.
-    force: Pair<R>,
 }
 
 /// Coordinates that are taken together with another one, on vectors.
@@ -226,7 +212,8 @@ impl<R: Real, const N: usize> Path<R, N> {
         block.iter_mut().zip(parts).for_each(|(row, part)| row[place % LANES] = part);
     }
 
-    /// The entries of a coordinate with those on its path, of which the first `start` move more bodies than it.
+    /// The entries of a coordinate with those on its path, of which the first `start` move more bodies than
+    /// it.
     #[inline]
     fn pairs_with(
         &self,
@@ -275,138 +262,4 @@ fn add<R: Real>(sum: &mut [R; LANES], factor: R, row: &[R; LANES]) {
     for (sum, &entry) in sum.iter_mut().zip(row) {
         *sum = R::mul_add(factor, entry, *sum);
     }
-}
-
-impl<R: Real> Pair<R> {
-    fn zero() -> Self {
-        Pair([R::zero(); 3], [R::zero(); 3])
-    }
-
-    fn of(&[a, b, c, d, e, f]: &[R; 6]) -> Self {
-        Pair([a, b, c], [d, e, f])
-    }
-
-    /// The sum with a multiple.
-    fn plus(&self, factor: R, other: &Self) -> Self {
-        let both = |a: &Vector<R>, b: &Vector<R>| [0, 1, 2].map(|i| R::mul_add(factor, b[i], a[i]));
-        Pair(both(&self.0, &other.0), both(&self.1, &other.1))
-    }
-
-    fn parts(&self) -> [R; 6] {
-        let Pair([a, b, c], [d, e, f]) = *self;
-        [a, b, c, d, e, f]
-    }
-
-    fn sum(&self, other: &Self) -> Self {
-        Pair(sum(&self.0, &other.0), sum(&self.1, &other.1))
-    }
-
-    fn doubled(&self) -> Self {
-        self.sum(self)
-    }
-
-    fn dot(&self, other: &Self) -> R {
-        dot(&self.0, &other.0) + dot(&self.1, &other.1)
-    }
-
-    /// How a twist changes what it carries: self × twist.
-    fn moves(&self, twist: &Self) -> Self {
-        Pair(cross(&self.0, &twist.0), sum(&cross(&self.0, &twist.1), &cross(&self.1, &twist.0)))
-    }
-
-    /// How it changes a wrench: self ×* wrench.
-    fn turns(&self, wrench: &Self) -> Self {
-        Pair(sum(&cross(&self.0, &wrench.0), &cross(&self.1, &wrench.1)), cross(&self.0, &wrench.1))
-    }
-}
-
-impl<R: Real> Composite<R> {
-    fn zero() -> Self {
-        let nothing = [R::zero(); 3];
-        Composite {
-            mass: R::zero(),
-            moment: nothing,
-            inertia: [nothing; 3],
-            gyration: [nothing; 3],
-            momentum: nothing,
-            force: Pair::zero(),
-        }
-    }
-
-    fn of(
-        &[mass, hx, hy, hz, xx, xy, xz, yy, yz, zz]: &[R; 10],
-        twist: &Pair<R>,
-        acceleration: &Pair<R>,
-    ) -> Self {
-        let (moment, inertia) = ([hx, hy, hz], [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]);
-        let mut bodies = Composite { mass, moment, inertia, ..Composite::zero() };
-        let momentum = bodies.times(twist);
-        bodies.momentum = momentum.1;
-        bodies.force = bodies.times(acceleration).sum(&twist.turns(&momentum));
-        // G x = ω × (J x − ½ tr J x) − (h × v) × x − v × (h × x).
-        let Pair(spin, velocity) = twist;
-        let half = (xx + yy + zz) * R::from_f64(0.5);
-        let [cx, cy, cz] = cross(&moment, velocity);
-        let along = dot(velocity, &moment);
-        let zero = R::zero();
-        let crossed = [[zero, -cz, cy], [cz, zero, -cx], [-cy, cx, zero]];
-        for k in 0..3 {
-            let mut column = inertia[k];
-            column[k] -= half;
-            let mut gyration = cross(spin, &column);
-            for i in 0..3 {
-                gyration[i] += crossed[k][i] - moment[i] * velocity[k];
-            }
-            gyration[k] += along;
-            bodies.gyration[k] = gyration;
-        }
-        bodies
-    }
-
-    fn add(&mut self, other: &Self) {
-        self.mass += other.mass;
-        self.moment = sum(&self.moment, &other.moment);
-        for k in 0..3 {
-            self.inertia[k] = sum(&self.inertia[k], &other.inertia[k]);
-            self.gyration[k] = sum(&self.gyration[k], &other.gyration[k]);
-        }
-        self.momentum = sum(&self.momentum, &other.momentum);
-        self.force = self.force.sum(&other.force);
-    }
-
-    /// I x.
-    fn times(&self, Pair(angular, linear): &Pair<R>) -> Pair<R> {
-        let [tx, ty, tz] = cross(&self.moment, linear);
-        let [fx, fy, fz] = cross(angular, &self.moment);
-        let turned =
-            [dot(&self.inertia[0], angular), dot(&self.inertia[1], angular), dot(&self.inertia[2], angular)];
-        let pushed = linear.map(|part| self.mass * part);
-        Pair(sum(&turned, &[tx, ty, tz]), sum(&pushed, &[fx, fy, fz]))
-    }
-
-    /// B x.
-    fn gyrates(&self, Pair(x, _): &Pair<R>) -> Pair<R> {
-        let [a, b, c] = &self.gyration;
-        let torque = [0, 1, 2].map(|i| R::mul_add(a[i], x[0], R::mul_add(b[i], x[1], c[i] * x[2])));
-        Pair(torque, cross(x, &self.momentum)).doubled()
-    }
-
-    /// The angular part of Bᵀ x, the only one.
-    fn gyrates_back(&self, Pair(angular, linear): &Pair<R>) -> Vector<R> {
-        let across = cross(&self.momentum, linear);
-        let half = [0, 1, 2].map(|k| dot(&self.gyration[k], angular) + across[k]);
-        sum(&half, &half)
-    }
-}
-
-fn cross<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
-}
-
-fn dot<R: Real>(a: &Vector<R>, b: &Vector<R>) -> R {
-    R::mul_add(a[0], b[0], R::mul_add(a[1], b[1], a[2] * b[2]))
-}
-
-fn sum<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
-    [0, 1, 2].map(|i| a[i] + b[i])
 }

@@ -130,8 +130,8 @@ fn screw(values: &[f64; 18]) -> [f64; 6] {
     [w[0], w[1], w[2], u[0] - linear[0], u[1] - linear[1], u[2] - linear[2]]
 }
 
-/// Coordinates with the same parts, each group before what it holds and that before what it does not hold; `None` where two
-/// groups overlap.
+/// Coordinates with the same parts, each group before what it holds and that before what it does not hold;
+/// `None` where two groups overlap.
 pub fn groups(sets: &[Vec<bool>]) -> Option<Vec<Group>> {
     let mut found: Vec<(&Vec<bool>, Vec<usize>)> = Vec::new();
     for (coordinate, set) in sets.iter().enumerate() {
