@@ -279,7 +279,32 @@ pub trait Real:
     fn recip(self) -> Self {
         Self::one() / self
     }
+
+    /// A nonnegative number in single precision, enough for a report; infinity for one that is too large. The
+    /// default finds its binary digits one by one, because a scalar of the user's own has no conversion.
+    fn to_single(self) -> f32
+    where
+        Self: PartialOrd,
+    {
+        let (mut rest, mut sum) = (self, 0.0);
+        let (mut digit, mut power) = (Self::from_f64(LARGEST_DIGIT as f64), LARGEST_DIGIT);
+        if self >= digit + digit {
+            return f32::INFINITY;
+        }
+        while power > 0.0 && rest > Self::zero() {
+            if rest >= digit {
+                rest -= digit;
+                sum += power;
+            }
+            digit *= Self::from_f64(0.5);
+            power *= 0.5;
+        }
+        sum
+    }
 }
+
+/// 2¹²⁷, the largest power of two in `f32`.
+const LARGEST_DIGIT: f32 = f32::from_bits(0x7f00_0000);
 
 /// A scalar with an order, and so with one lane. Motions under error control need it. It is implemented for
 /// every [`Real`] that can be compared.
@@ -367,6 +392,10 @@ macro_rules! impl_real {
             #[inline(always)]
             fn mul_add(self, factor: Self, summand: Self) -> Self {
                 math::fused::$scalar::mul_add(self, factor, summand)
+            }
+            #[inline]
+            fn to_single(self) -> f32 {
+                self as f32
             }
             forward! { $scalar:
                 sin(); cos(); tan(); asin(); acos(); atan(); atan2(x);
