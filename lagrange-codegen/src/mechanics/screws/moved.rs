@@ -125,7 +125,8 @@ impl Moved {
     }
 }
 
-/// The twist about the origin from R, p, and ω and ṗ in the axes of R, with the sizes of what its two parts are made of.
+/// The twist about the origin from R, p, and ω and ṗ in the axes of R, with the sizes of what its two parts
+/// are made of.
 fn screw(values: &[f64; 18]) -> ([f64; 6], [f64; 2]) {
     let turned = |v: &[f64]| [0, 1, 2].map(|i| (0..3).map(|k| values[3 * i + k] * v[k]).sum::<f64>());
     let size = |v: &[f64]| v.iter().map(|component| component.abs()).sum::<f64>();
