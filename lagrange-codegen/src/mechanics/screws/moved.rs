@@ -32,8 +32,8 @@ pub struct Group {
 
 /// Points of the space of coordinates and parameters, at which motions are compared.
 pub const POINTS: u32 = 2;
-/// What differs by more at such a point, where numbers are of size one, differs by more than roundings.
-pub const APART: f64 = 1e-9;
+/// What differs by more, relative to the size of what it was made of, differs by more than roundings.
+pub const ROUNDINGS: f64 = 1024.0 * f64::EPSILON;
 
 /// Everything that has mass, with its motion; `None` where a motion is no rigid one, or is given by time.
 pub fn parts(model: &mut Model) -> Option<Vec<Part>> {
@@ -101,18 +101,21 @@ impl Moved {
                     Variable::Velocity(i) => f64::from(u8::from(i as usize == j)),
                     other => number(point, other),
                 });
-                let mut common: Option<[f64; 6]> = None;
+                let mut common: Option<([f64; 6], [f64; 2])> = None;
                 for (values, moves) in values.as_chunks::<18>().0.iter().zip(set) {
-                    let screw = screw(values);
-                    if !screw.iter().all(|part| part.is_finite()) {
-                        return None;
-                    }
-                    if screw.iter().all(|part| part.abs() < APART) {
+                    // What does not move is exactly at rest.
+                    if values[12..].iter().all(|&component| component == 0.0) {
                         continue;
                     }
                     *moves = true;
-                    let common = common.get_or_insert(screw);
-                    if common.iter().zip(&screw).any(|(a, b)| (a - b).abs() > APART * (1.0 + a.abs())) {
+                    let (screw, sizes) = screw(values);
+                    let (first, of_first) = common.get_or_insert((screw, sizes));
+                    let is_same = (0..6).all(|i| {
+                        let size = sizes[i / 3] + of_first[i / 3];
+                        (first[i] - screw[i]).abs() <= ROUNDINGS * size
+                    });
+                    // So it is with what is not a number.
+                    if !is_same {
                         return None;
                     }
                 }
@@ -122,12 +125,15 @@ impl Moved {
     }
 }
 
-/// The twist about the origin from R, p, and ω and ṗ in the axes of R.
-fn screw(values: &[f64; 18]) -> [f64; 6] {
+/// The twist about the origin from R, p, and ω and ṗ in the axes of R, with the sizes of what its two parts
+/// are made of.
+fn screw(values: &[f64; 18]) -> ([f64; 6], [f64; 2]) {
     let turned = |v: &[f64]| [0, 1, 2].map(|i| (0..3).map(|k| values[3 * i + k] * v[k]).sum::<f64>());
+    let size = |v: &[f64]| v.iter().map(|component| component.abs()).sum::<f64>();
     let (p, w, u) = (&values[9..12], turned(&values[12..15]), turned(&values[15..18]));
     let linear = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| w[i] * p[j] - w[j] * p[i]);
-    [w[0], w[1], w[2], u[0] - linear[0], u[1] - linear[1], u[2] - linear[2]]
+    let screw = [w[0], w[1], w[2], u[0] - linear[0], u[1] - linear[1], u[2] - linear[2]];
+    (screw, [size(&w), size(&u) + size(&w) * size(p)])
 }
 
 /// Coordinates with the same parts, each group before what it holds and that before what it does not hold;
@@ -175,8 +181,9 @@ pub fn groups(sets: &[Vec<bool>]) -> Option<Vec<Group>> {
 /// Whether nodes are zero at points without structure.
 pub fn vanish(graph: &Graph, nodes: &[[NodeId; 6]]) -> bool {
     (0..POINTS).all(|point| {
-        let values = graph.evaluate(nodes.as_flattened(), |variable| number(point, variable));
-        values.iter().all(|value| value.abs() < APART)
+        let variable = |variable| number(point, variable);
+        let values = graph.evaluate_on_sides(nodes.as_flattened(), variable, |_| true);
+        values.iter().all(|rounded| rounded.value.abs() <= 8.0 * rounded.error)
     })
 }
 

@@ -1,6 +1,6 @@
 //! The weight among the potentials of a model.
 
-use super::moved::{APART, POINTS, Part, number};
+use super::moved::{POINTS, Part, ROUNDINGS, number};
 use crate::expr::{Graph, NodeId, Variable};
 use crate::kinematics::slopes_to;
 use crate::model::Model;
@@ -81,7 +81,7 @@ fn is_weight(
                 }
             }
             // False for what is not a number.
-            power.abs() <= APART * (1.0 + size)
+            power.abs() <= ROUNDINGS * size
         })
     })
 }
