@@ -11,6 +11,7 @@ use crate::kinematics::acting::{Acting, acting};
 use crate::model::{Constraint, ConstraintKind, Contact, Law};
 use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Name, Owner, Word};
+use crate::syntax::hygiene::written;
 use crate::syntax::item::{Friction, Function, RoleKind};
 
 /// A reaction that limits friction.
@@ -129,7 +130,7 @@ impl<'a> Interpreter<'a> {
     fn coefficients(&mut self, expr: &'a Expr, count: Option<usize>, what: &str) -> Option<Vec<NodeId>> {
         let named = match &expr.kind {
             ExprKind::Path(path) if matches!(path.owner, Owner::None) => {
-                self.item.functions.iter().position(|function| function.name == path.last)
+                self.item.functions.iter().position(|function| *function.name == *written(&path.last))
             }
             _ => None,
         };

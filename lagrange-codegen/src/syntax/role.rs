@@ -7,6 +7,7 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, Ident, Meta, Token};
 
 use super::body::{ExprKind, Owner, Word};
+use super::hygiene;
 use super::item::{Eliminate, Friction, Role, RoleKind, Target};
 use super::place;
 use super::suggest::nearest;
@@ -312,7 +313,8 @@ fn target(expr: &Expr, key: &str, translator: &mut Translator) -> Option<(Word, 
     };
     match base.kind {
         ExprKind::Path(path) if matches!(path.owner, Owner::None | Owner::SelfType) => {
-            Some((Word { name: path.last, origin: path.origin }, index))
+            // The name of a function, which is that of any context.
+            Some((Word { name: hygiene::written(&path.last).into(), origin: path.origin }, index))
         }
         _ => {
             translator.diagnostics.at(base.origin, catalogue::bad_target(key));

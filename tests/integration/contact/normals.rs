@@ -77,7 +77,7 @@ fn the_normal_force_is_that_on_the_particle_in_any_coordinates() {
     all_close([r * phi.cos(), r * phi.sin()], plain, 1e-12);
 
     let back = Rotation2::new(-0.3);
-    let turn = |pair: [f64; 2]| (back * Vector2::from(pair)).into();
+    let turn = |pair: [f64; 2]| -> [f64; 2] { (back * Vector2::from(pair)).into() };
     let end = Turned
         .simulate(State::new(turn(place), turn(speed)))
         .with_tolerance(TIGHT)
@@ -92,7 +92,7 @@ fn the_normal_force_is_that_on_the_particle_in_any_coordinates() {
 #[test]
 fn a_bead_starts_where_a_component_of_the_reaction_vanishes() {
     let start = State::new([0.0, -1.0], [5.0, 0.0]);
-    let end = Scaled.simulate(start).advance_to(1e-3).unwrap();
+    let end = *Scaled.simulate(start).advance_to(1e-3).unwrap();
     close_on(1.0, end.v[0], 5.0 - 0.2 * (12.5 + 9.81) * 1e-3, 1e-5);
 }
 
