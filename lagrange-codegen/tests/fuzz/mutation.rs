@@ -271,6 +271,7 @@ fn change(tokens: TokenStream, place: &mut usize, random: &mut Random) -> TokenS
     out.into_iter().collect()
 }
 
-fn word(random: &mut Random) -> TokenStream {
+/// A token of the vocabulary.
+pub fn word(random: &mut Random) -> TokenStream {
     VOCABULARY[random.below(VOCABULARY.len())].parse().unwrap_or_default()
 }
