@@ -6,6 +6,8 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Attribute, Expr, ImplItem, Item, ItemImpl, Path, Stmt, Type, Visibility};
 
+use crate::mutation::is_accepted;
+
 /// Types, methods, constants and implemented traits by name.
 pub struct Items {
     names: BTreeSet<String>,
@@ -16,8 +18,7 @@ pub struct Items {
 impl Items {
     /// Those of an expansion.
     pub fn of(expansion: TokenStream) -> Items {
-        let text = expansion.to_string();
-        let is_accepted = !text.contains("compile_error") && !text.contains("REFUSED");
+        let is_accepted = is_accepted(&expansion.to_string());
         let mut items = Items { names: BTreeSet::new(), is_accepted };
         let mut piece = TokenStream::new();
         for tree in expansion {
