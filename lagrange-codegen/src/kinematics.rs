@@ -7,6 +7,8 @@
 //! same with + for u × u̇, 2 q̇ q* / |q|², ω(AB) = ω(A) + A ω(B), ω(A⁻¹) of the one is −ω(A) of the other, and Ṙ Rᵀ. Goldstein, *Classical
 //! Mechanics*, 3rd ed., section 4.9.
 
+pub(crate) mod acting;
+
 use crate::calculus::{pullback_to, pushforward};
 use crate::expr::{Graph, NodeId, Unary, Variable};
 use crate::model::{Rotation, RotationForm, orientation};

@@ -111,6 +111,7 @@ pub mod __private {
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,
     };
     pub use crate::system::reading;
+    pub use crate::system::screws;
     pub use num_traits::{One, Zero};
     pub mod solve {
         //! Solving for the accelerations.

@@ -23,6 +23,32 @@ pub fn pushforward(graph: &mut Graph, roots: &[NodeId], seeds: &[(NodeId, NodeId
     roots.iter().map(|root| rates[root.index()].unwrap_or(zero)).collect()
 }
 
+/// How many operations a sweep for each of some variables takes: one for each variable that an operand
+/// depends on.
+pub fn forward_operations(graph: &Graph, roots: &[NodeId], variables: &[NodeId]) -> usize {
+    let words = variables.len().div_ceil(64);
+    let mut sets: Vec<Vec<u64>> = vec![Vec::new(); graph.len()];
+    for (place, variable) in variables.iter().enumerate() {
+        let set = &mut sets[variable.index()];
+        set.resize(words, 0);
+        set[place / 64] |= 1 << (place % 64);
+    }
+    let mut operations = 0;
+    for id in graph.cone(roots.iter().copied()) {
+        let mut union = sets[id.index()].clone();
+        graph.operands(id, |operand| {
+            let set = &sets[operand.index()];
+            operations += set.iter().map(|word| word.count_ones() as usize).sum::<usize>();
+            if !set.is_empty() {
+                union.resize(words, 0);
+            }
+            union.iter_mut().zip(set).for_each(|(all, set)| *all |= set);
+        });
+        sets[id.index()] = union;
+    }
+    operations
+}
+
 /// The rate of one node from those of its operands; `None` stands for 0.
 fn rate(graph: &mut Graph, id: NodeId, rates: &[Option<NodeId>]) -> Option<NodeId> {
     let mut moves = false;

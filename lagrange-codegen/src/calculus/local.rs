@@ -33,8 +33,13 @@ pub fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value: NodeId
         Unary::Cosh => graph.unary(Unary::Sinh, argument),
         Unary::Tanh => {
             // 1 − tanh² would lose all its digits where the function is saturated.
-            let cosine = graph.unary(Unary::Cosh, argument);
-            graph.powi(cosine, -2)
+            let secant = graph.unary(Unary::Sech, argument);
+            graph.powi(secant, 2)
+        }
+        Unary::Sech => {
+            let tangent = graph.unary(Unary::Tanh, argument);
+            let product = graph.mul(value, tangent);
+            graph.neg(product)
         }
         Unary::Asinh => {
             let square = one_plus(graph, argument, Number::ONE);

@@ -15,7 +15,7 @@ mod substitute;
 mod tests;
 
 pub use degree::{Degrees, beyond_degree, velocity_degrees};
-pub use forward::pushforward;
+pub use forward::{forward_operations, pushforward};
 pub use local::{binary as partial_derivatives, unary as derivative};
 pub use reverse::{pullback, pullback_to};
 pub use sizes::sizes;

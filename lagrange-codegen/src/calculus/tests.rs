@@ -89,3 +89,20 @@ fn adjoints_of_partial_sums_are_partial_sums() {
     };
     assert_eq!(size(40) - size(30), size(30) - size(20));
 }
+
+#[test]
+fn derivatives_exist_where_a_function_has_saturated() {
+    let mut graph = Graph::new();
+    let x = graph.variable(Variable::Coordinate(0));
+    let (tanh, cosine, one) = (graph.unary(Unary::Tanh, x), graph.unary(Unary::Cosh, x), graph.one());
+    let well = graph.powi(cosine, -2);
+    for mut derivative in [tanh, well] {
+        for _ in 0..4 {
+            let forward = pushforward(&mut graph, &[derivative], &[(x, one)])[0];
+            derivative = pullback(&mut graph, &[(derivative, one)], &[x])[0];
+            for at in [1e4, -1e4] {
+                assert_eq!(graph.evaluate(&[forward, derivative], |_| at), [0.0, 0.0]);
+            }
+        }
+    }
+}

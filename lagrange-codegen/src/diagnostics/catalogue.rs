@@ -85,6 +85,9 @@ messages! {
         `unilateral` or `holonomic`";
     friction_on_place(name, count) = "{count} act on `{name}`, and friction needs exactly one; name the constraint whose \
         reaction limits it, or give the force itself as a function: `#[friction(limit = force)]`";
+    friction_by_form(constraint, place) = "`{constraint}` names coordinates that move `{place}`, so that its force there \
+        does not follow from its form; write it as a function of `self.{place}(q)`, or give the normal force itself as a \
+        function: `#[friction(limit = force)]`";
     friction_count(name, have, want) = "`{name}` has {have}, and its normal has {want}; name one of these, or return as \
         many slip velocities";
     unknown_law(name) = "there is no law of impact `{name}`; known are `newton`, `poisson` and `plastic`";

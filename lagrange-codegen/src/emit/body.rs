@@ -1,11 +1,13 @@
 //! Function bodies: variables taken apart, statements, result.
 
+use super::Emission;
 use super::block::{self, Block, NAMED, Reads};
 use super::names::{Names, variable_label};
 use super::tokens::placeholder;
 use crate::expr::{NodeId, Variable};
 use crate::model::Model;
 use crate::schedule::{Program, Slot, plan};
+use crate::simplify::simplify;
 use crate::syntax::Scalar;
 
 /// Where a body finds its variables.
@@ -34,6 +36,16 @@ pub(super) fn plain(
     text.push_str(&assemble(&block));
     text.push_str(&result(&block.outputs));
     imported(text)
+}
+
+/// A body that computes some nodes of a state's numbers, written in the cheapest way that is known.
+pub(super) fn simplified(
+    emission: &mut Emission<'_>,
+    nodes: &[NodeId],
+    result: impl FnOnce(&[String]) -> String,
+) -> String {
+    let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
+    plain(emission.model, &emission.scalar, &nodes, Source::Slices, result)
 }
 
 /// The fixed part of a program: names for what is hoisted, and the body that computes it.

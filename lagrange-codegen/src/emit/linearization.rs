@@ -3,7 +3,7 @@
 
 use super::body::{self, Source};
 use super::names::{Names, name_accelerations};
-use super::{Emission, block, over, scalar};
+use super::{Emission, block, over, scalar, screws};
 use crate::expr::NodeId;
 use crate::mechanics::{Linearization, Sensitivities};
 use crate::model::ConstraintKind;
@@ -59,28 +59,26 @@ impl Signature {
 
 /// Without constraints.
 fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String) {
-    let Linearization { forces, by_u, .. } = derived;
+    let Linearization { screws, forces, by_u, .. } = derived;
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let scalar = &emission.scalar.to_string();
     let vector = emission.vector_type();
     let Signature { place, given, inputs: inputs_only } = Signature::of(emission);
 
-    let residual = function(emission, &forces.values, |values| format!("[{}]", values.join(", ")));
-    let mut roots = mass(emission);
-    roots.extend(forces.by_q.into_iter().flatten().chain(forces.by_v.into_iter().flatten()));
     let zero = scalar::zero(&emission.scalar);
-    let matrices = function(emission, &roots, |values| {
-        let empty = format!("[[{zero}; {count}]; {count}]");
-        let mut text = format!(
-            "let mut matrices = lagrange::Linearization {{ mass: {empty}, by_q: {empty}, by_v: {empty} }};\n"
-        );
-        for (name, entries) in ["mass", "by_q", "by_v"].into_iter().zip(values.chunks(count * count)) {
-            text.push_str(&matrix(name, &zero, count, entries));
+    let derivatives = flat(forces.by_q).into_iter().chain(flat(forces.by_v));
+    let (residual, matrices) = match &screws {
+        Some(screws) => screws::bodies(emission, screws, &forces.values, derivatives.collect()),
+        None => {
+            let residual =
+                body::simplified(emission, &forces.values, |values| format!("[{}]", values.join(", ")));
+            let mut roots = mass(emission);
+            roots.extend(derivatives);
+            (residual, body::simplified(emission, &roots, |values| dense(&zero, count, values)))
         }
-        text + "matrices"
-    });
+    };
     let by_u: Vec<NodeId> = by_u.into_iter().flatten().collect();
-    let by_inputs = function(emission, &by_u, |values| {
+    let by_inputs = body::simplified(emission, &by_u, |values| {
         let rows = values.chunks(inputs.max(1)).map(|row| format!("[{}]", row.join(", ")));
         let rows: Vec<String> = rows.collect();
         if inputs == 0 { format!("[[]; {count}]") } else { format!("[{}]", rows.join(", ")) }
@@ -120,9 +118,21 @@ fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String)
     (linearized, tangent)
 }
 
+/// M and the derivatives, entry by entry.
+fn dense(zero: &str, count: usize, values: &[String]) -> String {
+    let empty = format!("[[{zero}; {count}]; {count}]");
+    let mut text = format!(
+        "let mut matrices = lagrange::Linearization {{ mass: {empty}, by_q: {empty}, by_v: {empty} }};\n"
+    );
+    for (name, entries) in ["mass", "by_q", "by_v"].into_iter().zip(values.chunks(count * count)) {
+        text.push_str(&matrix(name, zero, count, entries));
+    }
+    text + "matrices"
+}
+
 /// With constraints: `Linearized` is that of the accelerations with the multipliers solved for.
 fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> (String, String) {
-    let Linearization { forces, by_u, conditions, rates_by_q, by_p: _ } = derived;
+    let Linearization { forces, by_u, conditions, rates_by_q, .. } = derived;
     let (count, inputs, held) =
         (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
     let scalar = &emission.scalar.to_string();
@@ -266,16 +276,6 @@ fn mass(emission: &Emission<'_>) -> Vec<NodeId> {
     let count = emission.count();
     let full = |i: usize| (0..count).map(move |j| (i.max(j), i.min(j)));
     (0..count).flat_map(full).map(|(i, j)| emission.equations.mass[i][j]).collect()
-}
-
-/// A body that computes some nodes.
-fn function(
-    emission: &mut Emission<'_>,
-    nodes: &[NodeId],
-    result: impl FnOnce(&[String]) -> String,
-) -> String {
-    let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
-    body::plain(emission.model, &emission.scalar, &nodes, Source::Slices, result)
 }
 
 /// A body that computes some nodes at a `Place`.

@@ -23,6 +23,7 @@ mod records;
 mod regimes;
 mod report;
 mod scalar;
+mod screws;
 mod stubs;
 mod system;
 mod tokens;

@@ -108,6 +108,7 @@ impl Graph {
                         | Unary::Sinh
                         | Unary::Cosh
                         | Unary::Tanh
+                        | Unary::Sech
                         | Unary::Asinh
                         | Unary::Acosh
                         | Unary::Atanh

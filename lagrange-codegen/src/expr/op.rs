@@ -25,6 +25,8 @@ pub enum Unary {
     Cosh,
     /// Hyperbolic tangent.
     Tanh,
+    /// One over the hyperbolic cosine, which does not overflow. Derivatives have it, Rust has not.
+    Sech,
     /// Inverse hyperbolic sine.
     Asinh,
     /// Inverse hyperbolic cosine.
@@ -62,7 +64,7 @@ pub enum Binary {
 
 impl Unary {
     /// All functions of one argument.
-    pub const ALL: [Unary; 20] = [
+    pub const ALL: [Unary; 21] = [
         Unary::Sin,
         Unary::Cos,
         Unary::Tan,
@@ -72,6 +74,7 @@ impl Unary {
         Unary::Sinh,
         Unary::Cosh,
         Unary::Tanh,
+        Unary::Sech,
         Unary::Asinh,
         Unary::Acosh,
         Unary::Atanh,
@@ -97,6 +100,7 @@ impl Unary {
             Unary::Sinh => "sinh",
             Unary::Cosh => "cosh",
             Unary::Tanh => "tanh",
+            Unary::Sech => "sech",
             Unary::Asinh => "asinh",
             Unary::Acosh => "acosh",
             Unary::Atanh => "atanh",
@@ -123,6 +127,7 @@ impl Unary {
             Unary::Sinh => x.sinh(),
             Unary::Cosh => x.cosh(),
             Unary::Tanh => x.tanh(),
+            Unary::Sech => x.cosh().recip(),
             Unary::Asinh => x.asinh(),
             Unary::Acosh => x.acosh(),
             Unary::Atanh => x.atanh(),
@@ -153,7 +158,7 @@ impl Unary {
             | Unary::Cbrt
             | Unary::Abs
             | Unary::PositivePart => Some(0),
-            Unary::Cos | Unary::Cosh | Unary::Exp => Some(1),
+            Unary::Cos | Unary::Cosh | Unary::Sech | Unary::Exp => Some(1),
             Unary::Acos | Unary::Acosh | Unary::Ln | Unary::Signum => None,
         }
     }
@@ -171,7 +176,7 @@ impl Unary {
             | Unary::Atanh
             | Unary::Cbrt
             | Unary::Signum => Parity::Odd,
-            Unary::Cos | Unary::Cosh | Unary::Abs => Parity::Even,
+            Unary::Cos | Unary::Cosh | Unary::Sech | Unary::Abs => Parity::Even,
             Unary::Acos
             | Unary::Acosh
             | Unary::Exp

@@ -5,6 +5,7 @@
 //! product; they move to the sum that holds it, so `2x` and `3x` share `x`.
 
 use super::graph::{Exponent, Graph, Node, NodeId};
+use super::op::Unary;
 use crate::number::Number;
 
 /// Beyond this many factors a product is kept nested: the gradient of one flat product of n
@@ -39,6 +40,7 @@ impl Graph {
             self.absorb(&mut flat, factor, exponent);
         }
         self.collect(&mut flat);
+        self.swap(&mut flat, Unary::Cosh, |exponent| exponent < 0);
         if flat.coefficient.is_zero() {
             return self.zero();
         }
@@ -118,10 +120,32 @@ impl Graph {
         }
     }
 
+    /// Writes powers of a hyperbolic cosine as such of its reciprocal, or the other way round. While factors are
+    /// collected, all are powers of the cosine, so that they meet; afterwards those below zero are powers of the
+    /// reciprocal: it does not overflow, and neither do derivatives of its powers.
+    fn swap(&mut self, flat: &mut Flat, from: Unary, is_swapped: impl Fn(i32) -> bool) {
+        let mut swapped = false;
+        for (factor, exponent) in &mut flat.factors {
+            if let Node::Unary(function @ (Unary::Cosh | Unary::Sech), argument) = *self.node(*factor)
+                && function == from
+                && is_swapped(exponent.0)
+            {
+                let to = if from == Unary::Cosh { Unary::Sech } else { Unary::Cosh };
+                *factor = self.unary(to, argument);
+                exponent.0 = -exponent.0;
+                swapped = true;
+            }
+        }
+        if swapped {
+            flat.collect();
+        }
+    }
+
     /// Collects equal factors, and opens those whose half powers have met: √(x y) · √(x y) is x y.
     fn collect(&mut self, flat: &mut Flat) {
         let mut halves: Vec<NodeId> = Vec::new();
         loop {
+            self.swap(flat, Unary::Sech, |_| true);
             let odd = flat.factors.iter().filter(|(_, exponent)| exponent.as_integer().is_none());
             halves.extend(odd.map(|&(factor, _)| factor));
             flat.collect();
@@ -193,6 +217,21 @@ mod tests {
         assert_eq!(back, x);
         let one = g.div(x, x);
         assert_eq!(g.as_constant(one), Some(Number::ONE));
+    }
+
+    #[test]
+    fn reciprocals_of_hyperbolic_cosines_do_not_overflow() {
+        let mut g = Graph::new();
+        let x = g.variable(Variable::Coordinate(0));
+        let [cosine, secant] = [Unary::Cosh, Unary::Sech].map(|function| g.unary(function, x));
+        assert_eq!(g.powi(cosine, -2), g.powi(secant, 2));
+        assert_eq!(g.powi(secant, -1), cosine);
+        let [wide, narrow] = [g.powi(cosine, 3), g.powi(secant, 2)];
+        assert_eq!(g.mul(wide, narrow), cosine);
+        let product = g.mul(cosine, secant);
+        assert_eq!(g.as_constant(product), Some(Number::ONE));
+        let (root, half) = (g.sqrt(secant), g.product(&[(cosine, Exponent(-1))]));
+        assert_eq!(root, half);
     }
 
     #[test]

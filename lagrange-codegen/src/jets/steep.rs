@@ -29,9 +29,14 @@ pub(super) fn is_steep(graph: &Graph, roots: &[NodeId]) -> bool {
 
 fn hides(function: Unary) -> bool {
     match function {
-        Unary::Exp | Unary::ExpM1 | Unary::Sinh | Unary::Cosh | Unary::Tanh | Unary::Asinh | Unary::Atan => {
-            true
-        }
+        Unary::Exp
+        | Unary::ExpM1
+        | Unary::Sinh
+        | Unary::Cosh
+        | Unary::Tanh
+        | Unary::Sech
+        | Unary::Asinh
+        | Unary::Atan => true,
         Unary::Sin
         | Unary::Cos
         | Unary::Tan

@@ -5,10 +5,10 @@ use super::interpreter::Interpreter;
 use super::places::nodes;
 use super::shape::Shape;
 use super::value::Value;
-use crate::calculus::{pullback, substitute};
 use crate::diagnostics::catalogue;
-use crate::expr::{Exponent, NodeId, Variable};
-use crate::model::{Constraint, ConstraintKind, Contact, Law, component_of_one};
+use crate::expr::{NodeId, Variable};
+use crate::kinematics::acting::{Acting, acting};
+use crate::model::{Constraint, ConstraintKind, Contact, Law};
 use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Name, Owner, Word};
 use crate::syntax::item::{Friction, Function, RoleKind};
@@ -18,7 +18,7 @@ use crate::syntax::item::{Friction, Function, RoleKind};
 struct Normal {
     /// Its row among all constraints and then all contacts.
     row: usize,
-    /// The Cartesian force of a unit multiplier \[N\], where the reaction is that on a place.
+    /// The Cartesian size of the force of a unit multiplier, where its form tells that.
     size: Option<NodeId>,
 }
 
@@ -204,7 +204,9 @@ impl<'a> Interpreter<'a> {
             self.report(word.origin, catalogue::friction_count(&function.name, have, want));
             return None;
         }
-        Some(rows.into_iter().map(|row| Normal { row, size: None }).collect())
+        let contacts = self.model.contacts.iter().map(|contact| &contact.constraint);
+        let all: Vec<Constraint> = self.model.constraints.iter().chain(contacts).cloned().collect();
+        Some(rows.into_iter().map(|row| Normal { row, size: self.size_of(&all[row]) }).collect())
     }
 
     /// The reaction on a particle or a body; `None` where the name is that of something else, and
@@ -222,43 +224,50 @@ impl<'a> Interpreter<'a> {
             },
             None => None,
         };
-        let places = self.model.places.clone();
-        let place = places.iter().find(|place| *place.name == *word.name && place.index == index);
-        let through = |constraint: &Constraint| constraint.through;
-        let mut found = Vec::new();
-        if let Some(place) = place {
-            let constraints: Vec<_> = self.model.constraints.iter().map(through).collect();
-            // A coordinate that is a component of one position counts as that component.
-            let coordinates = (0..self.model.coordinates.len() as u32)
-                .map(|i| self.model.graph.variable(Variable::Coordinate(i)))
-                .filter_map(|q| component_of_one(&places, q).map(|variable| (q, variable)))
-                .collect::<Vec<_>>();
-            for (row, through) in constraints.into_iter().enumerate() {
-                let Some(through) = through else { continue };
-                let graph = &mut self.model.graph;
-                let through = substitute(graph, &[through], &coordinates)[0];
-                let one = graph.one();
-                let gradient = pullback(graph, &[(through, one)], &place.variables);
-                if gradient.iter().any(|&entry| !graph.is_zero(entry)) {
-                    found.push((row, gradient));
-                }
-            }
-        }
-        let [(row, gradient)] = found.as_slice() else {
-            let count = counted(found.len(), "holonomic constraint");
-            self.report(word.origin, catalogue::friction_on_place(&word.name, count));
+        let places = &self.model.places;
+        let Some(place) = places.iter().position(|place| *place.name == *word.name && place.index == index)
+        else {
+            self.report(
+                word.origin,
+                catalogue::friction_on_place(&word.name, counted(0, "holonomic constraint")),
+            );
             return Some(None);
         };
-        let graph = &mut self.model.graph;
-        let squares: Vec<_> = gradient.iter().map(|&entry| (graph.powi(entry, 2), Number::ONE)).collect();
-        let square = graph.sum(Number::ZERO, &squares);
-        let size = graph.product(&[(square, Exponent(1))]);
-        let stands_for: Vec<(NodeId, NodeId)> = places
-            .iter()
-            .flat_map(|place| place.variables.iter().copied().zip(place.position.iter().copied()))
+        let mut found = Vec::new();
+        for (row, constraint) in self.model.constraints.clone().iter().enumerate() {
+            let Some(acting) = self.acting(constraint).into_iter().nth(place) else { continue };
+            if acting.is_any(&self.model.graph) {
+                found.push((row, constraint.written(), acting));
+            }
+        }
+        if let [(row, name, acting)] = found.as_slice() {
+            if !acting.is_whole {
+                self.report(word.origin, catalogue::friction_by_form(name, &word.name));
+                return Some(None);
+            }
+            let size = acting.size(&mut self.model.graph);
+            return Some(Some(Normal { row: *row, size: Some(size) }));
+        }
+        let count = counted(found.len(), "holonomic constraint");
+        self.report(word.origin, catalogue::friction_on_place(&word.name, count));
+        Some(None)
+    }
+
+    /// How a constraint acts on the places.
+    fn acting(&mut self, constraint: &Constraint) -> Vec<Acting> {
+        let model = &mut self.model;
+        let coordinates: Vec<NodeId> = (0..model.coordinates.len() as u32)
+            .map(|i| model.graph.variable(Variable::Coordinate(i)))
             .collect();
-        let size = substitute(graph, &[size], &stands_for)[0];
-        Some(Some(Normal { row: *row, size: Some(size) }))
+        acting(&mut model.graph, constraint, &model.places, &coordinates, &model.orientations)
+    }
+
+    /// The Cartesian size of a unit reaction: that of its force on the first place where it is known. A
+    /// reaction between two places has the same size on both.
+    fn size_of(&mut self, constraint: &Constraint) -> Option<NodeId> {
+        let on_places = self.acting(constraint);
+        let graph = &mut self.model.graph;
+        on_places.iter().find(|on| on.is_whole && on.is_any(graph)).map(|on| on.size(graph))
     }
 
     fn has_reaction(&self, function: &Function) -> bool {

@@ -16,7 +16,7 @@ use crate::syntax::item::RoleKind;
 impl Interpreter<'_> {
     /// Finds the places, and the constraints as functions of them.
     pub fn places(&mut self) {
-        if self.reports > 0 || self.model.constraints.is_empty() {
+        if self.reports > 0 || self.model.constraints.is_empty() && self.model.contacts.is_empty() {
             return;
         }
         let item = self.item;
@@ -49,6 +49,7 @@ impl Interpreter<'_> {
                     position: place.position,
                     variables: variables.position,
                     rates: rates.by_ref().take(count).collect(),
+                    turns: matches!(kind, Some(RoleKind::Body { .. })),
                     origin: function.origin,
                 });
             }
@@ -58,13 +59,15 @@ impl Interpreter<'_> {
         let memo = std::mem::replace(&mut self.memo, stand_ins);
         let hints = self.model.hints.clone();
         for (index, function) in item.functions.iter().enumerate() {
-            if !item.is_kept_constraint(function) {
+            let kind = function.role.as_ref().map(|role| &role.kind);
+            if !item.is_kept_constraint(function) && !matches!(kind, Some(RoleKind::Unilateral { .. })) {
                 continue;
             }
             let Some(value) = self.result(index) else { continue };
             // None of a function whose value is not known, which rustc says why.
-            let own =
-                self.model.constraints.iter_mut().filter(|constraint| *constraint.name == *function.name);
+            let gaps = self.model.contacts.iter_mut().map(|contact| &mut contact.constraint);
+            let own = (self.model.constraints.iter_mut().chain(gaps))
+                .filter(|constraint| *constraint.name == *function.name);
             for (constraint, node) in own.zip(nodes(&value)) {
                 let rates = self.model.places.iter().flat_map(|place| &place.rates);
                 let through_rates = || {

@@ -127,15 +127,13 @@ impl Interpreter<'_> {
                 Some(self.graph().add(product, summand))
             }
             _ => {
-                let function = Unary::ALL.into_iter().find(|function| function.name() == name);
-                let known = function.is_some() || METHODS.contains(&name);
-                if !known {
+                if !METHODS.contains(&name) {
                     return self.unknown_method(&Value::scalar(node), word);
                 }
                 if self.exactly::<0>(word, arguments, origin).is_none() {
                     return Value::Unknown;
                 }
-                Some(match function {
+                Some(match Unary::ALL.into_iter().find(|function| function.name() == name) {
                     Some(function) => self.graph().unary(function, node),
                     None => self.one_argument_function(name, node),
                 })

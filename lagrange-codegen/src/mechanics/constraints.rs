@@ -105,7 +105,8 @@ impl Conditions {
                 }
             })
             .collect();
-        let on_places = places::forces(graph, &constraints, &model.places, &jacobian, motion);
+        let on_places =
+            places::forces(graph, &constraints, &model.places, &jacobian, motion, &model.orientations);
         let positions: Vec<NodeId> = constraints
             .iter()
             .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })

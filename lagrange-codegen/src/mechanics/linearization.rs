@@ -2,13 +2,16 @@
 //! multipliers.
 //!
 //! No inverse of M is differentiated: the derivatives of the accelerations are the solution of a linear
-//! system with M and A and these on the right.
+//! system with M and A and these on the right. Of bodies that hang on each other they follow from the
+//! screws of the coordinates ([`Screws`]), where that takes fewer operations than a forward sweep for each
+//! coordinate and velocity.
 
-use super::{Conditions, Equations};
-use crate::calculus::pushforward;
+use super::{Conditions, Equations, Screws};
+use crate::calculus::{forward_operations, pushforward};
 use crate::expr::{NodeId, Variable};
 use crate::model::Model;
 use crate::number::Number;
+use crate::simplify::cost::cost;
 
 /// Values with their derivatives, row by row.
 #[derive(Clone, Debug)]
@@ -39,7 +42,9 @@ pub struct Sensitivities {
 /// The residuals and their derivatives.
 #[derive(Clone, Debug)]
 pub struct Linearization {
-    /// r.
+    /// Inertia forces and weights, where their derivatives follow from screws.
+    pub screws: Option<Screws>,
+    /// r, or what `screws` leave of it.
     pub forces: Derivatives,
     /// ∂r/∂u.
     pub by_u: Vec<Vec<NodeId>>,
@@ -55,7 +60,9 @@ impl Linearization {
     /// Differentiates the equations, one sweep for each variable.
     pub fn of(model: &mut Model, equations: &Equations) -> Linearization {
         let (count, inputs) = (model.coordinates.len(), model.inputs.len());
-        let residual = residual(model, equations);
+        let whole = residual(model, equations);
+        let screws = cheaper_screws(model, &whole);
+        let residual = screws.as_ref().map_or(&whole, |screws| &screws.rest).clone();
         let conditions = conditions(model, equations);
         let by_u = by(model, &residual, &variables(Variable::Input, inputs));
         let Conditions { positions, rates, .. } = &equations.conditions;
@@ -63,12 +70,13 @@ impl Linearization {
         let parameters: Vec<Variable> =
             model.sensitivities.iter().map(|&parameter| Variable::Parameter(parameter)).collect();
         let by_p = Sensitivities {
-            forces: by(model, &residual, &parameters),
+            forces: by(model, &whole, &parameters),
             conditions: by(model, &conditions, &parameters),
             positions: by(model, positions, &parameters),
             rates: by(model, rates, &parameters),
         };
         Linearization {
+            screws,
             forces: derivatives(model, residual),
             by_u,
             conditions: derivatives(model, conditions),
@@ -76,6 +84,34 @@ impl Linearization {
             by_p,
         }
     }
+}
+
+/// Screws, if there are any, where they take fewer operations than sweeps.
+fn cheaper_screws(model: &mut Model, residual: &[NodeId]) -> Option<Screws> {
+    /// Operations for a coordinate: its rates, and the forces and inertia of what it moves.
+    const COORDINATE: usize = 500;
+    /// Operations on vectors for a pair of coordinates, of which one moves the other.
+    const PAIR: usize = 20;
+    let count = model.coordinates.len();
+    let mut trial = model.clone();
+    let screws = Screws::of(&mut trial)?;
+    let variables = [variables(Variable::Coordinate, count), variables(Variable::Velocity, count)].concat();
+    let variables: Vec<NodeId> =
+        variables.into_iter().map(|variable| trial.graph.variable(variable)).collect();
+    let sweeps = forward_operations(&trial.graph, residual, &variables);
+    let mut above = vec![0; screws.groups.len()];
+    let mut pairs = 0;
+    for (place, group) in screws.groups.iter().enumerate() {
+        let own = group.coordinates.len();
+        above[place] = own + group.parent.map_or(0, |parent| above[parent]);
+        pairs += own * above[place];
+    }
+    let of_screws = cost(&trial.graph, &screws.nodes()) as usize + COORDINATE * count + PAIR * pairs;
+    if of_screws >= sweeps {
+        return None;
+    }
+    *model = trial;
+    Some(screws)
 }
 
 fn derivatives(model: &mut Model, values: Vec<NodeId>) -> Derivatives {

@@ -15,11 +15,13 @@ mod linearization;
 mod motion;
 mod places;
 pub(crate) mod quadratic;
+mod screws;
 mod turning;
 mod validate;
 
 pub use constraints::{Conditions, Switched};
 pub use linearization::{Linearization, Sensitivities};
+pub use screws::Screws;
 pub use turning::turning;
 
 use crate::diagnostics::Diagnostics;

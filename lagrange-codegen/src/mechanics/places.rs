@@ -1,12 +1,13 @@
 //! Cartesian forces of constraints on the particles and bodies that they are written through.
 //!
-//! Where f is a function of positions r, its force at r is λ ∂f/∂r. A coordinate that is a component of one
-//! position counts as that component, so that a constraint may be written in the coordinates as well. A
-//! constraint g on velocities that names the velocity ṙ of a place acts there with λ ∂g/∂ṙ.
+//! That of a holonomic constraint follows from its [form](acting). A constraint g on velocities that names the
+//! velocity ṙ of a place acts there with λ ∂g/∂ṙ, and a coordinate that is a component of one position counts
+//! as that component.
 
 use super::motion::Motion;
 use crate::calculus::{pullback, pushforward, substitute};
 use crate::expr::{Graph, NodeId};
+use crate::kinematics::acting::acting;
 use crate::model::{Constraint, ConstraintKind, Place, component_of_one};
 
 /// The force of a unit multiplier by constraint, place and component.
@@ -16,6 +17,7 @@ pub(super) fn forces(
     places: &[Place],
     jacobian: &[Vec<NodeId>],
     motion: &Motion,
+    orientations: &[usize],
 ) -> Vec<Vec<Vec<NodeId>>> {
     let coordinates: Vec<(NodeId, NodeId)> =
         motion.q.iter().filter_map(|&q| component_of_one(places, q).map(|variable| (q, variable))).collect();
@@ -60,11 +62,10 @@ pub(super) fn forces(
                 }
                 flat
             }
-            Some(through) => {
-                let through = substitute(graph, &[through], &coordinates)[0];
-                let slopes = pullback(graph, &[(through, one)], &variables);
-                substitute(graph, &slopes, &values)
-            }
+            Some(_) => acting(graph, constraint, places, &motion.q, orientations)
+                .into_iter()
+                .flat_map(|on_place| on_place.force)
+                .collect(),
             // A force on velocities: what they are the velocities of.
             None => {
                 let slope = |&variable: &NodeId| {

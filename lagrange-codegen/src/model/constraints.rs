@@ -90,6 +90,8 @@ pub struct Place {
     pub variables: Vec<NodeId>,
     /// The variables that stand for their velocities there, in a constraint on velocities.
     pub rates: Vec<NodeId>,
+    /// Whether it is a body, which a constraint may turn as well.
+    pub turns: bool,
     /// The function's name in the source.
     pub origin: Origin,
 }

@@ -15,7 +15,7 @@ pub struct Agreement {
     /// The largest error relative to the largest component, cancelled components aside.
     pub error: f64,
     pub components: usize,
-    /// Components in which the oracle has lost so many digits that a relative error says nothing.
+    /// Components in which the oracle has lost so many digits that a relative error says nothing; zero has none.
     pub cancelled: usize,
     /// Components with an error beyond what the oracle's rounding errors account for.
     pub beyond: usize,
@@ -50,7 +50,7 @@ pub fn compare(quantity: &str, emitted: &[f64], expected: &[Tracked]) -> Result<
         }
         agreement.beyond += usize::from(error > rounding);
         if rounding > TOLERANCE * largest {
-            agreement.cancelled += 1;
+            agreement.cancelled += usize::from(wanted.value != 0.0);
         } else if largest > 0.0 {
             agreement.error = agreement.error.max(error / largest);
         }

@@ -152,13 +152,32 @@ impl Variation {
     /// Differentiates the definitions.
     pub fn of(system: &System, motion: &Motion<Tracked>, parameters: &[usize]) -> Variation {
         let by = |variables: Vec<Variable>| Slopes::of(system, motion, variables.into_iter());
-        Variation {
+        let mut variation = Variation {
             values: Equations::of(system, motion),
             by_q: by((0..system.count()).map(Variable::Coordinate).collect()),
             by_v: by((0..system.count()).map(Variable::Velocity).collect()),
             by_t: by(vec![Variable::Time]),
             by_u: by((0..system.input_count()).map(Variable::Input).collect()),
             by_p: by(parameters.iter().copied().map(Variable::Parameter).collect()),
+        };
+        variation.share(|slopes| &mut slopes.forces);
+        variation.share(|slopes| &mut slopes.conditions);
+        variation
+    }
+
+    /// Gives derivatives by the state and the time that have no terms here the size of the largest of their
+    /// equation.
+    ///
+    /// An evaluation may write vectors in any axes. In axes that turn with x − t, what depends on neither x nor t
+    /// is a sum of terms with both, as large as others of the equation, whose slopes cancel to roundings.
+    fn share(&mut self, part: impl Fn(&mut Slopes) -> &mut Matrix) {
+        let mut parts = [&mut self.by_q, &mut self.by_v, &mut self.by_t].map(part);
+        for i in 0..parts[0].len() {
+            let row = parts.iter().flat_map(|matrix| &matrix[i]);
+            let size = row.map(|x| x.roundings).fold(0.0, f64::max);
+            for x in parts.iter_mut().flat_map(|matrix| &mut matrix[i]).filter(|x| x.roundings == 0.0) {
+                x.roundings = size;
+            }
         }
     }
 

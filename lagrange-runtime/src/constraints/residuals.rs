@@ -73,6 +73,13 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         })
     }
 
+    /// The same as a call, which is smaller, for what is done once a motion.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn is_within_apart(&self, level: Level, part: R, more: &[R; C]) -> bool {
+        self.is_within(level, part, more)
+    }
+
     /// The largest residual of one level in units of the `slopes`: about how far the state is off, in the
     /// kinetic metric.
     pub(crate) fn distance(&self, level: Level, slopes: &[R; C]) -> R::Lane {

@@ -347,7 +347,7 @@ where
     fn is_within(&self, level: Level, begun: S::Scalar, part: S::Scalar) -> bool {
         let size = begun.max(self.extent(level));
         let by_state = self.slopes.map(|slope| slope * size);
-        self.residuals.is_within(level, part, &by_state)
+        self.residuals.is_within_apart(level, part, &by_state)
     }
 
     /// Whether the way from the `end` of a step to here is longer than the step from `from` to its end, in
@@ -380,6 +380,8 @@ where
         self.metric.extent(if level == Level::Positions { &self.state.q } else { &self.state.v })
     }
 
+    #[cold]
+    #[inline(never)]
     pub(super) fn refresh(&mut self, system: &S) {
         if !self.is_fresh {
             self.take(system.saddle_at(self.state.t, &self.state.q, &self.state.v), true);

@@ -109,3 +109,34 @@ where
 pub fn matrix<R: Real, const N: usize, const C: usize>(rows: &[[R; N]; C]) -> SMatrix<R, C, N> {
     SMatrix::from_fn(|c, i| rows[c][i])
 }
+
+#[cfg(test)]
+mod tests {
+    use core::cell::Cell;
+
+    use super::*;
+    use crate::constraints::samples::Twofold;
+    use crate::linear::Saddle;
+
+    #[test]
+    fn a_row_of_zeros_among_others_makes_a_system_singular() {
+        let mass = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]];
+        let of = |second| Saddle::factor(&mass, &[[1.0, 1.0, 0.0], second]);
+        // Such a row has factors, and the others a solution.
+        assert_eq!(of([0.0; 3]).defect(), None);
+        assert!(is_singular(&of([0.0; 3])) && regular(&of([0.0; 3])).is_err());
+        assert!(!is_singular(&of([0.0, 1.0, 1.0])) && regular(&of([0.0, 1.0, 1.0])).is_ok());
+        // Rows that depend on each other have a solution as well.
+        assert!(!is_singular(&of([2.0, 2.0, 0.0])));
+    }
+
+    #[test]
+    fn multipliers_that_are_no_numbers_are_an_error() {
+        let rod = Twofold { factored: Cell::new(0) };
+        let state = State::new([0.8, -0.6], [0.6, 0.8]);
+        let mut balance = rod.balance_at(&(), 0.0, &state.q, &state.v, &[]);
+        assert_eq!(finite(&rod, &state, &balance), Ok(()));
+        balance.multipliers[1] = f64::NAN;
+        assert!(finite(&rod, &state, &balance).is_err());
+    }
+}

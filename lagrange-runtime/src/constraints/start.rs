@@ -37,18 +37,20 @@ where
     regular(&retraction.saddle).map_err(|cause| cause.named(&S::NAMES))?;
     let last_digits = last_digits(system, start, &residuals);
     let ulps = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon();
-    let levels = [Level::Positions, Level::Velocities];
-    for level in levels {
-        if !residuals.is_within(level, ulps, last_digits.sizes(level)) {
+    let is_off = |level| !residuals.is_within_apart(level, ulps, last_digits.sizes(level));
+    let levels = [Level::Positions, Level::Velocities].map(|level| (level, is_off(level)));
+    for (level, is_off) in levels {
+        if is_off {
             // Where no state satisfies all constraints, another start does not help.
             check(&retraction, &residuals, level)
                 .map_err(|cause| contradiction(system, start).err().unwrap_or(cause))?;
         }
     }
-    for (i, level) in levels.into_iter().enumerate() {
+    let mut has_moved = false;
+    for (level, is_off) in levels {
         // Coordinates that have moved change the velocities that belong to them.
-        if levels.iter().take(i + 1).any(|&level| !residuals.is_within(level, ulps, last_digits.sizes(level)))
-        {
+        has_moved |= is_off;
+        if has_moved {
             retraction.level(system, level, From::Near)?;
         }
     }
@@ -107,6 +109,8 @@ where
 ///
 /// # Errors
 /// The constraint that is violated.
+#[cold]
+#[inline(never)]
 fn check<S, const N: usize, const K: usize, const C: usize>(
     at: &Retraction<S, N, K, C>,
     residuals: &Residuals<S::Scalar, C>,
@@ -129,8 +133,8 @@ where
         let excess = largest(&change) - part * largest(numbers);
         excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
     };
-    if residuals.is_within(level, part, &[num_traits::Zero::zero(); C])
-        || residuals.is_within(level, part, &by_state) && is_small()
+    if residuals.is_within_apart(level, part, &[num_traits::Zero::zero(); C])
+        || residuals.is_within_apart(level, part, &by_state) && is_small()
     {
         return Ok(());
     }

@@ -57,6 +57,8 @@ pub(crate) struct Lengths<R> {
     /// The longest step that error control allows, where a limit makes it shorter than that; `None` once it
     /// has been tried.
     natural: Option<R>,
+    /// The way to go, until it has been tried.
+    left: Option<R>,
     /// What [`PARTS`] are parts of.
     base: R,
     /// How many of them have been tried.
@@ -84,10 +86,18 @@ impl<R: Ordered> Lengths<R> {
             tolerance,
             measured,
             natural: Some(natural),
+            left: None,
             base,
             tried: 0,
             best: None,
         }
+    }
+
+    /// The same for a motion that is to go so far. A polynomial in time bounds no step, and where numbers have grown
+    /// beyond what rounding knows of them, constraints seem to depend on each other.
+    pub(crate) fn on_the_way(mut self, left: R) -> Self {
+        self.left = Some(left);
+        self
     }
 
     /// Whether constraints are so independent at an end that it is good enough.
@@ -166,6 +176,12 @@ impl<R: Ordered> Lengths<R> {
         }
         if let Some((length, _)) = self.best {
             return Next::Take(length);
+        }
+        if let Some(left) = self.left.take()
+            && left < self.base
+        {
+            (self.base, self.tried) = (left, 0);
+            return Next::Try(left);
         }
         // A limit of the step must not keep it where it cannot end. Once: a length that was shortened because
         // it was wrong is below that as well.
@@ -248,6 +264,19 @@ mod tests {
             length = next;
         }
         assert_eq!(lengths.next(length, Outcome::Right(here(1e-6)), || false), Next::Try(1.0));
+    }
+
+    #[test]
+    fn what_nothing_bounds_is_tried_for_the_way_to_go() {
+        let unknown = Independence { rank: 1, ..here(1.0) };
+        let mut lengths = lengths(1.0, [1e15; 3]).on_the_way(0.25);
+        let mut length = 1e15;
+        for _ in 0..PARTS.len() {
+            let Next::Try(next) = lengths.next(length, Outcome::Right(unknown), || false) else { panic!() };
+            length = next;
+        }
+        assert_eq!(lengths.next(length, Outcome::Right(unknown), || false), Next::Try(0.25));
+        assert_eq!(lengths.next(0.25, Outcome::Right(here(1.0)), || false), Next::Take(0.25));
     }
 
     #[test]

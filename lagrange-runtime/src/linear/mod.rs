@@ -3,7 +3,7 @@
 //!
 //! [`Ldlt`] is for symmetric positive definite matrices (the mass matrix of any T), [`Lu`] for the rest (a
 //! user's own L may have an indefinite ∂²L/∂v²). Both report the index of the pivot at which they stop.
-//! [`Inverse`] is made from the factors of a matrix that is not formed.
+//! `Rows` solves for many columns at once. [`Inverse`] is made from the factors of a matrix that is not formed.
 //! [`Saddle`], [`Diagonal`] and [`Sparse`] solve for velocities and multipliers of a constrained system
 //! together, redundant constraints included; [`Schur`] is what is left of such a system once the velocities
 //! are eliminated.
@@ -19,6 +19,7 @@ mod independence;
 mod inverse;
 mod ldlt;
 mod lu;
+mod rows;
 mod saddle;
 mod schur;
 mod singular_values;
@@ -31,6 +32,7 @@ pub(crate) use independence::{CLEAR, determined};
 pub use inverse::{Inverse, RecursionStep};
 pub use ldlt::Ldlt;
 pub use lu::Lu;
+pub(crate) use rows::{COLUMNS, Rows};
 pub(crate) use saddle::TangentSpace;
 pub use saddle::{Defect, Diagonal, Saddle, SaddlePoint, Sparse, Switched};
 pub use schur::Schur;

@@ -14,7 +14,8 @@ macro_rules! backend {
             #[cfg(feature = "libm")]
             use $($library)::+ as functions;
             $(
-                #[inline]
+                #[cfg_attr(not(all(feature = "libm", target_os = "none")), inline)]
+                #[cfg_attr(all(feature = "libm", target_os = "none"), inline(never))]
                 pub(crate) fn $name($($arg: $scalar),+) -> $out {
                     #[cfg(feature = "libm")]
                     return functions::$libm($($arg),+);

@@ -11,11 +11,10 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 use num_traits::{One, Zero};
 
-use crate::number::math;
-
 #[cfg(feature = "double-double")]
 mod double_double;
 mod dual;
+mod floats;
 #[cfg(feature = "double-double")]
 pub use double_double::{DoubleDouble, ParseError};
 pub use dual::Dual;
@@ -172,6 +171,12 @@ pub trait Real:
         self.signum() * (-decay / (decay + Self::from_f64(2.0)))
     }
 
+    /// One over the hyperbolic cosine: 0 where that overflows, and so are its derivatives.
+    #[inline]
+    fn sech(self) -> Self {
+        self.cosh().recip()
+    }
+
     /// Inverse hyperbolic sine.
     #[inline]
     fn asinh(self) -> Self {
@@ -279,7 +284,32 @@ pub trait Real:
     fn recip(self) -> Self {
         Self::one() / self
     }
+
+    /// A nonnegative number in single precision, enough for a report; infinity for one that is too large. The
+    /// default finds its binary digits one by one, because a scalar of the user's own has no conversion.
+    fn to_single(self) -> f32
+    where
+        Self: PartialOrd,
+    {
+        let (mut rest, mut sum) = (self, 0.0);
+        let (mut digit, mut power) = (Self::from_f64(LARGEST_DIGIT as f64), LARGEST_DIGIT);
+        if self >= digit + digit {
+            return f32::INFINITY;
+        }
+        while power > 0.0 && rest > Self::zero() {
+            if rest >= digit {
+                rest -= digit;
+                sum += power;
+            }
+            digit *= Self::from_f64(0.5);
+            power *= 0.5;
+        }
+        sum
+    }
 }
+
+/// 2¹²⁷, the largest power of two in `f32`.
+const LARGEST_DIGIT: f32 = f32::from_bits(0x7f00_0000);
 
 /// A scalar with an order, and so with one lane. Motions under error control need it. It is implemented for
 /// every [`Real`] that can be compared.
@@ -304,81 +334,6 @@ pub(crate) fn smaller<R: PartialOrd>(a: R, b: R) -> R {
 pub(crate) fn extent<R: Ordered>(x: R) -> R {
     (0..R::PARTS).fold(R::zero(), |most, part| larger(most, x.part(part).abs()))
 }
-
-/// Forwards functions of `Real` to the backend of the same name.
-macro_rules! forward {
-    ($scalar:ident: $($name:ident($($arg:ident),*);)*) => {$(
-        #[inline]
-        fn $name(self $(, $arg: Self)*) -> Self {
-            math::$scalar::$name(self $(, $arg)*)
-        }
-    )*};
-}
-
-macro_rules! impl_real {
-    ($scalar:ident, $from_f64:expr) => {
-        impl Real for $scalar {
-            type Lane = Self;
-
-            #[inline]
-            fn splat(lane: Self) -> Self {
-                lane
-            }
-            #[inline]
-            fn largest(self) -> Self {
-                self
-            }
-            #[inline]
-            fn from_f64(literal: f64) -> Self {
-                $from_f64(literal)
-            }
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                math::$scalar::sin_cos(self)
-            }
-            #[inline]
-            fn abs(self) -> Self {
-                $scalar::abs(self)
-            }
-            #[inline]
-            fn signum(self) -> Self {
-                $scalar::signum(self)
-            }
-            #[inline]
-            fn epsilon() -> Self {
-                $scalar::EPSILON
-            }
-            #[inline]
-            fn is_finite(self) -> bool {
-                $scalar::is_finite(self)
-            }
-            #[inline]
-            fn is_positive(self) -> bool {
-                self > 0.0
-            }
-            #[inline]
-            fn max(self, other: Self) -> Self {
-                $scalar::max(self, other)
-            }
-            #[inline]
-            fn min(self, other: Self) -> Self {
-                $scalar::min(self, other)
-            }
-            #[inline(always)]
-            fn mul_add(self, factor: Self, summand: Self) -> Self {
-                math::fused::$scalar::mul_add(self, factor, summand)
-            }
-            forward! { $scalar:
-                sin(); cos(); tan(); asin(); acos(); atan(); atan2(x);
-                sinh(); cosh(); tanh(); asinh(); acosh(); atanh();
-                exp(); exp_m1(); ln(); ln_1p(); sqrt(); cbrt(); powf(exponent); hypot(other);
-            }
-        }
-    };
-}
-
-impl_real!(f64, |x: f64| x);
-impl_real!(f32, |x: f64| x as f32);
 
 #[cfg(test)]
 mod tests;

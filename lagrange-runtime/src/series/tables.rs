@@ -2,8 +2,10 @@
 //!
 //! In c\[k] = Σ a\[j] b\[k − j] only the two end terms know coefficients of order k. The interior needs lower
 //! orders alone, for every product of a system at once: each product is a lane of two tables, and one sweep
-//! over the rows sums all lanes. No lane waits for another, so the sweep runs on vectors of any width. For
-//! systems of few products; [`crate::series::columns`] serves those of many.
+//! over the rows sums all lanes. No lane waits for another, so the sweep runs on vectors of any width. Numbers
+//! that are vectors themselves leave nothing to put side by side: there each factor is stored once, and the
+//! sweep takes two rows at a time, so that a coefficient is loaded once for all products that it is a factor
+//! of. For systems of few products; [`crate::series::columns`] serves those of many.
 
 use crate::number::real::Real;
 
@@ -13,7 +15,13 @@ const INLINE: usize = 12;
 /// Expansions to no higher order, those of fixed steps, are written out order by order.
 const LOW: usize = 8;
 
-/// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before).
+/// Whether numbers are vectors, or carry other parts.
+const fn is_wide<R: Real>() -> bool {
+    size_of::<R>() > size_of::<R::Lane>()
+}
+
+/// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before). Where each factor is
+/// stored once, the first `L` of them stand on the left and the others on the right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Tables<R, const L: usize, const P: usize> {
@@ -98,13 +106,6 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
                 sum[i] = Real::mul_add(left[i], right[i], sum[i]);
             }
         };
-        if size_of::<R>() > size_of::<R::Lane>() {
-            // Numbers that are vectors have few registers, and the lanes of the tables are chains enough.
-            for (left, right) in left.iter().zip(right.iter().rev()) {
-                add(&mut sum, left, right);
-            }
-            return sum;
-        }
         let ((pairs, rest), (before, back)) = (left.as_chunks::<2>(), right.as_rchunks::<2>());
         for ([left, next], [previous, right]) in pairs.iter().zip(back.iter().rev()) {
             add(&mut sum, left, right);
@@ -118,6 +119,71 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         }
         sum
     }
+}
+
+/// Every sum anew, from the places of its factors and what it is. Written out: compilers know a product's
+/// factors then and keep the sums in registers, while a loop over products stays a loop.
+#[inline(always)]
+fn each<R: Copy, const N: usize>(
+    products: &[[usize; 2]; N],
+    sums: &mut [R; N],
+    next: impl Fn([usize; 2], R) -> R,
+) {
+    macro_rules! written {
+        ($($place:literal)*) => {{
+            const { assert!(N <= [$($place),*].len(), "more products than are written out") };
+            $(if $place < N {
+                sums[$place] = next(products[$place], sums[$place]);
+            })*
+        }};
+    }
+    written!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+}
+
+/// The interior sums where each factor is stored once: Σ a\[j] b\[order − j] over 1 < j < order − 1.
+#[inline(always)]
+fn shared<R: Real, const L: usize, const P: usize, const N: usize>(
+    tables: &Tables<R, L, P>,
+    products: &[[usize; 2]; N],
+    order: usize,
+) -> [R; N] {
+    let mut sums = [R::zero(); N];
+    let rows = 1..order.saturating_sub(2);
+    let (Some(left), Some(right)) = (tables.left.get(rows.clone()), tables.right.get(rows)) else {
+        return sums;
+    };
+    let half = left.len() / 2;
+    let ((left_low, left_high), (right_low, right_high)) = (left.split_at(half), right.split_at(half));
+    let mut high = left_high.iter().zip(right_high);
+    let of = |(left, right): (&[R; L], &[R; L]), factor: usize| {
+        if factor < L { left[factor] } else { right[factor - L] }
+    };
+    if left.len() % 2 == 1
+        && let Some(middle) = high.next()
+    {
+        each(
+            products,
+            &mut sums,
+            #[inline(always)]
+            |[a, b], _| of(middle, a) * of(middle, b),
+        );
+    }
+    // From the middle outwards: the row that was written last comes last.
+    for (low, high) in left_low.iter().zip(right_low).rev().zip(high) {
+        each(
+            products,
+            &mut sums,
+            #[inline(always)]
+            |[a, b], sum| {
+                if a == b {
+                    Real::mul_add(of(low, a) + of(low, a), of(high, a), sum)
+                } else {
+                    Real::mul_add(of(low, a), of(high, b), Real::mul_add(of(high, a), of(low, b), sum))
+                }
+            },
+        );
+    }
+    sums
 }
 
 /// One order after another, until one says that it was the last.
@@ -201,8 +267,12 @@ impl<'a, R: Real, const F: usize, const L: usize, const W: usize, const P: usize
     /// Σ a\[j] b\[order − j] over 0 < j < order, for all products a b.
     #[inline(always)]
     pub fn sums(&self, order: usize) -> [R; L] {
-        let interior = self.tables.interior(order);
         let mut sums = [R::zero(); L];
+        let interior: &[R] = if is_wide::<R>() {
+            &shared(self.tables, &self.products, order)
+        } else {
+            &self.tables.interior(order)
+        };
         for i in 0..L {
             let [a, b] = self.products[i];
             let ([first, other], [last, next]) =
@@ -232,7 +302,12 @@ impl<'a, R: Real, const F: usize, const L: usize, const W: usize, const P: usize
             };
         }
         self.last = factors;
-        if let Some((left, right)) = self.tables.row(order) {
+        let Some((left, right)) = self.tables.row(order) else { return };
+        if is_wide::<R>() {
+            for (to, &coefficient) in left.iter_mut().chain(right).zip(&factors) {
+                *to = coefficient;
+            }
+        } else {
             for (i, &[a, b]) in self.products.iter().enumerate() {
                 (left[i], right[i]) = (factors[a], factors[b]);
             }

@@ -21,6 +21,10 @@ use crate::number::real::{Ordered, Real};
 /// The number of coefficients.
 pub(crate) const TERMS: usize = HIGHEST + 1;
 
+/// The number of coefficients of a first look. What it leaves out of a variable counts as roundings do; at the end of
+/// a step it is small beside the rest, as a rule.
+pub(crate) const FEW: usize = HIGHEST / 4 + 1;
+
 /// A number known by its value alone, and the bound of its roundings.
 pub(crate) type Rounded<R> = Taylor<R, 1>;
 
@@ -49,20 +53,30 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         Self { coefficients, degree: 0, orders: T.saturating_sub(1), error: R::zero(), is_whole: true }
     }
 
-    /// A number that changes by these terms, the first of order one, in the unit `scale`. It and they are rounded.
+    /// A number that changes by these terms, the first of order one, in a unit with these powers. It and they are
+    /// rounded; terms beyond the last coefficient count as roundings.
     #[inline]
-    pub(crate) fn variable(value: R, terms: impl Iterator<Item = R>, scale: R) -> Self {
+    pub(crate) fn along(value: R, terms: impl Iterator<Item = R>, powers: &[R; TERMS]) -> Self {
         let mut variable = Self::constant(value);
-        let mut power = R::one();
-        for (order, term) in (1..T).zip(terms) {
-            power *= scale;
-            variable.coefficients[order] = term * power;
-            if !term.is_zero() {
-                variable.degree = order;
-            }
+        let mut terms = terms.zip(powers.iter().skip(1)).map(|(term, &power)| term * power);
+        let mut degree = 0;
+        for (place, term) in variable.coefficients.iter_mut().skip(1).zip(&mut terms) {
+            *place = term;
+            degree += 1;
         }
-        variable.error = R::epsilon() * variable.extent();
+        while degree > 0 && variable.coefficients[degree].is_zero() {
+            degree -= 1;
+        }
+        variable.degree = degree;
+        let beyond = terms.fold(R::zero(), |sum, term| sum + term.abs());
+        variable.error = R::epsilon() * (variable.extent() + beyond) + beyond;
         variable
+    }
+
+    /// The same in the unit `scale`.
+    #[cfg(test)]
+    pub(crate) fn variable(value: R, terms: impl Iterator<Item = R>, scale: R) -> Self {
+        Self::along(value, terms, &powers(scale))
     }
 
     /// A number known by its value alone.
@@ -86,7 +100,7 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
     /// A bound of the magnitude on the interval.
     #[inline]
     pub(crate) fn extent(&self) -> R {
-        self.terms().iter().fold(R::zero(), |sum, term| sum + term.abs())
+        sum(self.terms(), Real::abs)
     }
 
     /// The value at the start.
@@ -98,7 +112,25 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
     /// The value at the end.
     #[inline]
     pub(crate) fn end(&self) -> R {
-        self.terms().iter().rev().fold(R::zero(), |sum, &term| sum + term)
+        sum(self.terms(), |term| term)
+    }
+
+    /// A bound from below of what is gained since the start.
+    #[inline]
+    pub(crate) fn down(&self) -> R {
+        sum(self.terms().get(1..).unwrap_or_default(), |term| if term < R::zero() { term } else { R::zero() })
+    }
+
+    /// The same with no more coefficients than these: what others there are counts as roundings.
+    pub(crate) fn shortened<const U: usize>(longer: &Taylor<R, U>) -> Self {
+        let mut short = Self::constant(R::zero());
+        for (to, &term) in short.coefficients.iter_mut().zip(longer.terms()) {
+            *to = term;
+        }
+        short.degree = longer.degree.min(short.orders);
+        short.is_whole = longer.is_whole;
+        short.error = longer.error + sum(longer.terms().get(T..).unwrap_or_default(), Real::abs);
+        short
     }
 
     /// A variable on the interval from `from` that is `width` long, in units of the present one. Roundings are those
@@ -171,17 +203,41 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
     }
 }
 
-/// The coefficients of a polynomial on the interval from `from` that is `width` long (Knuth, *The Art of Computer
-/// Programming* 2, 4.6.4: repeated synthetic division).
+/// The powers of a number, from that of order zero on.
+#[inline]
+pub(crate) fn powers<R: Real>(base: R) -> [R; TERMS] {
+    let mut next = R::one();
+    core::array::from_fn(|_| {
+        let power = next;
+        next *= base;
+        power
+    })
+}
+
+/// A sum over terms, by four sums that do not wait for each other.
+#[inline]
+fn sum<R: Real>(terms: &[R], part: impl Fn(R) -> R) -> R {
+    let (groups, rest) = terms.as_chunks::<4>();
+    let mut sums = [R::zero(); 4];
+    for group in groups {
+        for (sum, &term) in sums.iter_mut().zip(group) {
+            *sum += part(term);
+        }
+    }
+    let rest = rest.iter().fold(R::zero(), |sum, &term| sum + part(term));
+    let [a, b, c, d] = sums;
+    (a + c) + (b + d) + rest
+}
+
+/// The coefficients of a polynomial on the interval from `from` that is `width` long: by Horner's rule, in which those
+/// of one power of the argument do not wait for each other.
 pub(crate) fn shift<R: Real>(coefficients: &mut [R], from: R, width: R) {
-    let count = coefficients.len();
     if !from.is_zero() {
-        for first in 0..count.saturating_sub(1) {
-            for k in (first..count - 1).rev() {
-                let above = coefficients.get(k + 1).copied().unwrap_or(R::zero());
-                if let Some(term) = coefficients.get_mut(k) {
-                    *term = R::mul_add(from, above, *term);
-                }
+        for first in (0..coefficients.len().saturating_sub(1)).rev() {
+            // What is known begins behind `first`; times the argument it begins there.
+            let known = coefficients.get_mut(first..).unwrap_or_default();
+            for place in 0..known.len() - 1 {
+                known[place] = R::mul_add(from, known[place + 1], known[place]);
             }
         }
     }

@@ -4,13 +4,13 @@
 //! exact as the polynomial of the step; of other guards the series reaches only as far as it converges to rounding, and
 //! is taken anew from there.
 
-use super::guards::{Guard, Guards, Parts};
+use super::guards::{Guard, Guards};
 use super::reactions::Borne;
 use super::scene::above;
 use super::{Functions, Switching};
 use crate::motion::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach, stays_above};
 use crate::number::real::{Ordered, Real, larger, smaller};
-use crate::series::taylor::{Rounded, Taylor};
+use crate::series::taylor::{FEW, Rounded, TERMS, Taylor, powers};
 use crate::system::method::Terms;
 use crate::system::state::State;
 
@@ -27,11 +27,11 @@ const FURTHER: f64 = 1.0 / 16.0;
 
 /// State, reactions and time along a part of a step.
 #[derive(Clone, Copy)]
-struct Path<R, const N: usize, const C: usize> {
-    t: Taylor<R>,
-    q: [Taylor<R>; N],
-    v: [Taylor<R>; N],
-    reactions: [Taylor<R>; C],
+struct Path<R, const N: usize, const C: usize, const T: usize = TERMS> {
+    t: Taylor<R, T>,
+    q: [Taylor<R, T>; N],
+    v: [Taylor<R, T>; N],
+    reactions: [Taylor<R, T>; C],
     /// What roundings make of velocities until the end of the step, and the time of the step.
     roundings: [R; N],
     time: R,
@@ -40,39 +40,46 @@ struct Path<R, const N: usize, const C: usize> {
 /// The first guard to fall, and where.
 type First<R> = (Fall<R>, Guard);
 
-impl<R: Ordered, const N: usize, const C: usize> Path<R, N, C> {
-    /// Along a whole step.
+impl<R: Ordered, const N: usize, const C: usize, const T: usize> Path<R, N, C, T> {
+    /// Along the whole step.
     fn new(start: &State<R, N>, terms: &Terms<'_, R, N>, borne: &Borne<R, N, C>) -> Self {
+        let powers = powers(terms.length);
         let along = |numbers: &[R; N], rows: &[[R; N]]| {
-            core::array::from_fn(|i| {
-                Taylor::variable(numbers[i], rows.iter().map(|row| row[i]), terms.length)
-            })
+            core::array::from_fn(|i| Taylor::along(numbers[i], rows.iter().map(|row| row[i]), &powers))
         };
-        Self {
-            t: Taylor::variable(start.t, core::iter::once(terms.unit), terms.length),
+        let mut whole = Self {
+            t: Taylor::along(start.t, core::iter::once(terms.unit), &powers),
             q: along(&start.q, terms.q),
             v: along(&start.v, terms.v),
-            reactions: borne.reactions,
+            reactions: borne.reactions.each_ref().map(Taylor::shortened),
             roundings: borne.roundings,
             time: (terms.length * terms.unit).abs(),
-        }
+        };
+        whole.round(R::one());
+        whole
     }
 
     /// Along the part from `from` that is so long.
     fn on(&self, from: R, width: R) -> Self {
-        let mut part = *self;
-        let reach = from + width;
-        if reach != width || width != R::one() {
-            let on = |x: &Taylor<R>| x.on(from, width);
-            (part.t, part.reactions) = (on(&self.t), self.reactions.each_ref().map(on));
-            (part.q, part.v) = (self.q.each_ref().map(on), self.v.each_ref().map(on));
-        }
+        let on = |x: &Taylor<R, T>| x.on(from, width);
+        let mut part = Self {
+            t: on(&self.t),
+            q: self.q.each_ref().map(on),
+            v: self.v.each_ref().map(on),
+            reactions: self.reactions.each_ref().map(on),
+            ..*self
+        };
+        part.round(from + width);
+        part
+    }
+
+    /// Adds what roundings of the forces make of the state until so much of the step has passed.
+    fn round(&mut self, reach: R) {
         let half = R::from_f64(0.5);
         for (i, &rounding) in self.roundings.iter().enumerate() {
-            part.v[i].error += rounding * reach;
-            part.q[i].error += half * self.time * rounding * reach * reach;
+            self.v[i].error += rounding * reach;
+            self.q[i].error += half * self.time * rounding * reach * reach;
         }
-        part
     }
 }
 
@@ -82,12 +89,14 @@ where
     S::Scalar: Ordered,
 {
     /// The first guard that falls through zero along a step, and the part of the step that has passed then, to the
-    /// roundings of its polynomial. That of `fired` is zero where the step starts.
+    /// roundings of its polynomial. That of `fired` is zero where the step starts; `glances`
+    /// tells whether a glance has bounded guards so far.
     pub(super) fn first_along(
         &mut self,
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
         fired: Option<Guard>,
+        glances: &mut bool,
         relative: S::Scalar,
     ) -> Result<Option<First<S::Scalar>>, Unresolved> {
         let borne = self.borne(start, terms, relative);
@@ -96,22 +105,35 @@ where
             return Ok(None);
         }
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
+        // What has fired is zero where the step starts, and needs more than a glance.
+        if *glances && fired.is_none() {
+            let glance = self.glance(&Path::new(start, terms, &borne));
+            if glance == Some(true) {
+                return Ok(None);
+            }
+            *glances = glance.is_some();
+        }
         let half = S::Scalar::from_f64(0.5);
         let shortest = half.powi(HALVINGS);
         let clearest = half.powi(CLEAREST);
         let path = Path::new(start, terms, &borne);
         let (mut from, mut width) = (zero, one);
         loop {
-            let part = path.on(from, width);
-            let number = Taylor::constant;
-            let functions = self.along_part(&part);
+            let cut;
+            let part = if width == one {
+                &path
+            } else {
+                cut = path.on(from, width);
+                &cut
+            };
+            let guarded = self.along_part(part);
             let mut converged = one;
             for guard in self.along() {
-                let series = self.guard(guard, &functions, number);
+                let series = guarded.get(guard);
                 let is_finite = series.is_finite() && series.error.is_finite();
-                converged = smaller(converged, if is_finite { reach(&series) } else { zero });
+                converged = smaller(converged, if is_finite { reach(series) } else { zero });
             }
-            if converged >= one && !self.agrees(&part, &functions) {
+            if converged >= one && !self.agrees(part, &guarded) {
                 converged = zero;
             }
             if converged < one {
@@ -127,7 +149,7 @@ where
                 }
                 continue;
             }
-            if self.along().all(|guard| stays_above(&self.guard(guard, &functions, number))) {
+            if self.along().all(|guard| stays_above(guarded.get(guard))) {
                 from += width;
                 if one - from <= S::Scalar::epsilon() {
                     return Ok(None);
@@ -136,11 +158,8 @@ where
                 continue;
             }
             if width > clearest {
-                let starts = self.at_place(&part, Taylor::start);
-                let parts = self.along().map(|guard| {
-                    let own = self.guard(guard, &starts, Taylor::constant);
-                    clear(&self.guard(guard, &functions, number), own.error)
-                });
+                let starts = self.at_place(part, Taylor::start);
+                let parts = self.along().map(|guard| clear(guarded.get(guard), starts.get(guard).error));
                 let part = parts.fold(one, smaller);
                 if part < one {
                     width *= part;
@@ -149,11 +168,11 @@ where
             }
             let mut earliest: Option<First<S::Scalar>> = None;
             for guard in self.along() {
-                let series = self.guard(guard, &functions, number);
+                let series = guarded.get(guard);
                 let begins =
-                    from == zero && (fired == Some(guard) || self.is_held(guard) && is_below(&series));
+                    from == zero && (fired == Some(guard) || self.is_held(guard) && is_below(series));
                 let before = if begins { Before::Zero } else { Before::Unknown };
-                if let Some(fall) = falls(&series, before)
+                if let Some(fall) = falls(series, before)
                     && earliest.is_none_or(|(other, _)| fall.place < other.place)
                 {
                     earliest = Some((fall, guard));
@@ -199,38 +218,49 @@ where
         zero.polish(|place| value(place).start())
     }
 
-    /// What guards are made of along a part of the step.
-    fn along_part(&self, part: &Path<S::Scalar, N, C>) -> Parts<Taylor<S::Scalar>, C, W> {
-        let functions = S::functions_in(self.in_regime, Taylor::constant, part.t, &part.q, &part.v);
-        Parts { functions, reactions: part.reactions }
+    /// Whether no guard comes near zero on the whole of the step, as far as polynomials of low order bound that; `None`
+    /// where a guard is no sum of what they bound.
+    fn glance(&self, path: &Path<S::Scalar, N, C, FEW>) -> Option<bool> {
+        let functions = self.along_part(path);
+        let are_whole = self.along().all(|guard| functions.get(guard).is_whole);
+        are_whole.then(|| self.along().all(|guard| stays_above(functions.get(guard))))
     }
 
-    /// What they are made of at one end of it, with the roundings of the whole.
+    /// The guards along a part of the step.
+    fn along_part<const T: usize>(
+        &self,
+        part: &Path<S::Scalar, N, C, T>,
+    ) -> Functions<Taylor<S::Scalar, T>, C, W> {
+        let mut functions = S::functions_in(self.in_regime, Taylor::constant, part.t, &part.q, &part.v);
+        self.guard(&mut functions, &part.reactions, Taylor::constant);
+        functions
+    }
+
+    /// The guards at one end of it, with the roundings of the whole.
     fn at_place(
         &self,
         part: &Path<S::Scalar, N, C>,
         place: impl Fn(&Taylor<S::Scalar>) -> S::Scalar,
-    ) -> Parts<Rounded<S::Scalar>, C, W> {
+    ) -> Functions<Rounded<S::Scalar>, C, W> {
         let known = |x: &Taylor<S::Scalar>| {
             let mut known = Rounded::constant(place(x));
             known.error = x.error;
             known
         };
         let (q, v) = (part.q.each_ref().map(known), part.v.each_ref().map(known));
-        let functions = S::functions_in(self.in_regime, Taylor::constant, known(&part.t), &q, &v);
-        Parts { functions, reactions: part.reactions.each_ref().map(known) }
+        let mut functions = S::functions_in(self.in_regime, Taylor::constant, known(&part.t), &q, &v);
+        self.guard(&mut functions, &part.reactions.each_ref().map(known), Taylor::constant);
+        functions
     }
 
     /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its zero.
-    fn agrees(&self, part: &Path<S::Scalar, N, C>, parts: &Parts<Taylor<S::Scalar>, C, W>) -> bool {
-        let Functions { rows, fixed, kinks } = &parts.functions;
-        if rows.iter().chain(fixed).chain(kinks).all(|function| function.is_whole) {
+    fn agrees(&self, part: &Path<S::Scalar, N, C>, guarded: &Functions<Taylor<S::Scalar>, C, W>) -> bool {
+        if self.along().all(|guard| guarded.get(guard).is_whole) {
             return true;
         }
         let values = self.at_place(part, Taylor::end);
         self.along().all(|guard| {
-            let series = self.guard(guard, parts, Taylor::constant);
-            let value = self.guard(guard, &values, Taylor::constant);
+            let (series, value) = (guarded.get(guard), values.get(guard));
             let summed = S::Scalar::from_f64(2.0 * series.degree as f64) * S::Scalar::epsilon();
             let bound = series.error + value.error + summed * series.extent();
             // What has left no number at the end is no reason to look at a shorter part.
@@ -243,24 +273,23 @@ where
     /// there; `None` where a guard may be zero in it.
     fn beyond(&self, path: &Path<S::Scalar, N, C>, from: S::Scalar, length: S::Scalar) -> Option<S::Scalar> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let number = Taylor::constant;
         let mut to = from;
         for _ in 0..HALVINGS {
             to = to + length + (to - from);
-            let functions = [from - length, to].map(|place| self.along_part(&path.on(place, length)));
-            let guards = |functions: &Parts<Taylor<S::Scalar>, C, W>| {
+            let sides = [from - length, to].map(|place| self.along_part(&path.on(place, length)));
+            let are_known = |guarded: &Functions<Taylor<S::Scalar>, C, W>| {
                 self.along().all(|guard| {
-                    let series = self.guard(guard, functions, number);
-                    series.is_finite() && reach(&series) == num_traits::One::one()
+                    let series = guarded.get(guard);
+                    series.is_finite() && reach(series) == num_traits::One::one()
                 })
             };
-            if !functions.iter().all(guards) {
+            if !sides.iter().all(are_known) {
                 continue;
             }
             // As far from zero as it would not come in many such parts.
             let is_clear = self.along().all(|guard| {
-                functions.iter().all(|functions| {
-                    let series = self.guard(guard, functions, number);
+                sides.iter().all(|guarded| {
+                    let series = guarded.get(guard);
                     let change = (series.extent() - series.start().abs()) * ((to - from) / length);
                     series.start() > zero && series.start() > S::Scalar::from_f64(64.0) * change
                 })

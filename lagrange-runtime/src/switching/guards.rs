@@ -33,11 +33,14 @@ pub(super) struct Watch<R, const C: usize> {
     directions: [R; C],
 }
 
-/// What guards are made of: values with their roundings, or polynomials in time.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Parts<T, const C: usize, const W: usize> {
-    pub(super) functions: Functions<T, C, W>,
-    pub(super) reactions: [T; C],
+impl<T, const C: usize, const W: usize> Functions<T, C, W> {
+    /// One of them.
+    pub(super) fn get(&self, guard: Guard) -> &T {
+        match guard {
+            Guard::Row(row) => &self.rows[row],
+            Guard::Kink(kink) => &self.kinks[kink],
+        }
+    }
 }
 
 /// Values of all guards and their sizes.
@@ -152,56 +155,65 @@ where
         (0..C).filter(|&row| self.is_sampled(row)).map(Guard::Row).chain((0..kinks).map(Guard::Kink))
     }
 
-    /// One of the guards.
+    /// Puts in the places of functions the guards that they and reactions make: where a row or a kink has one.
     pub(super) fn guard<T: Real>(
         &self,
-        guard: Guard,
-        parts: &Parts<T, C, W>,
+        functions: &mut Functions<T, C, W>,
+        reactions: &[T; C],
         number: impl Fn(S::Scalar) -> T,
-    ) -> T {
-        let signed = |sign: S::Scalar, value: T| if (-sign).is_positive() { -value } else { value };
-        let Parts { functions, reactions } = parts;
-        let Guard::Row(row) = guard else {
-            let Guard::Kink(kink) = guard else { return T::zero() };
-            return signed(self.regime.kinks[kink], functions.kinks[kink]);
-        };
-        match S::ROWS[row] {
-            Row::Bilateral => signed(self.regime.side[row], reactions[row]),
-            Row::Unilateral if self.regime.active[row] => reactions[row],
-            Row::Unilateral => functions.rows[row],
-            Row::Friction { normal, pair } if self.regime.active[row] => {
-                let limit =
-                    normal.map_or(functions.fixed[row], |normal| functions.fixed[row] * reactions[normal]);
-                let force = reactions[row] * reactions[row];
-                let force = pair.map_or(force, |other| force + reactions[other] * reactions[other]);
-                limit * limit - force
+    ) {
+        let Functions { rows, fixed, kinks } = functions;
+        let turn = |sign: S::Scalar, value: &mut T| {
+            if (-sign).is_positive() {
+                *value = -*value;
             }
-            Row::Friction { pair: None, .. } => signed(self.regime.slip[row], functions.rows[row]),
-            Row::Friction { pair: Some(other), .. } => {
-                let along = |row: usize| number(self.watch.directions[row]) * functions.rows[row];
-                along(row) + along(other)
+        };
+        for (kink, &side) in kinks.iter_mut().zip(&self.regime.kinks) {
+            turn(side, kink);
+        }
+        for row in (0..C).filter(|&row| self.watch.rows[row]) {
+            match S::ROWS[row] {
+                Row::Bilateral => {
+                    rows[row] = reactions[row];
+                    turn(self.regime.side[row], &mut rows[row]);
+                }
+                Row::Unilateral if self.regime.active[row] => rows[row] = reactions[row],
+                Row::Unilateral => {}
+                Row::Friction { normal, pair } if self.regime.active[row] => {
+                    let limit = normal.map_or(fixed[row], |normal| fixed[row] * reactions[normal]);
+                    let force = reactions[row] * reactions[row];
+                    let force = pair.map_or(force, |other| force + reactions[other] * reactions[other]);
+                    rows[row] = limit * limit - force;
+                }
+                Row::Friction { pair: None, .. } => turn(self.regime.slip[row], &mut rows[row]),
+                // The other of a pair has no guard of its own.
+                Row::Friction { pair: Some(other), .. } => {
+                    let along = |row: usize| number(self.watch.directions[row]) * rows[row];
+                    rows[row] = along(row) + along(other);
+                }
             }
         }
     }
 
-    /// What guards are made of at a state, whose numbers are sums of summands of these sizes.
-    fn parts(
+    /// The guards at a state whose numbers are sums of summands of these sizes.
+    fn guards_at(
         &self,
         state: &State<S::Scalar, N>,
         sizes: &State<S::Scalar, N>,
-    ) -> Parts<Rounded<S::Scalar>, C, W> {
+    ) -> Functions<Rounded<S::Scalar>, C, W> {
         let rounded = |numbers: &[S::Scalar; N], sizes: &[S::Scalar; N]| {
             core::array::from_fn(|i| Rounded::sum_of(numbers[i], sizes[i]))
         };
         let (q, v) = (rounded(&state.q, &sizes.q), rounded(&state.v, &sizes.v));
         let t = Rounded::sum_of(state.t, sizes.t);
-        let functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v);
+        let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v);
         let mut reactions = [Taylor::constant(num_traits::Zero::zero()); C];
         if self.watch.reactions {
             let [multipliers, sizes] = self.multipliers(state);
             reactions = core::array::from_fn(|row| Rounded::sum_of(multipliers[row], sizes[row]));
         }
-        Parts { functions, reactions }
+        self.guard(&mut functions, &reactions, Taylor::constant);
+        functions
     }
 
     /// One of the guards at a state, likewise.
@@ -211,15 +223,15 @@ where
         state: &State<S::Scalar, N>,
         sizes: &State<S::Scalar, N>,
     ) -> Rounded<S::Scalar> {
-        self.guard(guard, &self.parts(state, sizes), Taylor::constant)
+        *self.guards_at(state, sizes).get(guard)
     }
 
     /// All guards at a state that are looked at by samples.
     fn values(&self, state: &State<S::Scalar, N>) -> Values<S::Scalar, C, W> {
         let mut values = Values::of(num_traits::Zero::zero());
-        let parts = self.parts(state, state);
+        let guarded = self.guards_at(state, state);
         for guard in self.sampled() {
-            let value = self.guard(guard, &parts, Taylor::constant);
+            let value = guarded.get(guard);
             let known = (value.start(), value.error / S::Scalar::epsilon());
             match guard {
                 Guard::Row(row) => (values.rows[row], values.row_sizes[row]) = known,

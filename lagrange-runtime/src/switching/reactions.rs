@@ -11,7 +11,7 @@ use super::scene::{most, product, rounding};
 use crate::constraints::{Balance, Equations};
 use crate::linear::{SaddlePoint, Switched};
 use crate::number::real::{Ordered, Real};
-use crate::series::taylor::Taylor;
+use crate::series::taylor::{Taylor, powers};
 use crate::system::method::Terms;
 use crate::system::state::State;
 
@@ -154,9 +154,10 @@ where
         let [before, last] = last;
         let share = relative.sqrt();
         borne.is_known = (0..C).all(|row| before[row] + last[row] <= share * sizes[row]);
+        let powers = powers(terms.length);
         borne.reactions = core::array::from_fn(|row| {
             let along = rows().skip(1).map(|terms| terms[row]);
-            let mut reaction = Taylor::variable(first[row], along, terms.length);
+            let mut reaction = Taylor::along(first[row], along, &powers);
             reaction.error = rounding * sizes[row] + before[row] + last[row];
             reaction
         });

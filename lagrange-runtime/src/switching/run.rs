@@ -234,7 +234,8 @@ where
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let mut fall = None;
         if let Some(terms) = terms {
-            let found = guards.first_along(&start, &terms, memory.fired, self.limits.relative);
+            let found =
+                guards.first_along(&start, &terms, memory.fired, &mut memory.glances, self.limits.relative);
             let found = found.map_err(Unresolved::cause)?;
             fall = found.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);

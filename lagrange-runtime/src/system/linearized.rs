@@ -5,7 +5,7 @@
 
 use nalgebra::SMatrix;
 
-use crate::linear::Lu;
+use crate::linear::{COLUMNS, Lu, Rows};
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::diagnose;
@@ -96,25 +96,76 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         if !a.iter().all(|a| a.is_finite()) {
             return Err(failed());
         }
-        let Linearization { mass, by_q, by_v } = self.linearization_at(&constants, *t, q, v, &a, u);
+        let linearization = self.linearization_at(&constants, *t, q, v, &a, u);
         let by_u = self.by_inputs_at(&constants, *t, q, v, u);
-        let factors = Lu::factor(mass).map_err(|_| failed())?;
-        let jacobians = Jacobians {
-            by_q: solved(&factors, &by_q),
-            by_v: solved(&factors, &by_v),
-            by_u: solved(&factors, &by_u),
-        };
+        let jacobians = solved(&linearization, &by_u).ok_or_else(failed)?;
         let finite =
             jacobians.by_q.iter().chain(&jacobians.by_v).chain(&jacobians.by_u).all(|x| x.is_finite());
         if finite { Ok(jacobians) } else { Err(failed()) }
     }
 }
 
-/// M⁻¹ times the columns of `rows`.
-fn solved<R: Real, const N: usize, const C: usize>(
+/// M⁻¹ times the columns of three matrices. An M that is not positive definite takes pivots.
+#[inline(never)]
+fn solved<R: Real, const N: usize, const K: usize>(
+    linearization: &Linearization<R, N>,
+    by_u: &[[R; K]; N],
+) -> Option<Jacobians<R, N, K>> {
+    let Linearization { mass, by_q, by_v } = linearization;
+    let mut jacobians = Jacobians { by_q: SMatrix::zeros(), by_v: SMatrix::zeros(), by_u: SMatrix::zeros() };
+    let Some(factors) = Rows::factor(mass) else {
+        let factors = Lu::factor(*mass).ok()?;
+        by_column(&factors, by_q, &mut jacobians.by_q);
+        by_column(&factors, by_v, &mut jacobians.by_v);
+        by_column(&factors, by_u, &mut jacobians.by_u);
+        return Some(jacobians);
+    };
+    // All columns of the three stand beside each other.
+    for first in (0..N + N + K).step_by(COLUMNS) {
+        let mut columns = [[R::zero(); COLUMNS]; N];
+        for (i, columns) in columns.iter_mut().enumerate() {
+            take(columns, first, 0, &by_q[i]);
+            take(columns, first, N, &by_v[i]);
+            take(columns, first, N + N, &by_u[i]);
+        }
+        factors.solve(&mut columns);
+        put(&columns, first, 0, &mut jacobians.by_q);
+        put(&columns, first, N, &mut jacobians.by_v);
+        put(&columns, first, N + N, &mut jacobians.by_u);
+    }
+    Some(jacobians)
+}
+
+/// The columns from `first` on that a matrix has, which begins at `offset`: in the target, and in the matrix.
+fn common(first: usize, offset: usize, width: usize) -> Option<(core::ops::Range<usize>, usize)> {
+    let (low, high) = (first.max(offset), (first + COLUMNS).min(offset + width));
+    (low < high).then(|| (low - first..high - first, low - offset))
+}
+
+fn take<R: Real, const C: usize>(columns: &mut [R; COLUMNS], first: usize, offset: usize, row: &[R; C]) {
+    if let Some((range, from)) = common(first, offset, C) {
+        columns[range].iter_mut().zip(&row[from..]).for_each(|(column, &entry)| *column = entry);
+    }
+}
+
+fn put<R: Real, const N: usize, const C: usize>(
+    columns: &[[R; COLUMNS]; N],
+    first: usize,
+    offset: usize,
+    matrix: &mut SMatrix<R, N, C>,
+) {
+    let Some((range, from)) = common(first, offset, C) else { return };
+    for (column, target) in range.zip(&mut matrix.data.0[from..]) {
+        target.iter_mut().zip(columns).for_each(|(entry, row)| *entry = row[column]);
+    }
+}
+
+fn by_column<R: Real, const N: usize, const C: usize>(
     factors: &Lu<R, N>,
     rows: &[[R; C]; N],
-) -> SMatrix<R, N, C> {
-    let columns: [[R; N]; C] = core::array::from_fn(|j| factors.solve(core::array::from_fn(|i| rows[i][j])));
-    SMatrix::from_fn(|i, j| columns[j][i])
+    matrix: &mut SMatrix<R, N, C>,
+) {
+    for (j, column) in matrix.data.0.iter_mut().enumerate() {
+        *column = factors.solve(core::array::from_fn(|i| rows[i][j]));
+    }
 }

@@ -13,6 +13,7 @@ pub mod metric;
 pub mod name;
 pub mod proved;
 pub mod reading;
+pub mod screws;
 pub mod smooth;
 pub(crate) mod solve;
 pub mod state;

@@ -6,6 +6,7 @@ mod friction;
 mod kinks;
 mod laws;
 mod nested;
+mod normals;
 mod random;
 mod reactions;
 mod refused;

@@ -371,6 +371,14 @@ fn ten_thousand_random_contacts_obey_their_laws() {
     assert!(tally.switches > 5 * tally.motions && 20 * tally.paradoxes < tally.motions, "{tally:?}");
 }
 
+/// Discs that slip on the floor and on each other with forces that do not change: a polynomial in time, which bounds no step.
+#[test]
+fn discs_with_constant_accelerations_obey_their_laws() {
+    let mut tally = Tally::default();
+    [235, 1267, 2338, 3091, 7444].into_iter().for_each(|number| follow(number, &mut tally));
+    assert!(tally.switches > 5 * tally.motions && tally.paradoxes == 0, "{tally:?}");
+}
+
 /// Balls beside which reactions are nothing but roundings, and such whose slips at two walls depend on each
 /// other.
 #[test]

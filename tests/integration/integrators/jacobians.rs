@@ -186,3 +186,116 @@ fn an_indefinite_mass_matrix_and_a_magnetic_term() {
 fn forty_beads_with_twenty_motors() {
     agrees(&Beads, core::array::from_fn(|i| 0.1 * i as f64 - 0.7), -1.2, 1.2);
 }
+
+/// A machine on a cart that flies: an arm of four hinges with a slide, an arm of three, a carriage on a
+/// curve, wind, a drive and a spring. Enough of bodies for derivatives from screws.
+struct Machine;
+
+#[lagrangian(
+    coordinates = [base: Pose, shoulder: [3], slide, wrist, hip: [3], carriage],
+    inputs = [motor],
+    jacobians
+)]
+impl Machine {
+    fn base_frame(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
+        q.base.translation * q.base.rotation.to_rotation_matrix()
+    }
+
+    fn arm(&self, q: &Coordinates) -> [IsometryMatrix3<f64>; 5] {
+        let upper = self.base_frame(q)
+            * Translation3::new(0.2, 0.1, 0.3)
+            * Rotation3::from_axis_angle(&Vector3::z_axis(), q.shoulder[0]);
+        let second = upper * Rotation3::from_axis_angle(&Vector3::x_axis(), q.shoulder[1]);
+        let elbow = second
+            * Translation3::new(0.0, 0.4, 0.1)
+            * Rotation3::from_euler_angles(0.3, 0.1, -0.2)
+            * Rotation3::from_axis_angle(&Vector3::y_axis(), q.shoulder[2]);
+        let slide = elbow * Translation3::new(0.1, q.slide, 0.0);
+        let wrist = slide * Rotation3::from_axis_angle(&Vector3::x_axis(), q.wrist);
+        [upper, second, elbow, slide, wrist]
+    }
+
+    fn leg(&self, q: &Coordinates) -> [IsometryMatrix3<f64>; 3] {
+        let hip = self.base_frame(q)
+            * Translation3::new(-0.3, 0.0, -0.1)
+            * Rotation3::from_axis_angle(&Vector3::x_axis(), q.hip[0]);
+        let thigh = hip * Rotation3::from_axis_angle(&Vector3::y_axis(), q.hip[1]);
+        let shank = thigh
+            * Translation3::new(0.0, 0.0, -0.5)
+            * Rotation3::from_axis_angle(&Vector3::y_axis(), q.hip[2]);
+        [hip, thigh, shank]
+    }
+
+    #[body(mass = 4.0, inertia = [0.3, 0.4, 0.5])]
+    fn base(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
+        self.base_frame(q) * Translation3::new(0.02, -0.03, 0.01)
+    }
+
+    #[body(mass = 1.2, inertia = [0.03, 0.02, 0.01])]
+    fn upper_arm(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
+        self.arm(q)[1] * Translation3::new(0.01, 0.2, 0.05)
+    }
+
+    #[body(mass = 0.8, inertia = [0.02, 0.03, 0.015])]
+    fn elbow(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
+        self.arm(q)[2] * Translation3::new(0.0, 0.1, -0.05)
+    }
+
+    #[body(mass = 0.5, inertia = [0.004, 0.003, 0.005])]
+    fn sledge(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
+        self.arm(q)[3]
+    }
+
+    #[body(mass = 0.3, inertia = [0.002, 0.003, 0.001])]
+    fn hand(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
+        self.arm(q)[4] * Translation3::new(0.0, 0.1, 0.05)
+    }
+
+    #[body(mass = 0.9, inertia = [0.02, 0.01, 0.03])]
+    fn thigh(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
+        self.leg(q)[1] * Translation3::new(0.03, 0.0, -0.2)
+    }
+
+    #[body(mass = 0.6, inertia = [0.01, 0.02, 0.005])]
+    fn shank(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
+        self.leg(q)[2] * Translation3::new(0.0, 0.02, -0.2)
+    }
+
+    /// On a parabola, turning as it goes.
+    #[body(mass = 0.4, inertia = [0.01, 0.02, 0.015])]
+    fn carriage(&self, q: &Coordinates) -> IsometryMatrix3<f64> {
+        self.base_frame(q)
+            * Translation3::new(q.carriage, 0.3 * q.carriage * q.carriage, 0.4)
+            * Rotation3::from_axis_angle(&Vector3::z_axis(), 0.6 * q.carriage)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        let arm = 1.2 * self.upper_arm(q).translation.z
+            + 0.8 * self.elbow(q).translation.z
+            + 0.5 * self.sledge(q).translation.z
+            + 0.3 * self.hand(q).translation.z;
+        let leg = 0.9 * self.thigh(q).translation.z + 0.6 * self.shank(q).translation.z;
+        9.81 * (4.0 * self.base(q).translation.z + arm + leg + 0.4 * self.carriage(q).translation.z)
+    }
+
+    #[potential]
+    fn springs(&self, q: &Coordinates) -> f64 {
+        2.0 * q.slide.powi(2) + 3.0 * (q.wrist - q.hip[2]).powi(2) + 1.5 * q.carriage.powi(4)
+    }
+
+    #[dissipation]
+    fn bearings(&self, v: &Velocities) -> f64 {
+        0.05 * v.shoulder.iter().map(|v| v * v).sum::<f64>() + 0.1 * v.hip[1].powi(2)
+    }
+
+    #[force(at = hand)]
+    fn wind(&self, q: &Coordinates, u: &Inputs) -> Vector3<f64> {
+        Vector3::new(u.motor * q.wrist.cos(), 0.3, u.motor)
+    }
+}
+
+#[test]
+fn a_machine_of_two_arms_on_a_pose() {
+    agrees(&Machine, [0.7], -0.9, 0.9);
+}

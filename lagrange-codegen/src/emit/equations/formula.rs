@@ -273,7 +273,7 @@ impl Writer<'_> {
             Unary::Ln1p => "ln1p",
             Unary::Signum => "sgn",
             Unary::Sin | Unary::Cos | Unary::Tan | Unary::Sinh | Unary::Cosh | Unary::Tanh => function.name(),
-            Unary::Exp | Unary::Ln | Unary::Cbrt | Unary::Abs => function.name(),
+            Unary::Sech | Unary::Exp | Unary::Ln | Unary::Cbrt | Unary::Abs => function.name(),
         };
         let raised = match (power.is_empty(), self.notation) {
             (true, _) => String::new(),
@@ -321,7 +321,8 @@ impl Writer<'_> {
 }
 
 fn is_trigonometric(function: Unary) -> bool {
-    matches!(function, Unary::Sin | Unary::Cos | Unary::Tan | Unary::Sinh | Unary::Cosh | Unary::Tanh)
+    use Unary::{Cos, Cosh, Sech, Sin, Sinh, Tan, Tanh};
+    matches!(function, Sin | Cos | Tan | Sinh | Cosh | Tanh | Sech)
 }
 
 fn superscript(digits: &str) -> String {

@@ -2,11 +2,12 @@
 
 use syn::Expr;
 
+use super::screws::Forces;
 use super::value::{Run, Value, unknown};
 use super::{Interpreter, Point, find};
 
 /// The runtime's structs that generated code makes field by field.
-pub(super) const RECORDS: [&str; 7] = [
+pub(super) const RECORDS: [&str; 9] = [
     "lagrange::saddle::Pattern",
     "lagrange::RecursionStep",
     "lagrange::Residuals",
@@ -14,6 +15,8 @@ pub(super) const RECORDS: [&str; 7] = [
     "lagrange::Balance",
     "lagrange::Imbalance",
     "lagrange::Linearization",
+    "lagrange::screws::Screws",
+    "lagrange::screws::Group",
 ];
 
 impl Interpreter<'_> {
@@ -50,6 +53,12 @@ impl Interpreter<'_> {
             ) => {
                 let name = function.rsplit("::").next().unwrap_or_default();
                 find(&self.expansion.derivatives, name).and_then(|f| self.call(f, arguments.to_vec()))
+            }
+            ("lagrange::screws::residual" | "lagrange::screws::linearization", [screws, groups, v, a]) => {
+                Forces::of(screws, groups, v, a).map(|forces| match function.ends_with("residual") {
+                    true => forces.residual(),
+                    false => forces.linearization(),
+                })
             }
             _ => return None,
         })

@@ -8,6 +8,7 @@ mod calls;
 mod constrained;
 mod derivatives;
 mod patterns;
+mod screws;
 mod series;
 mod tokens;
 mod value;

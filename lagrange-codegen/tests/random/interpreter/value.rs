@@ -185,6 +185,7 @@ pub fn real(name: &str, arguments: &[f64]) -> Run<Value> {
         ("sinh", [x]) => x.sinh(),
         ("cosh", [x]) => x.cosh(),
         ("tanh", [x]) => x.tanh(),
+        ("sech", [x]) => x.cosh().recip(),
         ("asinh", [x]) => x.asinh(),
         ("acosh", [x]) => x.acosh(),
         ("atanh", [x]) => x.atanh(),

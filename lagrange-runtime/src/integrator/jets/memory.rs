@@ -354,7 +354,23 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     }
 
     /// A length that the terms of lower orders bear as well: `term` gives the weighted size of an order.
-    fn bounded(&self, mut length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
+    #[inline]
+    fn bounded(&self, length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
+        let (steepest, half) = (self.steepest.largest(), self.orders / 2);
+        // All at once, as in Horner's scheme: term(k) lengthᵏ against the power of the orders that follow.
+        let steep = steepest * length;
+        let most = (half..self.orders - 1)
+            .rev()
+            .fold(R::Lane::zero(), |most, order| larger(most * steep, term(order)));
+        if most * steep.powi(half as i32) <= steepest.powi(self.orders as i32) {
+            return length;
+        }
+        self.shortened(length, term)
+    }
+
+    /// The same where some term asks for less.
+    #[cold]
+    fn shortened(&self, mut length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
         let steepest = self.steepest.largest();
         let mut allowed = steepest;
         for order in (self.orders / 2..self.orders - 1).rev() {

@@ -128,6 +128,9 @@ where
         memory.reach(theta);
     }
     let mut lengths = Lengths::new(so_far, &here, limits.relative, [measured, natural, theta]);
+    if !memory.last.is_positive() {
+        lengths = lengths.on_the_way(left.abs() / unit);
+    }
     loop {
         let check = Check { system, constants, inputs: &control.0, limits, from: &memory.start };
         let slopes = |theta| memory.series.slopes(theta, memory.orders).map(|slope| slope / memory.unit);

@@ -8,6 +8,8 @@
 //! That holds for systems without constraints, without functions that hide from series
 //! ([`Smooth::STEEP`]) and without shared pivots ([`Smooth::SHARES_PIVOTS`]): see [`Relay::unsuited`].
 
+mod abreast;
+
 use num_traits::{One, Zero};
 
 use super::lane::zeros;
@@ -54,6 +56,8 @@ where
     tables: S::Tables<HIGHEST>,
     series: Series<S::Scalar, N, HIGHEST>,
     limits: Limits<Lane<S::Scalar>>,
+    /// The order of the series, which follows from the tolerance.
+    orders: usize,
     standing: [Standing; MOST],
     /// Attempts that a lane may still make.
     attempts: [u64; MOST],
@@ -78,12 +82,14 @@ where
     pub fn new(system: S, start: State<S::Scalar, N>) -> Self {
         let zero: S::Scalar = Zero::zero();
         let none = State { t: zero, q: [zero; N], v: [zero; N] };
+        let limits = Limits::new();
         Self {
             constants: system.jet_constants(),
             system,
             tables: S::Tables::default(),
             series: Series::default(),
-            limits: Limits::new(),
+            orders: orders(limits.relative, ORDERS_PER_DIGIT),
+            limits,
             standing: [Standing::Idle; MOST],
             attempts: [0; MOST],
             target: start.t,
@@ -115,6 +121,7 @@ where
     #[must_use]
     pub fn with_tolerances(mut self, relative: Lane<S::Scalar>, absolute: Option<Lane<S::Scalar>>) -> Self {
         (self.limits.relative, self.limits.absolute) = (relative, absolute);
+        self.orders = orders(relative, ORDERS_PER_DIGIT);
         self
     }
 
@@ -190,15 +197,14 @@ where
                 self.unit.set_lane(lane, if left == Zero::zero() { One::one() } else { left });
             }
         }
-        let orders = orders(self.limits.relative, ORDERS_PER_DIGIT);
-        if !self.expand(orders) {
+        if !self.expand() {
             return false;
         }
-        let mut tolerated = self.tolerated(orders, one);
+        let mut tolerated = self.tolerated(one);
         let half = Lane::<S::Scalar>::from_f64(0.5);
         if (0..S::Scalar::COUNT).any(|lane| tolerated.lane(lane) < half) {
             // In a unit much longer than the step the first terms are no measure of the size.
-            let closer = self.tolerated(orders, tolerated.min(one));
+            let closer = self.tolerated(tolerated.min(one));
             for lane in 0..S::Scalar::COUNT {
                 if tolerated.lane(lane) < half {
                     tolerated.set_lane(lane, closer.lane(lane));
@@ -206,26 +212,31 @@ where
             }
         }
         self.before = (self.state, self.residue, self.unit);
+        if !self.go_abreast(tolerated) {
+            self.go_apart(tolerated);
+        }
+        true
+    }
+
+    /// Each lane as its own numbers say.
+    fn go_apart(&mut self, tolerated: S::Scalar) {
         let (mut length, mut theta): (S::Scalar, S::Scalar) = (Zero::zero(), Zero::zero());
         let mut next = self.unit;
         for lane in 0..S::Scalar::COUNT {
-            let found = self.length(lane, tolerated.lane(lane), orders);
-            if let Some(found) = found {
+            if let Some(found) = self.length(lane, tolerated.lane(lane)) {
                 length.set_lane(lane, found.length);
                 theta.set_lane(lane, found.theta);
                 next.set_lane(lane, found.unit);
             }
         }
-        self.take(length, theta, orders);
+        self.take(length, theta);
         self.unit = next;
-        true
     }
 
     /// Stops the lanes in which the equations have no solution, after [`Relay::step`] found that there are
     /// any. `alone` gives a system with the parameters of a lane in all lanes, so that whether a lane stops
     /// follows from its own numbers.
     pub fn stop_unsolvable(&mut self, alone: impl Fn(usize) -> S) {
-        let orders = orders(self.limits.relative, ORDERS_PER_DIGIT);
         for lane in 0..S::Scalar::COUNT {
             if self.standing(lane) != Standing::Running {
                 continue;
@@ -238,7 +249,7 @@ where
                 set(&mut self.state, other, &state);
                 self.unit.set_lane(other, unit);
             }
-            let goes_on = self.expand(orders);
+            let goes_on = self.expand();
             (self.system, (self.constants, self.state, self.unit)) = (system, kept);
             if let (false, Some(standing)) = (goes_on, self.standing.get_mut(lane)) {
                 *standing = Standing::Stopped;
@@ -249,10 +260,9 @@ where
     /// States at times within the last step of each lane, by its series. In other lanes the numbers mean
     /// nothing.
     pub fn within(&self, times: S::Scalar) -> State<S::Scalar, N> {
-        let orders = orders(self.limits.relative, ORDERS_PER_DIGIT);
         let (state, residue, unit) = &self.before;
         let theta = ((times - state.t) - residue.t) / *unit;
-        let (gain_q, gain_v) = self.series.gain(theta, orders);
+        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
         State {
             t: times,
             q: core::array::from_fn(|i| state.q[i] + (residue.q[i] + gain_q[i])),
@@ -260,28 +270,23 @@ where
         }
     }
 
-    fn expand(&mut self, orders: usize) -> bool {
-        let Self { system, constants, tables, series, state, unit, .. } = self;
+    fn expand(&mut self) -> bool {
+        let Self { system, constants, tables, series, state, unit, orders, .. } = self;
         self.expansions += 1;
         let inputs = [Zero::zero(); K];
-        system.jet_at(constants, state.t, &state.q, &state.v, &inputs, *unit, orders, tables, series)
+        system.jet_at(constants, state.t, &state.q, &state.v, &inputs, *unit, *orders, tables, series)
     }
 
-    fn tolerated(&self, orders: usize, span: S::Scalar) -> S::Scalar {
+    fn tolerated(&self, span: S::Scalar) -> S::Scalar {
         let Limits { relative, absolute, .. } = self.limits;
         let absolute =
             absolute.map_or(Zero::zero(), |absolute| Lane::<S::Scalar>::from_f64(SAFETY) * absolute);
         let last_terms = [last_term(relative), absolute + step_size::smallest()].map(S::Scalar::splat);
-        tolerated::<S, N, K>(&self.state, &self.series, last_terms, orders, span)
+        tolerated::<S, N, K>(&self.state, &self.series, last_terms, self.orders, span)
     }
 
     /// The step of a lane; none if it does not move.
-    fn length(
-        &mut self,
-        lane: usize,
-        tolerated: Lane<S::Scalar>,
-        orders: usize,
-    ) -> Option<Step<Lane<S::Scalar>>> {
+    fn length(&mut self, lane: usize, tolerated: Lane<S::Scalar>) -> Option<Step<Lane<S::Scalar>>> {
         let number = Lane::<S::Scalar>::from_f64;
         let zero = number(0.0);
         let (Some(standing), Some(attempts)) = (self.standing.get_mut(lane), self.attempts.get_mut(lane))
@@ -303,7 +308,7 @@ where
         }
         *attempts -= 1;
         let is_finite = |rows: &[[S::Scalar; N]; HIGHEST]| {
-            rows.get(orders - 1).is_some_and(|row| row.iter().all(|x| x.lane(lane).is_finite()))
+            rows.get(self.orders - 1).is_some_and(|row| row.iter().all(|x| x.lane(lane).is_finite()))
         };
         let is_finite = tolerated.is_finite() && is_finite(&self.series.q) && is_finite(&self.series.v);
         // A lane out of the range of the arithmetic, or of the domain of the equations, and units far from
@@ -332,14 +337,8 @@ where
     }
 
     /// Goes on by lengths \[s], which are `theta` units.
-    fn take(&mut self, length: S::Scalar, theta: S::Scalar, orders: usize) {
-        let (gain_q, gain_v) = self.series.gain(theta, orders);
-        let (mut state, mut residue) = (self.state, self.residue);
-        (state.t, residue.t) = add(state.t, residue.t, length);
-        for i in 0..N {
-            (state.q[i], residue.q[i]) = add(state.q[i], residue.q[i], gain_q[i]);
-            (state.v[i], residue.v[i]) = add(state.v[i], residue.v[i], gain_v[i]);
-        }
+    fn take(&mut self, length: S::Scalar, theta: S::Scalar) {
+        let (state, residue) = self.reached(length, theta);
         let settled = attitude::settle(S::ORIENTATIONS, &state);
         for lane in 0..S::Scalar::COUNT {
             let moves = theta.lane(lane) > Zero::zero();
@@ -352,7 +351,7 @@ where
             if let Some(settled) = &settled {
                 let settled = get(settled, lane);
                 // Other triples of the same orientations: what rounding took belonged to the old ones.
-                if settled != self.state_of(lane) {
+                if settled != get(&self.state, lane) {
                     let t = self.residue.t.lane(lane);
                     set(&mut self.state, lane, &settled);
                     set(&mut self.residue, lane, &State { t, ..zeros() });
@@ -362,8 +361,17 @@ where
         }
     }
 
-    fn state_of(&self, lane: usize) -> State<Lane<S::Scalar>, N> {
-        get(&self.state, lane)
+    /// States, and what rounding takes from them, after lengths \[s], which are `theta` units.
+    #[inline(always)]
+    fn reached(&self, length: S::Scalar, theta: S::Scalar) -> (State<S::Scalar, N>, State<S::Scalar, N>) {
+        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
+        let (mut state, mut residue) = (self.state, self.residue);
+        (state.t, residue.t) = add(state.t, residue.t, length);
+        for i in 0..N {
+            (state.q[i], residue.q[i]) = add(state.q[i], residue.q[i], gain_q[i]);
+            (state.v[i], residue.v[i]) = add(state.v[i], residue.v[i], gain_v[i]);
+        }
+        (state, residue)
     }
 
     /// Notes the end of a lane that is there.
@@ -372,7 +380,7 @@ where
         let left = (target - t) - self.residue.t.lane(lane);
         let resolution =
             Lane::<S::Scalar>::from_f64(4.0) * Lane::<S::Scalar>::epsilon() * larger(target.abs(), t.abs());
-        let finite = self.state_of(lane).is_finite();
+        let finite = get(&self.state, lane).is_finite();
         let Some(standing) = self.standing.get_mut(lane) else { return };
         if !finite {
             *standing = Standing::Stopped;

@@ -42,11 +42,9 @@ pub(crate) struct Fall<R> {
 /// Where on \[0, 1] a guard falls through zero first, if it does.
 pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fall<R>> {
     let zero = R::zero();
-    let (first, others) = guard.terms().split_first()?;
-    let down = others.iter().fold(zero, |sum, &term| if term < zero { sum + term } else { sum });
-    let noise = guard.error;
+    let (first, noise) = (guard.start(), guard.error);
     // What the others take away at most leaves it above zero.
-    if *first + down > noise {
+    if first + guard.down() > noise {
         return None;
     }
     let extent = guard.extent();
@@ -54,9 +52,9 @@ pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fal
     let noise = noise + summed * extent;
     let mut powers = guard.coefficients;
     let starts_at_zero = match before {
-        Before::Unknown if *first < -noise => return Some(Fall { place: zero, fallen: zero }),
+        Before::Unknown if first < -noise => return Some(Fall { place: zero, fallen: zero }),
         // What is above zero there falls through it as the polynomial does.
-        Before::Unknown | Before::Zero => *first <= zero,
+        Before::Unknown | Before::Zero => first <= zero,
     };
     let polynomial = powers.get_mut(..=guard.degree)?;
     let start = polynomial[0];
@@ -119,10 +117,17 @@ fn to_bernstein<R: Ordered>(powers: &mut [R]) {
     let two = R::one() + R::one();
     let degree = R::from_f64(powers.len() as f64 - 1.0);
     let (mut weight, mut order) = (R::one(), R::zero());
-    for term in powers.iter_mut().skip(1) {
+    // The same from both ends.
+    let mut terms = &mut *powers;
+    while let [first, rest @ .., last] = terms {
+        *first *= weight;
+        *last *= weight;
         order += R::one();
         weight *= order / (degree - order + R::one());
-        *term *= weight;
+        terms = rest;
+    }
+    if let [middle] = terms {
+        *middle *= weight;
     }
     // Two sums at a time, of which the second leaves out one term more.
     let mut rest = powers;
@@ -139,21 +144,18 @@ fn to_bernstein<R: Ordered>(powers: &mut [R]) {
 }
 
 /// Whether a guard is above zero on the whole of its interval, by more than its roundings.
-pub(crate) fn stays_above<R: Ordered>(guard: &Taylor<R>) -> bool {
+pub(crate) fn stays_above<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> bool {
     let terms = guard.terms();
-    let down =
-        terms.iter().skip(1).fold(R::zero(), |sum, &term| if term < R::zero() { sum + term } else { sum });
     let summed = R::from_f64(2.0 * guard.degree as f64 + 2.0) * R::epsilon();
     let noise = guard.error + summed * guard.extent();
-    if guard.start() + down > noise {
+    if guard.start() + guard.down() > noise {
         return true;
     }
     if !(guard.start() > noise && guard.end() > noise) {
         return false;
     }
-    let mut part = [R::zero(); TERMS];
-    let Some(part) = part.get_mut(..terms.len()) else { return false };
-    part.copy_from_slice(terms);
+    let mut part = guard.coefficients;
+    let part = part.get_mut(..terms.len()).unwrap_or_default();
     to_bernstein(part);
     part.iter().all(|&term| term > noise)
 }

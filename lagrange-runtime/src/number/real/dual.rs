@@ -242,6 +242,9 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
         atan(x, _y) = R::mul_add(x, x, R::one()).recip();
         sinh(x, _y) = x.cosh();
         cosh(x, _y) = x.sinh();
+        // 1 − tanh² would lose its digits where the value approaches 1.
+        tanh(x, _y) = x.sech() * x.sech();
+        sech(x, y) = -(y * x.tanh());
         asinh(x, _y) = x.hypot(R::one()).recip();
         acosh(x, _y) = ((x - R::one()).sqrt() * (x + R::one()).sqrt()).recip();
         atanh(x, _y) = ((R::one() - x) * (R::one() + x)).recip();
@@ -251,15 +254,13 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
         recip(_x, y) = -(y * y);
     }
     #[inline]
-    fn tanh(self) -> Self {
-        // 1 − tanh² would lose its digits where the value approaches 1.
-        let cosh = self.value.cosh();
-        self.with(self.value.tanh(), cosh.recip() * cosh.recip())
-    }
-    #[inline]
     fn powf(self, exponent: Self) -> Self {
         let value = self.value.powf(exponent.value);
         let by_base = exponent.value * self.value.powf(exponent.value - R::one());
+        // What does not change has no share, and at a base of zero its slope would be no number.
+        if exponent.slopes.iter().all(|&slope| slope == R::zero()) {
+            return self.with(value, by_base);
+        }
         self.with_both(exponent, value, [by_base, self.value.ln() * value])
     }
     #[inline]

@@ -138,6 +138,15 @@ fn integer_powers_of_either_sign() {
 }
 
 #[test]
+fn single_precision_is_found_digit_by_digit() {
+    for value in [0.0, 1.0, 0.1, 1e-30, 6.02e23, 1e-40] {
+        let error = f64::from(Minimal(value).to_single()) - value;
+        assert!(error.abs() <= 1.2e-7 * value + 1.5e-45, "{value}");
+    }
+    assert_eq!(Minimal(1e39).to_single(), f32::INFINITY);
+}
+
+#[test]
 fn positive_means_above_zero_and_a_number() {
     assert!(Real::is_positive(f64::MIN_POSITIVE));
     for x in [0.0, -0.0, -1.0, f64::NAN] {

@@ -1,6 +1,7 @@
 //! The sweep against the sum as it is written, in every way in which lanes are grouped.
 
 use super::*;
+use crate::number::real::Dual;
 
 /// A whole number that depends on everything, so that sums are exact.
 fn entry(order: usize, lane: usize, side: usize) -> f64 {
@@ -39,25 +40,37 @@ fn the_sweep_is_the_convolution() {
     sweeps::<16, 3>();
 }
 
-fn completes<const P: usize>() {
-    let mut tables = Tables::<f64, 4, P>::default();
-    let products = [[0, 1], [1, 1], [2, 0]];
+/// `of` gives numbers by two entries each, `L` is the length of a row.
+fn completes<R: Real, const L: usize, const P: usize>(of: impl Fn(f64, f64) -> R) {
+    let mut tables = Tables::<R, L, P>::default();
+    let products = [[0, 1], [1, 1], [2, 0], [3, 5], [4, 4]];
+    let number = |order, factor| of(entry(order, factor, 0), entry(order, factor, 1));
     let mut convolutions = Convolutions::new(&mut tables, products);
     for order in 1..=P {
         let found = convolutions.sums(order);
         for ([a, b], found) in products.into_iter().zip(found) {
-            let whole: f64 = (1..order).map(|j| entry(j, a, 0) * entry(order - j, b, 0)).sum();
+            let whole: R = (1..order).map(|j| number(j, a) * number(order - j, b)).sum();
             assert_eq!(found, whole, "{P}, order {order}, factors {a} and {b}");
         }
-        convolutions.add(order, [0, 1, 2].map(|factor| entry(order, factor, 0)));
+        convolutions.add(order, [0, 1, 2, 3, 4, 5].map(|factor| number(order, factor)));
     }
 }
 
 #[test]
 fn the_outermost_terms_complete_the_sum() {
-    completes::<9>();
-    completes::<LOW>();
-    completes::<5>();
+    completes::<f64, 8, 14>(|x, _| x);
+    completes::<f64, 8, LOW>(|x, _| x);
+    completes::<f64, 8, 5>(|x, _| x);
+}
+
+/// Rows of five have five factors on the left and one on the right.
+#[test]
+fn numbers_of_several_parts_store_each_factor_once() {
+    let number = |x, slope| Dual { value: x, slopes: [slope] };
+    assert!(is_wide::<Dual<f64, 1>>());
+    completes::<Dual<f64, 1>, 5, 14>(number);
+    completes::<Dual<f64, 1>, 8, LOW>(number);
+    completes::<Dual<f64, 1>, 8, 5>(number);
 }
 
 #[test]

@@ -6,20 +6,32 @@ use super::Taylor;
 use crate::number::real::{Ordered, Real};
 
 impl<R: Ordered, const T: usize> Taylor<R, T> {
-    /// A series whose coefficients follow from those of lower order, the first of which is a value. `slope` bounds the
-    /// derivative by this number, whose roundings it carries on.
-    fn series(&self, value: R, mut next: impl FnMut(usize, &[R]) -> R) -> Self {
+    /// A constant to whose terms [`Self::push`] leads, if this number changes.
+    fn begun(&self, value: R) -> Self {
         let mut series = Self { orders: self.orders, is_whole: self.is_whole, ..Self::constant(value) };
         if self.degree > 0 && self.orders > 0 {
-            for order in 1..=self.orders {
-                let term = next(order, series.coefficients.get(..order).unwrap_or_default());
-                if let Some(to) = series.coefficients.get_mut(order) {
-                    *to = term;
-                }
-            }
             (series.degree, series.is_whole) = (self.orders, false);
         }
         series
+    }
+
+    /// The terms of the derivative, each in the place of the term that it is that of: j xⱼ.
+    fn rates(&self) -> [R; T] {
+        let mut rates = self.coefficients;
+        for (order, rate) in rates.iter_mut().enumerate().take(self.degree + 1) {
+            *rate *= R::from_f64(order as f64);
+        }
+        rates
+    }
+
+    /// Adds what coefficient `known` of one factor gives to the sums Σ factorⱼ knownₖ₋ⱼ of all higher orders k. None of
+    /// these waits for another, as terms of one sum would.
+    #[inline]
+    fn push(&self, sums: &mut [R; T], factor: &[R; T], order: usize, known: R) {
+        let sums = sums.get_mut(order + 1..=self.orders).unwrap_or_default();
+        for (sum, &x) in sums.iter_mut().zip(factor.get(1..=self.degree).unwrap_or_default()) {
+            *sum = R::mul_add(x, known, *sum);
+        }
     }
 
     /// The bound of the roundings of a function of this number whose slope is no more than that: those of the number
@@ -31,45 +43,50 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         series
     }
 
-    /// Σ j xⱼ sₖ₋ⱼ / k: coefficient k of the integral of x′ s.
-    fn integral(&self, order: usize, slope: &[R]) -> R {
-        let mut sum = R::zero();
-        for (j, &x) in self.terms().iter().enumerate().take(order + 1).skip(1) {
-            if let Some(&s) = slope.get(order - j) {
-                sum = R::mul_add(R::from_f64(j as f64) * x, s, sum);
-            }
-        }
-        sum / R::from_f64(order as f64)
-    }
-
-    /// A function with this value at the start and this derivative.
+    /// A function with this value at the start and this derivative: its coefficients are Σ j xⱼ sₖ₋ⱼ / k.
     fn with_slope(&self, value: R, slope: &Self) -> Self {
-        let series = self.series(value, |order, _| self.integral(order, slope.terms()));
+        let mut series = self.begun(value);
+        let (rates, mut sums) = (self.rates(), [R::zero(); T]);
+        for (order, &slope) in slope.terms().iter().enumerate().take(series.degree) {
+            self.push(&mut sums, &rates, order, slope);
+        }
+        let places = series.coefficients.iter_mut().zip(sums).enumerate();
+        for (order, (to, sum)) in places.skip(1).take(series.degree) {
+            *to = sum / R::from_f64(order as f64);
+        }
         self.following(series, slope.extent())
     }
 
     /// The power with an exponent that does not change, from its value at the start.
     fn power(&self, value: R, exponent: R) -> Self {
+        let mut series = self.begun(value);
+        let (rates, mut sums) = (self.rates(), [R::zero(); T]);
         let base = self.start();
-        self.series(value, |order, known| {
-            let mut sum = R::zero();
-            for (j, &x) in self.terms().iter().enumerate().take(order + 1).skip(1) {
-                if let Some(&y) = known.get(order - j) {
-                    let weight = exponent * R::from_f64(j as f64) - R::from_f64((order - j) as f64);
-                    sum = R::mul_add(weight * x, y, sum);
-                }
+        let mut known = value;
+        for order in 1..=series.degree {
+            let before = R::from_f64(order as f64 - 1.0);
+            let places = sums.get_mut(order..=self.orders).unwrap_or_default().iter_mut();
+            let factors = rates.iter().zip(&self.coefficients).skip(1).take(self.degree);
+            for (sum, (&rate, &x)) in places.zip(factors) {
+                *sum = R::mul_add(exponent * rate - before * x, known, *sum);
             }
-            sum / (R::from_f64(order as f64) * base)
-        })
+            known = sums[order] / (R::from_f64(order as f64) * base);
+            series.coefficients[order] = known;
+        }
+        series
     }
 
     /// The value and the derivative of a function with f″ = ± f, together.
     fn pair(&self, value: R, slope: R, sign: R) -> (Self, Self) {
-        let mut first = self.series(value, |_, _| R::zero());
-        let mut second = self.series(slope, |_, _| R::zero());
+        let (mut first, mut second) = (self.begun(value), self.begun(slope));
+        let (rates, mut sums) = (self.rates(), [[R::zero(); T]; 2]);
         for order in 1..=first.degree {
-            let (a, b) = (self.integral(order, second.terms()), self.integral(order, first.terms()));
-            (first.coefficients[order], second.coefficients[order]) = (a, sign * b);
+            let [by_first, by_second] = &mut sums;
+            self.push(by_first, &rates, order - 1, second.coefficients[order - 1]);
+            self.push(by_second, &rates, order - 1, sign * first.coefficients[order - 1]);
+            let k = R::from_f64(order as f64);
+            (first.coefficients[order], second.coefficients[order]) =
+                (sums[0][order] / k, sums[1][order] / k);
         }
         let (by_first, by_second) = (second.extent(), first.extent());
         (self.following(first, by_first), self.following(second, by_second))
@@ -174,27 +191,45 @@ impl<R: Ordered, const T: usize> Real for Taylor<R, T> {
         self.pair(x.sinh(), x.cosh(), R::one()).1
     }
     fn tanh(self) -> Self {
-        let mut slope = Self::constant(R::zero());
-        let (x, degree) = (self.start(), if self.degree > 0 { self.orders } else { 0 });
-        let decay = x.cosh().recip();
+        let x = self.start();
+        let decay = x.sech();
         // y′ = s x′ with s = 1 − y², whose value would cancel where y is near one.
-        let mut squares = decay * decay;
-        let mut tanh = Self { orders: self.orders, is_whole: self.is_whole, ..Self::constant(x.tanh()) };
-        for order in 0..=degree {
-            if order > 0 {
-                tanh.coefficients[order] = self.integral(order, slope.terms());
-                squares = R::zero();
-                for j in 0..=order {
-                    squares -= tanh.coefficients[j] * tanh.coefficients[order - j];
-                }
-                (tanh.degree, tanh.is_whole) = (order, false);
+        let mut square = decay * decay;
+        let mut tanh = self.begun(x.tanh());
+        let (rates, mut sums, mut extent) = (self.rates(), [R::zero(); T], square);
+        for order in 1..=tanh.degree {
+            self.push(&mut sums, &rates, order - 1, square);
+            tanh.coefficients[order] = sums[order] / R::from_f64(order as f64);
+            square = R::zero();
+            for j in 0..=order {
+                square -= tanh.coefficients[j] * tanh.coefficients[order - j];
             }
-            (slope.coefficients[order], slope.degree) = (squares, order);
+            extent += square.abs();
         }
-        self.following(tanh, slope.extent())
+        self.following(tanh, extent)
+    }
+    fn sech(self) -> Self {
+        // y′ = −y tanh(x) x′.
+        let tangent = self.tanh();
+        let mut sech = self.begun(self.start().sech());
+        let (rates, mut sums) = (self.rates(), [R::zero(); T]);
+        for order in 1..=sech.degree {
+            let mut slope = R::zero();
+            for j in 0..order {
+                slope -= sech.coefficients[j] * tangent.coefficients[order - 1 - j];
+            }
+            self.push(&mut sums, &rates, order - 1, slope);
+            sech.coefficients[order] = sums[order] / R::from_f64(order as f64);
+        }
+        self.following(sech, sech.extent())
     }
     fn exp(self) -> Self {
-        let exp = self.series(self.start().exp(), |order, known| self.integral(order, known));
+        let mut exp = self.begun(self.start().exp());
+        let (rates, mut sums) = (self.rates(), [R::zero(); T]);
+        for order in 1..=exp.degree {
+            self.push(&mut sums, &rates, order - 1, exp.coefficients[order - 1]);
+            exp.coefficients[order] = sums[order] / R::from_f64(order as f64);
+        }
         self.following(exp, exp.extent())
     }
     fn exp_m1(self) -> Self {

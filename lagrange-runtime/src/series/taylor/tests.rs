@@ -18,7 +18,7 @@ type Case = (&'static str, fn(Taylor<f64>, Taylor<f64>) -> Taylor<f64>, fn(f64, 
 
 #[test]
 fn functions_of_polynomials_have_the_values_of_functions() {
-    let cases: [Case; 27] = [
+    let cases: [Case; 28] = [
         ("sum", |x, y| x + y, |x, y| x + y),
         ("difference", |x, y| x - y, |x, y| x - y),
         ("product", |x, y| x * y, |x, y| x * y),
@@ -33,6 +33,7 @@ fn functions_of_polynomials_have_the_values_of_functions() {
         ("sinh", |x, _| x.sinh(), |x, _| x.sinh()),
         ("cosh", |x, _| x.cosh(), |x, _| x.cosh()),
         ("tanh", |x, _| x.tanh(), |x, _| x.tanh()),
+        ("sech", |x, _| x.sech(), |x, _| x.cosh().recip()),
         ("asinh", |x, _| x.asinh(), |x, _| x.asinh()),
         ("acosh", |_, y| y.acosh(), |_, y| y.acosh()),
         ("atanh", |x, _| x.atanh(), |x, _| x.atanh()),

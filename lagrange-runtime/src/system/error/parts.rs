@@ -55,31 +55,11 @@ impl fmt::Debug for Magnitude {
     }
 }
 
-/// A nonnegative number in single precision, enough for a report: its binary digits one by one, since a
-/// scalar of the user's own has no conversion.
+/// The size of a violation.
 #[cold]
 pub(crate) fn magnitude<R: Ordered>(value: R) -> Magnitude {
-    if !value.is_finite() {
-        return Magnitude(f32::NAN);
-    }
-    let (mut rest, mut sum) = (value, 0.0);
-    let (mut digit, mut power) = (R::from_f64(LARGEST_DIGIT as f64), LARGEST_DIGIT);
-    if value >= digit + digit {
-        return Magnitude(f32::INFINITY);
-    }
-    while power > 0.0 && rest > R::zero() {
-        if rest >= digit {
-            rest -= digit;
-            sum += power;
-        }
-        digit *= R::from_f64(0.5);
-        power *= 0.5;
-    }
-    Magnitude(sum)
+    Magnitude(if value.is_finite() { value.to_single() } else { f32::NAN })
 }
-
-/// 2¹²⁷, the largest power of two in `f32`.
-const LARGEST_DIGIT: f32 = f32::from_bits(0x7f00_0000);
 
 #[cfg(test)]
 mod tests {

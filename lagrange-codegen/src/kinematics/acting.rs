@@ -1,0 +1,150 @@
+//! How a holonomic constraint acts on a particle or a body.
+//!
+//! Where f is a function of the position r of a place, its force there is λ ∂f/∂r. A coordinate that is a
+//! component of one position counts as that component, so that a constraint may be written in the coordinates
+//! as well. Where it is written in other coordinates of a particle that nothing else depends on, and there are
+//! as many of them as r has components, f is a function of r by way of them, and ∂f/∂r follows from
+//! (∂r/∂q)ᵀ ∂f/∂r = ∂f/∂q. Otherwise its form does not tell how it acts.
+
+use crate::calculus::{pullback, substitute};
+use crate::expr::{Exponent, Graph, Node, NodeId, Variable};
+use crate::model::{Constraint, Place, component_of_one, orientation};
+use crate::number::Number;
+
+/// What a constraint does at a place.
+#[derive(Clone, Debug)]
+pub(crate) struct Acting {
+    /// The force of a unit multiplier, as a function of coordinates.
+    pub force: Vec<NodeId>,
+    /// Whether that is all. If not, the constraint also names coordinates that move the place.
+    pub is_whole: bool,
+}
+
+impl Acting {
+    /// Whether there may be a force.
+    pub fn is_any(&self, graph: &Graph) -> bool {
+        !self.is_whole || self.force.iter().any(|&component| !graph.is_zero(component))
+    }
+
+    /// The size of the force.
+    pub fn size(&self, graph: &mut Graph) -> NodeId {
+        let squares: Vec<_> = self.force.iter().map(|&entry| (graph.powi(entry, 2), Number::ONE)).collect();
+        let square = graph.sum(Number::ZERO, &squares);
+        graph.product(&[(square, Exponent(1))])
+    }
+}
+
+/// How a constraint acts on each of the places. `orientations` are the first coordinates of those.
+pub(crate) fn acting(
+    graph: &mut Graph,
+    constraint: &Constraint,
+    places: &[Place],
+    coordinates: &[NodeId],
+    orientations: &[usize],
+) -> Vec<Acting> {
+    let Some(through) = constraint.through else { return Vec::new() };
+    let components: Vec<(NodeId, NodeId)> = coordinates
+        .iter()
+        .filter_map(|&q| component_of_one(places, q).map(|variable| (q, variable)))
+        .collect();
+    let values: Vec<(NodeId, NodeId)> = places
+        .iter()
+        .flat_map(|place| place.variables.iter().copied().zip(place.position.iter().copied()))
+        .collect();
+    let through = substitute(graph, &[through], &components)[0];
+    let one = graph.one();
+    let movers: Vec<Option<Vec<NodeId>>> =
+        places.iter().map(|place| movers(graph, place, coordinates, orientations)).collect();
+    let named: Vec<NodeId> =
+        graph.cone([through]).into_iter().filter(|node| coordinates.contains(node)).collect();
+    let mut all = Vec::with_capacity(places.len());
+    for (i, place) in places.iter().enumerate() {
+        let slopes = pullback(graph, &[(through, one)], &place.variables);
+        let force = substitute(graph, &slopes, &values);
+        let is_whole = match &movers[i] {
+            Some(movers) => !named.iter().any(|q| movers.contains(q)),
+            // Of one that turns with an orientation the position may be all that is named.
+            None => !named.iter().any(|q| graph.cone(place.position.iter().copied()).contains(q)),
+        };
+        let alone = |own: &[NodeId]| {
+            let mut others = movers.iter().enumerate().filter(|&(j, _)| j != i).map(|(_, other)| other);
+            others.all(|other| other.as_ref().is_some_and(|other| !other.iter().any(|q| own.contains(q))))
+        };
+        let by_coordinates = match &movers[i] {
+            Some(own) if !is_whole && !place.turns && own.len() == place.position.len() && alone(own) => {
+                inverse_slopes(graph, constraint.value, &place.position, own)
+            }
+            _ => None,
+        };
+        all.push(match by_coordinates {
+            Some(force) => Acting { force, is_whole: true },
+            None => Acting { force, is_whole },
+        });
+    }
+    all
+}
+
+/// The coordinates that move a place; `None` where orientations do.
+fn movers(
+    graph: &Graph,
+    place: &Place,
+    coordinates: &[NodeId],
+    orientations: &[usize],
+) -> Option<Vec<NodeId>> {
+    let mut movers = Vec::new();
+    for node in graph.cone(place.position.iter().copied()) {
+        match graph.node(node) {
+            Node::Variable(Variable::Entry(_)) => return None,
+            Node::Variable(Variable::Coordinate(i)) if orientation::holds(orientations, *i as usize) => {
+                return None;
+            }
+            Node::Variable(Variable::Coordinate(_)) if coordinates.contains(&node) => movers.push(node),
+            _ => {}
+        }
+    }
+    Some(movers)
+}
+
+/// ∂f/∂r where f and r are functions of as many coordinates as r has components, by Cramer's rule; `None` where
+/// the coordinates do not move r in all directions.
+fn inverse_slopes(
+    graph: &mut Graph,
+    value: NodeId,
+    position: &[NodeId],
+    coordinates: &[NodeId],
+) -> Option<Vec<NodeId>> {
+    let one = graph.one();
+    let right = pullback(graph, &[(value, one)], coordinates);
+    let columns: Vec<Vec<NodeId>> =
+        position.iter().map(|&component| pullback(graph, &[(component, one)], coordinates)).collect();
+    let whole = determinant(graph, &columns);
+    if graph.is_zero(whole) {
+        return None;
+    }
+    let force = (0..columns.len()).map(|i| {
+        let mut replaced = columns.clone();
+        replaced[i].clone_from(&right);
+        let part = determinant(graph, &replaced);
+        graph.product(&[(part, Exponent(2)), (whole, Exponent(-2))])
+    });
+    Some(force.collect())
+}
+
+/// The determinant of a small matrix, by its first column.
+fn determinant(graph: &mut Graph, columns: &[Vec<NodeId>]) -> NodeId {
+    let Some((first, rest)) = columns.split_first() else { return graph.one() };
+    let mut terms = Vec::with_capacity(first.len());
+    for (row, &entry) in first.iter().enumerate() {
+        if graph.is_zero(entry) {
+            continue;
+        }
+        let without = |column: &Vec<NodeId>| {
+            column.iter().enumerate().filter(|&(other, _)| other != row).map(|(_, &entry)| entry).collect()
+        };
+        let minor: Vec<Vec<NodeId>> = rest.iter().map(without).collect();
+        let minor = determinant(graph, &minor);
+        let sign = if row % 2 == 0 { Number::ONE } else { Number::MINUS_ONE };
+        terms.push((graph.mul(entry, minor), sign));
+    }
+    graph.sum(Number::ZERO, &terms)
+}

@@ -1,0 +1,243 @@
+//! Rigid bodies that hang on each other, as the screws of the coordinates.
+//!
+//! A coordinate whose velocity gives the same twist to all bodies that it moves carries them, and whatever
+//! depends on other coordinates is carried along. Where that holds of all coordinates, and what any two of
+//! them move is nested or apart, the derivatives of inverse dynamics follow from sums over bodies (runtime,
+//! `system/screws.rs`). That is so for every tree of hinges, slides, angles and poses; nothing here knows
+//! of them. Which bodies a coordinate moves, and how, is read from velocities at points without any
+//! structure.
+
+mod moved;
+mod weight;
+
+use super::equations::{Loads, negated};
+use super::forces;
+use super::motion::{Axes, Motion};
+use crate::calculus::pushforward;
+use crate::expr::{Graph, NodeId, Variable};
+use crate::kinematics::{cross, times, turning_direction};
+use crate::model::Model;
+use crate::number::Number;
+pub use moved::Group;
+use moved::{Moved, Part, groups, parts, vanish};
+
+type Vector = [NodeId; 3];
+
+/// Inertia forces and weights of bodies.
+#[derive(Clone, Debug)]
+pub struct Screws {
+    /// What hangs on a group follows it.
+    pub groups: Vec<Group>,
+    /// The screw of each coordinate about the place of a body: angular part, linear part.
+    pub screws: Vec<[NodeId; 6]>,
+    /// Their first and second rates along the motion, where they are given.
+    pub rates: Vec<[[NodeId; 6]; 2]>,
+    /// Their derivatives by the coordinates of the group, where rates are given.
+    pub changes: Vec<[NodeId; 6]>,
+    /// Mass, first moment, and moments of inertia xx, xy, xz, yy, yz, zz of what a group alone moves.
+    pub inertias: Vec<[NodeId; 10]>,
+    /// The acceleration of free fall.
+    pub gravity: Vector,
+    /// What r is made of beside these forces.
+    pub rest: Vec<NodeId>,
+}
+
+impl Screws {
+    /// `None` where the bodies do not hang on each other like this.
+    pub fn of(model: &mut Model) -> Option<Screws> {
+        let others = [&model.kinetic, &model.lagrangian];
+        if others.iter().any(|terms| !terms.is_empty()) || !model.constraints.is_empty() {
+            return None;
+        }
+        let parts = parts(model)?;
+        let count = model.coordinates.len();
+        let moved = Moved::of(&model.graph, &parts, count)?;
+        let groups = groups(&moved.sets)?;
+        let mut deriving = Deriving { parts, sets: moved.sets, direction: Vec::new() };
+        let graph = &mut model.graph;
+        deriving.direction = turning_direction(graph, count, &[]);
+        for i in 0..count as u32 {
+            let velocity = graph.variable(Variable::Velocity(i));
+            deriving.direction.push((velocity, graph.variable(Variable::Acceleration(i))));
+        }
+        let mut screws = deriving.screws(graph, groups);
+        let (gravity, falling) = weight::gravity(model, &deriving.parts);
+        screws.gravity = gravity;
+        screws.rest = rest(model, &falling);
+        Some(screws)
+    }
+
+    /// The nodes that a state is turned into, in the order of the fields.
+    pub fn nodes(&self) -> Vec<NodeId> {
+        let rates = self.rates.as_flattened().as_flattened();
+        let flat = self.screws.as_flattened().iter().chain(rates).chain(self.changes.as_flattened());
+        flat.chain(self.inertias.as_flattened()).chain(&self.gravity).copied().collect()
+    }
+}
+
+/// What screws are made from.
+struct Deriving {
+    parts: Vec<Part>,
+    sets: Vec<Vec<bool>>,
+    /// Of total time derivatives.
+    direction: Vec<(NodeId, NodeId)>,
+}
+
+/// A part in space axes.
+struct Placed {
+    /// From the point that moments are about.
+    from: Vector,
+    velocity: Vector,
+}
+
+impl Deriving {
+    fn screws(&self, graph: &mut Graph, mut groups: Vec<Group>) -> Screws {
+        let own: Vec<Vec<usize>> = (0..groups.len()).map(|group| self.own(&groups, group)).collect();
+        let zero = graph.zero();
+        let mut screws = vec![[zero; 6]; self.sets.len()];
+        let (mut rates, mut changes, mut inertias) = (Vec::new(), Vec::new(), Vec::new());
+        let origin = self.parts[self.follows(&groups[0], &own[0])].place;
+        for (group, own) in groups.iter_mut().zip(&own) {
+            let part = &self.parts[self.follows(group, own)];
+            let placed = Placed {
+                from: difference(graph, &part.place, &origin),
+                velocity: times(graph, &part.rotation.matrix, &part.velocity),
+            };
+            let slopes: Vec<[Vector; 2]> = group.coordinates.iter().map(|&j| part.slopes(graph, j)).collect();
+            for (&j, [angular, linear]) in group.coordinates.iter().zip(&slopes) {
+                let carried = cross(graph, angular, &placed.from);
+                screws[j] = joined(*angular, difference(graph, linear, &carried));
+            }
+            let of_group = changes_of(graph, group, &slopes, &placed);
+            if group.coordinates.len() > 1 || !vanish(graph, &of_group) {
+                group.given = Some(rates.len());
+                rates.extend(slopes.iter().map(|slopes| self.rates(graph, slopes, &placed)));
+                changes.extend(of_group);
+            }
+            let parts = own.iter().map(|&part| &self.parts[part]);
+            inertias.push(inertia(graph, parts, &origin));
+        }
+        let gravity = [zero; 3];
+        Screws { groups, screws, rates, changes, inertias, gravity, rest: Vec::new() }
+    }
+
+    fn holds(&self, group: &Group, part: usize) -> bool {
+        group.coordinates.iter().all(|&coordinate| self.sets[coordinate][part])
+    }
+
+    /// The parts that a group moves and no other group on it.
+    fn own(&self, groups: &[Group], group: usize) -> Vec<usize> {
+        let children = || groups.iter().filter(|child| child.parent == Some(group));
+        let is_own = |&part: &usize| {
+            self.holds(&groups[group], part) && !children().any(|child| self.holds(child, part))
+        };
+        (0..self.parts.len()).filter(is_own).collect()
+    }
+
+    /// A part by which the screws of a group are read: the nearest.
+    fn follows(&self, group: &Group, own: &[usize]) -> usize {
+        let any = || (0..self.parts.len()).find(|&part| self.holds(group, part));
+        own.first().copied().or_else(any).unwrap_or_default()
+    }
+
+    /// Ṡ and S̈ about a point at rest.
+    fn rates(&self, graph: &mut Graph, [w, u]: &[Vector; 2], placed: &Placed) -> [[NodeId; 6]; 2] {
+        let [dw, du] = [w, u].map(|vector| self.rate(graph, vector));
+        let [ddw, ddu] = [&dw, &du].map(|vector| self.rate(graph, vector));
+        let acceleration = self.rate(graph, &placed.velocity);
+        let two = Number::integer(2);
+        let first = [
+            (cross(graph, &dw, &placed.from), Number::ONE),
+            (cross(graph, w, &placed.velocity), Number::ONE),
+        ];
+        let second = [
+            (cross(graph, &ddw, &placed.from), Number::ONE),
+            (cross(graph, &dw, &placed.velocity), two),
+            (cross(graph, w, &acceleration), Number::ONE),
+        ];
+        [joined(dw, less(graph, &du, &first)), joined(ddw, less(graph, &ddu, &second))]
+    }
+
+    fn rate(&self, graph: &mut Graph, vector: &Vector) -> Vector {
+        let rates = pushforward(graph, vector, &self.direction);
+        [rates[0], rates[1], rates[2]]
+    }
+}
+
+/// ∂S/∂q of a group, rows S, about a point at rest.
+fn changes_of(graph: &mut Graph, group: &Group, slopes: &[[Vector; 2]], placed: &Placed) -> Vec<[NodeId; 6]> {
+    let one = graph.one();
+    let mut changes = Vec::with_capacity(slopes.len() * slopes.len());
+    for [w, u] in slopes {
+        for (&j, [_, moves]) in group.coordinates.iter().zip(slopes) {
+            let coordinate = graph.variable(Variable::Coordinate(j as u32));
+            let [dw, du] = [w, u].map(|vector| {
+                let slopes = pushforward(graph, vector, &[(coordinate, one)]);
+                [slopes[0], slopes[1], slopes[2]]
+            });
+            let across =
+                [(cross(graph, &dw, &placed.from), Number::ONE), (cross(graph, w, moves), Number::ONE)];
+            changes.push(joined(dw, less(graph, &du, &across)));
+        }
+    }
+    changes
+}
+
+/// Mass, first moment and moments of inertia of some parts together.
+fn inertia<'a>(graph: &mut Graph, parts: impl Iterator<Item = &'a Part>, origin: &Vector) -> [NodeId; 10] {
+    let mut sums: [Vec<(NodeId, Number)>; 10] = Default::default();
+    for part in parts {
+        let from = difference(graph, &part.place, origin);
+        let moment = from.map(|component| graph.mul(part.mass, component));
+        let turned = part.inertia.map(|inertia| {
+            let matrix = &part.rotation.matrix;
+            // R I Rᵀ, since I is symmetric.
+            let half = [0, 1, 2].map(|row| times(graph, &inertia, &matrix[row]));
+            [0, 1, 2].map(|row| times(graph, &half, &matrix[row]))
+        });
+        sums[0].push((part.mass, Number::ONE));
+        for (sum, moment) in sums[1..4].iter_mut().zip(moment) {
+            sum.push((moment, Number::ONE));
+        }
+        for (sum, (i, j)) in sums[4..].iter_mut().zip([(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)]) {
+            sum.extend(turned.map(|turned| (turned[i][j], Number::ONE)));
+            if i == j {
+                for k in [0, 1, 2].into_iter().filter(|&k| k != i) {
+                    sum.push((graph.mul(moment[k], from[k]), Number::ONE));
+                }
+            } else {
+                sum.push((graph.mul(moment[i], from[j]), Number::MINUS_ONE));
+            }
+        }
+    }
+    sums.map(|sum| graph.sum(Number::ZERO, &sum))
+}
+
+/// Forces beside inertia forces and the weight.
+fn rest(model: &mut Model, falling: &[usize]) -> Vec<NodeId> {
+    let motion = Motion::of(model, Axes::Own);
+    let one = model.graph.one();
+    let potentials = model.potential.iter().enumerate().filter(|(term, _)| !falling.contains(term));
+    let conservative =
+        Loads { through_q: potentials.map(|(_, term)| (term.value, one)).collect(), ..Loads::default() };
+    let applied = forces::loads(model, &motion).negated(model);
+    let total = conservative.joined(applied).sweep(model, &motion);
+    negated(model, &total)
+}
+
+fn joined([a, b, c]: Vector, [d, e, f]: Vector) -> [NodeId; 6] {
+    [a, b, c, d, e, f]
+}
+
+fn difference(graph: &mut Graph, a: &Vector, b: &Vector) -> Vector {
+    less(graph, a, &[(*b, Number::ONE)])
+}
+
+/// A vector less multiples of others.
+fn less(graph: &mut Graph, vector: &Vector, others: &[(Vector, Number)]) -> Vector {
+    [0, 1, 2].map(|i| {
+        let mut terms = vec![(vector[i], Number::ONE)];
+        terms.extend(others.iter().map(|(other, factor)| (other[i], -*factor)));
+        graph.sum(Number::ZERO, &terms)
+    })
+}

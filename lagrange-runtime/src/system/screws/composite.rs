@@ -1,0 +1,157 @@
+//! Twists, wrenches, and bodies that move as one.
+
+use crate::number::real::Real;
+
+pub(super) type Vector<R> = [R; 3];
+
+/// A twist, or a wrench: angular part, linear part.
+#[derive(Clone, Copy)]
+pub(super) struct Pair<R>(pub Vector<R>, pub Vector<R>);
+
+/// Bodies as one, at a state.
+#[derive(Clone, Copy)]
+pub(super) struct Composite<R> {
+    mass: R,
+    moment: Vector<R>,
+    inertia: [Vector<R>; 3],
+    /// The columns of G.
+    gyration: [Vector<R>; 3],
+    /// P.
+    momentum: Vector<R>,
+    /// F.
+    pub force: Pair<R>,
+}
+
+impl<R: Real> Pair<R> {
+    pub fn zero() -> Self {
+        Pair([R::zero(); 3], [R::zero(); 3])
+    }
+
+    pub fn of(&[a, b, c, d, e, f]: &[R; 6]) -> Self {
+        Pair([a, b, c], [d, e, f])
+    }
+
+    /// The sum with a multiple.
+    pub fn plus(&self, factor: R, other: &Self) -> Self {
+        let both = |a: &Vector<R>, b: &Vector<R>| [0, 1, 2].map(|i| R::mul_add(factor, b[i], a[i]));
+        Pair(both(&self.0, &other.0), both(&self.1, &other.1))
+    }
+
+    pub fn parts(&self) -> [R; 6] {
+        let Pair([a, b, c], [d, e, f]) = *self;
+        [a, b, c, d, e, f]
+    }
+
+    pub fn sum(&self, other: &Self) -> Self {
+        Pair(sum(&self.0, &other.0), sum(&self.1, &other.1))
+    }
+
+    pub fn doubled(&self) -> Self {
+        self.sum(self)
+    }
+
+    pub fn dot(&self, other: &Self) -> R {
+        dot(&self.0, &other.0) + dot(&self.1, &other.1)
+    }
+
+    /// How a twist changes what it carries: self × twist.
+    pub fn moves(&self, twist: &Self) -> Self {
+        Pair(cross(&self.0, &twist.0), sum(&cross(&self.0, &twist.1), &cross(&self.1, &twist.0)))
+    }
+
+    /// How it changes a wrench: self ×* wrench.
+    pub fn turns(&self, wrench: &Self) -> Self {
+        Pair(sum(&cross(&self.0, &wrench.0), &cross(&self.1, &wrench.1)), cross(&self.0, &wrench.1))
+    }
+}
+
+impl<R: Real> Composite<R> {
+    pub fn zero() -> Self {
+        let nothing = [R::zero(); 3];
+        Composite {
+            mass: R::zero(),
+            moment: nothing,
+            inertia: [nothing; 3],
+            gyration: [nothing; 3],
+            momentum: nothing,
+            force: Pair::zero(),
+        }
+    }
+
+    pub fn of(
+        &[mass, hx, hy, hz, xx, xy, xz, yy, yz, zz]: &[R; 10],
+        twist: &Pair<R>,
+        acceleration: &Pair<R>,
+    ) -> Self {
+        let (moment, inertia) = ([hx, hy, hz], [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]);
+        let mut bodies = Composite { mass, moment, inertia, ..Composite::zero() };
+        let momentum = bodies.times(twist);
+        bodies.momentum = momentum.1;
+        bodies.force = bodies.times(acceleration).sum(&twist.turns(&momentum));
+        // G x = ω × (J x − ½ tr J x) − (h × v) × x − v × (h × x).
+        let Pair(spin, velocity) = twist;
+        let half = (xx + yy + zz) * R::from_f64(0.5);
+        let [cx, cy, cz] = cross(&moment, velocity);
+        let along = dot(velocity, &moment);
+        let zero = R::zero();
+        let crossed = [[zero, -cz, cy], [cz, zero, -cx], [-cy, cx, zero]];
+        for k in 0..3 {
+            let mut column = inertia[k];
+            column[k] -= half;
+            let mut gyration = cross(spin, &column);
+            for i in 0..3 {
+                gyration[i] += crossed[k][i] - moment[i] * velocity[k];
+            }
+            gyration[k] += along;
+            bodies.gyration[k] = gyration;
+        }
+        bodies
+    }
+
+    pub fn add(&mut self, other: &Self) {
+        self.mass += other.mass;
+        self.moment = sum(&self.moment, &other.moment);
+        for k in 0..3 {
+            self.inertia[k] = sum(&self.inertia[k], &other.inertia[k]);
+            self.gyration[k] = sum(&self.gyration[k], &other.gyration[k]);
+        }
+        self.momentum = sum(&self.momentum, &other.momentum);
+        self.force = self.force.sum(&other.force);
+    }
+
+    /// I x.
+    pub fn times(&self, Pair(angular, linear): &Pair<R>) -> Pair<R> {
+        let [tx, ty, tz] = cross(&self.moment, linear);
+        let [fx, fy, fz] = cross(angular, &self.moment);
+        let turned =
+            [dot(&self.inertia[0], angular), dot(&self.inertia[1], angular), dot(&self.inertia[2], angular)];
+        let pushed = linear.map(|part| self.mass * part);
+        Pair(sum(&turned, &[tx, ty, tz]), sum(&pushed, &[fx, fy, fz]))
+    }
+
+    /// B x.
+    pub fn gyrates(&self, Pair(x, _): &Pair<R>) -> Pair<R> {
+        let [a, b, c] = &self.gyration;
+        let torque = [0, 1, 2].map(|i| R::mul_add(a[i], x[0], R::mul_add(b[i], x[1], c[i] * x[2])));
+        Pair(torque, cross(x, &self.momentum)).doubled()
+    }
+
+    /// The angular part of Bᵀ x, the only one.
+    pub fn gyrates_back(&self, Pair(angular, linear): &Pair<R>) -> Vector<R> {
+        let across = cross(&self.momentum, linear);
+        let half = [0, 1, 2].map(|k| dot(&self.gyration[k], angular) + across[k]);
+        sum(&half, &half)
+    }
+}
+
+fn cross<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
+}
+
+fn dot<R: Real>(a: &Vector<R>, b: &Vector<R>) -> R {
+    R::mul_add(a[0], b[0], R::mul_add(a[1], b[1], a[2] * b[2]))
+}
+
+fn sum<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
+    [0, 1, 2].map(|i| a[i] + b[i])
+}
