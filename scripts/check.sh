@@ -14,6 +14,7 @@ usage: scripts/check.sh NAME …
   ui          messages about mistakes that the compiler finds in types
   random      10 000 random systems (or CASES of them) against dual numbers
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
+  editor      rust-analyzer in a body that is being written: completion, hover, no false message (installs it by rustup)
   packages    each package is complete: it is built from what would be published
   benchmarks  the benchmark crate builds, optimised
   lanes       motions in the lanes of SIMD vectors with the instructions of the present processor
@@ -33,7 +34,7 @@ usage: scripts/check.sh NAME …
   gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
               nightly toolchain and NVIDIA's assembler)
   all         everything above
-  ci          the same without random, packages, benchmarks, lanes, tables, mpi, digits, roots, contacts, gallery and gpu, and of
+  ci          the same without random, editor, packages, benchmarks, lanes, tables, mpi, digits, roots, contacts, gallery and gpu, and of
               firmware what needs no nightly toolchain
 EOF
 }
@@ -62,6 +63,11 @@ ui() { cargo test --test ui_types; }
 random() { PROPTEST_CASES=${CASES:-10000} cargo test --release -p lagrange-codegen --test random; }
 
 command_line() { cargo test -p cargo-lagrange --test models -- --ignored; }
+
+editor() {
+    rustup component add rust-analyzer
+    scripts/editor.py
+}
 
 packages() { cargo package --workspace --exclude benchmarks --allow-dirty --quiet; }
 
@@ -103,9 +109,9 @@ gpu() { scripts/gpu.sh all; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | features | book | ui | random | packages | benchmarks | lanes | tables | mpi | digits | long | drift | roots | contacts | stack | stack-release | gallery | gpu | firmware)
+        fmt | clippy | docs | features | book | ui | random | editor | packages | benchmarks | lanes | tables | mpi | digits | long | drift | roots | contacts | stack | stack-release | gallery | gpu | firmware)
             "$name" ;;
-        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; packages; benchmarks; lanes; tables; mpi; digits; long; drift; roots; contacts; firmware; gallery; gpu ;;
+        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; editor; packages; benchmarks; lanes; tables; mpi; digits; long; drift; roots; contacts; firmware; gallery; gpu ;;
         ci)
             fmt; clippy; docs; features; book; ui; stack; command_line; long; drift
             FIRMWARE=ci firmware ;;

@@ -17,8 +17,13 @@ use std::process::Command;
 use cases::{outputs, stems};
 
 /// Messages that no description can produce, each with the reason.
-const OUT_OF_REACH: [(&str, &str); 1] =
-    [("internal_error", "a description that shows it is a bug to be mended")];
+const OUT_OF_REACH: [(&str, &str); 2] = [
+    ("internal_error", "a description that shows it is a bug to be mended"),
+    (
+        "unread",
+        "the compiler reports the form itself, and comes to this message only where it sees nothing wrong",
+    ),
+];
 
 #[test]
 fn every_mistake_is_reported_where_it_is() {

@@ -9,7 +9,7 @@ mod mutation;
 use std::io::Write;
 use std::time::Instant;
 
-use mutation::{ACCEPTED, Random, mutated};
+use mutation::{ACCEPTED, Random, is_accepted, mutated};
 use proc_macro2::TokenStream;
 
 fn main() {
@@ -37,7 +37,7 @@ fn main() {
             longest = seconds;
             println!("longest so far {seconds:.2} s, seed {seed}");
         }
-        if !expansion.contains("compile_error") {
+        if is_accepted(&expansion) {
             accepted += 1;
             if let Some(folder) = folder.filter(|_| written < 1000) {
                 let text = format!("use lagrangian::prelude::*;\n{fields}\n#[lagrangian({args})]\n{shown}\n");

@@ -15,7 +15,7 @@ use crate::model::Model;
 use crate::orders::Expansions;
 use crate::schedule::{Operations, plan};
 use crate::structure::{Facts, Solution};
-use crate::syntax::Item;
+use crate::syntax::{Incomplete, Item};
 use crate::{eliminate, jets, lower, mechanics, regimes, syntax};
 
 /// Expands `#[lagrangian(args)] item`. Generated code names `default_crate` unless the user says
@@ -30,7 +30,7 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
     }
     let mut parsed = None;
     let attempt = || {
-        parsed = syntax::parse(args.clone(), item.clone(), default_crate, &mut diagnostics);
+        parsed = syntax::parse(args, item.clone(), default_crate, &mut diagnostics);
         try_expand(parsed.as_ref()?, &mut diagnostics)
     };
     // A panic is always a bug of ours; as an error on the attribute it can be reported as one.
@@ -39,14 +39,23 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
         Ok(None) => {}
         Err(_) => diagnostics.error(Span::call_site(), physics::internal_error()),
     }
-    let messages = diagnostics.to_tokens();
-    // With the declarations known, everything that a program may use of a system is there.
-    let stubs = parsed.as_ref().and_then(stubs);
-    let recovered = syntax::recover(args, item, stubs.is_none());
-    quote!(#messages #recovered #stubs)
+    // Who has not written to the end has been told so, and of the rest later.
+    let messages = match parsed.as_ref().and_then(|item| item.incomplete.as_ref()) {
+        Some(Incomplete::Form(reason)) => syntax::refusal(reason),
+        Some(Incomplete::Declarations) | None => diagnostics.to_tokens(),
+    };
+    // Everything that a program may use of a system is there as far as declarations can be read.
+    let stubs = parsed.as_mut().map(stubs);
+    // rust-analyzer compares the expansion of what is written with that of a word at the cursor, place by place, so
+    // nothing that depends on the mistake stands before the user's block.
+    let recovered = syntax::recover(item);
+    quote!(#recovered #messages #stubs)
 }
 
 fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream> {
+    if item.incomplete.is_some() {
+        return None;
+    }
     let mut model = lower::lower(item, diagnostics);
     if diagnostics.has_errors() {
         return None;

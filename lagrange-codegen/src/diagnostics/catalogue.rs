@@ -35,6 +35,7 @@ messages! {
         attribute on `impl MySystem {{ … }}`";
     not_inherent() = "`#[lagrangian]` belongs on an inherent `impl` block of a named type, such as \
         `impl MySystem {{ … }}`; move the roles out of this block";
+    unread(reason) = "`#[lagrangian]` cannot read this `impl` block: {reason}";
     bad_attribute(error) = "cannot read these arguments ({error}); write \
         `#[lagrangian(coordinates = [x, theta: [3]], inputs = [motor])]`";
     unknown_attribute_argument(name; near) = "unknown argument `{name}`{near}; known are `coordinates`, \

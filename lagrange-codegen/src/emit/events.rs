@@ -46,8 +46,7 @@ pub(super) fn events(emission: &Emission<'_>) -> Items {
 
 /// The same after a mistake.
 pub(super) fn stubs(item: &Item, count: usize) -> (Option<TokenStream>, Option<TokenStream>) {
-    let is_event =
-        |function: &&Function| matches!(function.role.as_ref().map(|role| &role.kind), Some(RoleKind::Event));
+    let is_event = |function: &&Function| matches!(function.meant(), Some(RoleKind::Event));
     let names: Vec<&str> = item.functions.iter().filter(is_event).map(|function| &*function.name).collect();
     let any = !names.is_empty();
     (any.then(|| named(item, &names)), any.then(|| guard(item, count, &quote!(loop {}))))

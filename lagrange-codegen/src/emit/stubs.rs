@@ -1,7 +1,9 @@
 //! What stands for the generated items after a mistake, so that the rest of a program still
 //! compiles and our messages are the only ones.
 
-use proc_macro2::TokenStream;
+mod contacts;
+
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
@@ -12,11 +14,23 @@ use crate::syntax::item::RoleKind;
 use crate::syntax::types::TypeKind;
 use crate::syntax::{Group, Item, Record, Scalar};
 
-/// All items that a program may use of a system, without content. `None` where the declarations
-/// themselves are broken.
-pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
-    if !sound(&item.coordinates) || !sound(&item.inputs) {
-        return None;
+/// All items that a program may use of a system, without content, as far as declarations are known.
+pub(crate) fn stubs(item: &mut Item) -> TokenStream {
+    for groups in [&mut item.coordinates, &mut item.inputs] {
+        keep_fields(groups);
+    }
+    let item = &*item;
+    let unnamed = [(Record::Coordinates, &item.coordinates), (Record::Inputs, &item.inputs)];
+    let unnamed = unnamed.into_iter().filter(|(_, groups)| groups.is_empty()).map(|(record, _)| record);
+    let velocities = item.coordinates.is_empty().then_some(Record::Velocities);
+    let aliases = unnamed.chain(velocities).map(|record| {
+        // Signatures may speak of what is not declared.
+        let name = item.record_ident(record);
+        quote!(#[doc(hidden)] pub type #name<R = f64> = [R; 0];)
+    });
+    let aliases: TokenStream = aliases.collect();
+    if item.coordinates.is_empty() {
+        return aliases;
     }
     let records = records::records(item);
     let Item { self_ty, generics, crate_path, .. } = item;
@@ -78,7 +92,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             }
         }
     });
-    let over = item.jacobians.then(|| over_any(count, inputs));
+    let over = item.jacobians.then(|| over_any(&format_ident!("__Over"), count, inputs));
     let reactions = (!held.is_empty()).then(|| constraints::record(item, &held));
     let constrained = (!held.is_empty()).then(|| {
         let record = constraints::record_ident(item);
@@ -91,6 +105,10 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
             }
         }
     });
+    let switches = contacts::any(item);
+    let method = if switches { contacts::method(&held) } else { quote!(lagrange::Jets) };
+    let regimes = switches.then(|| contacts::implementations(item, &held, &quote!(#scalar), (count, inputs)));
+    let certificate = item.analysis.then(|| analysis::certificate(item, &quote!(#scalar), count, inputs));
     let (named_events, guards) = super::events::stubs(item, count);
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
     let mut methods = methods(item, &quote!(#scalar), count, inputs);
@@ -101,7 +119,8 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
     let completions = (!is_complete).then(|| completions(item, &quote!(#scalar), count));
     let state = (item.has_orientations() && declared == count && is_free(item, oriented::METHOD))
         .then(|| oriented::stub(item, &quote!(#scalar), count));
-    Some(quote! {
+    quote! {
+        #aliases
         #records
         #reactions
         #named_events
@@ -125,7 +144,7 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
 
             impl #impl_generics lagrange::System<#count, #inputs> for #self_ty #where_clause {
                 type Scalar = #scalar;
-                type Method = lagrange::Jets;
+                type Method = #method;
                 type Constants = ();
                 fn constants(&self) {}
                 fn accelerations_at(
@@ -138,6 +157,8 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
 
             #proofs
             #guards
+            #regimes
+            #certificate
             #constrained
             #linearization
             #over
@@ -151,17 +172,17 @@ pub(crate) fn stubs(item: &Item) -> Option<TokenStream> {
                 ) -> bool { loop {} }
             }
         };
-    })
+    }
 }
 
-/// The system over another scalar.
-fn over_any(count: usize, inputs: usize) -> TokenStream {
+/// A system over any scalar.
+fn over_any(name: &Ident, count: usize, inputs: usize) -> TokenStream {
     quote! {
         #[doc(hidden)]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
-        pub struct __Over<R>([R; 0]);
+        pub struct #name<R>([R; 0]);
 
-        impl<R: lagrange::Real> lagrange::System<#count, #inputs> for __Over<R> {
+        impl<R: lagrange::Real> lagrange::System<#count, #inputs> for #name<R> {
             type Scalar = R;
             type Method = lagrange::Dop853;
             type Constants = ();
@@ -174,11 +195,15 @@ fn over_any(count: usize, inputs: usize) -> TokenStream {
     }
 }
 
-/// Whether the names can be fields of a struct.
-fn sound(groups: &[Group]) -> bool {
-    let names: Vec<String> = groups.iter().map(|group| group.ident.to_string()).collect();
-    let valid = |name: &String| syn::parse_str::<syn::Ident>(name).is_ok();
-    names.iter().enumerate().all(|(place, name)| valid(name) && !names[..place].contains(name))
+/// Leaves out names that cannot be fields of a struct.
+fn keep_fields(groups: &mut Vec<Group>) {
+    let mut names: Vec<String> = Vec::new();
+    groups.retain(|group| {
+        let name = group.ident.to_string();
+        let is_field = syn::parse_str::<syn::Ident>(&name).is_ok() && !names.contains(&name);
+        names.push(name);
+        is_field
+    });
 }
 
 /// The inherent methods, but for those whose name the user has taken.
@@ -261,8 +286,7 @@ fn constraint_methods(
     });
     // Whether a constraint acts on a place is not known.
     let on_places = item.functions.iter().filter_map(|function| {
-        let role = function.role.as_ref().map(|role| &role.kind);
-        if !matches!(role, Some(RoleKind::Point { .. } | RoleKind::Body { .. })) {
+        if !matches!(function.meant(), Some(RoleKind::Point { .. } | RoleKind::Body { .. })) {
             return None;
         }
         let force = force_on(item, &function.output.as_ref()?.kind, scalar)?;

@@ -18,7 +18,8 @@ use crate::syntax;
 pub fn lowered(args: TokenStream, item: TokenStream) -> Result<Model, Vec<String>> {
     let mut diagnostics = Diagnostics::new();
     let messages = |diagnostics: &Diagnostics| diagnostics.messages().map(String::from).collect();
-    let Some(item) = syntax::parse(args, item, "::lagrange_runtime", &mut diagnostics) else {
+    let item = syntax::parse(args, item, "::lagrange_runtime", &mut diagnostics);
+    let Some(item) = item.filter(|item| item.incomplete.is_none()) else {
         return Err(messages(&diagnostics));
     };
     let model = super::lower(&item, &mut diagnostics);

@@ -1,6 +1,8 @@
 //! The arguments of the attribute: `coordinates = […], inputs = […], jacobians, sensitivities = […],
 //! analysis, verify = …, baumgarte = …, crate = …, allow(…)`.
 
+mod loose;
+
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Parser};
@@ -53,6 +55,8 @@ pub struct Args {
     pub crate_path: Option<syn::Path>,
     /// The `allow` argument.
     pub allowed: Vec<&'static str>,
+    /// Whether there is more that cannot be read, which is reported.
+    pub unread: bool,
 }
 
 /// A declared name with its kind and the length as written.
@@ -181,13 +185,22 @@ impl Parse for Argument {
 /// Parses the arguments; what is wrong is reported, the rest is returned.
 pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
     let mut args = Args::default();
-    let list = match Punctuated::<Argument, Token![,]>::parse_terminated.parse2(tokens) {
-        Ok(list) => list,
+    let mut list = match Punctuated::<Argument, Token![,]>::parse_terminated.parse2(tokens.clone()) {
+        Ok(list) => Vec::from_iter(list),
         Err(error) => {
             diagnostics.error(error.span(), catalogue::bad_attribute(&error));
-            return args;
+            args.unread = true;
+            loose::arguments(tokens.clone())
         }
     };
+    // What a key stands before that is none may be declarations.
+    if list.iter().any(|argument| matches!(argument, Argument::Unknown(_))) {
+        let known = |key: &Ident| list.iter().any(|argument| argument.key() == key);
+        let hidden: Vec<_> =
+            loose::arguments(tokens).into_iter().filter(|argument| !known(argument.key())).collect();
+        args.unread |= !hidden.is_empty();
+        list.extend(hidden);
+    }
     let mut seen: Vec<String> = Vec::new();
     let mut declared = false;
     for argument in list {
@@ -236,6 +249,9 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
             }
         }
     }
+    if args.unread {
+        return args;
+    }
     if args.coordinates.is_empty() && !diagnostics.has_errors() {
         let message =
             if declared { catalogue::empty_coordinates() } else { catalogue::missing_coordinates() };
@@ -250,15 +266,15 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
 }
 
 /// Settles the lengths of the declared arrays, which may be constants of the impl block.
-/// `None` stands for a group whose length is wrong; the mistake is reported.
+/// Left out are groups whose length is wrong; the mistake is reported.
 pub fn groups(
     declarations: &[Declaration],
     constants: &[Constant],
     translator: &mut Translator,
-) -> Option<Vec<Group>> {
-    let groups: Vec<Option<Group>> = declarations
+) -> Vec<Group> {
+    declarations
         .iter()
-        .map(|declaration| {
+        .filter_map(|declaration| {
             let length = match &declaration.length {
                 None => None,
                 Some(expr) => Some(length(&declaration.ident, expr, constants, translator)?),
@@ -266,8 +282,7 @@ pub fn groups(
             let origin = translator.origin(declaration.ident.span());
             Some(Group { ident: declaration.ident.clone(), kind: declaration.kind, length, origin })
         })
-        .collect();
-    groups.into_iter().collect()
+        .collect()
 }
 
 /// More scalar coordinates than any macro could expand within reason.

@@ -53,6 +53,17 @@ pub struct Item {
     pub constants: Vec<Constant>,
     /// The name of the type.
     pub origin: Origin,
+    /// Why nothing can be derived of it, though some of its declarations are known.
+    pub incomplete: Option<Incomplete>,
+}
+
+/// Why an item is declared at most.
+#[derive(Debug)]
+pub enum Incomplete {
+    /// Arguments of the attribute cannot be read, which is reported.
+    Declarations,
+    /// It does not parse, for this reason. Where it came from a source file, the compiler has said so.
+    Form(String),
 }
 
 impl Item {
@@ -70,8 +81,7 @@ impl Item {
     /// How many scalar coordinates are to be eliminated, by what the roles say.
     pub fn eliminated(&self) -> usize {
         let eliminates = |function: &&Function| {
-            let kind = function.role.as_ref().map(|role| &role.kind);
-            matches!(kind, Some(RoleKind::Holonomic { eliminate: Some(_) }))
+            matches!(function.meant(), Some(RoleKind::Holonomic { eliminate: Some(_) }))
         };
         let functions = self.functions.iter().filter(eliminates);
         functions.map(|function| self.components(function).unwrap_or(1)).sum()
@@ -79,15 +89,14 @@ impl Item {
 
     /// Whether a function is a constraint with a multiplier.
     pub fn is_kept_constraint(&self, function: &Function) -> bool {
-        let kind = function.role.as_ref().map(|role| &role.kind);
+        let kind = function.meant();
         matches!(kind, Some(RoleKind::Holonomic { eliminate: None } | RoleKind::Nonholonomic { .. }))
     }
 
     /// Whether a function has a multiplier at times at least.
     pub fn has_multiplier(&self, function: &Function) -> bool {
-        let kind = function.role.as_ref().map(|role| &role.kind);
         self.is_kept_constraint(function)
-            || matches!(kind, Some(RoleKind::Unilateral { .. } | RoleKind::Friction(_)))
+            || matches!(function.meant(), Some(RoleKind::Unilateral { .. } | RoleKind::Friction(_)))
     }
 
     /// The number of components of what a function returns, if that is an array or a vector.
@@ -230,6 +239,8 @@ pub struct Function {
     pub origin: Origin,
     /// Its role, if it has one.
     pub role: Option<Role>,
+    /// The role whose arguments cannot be read, which is reported.
+    pub unread: Option<RoleKind>,
     /// Whether it takes `self`.
     pub receiver: bool,
     /// The parameters after `self`.
@@ -265,6 +276,11 @@ pub enum Argument {
 }
 
 impl Function {
+    /// The kind of its role, with blank arguments where they cannot be read.
+    pub fn meant(&self) -> Option<&RoleKind> {
+        self.role.as_ref().map(|role| &role.kind).or(self.unread.as_ref())
+    }
+
     /// What its velocity is a function of, in order; `None` where that is more than the state.
     pub fn velocity_arguments(&self) -> Option<Vec<Argument>> {
         let mut arguments = Vec::new();

@@ -16,6 +16,7 @@ mod args;
 mod conditional;
 mod depth;
 mod path;
+mod pieces;
 mod place;
 mod recover;
 mod rewrite;
@@ -25,6 +26,7 @@ mod statements;
 #[cfg(test)]
 mod tests;
 mod translate;
+mod unfinished;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
@@ -33,8 +35,8 @@ use syn::{GenericParam, ImplItem, ItemImpl, TypeParamBound};
 pub use args::LINTS;
 pub use depth::{DEEPEST, too_deep};
 use item::{Argument, Function};
-pub use item::{Group, Item, Record, Scalar, Velocity};
-pub use recover::recover;
+pub use item::{Group, Incomplete, Item, Record, Scalar, Velocity};
+pub use recover::{recover, refusal};
 pub use rewrite::expression as rewritten;
 pub use signature::{refused, returns};
 
@@ -50,7 +52,7 @@ pub fn parse(
     default_crate: &str,
     diagnostics: &mut Diagnostics,
 ) -> Option<Item> {
-    let mut block = impl_block(item, diagnostics)?;
+    let (mut block, unfinished) = impl_block(item, diagnostics)?;
     let (title, name) = match self_type(&block.self_ty) {
         Some(segment) if block.trait_.is_none() => (segment.ident.clone(), name_of(segment)),
         Some(_) | None => {
@@ -106,10 +108,11 @@ pub fn parse(
     if functions.iter().all(|function| function.role.is_none()) && !diagnostics.has_errors() {
         diagnostics.error(name.span(), catalogue::no_roles(&name));
     }
-    let (coordinates, inputs) = (coordinates?, inputs?);
-    if coordinates.is_empty() {
-        return None;
-    }
+    let unread = args.unread
+        || coordinates.is_empty()
+        || coordinates.len() < args.coordinates.len()
+        || inputs.len() < args.inputs.len();
+    let incomplete = unfinished.map(Incomplete::Form).or(unread.then_some(Incomplete::Declarations));
     Some(Item {
         title,
         name,
@@ -130,6 +133,7 @@ pub fn parse(
         velocities,
         constants,
         origin,
+        incomplete,
     })
 }
 
@@ -146,10 +150,10 @@ fn velocities(block: &ItemImpl, functions: &[Function], translator: &mut Transla
         .collect()
 }
 
-fn impl_block(item: TokenStream, diagnostics: &mut Diagnostics) -> Option<ItemImpl> {
-    match syn::parse2::<syn::Item>(item) {
-        Ok(syn::Item::Impl(block)) => Some(block),
-        Ok(other) => {
+fn impl_block(item: TokenStream, diagnostics: &mut Diagnostics) -> Option<(ItemImpl, Option<String>)> {
+    match unfinished::read(item) {
+        Ok((syn::Item::Impl(block), unfinished)) => Some((block, unfinished)),
+        Ok((other, _)) => {
             diagnostics.error(place::span(&other), catalogue::not_an_impl());
             None
         }

@@ -12,7 +12,7 @@ use super::item::{Eliminate, Friction, Role, RoleKind, Target};
 use super::place;
 use super::suggest::nearest;
 use super::translate::{Translator, bare};
-use crate::diagnostics::catalogue;
+use crate::diagnostics::{Origin, catalogue};
 
 /// Roles of the language.
 const SUPPORTED: [&str; 12] = [
@@ -77,9 +77,14 @@ fn misspelt(name: &str) -> Option<&'static str> {
 
 /// Whether the arguments of an attribute contain the name of a role.
 fn mentions_role(attribute: &Attribute) -> bool {
+    mentions(attribute, known)
+}
+
+/// Whether the arguments of an attribute contain a word.
+fn mentions(attribute: &Attribute, is_meant: impl Fn(&str) -> bool) -> bool {
     let Meta::List(list) = &attribute.meta else { return false };
-    let is_role = |tree: TokenTree| matches!(tree, TokenTree::Ident(ident) if known(&ident.to_string()));
-    list.tokens.clone().into_iter().any(is_role)
+    let is_meant = |tree: TokenTree| matches!(tree, TokenTree::Ident(ident) if is_meant(&ident.to_string()));
+    list.tokens.clone().into_iter().any(is_meant)
 }
 
 /// Reports roles on anything but a function.
@@ -95,9 +100,11 @@ pub fn refuse_on_item(item: &syn::ImplItem, translator: &mut Translator) {
     }
 }
 
-/// Reads the role of a function from its attributes; mistakes are reported.
-pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> Option<Role> {
+/// Reads the role of a function from its attributes; mistakes are reported. Beside it stands the kind of a role whose
+/// arguments are wrong.
+pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> (Option<Role>, Option<RoleKind>) {
     let mut role: Option<(Role, String)> = None;
+    let mut unread = None;
     for attribute in attributes {
         let Some(name) = name(attribute) else { continue };
         let span = place::span(attribute.path());
@@ -115,12 +122,39 @@ pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> Option<Ro
             translator.diagnostics.error(span, catalogue::two_roles(first, &name));
             continue;
         }
-        if let Some((kind, written)) = kind(&name, attribute, translator) {
-            let origin = translator.origin(span);
-            role = Some((Role { kind, written, origin }, name));
+        let origin = translator.origin(span);
+        match kind(&name, attribute, translator) {
+            Some((kind, written)) => role = Some((Role { kind, written, origin }, name)),
+            None => unread = Some(blank(&name, attribute, origin)),
         }
     }
-    role.map(|(role, _)| role)
+    let role = role.map(|(role, _)| role);
+    let unread = unread.filter(|_| role.is_none());
+    (role, unread)
+}
+
+/// A role by its name alone.
+fn blank(name: &str, attribute: &Attribute, origin: Origin) -> RoleKind {
+    let nothing = || super::body::Expr { origin, kind: ExprKind::Tuple(Vec::new()) };
+    match name {
+        "point" => RoleKind::Point { mass: nothing() },
+        "body" => RoleKind::Body { mass: nothing(), inertia: nothing() },
+        "kinetic" => RoleKind::Kinetic,
+        "potential" => RoleKind::Potential,
+        "lagrangian" => RoleKind::Lagrangian,
+        "dissipation" => RoleKind::Dissipation,
+        "holonomic" => {
+            let eliminates = mentions(attribute, |word| word == "eliminate");
+            RoleKind::Holonomic { eliminate: eliminates.then_some(Eliminate { coordinate: None, origin }) }
+        }
+        "nonholonomic" => RoleKind::Nonholonomic { chetaev: false },
+        "unilateral" => RoleKind::Unilateral { restitution: None, poisson: false },
+        "friction" => {
+            RoleKind::Friction(Box::new(Friction { kinetic: nothing(), fixed: None, normal: None }))
+        }
+        "event" => RoleKind::Event,
+        _ => RoleKind::Force(Target::Generalized),
+    }
 }
 
 fn kind(

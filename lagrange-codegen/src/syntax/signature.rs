@@ -13,7 +13,7 @@ use crate::diagnostics::catalogue;
 
 /// Reads a function.
 pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
-    let role = role::parse(&function.attrs, translator);
+    let (role, unread) = role::parse(&function.attrs, translator);
     let name = bare(&function.sig.ident);
     let origin = translator.origin(function.sig.ident.span());
     let generics = translator.hidden.len();
@@ -54,6 +54,7 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
         output,
         body,
         role,
+        unread,
         conditional: if on_role { None } else { translator.conditional(function) },
     }
 }

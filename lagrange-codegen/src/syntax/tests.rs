@@ -3,7 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{Item, Scalar, parse, recover};
+use super::types::TypeKind;
+use super::{Group, Incomplete, Item, Scalar, parse, recover};
 use crate::diagnostics::Diagnostics;
 
 fn parsed(args: TokenStream, item: TokenStream) -> Item {
@@ -136,25 +137,64 @@ fn single_precision_is_named_in_signatures() {
 }
 
 #[test]
-fn recovery_keeps_signatures_and_drops_bodies() {
-    let recovered = recover(
-        quote!(coordinates = [x, theta: [2], x], inputs = ),
-        quote! {
-            impl Arm {
-                #[potental]
-                fn energy(&self, q: &Coordinates) -> f64 { q.unknown }
-                fn helper() -> impl Iterator<Item = f64> { [1.0].into_iter() }
-            }
-        },
-        true,
-    );
+fn recovery_keeps_signatures_and_hides_bodies() {
+    let recovered = recover(quote! {
+        impl Arm {
+            #[potental]
+            fn energy(&self, q: &Coordinates) -> f64 { q.unknown }
+            fn helper() -> impl Iterator<Item = f64> { [1.0].into_iter() }
+        }
+    });
     let text = flat(recovered.clone());
     assert!(syn::parse2::<syn::File>(recovered).is_ok());
-    assert!(text.contains("fn energy (& self , q : & ArmCoordinates) -> f64 { loop { } }"), "{text}");
+    let hidden = "# [cfg (rust_analyzer)] { q . unknown } # [cfg (not (rust_analyzer))] { loop { } }";
+    assert!(
+        text.contains(&format!("fn energy (& self , q : & ArmCoordinates) -> f64 {{ {hidden} }}")),
+        "{text}"
+    );
     assert!(text.contains("[1.0] . into_iter ()"), "{text}");
     assert!(!text.contains("potental"));
-    let recovered = flat(recover(quote!(coordinates = [x, theta: [2], x]), quote!(impl Arm {}), true));
-    assert!(recovered.contains("pub x : R , pub theta : [R ; 2] ,"), "{recovered}");
+}
+
+#[test]
+fn what_is_unfinished_is_read_item_by_item() {
+    let block = quote! {
+        impl Arm {
+            const N: usize = 2
+            #[potential] fn energy(&self, q: &Coordinates) -> f64 { q. }
+            stray #[point(mass = 1.0)] fn foot(&self, q: ) -> Vector2<f64> { q.x }
+            fn helper(&self, f: fn(f64) -> f64) -> SVector<f64, { Self::N }> { loop {} }
+            fn open(&self) -> f64
+            pub fn last() {}
+        }
+    };
+    let item = parse(quote!(coordinates = [x]), block, "::lagrangian", &mut Diagnostics::new());
+    let item = item.expect("the header is there");
+    assert!(matches!(item.incomplete, Some(Incomplete::Form(_))));
+    let names: Vec<&str> = item.functions.iter().map(|function| &*function.name).collect();
+    assert_eq!(names, ["energy", "foot", "helper", "open", "last"]);
+    let roles: Vec<bool> = item.functions.iter().map(|function| function.role.is_some()).collect();
+    assert_eq!(roles, [true, true, false, false, false]);
+    assert!(matches!(item.functions[1].output.as_ref().map(|ty| &ty.kind), Some(TypeKind::Vector(_))));
+}
+
+#[test]
+fn declarations_outlive_arguments_that_do_not_parse() {
+    let read = |args: TokenStream| {
+        let mut diagnostics = Diagnostics::new();
+        let item = parse(args, quote!(impl Arm {}), "::lagrangian", &mut diagnostics).expect("an item");
+        assert_eq!(diagnostics.messages().count(), 1);
+        assert!(matches!(item.incomplete, Some(Incomplete::Declarations)));
+        let named = |groups: &[Group]| groups.iter().map(|group| group.ident.to_string()).collect::<Vec<_>>();
+        (named(&item.coordinates), named(&item.inputs), item.jacobians)
+    };
+    let (x, u) = (vec!["x".to_owned(), "theta".to_owned()], vec!["u".to_owned()]);
+    let whole = (x.clone(), u.clone(), true);
+    assert_eq!(read(quote!(coordinates = [x, theta: [2]] inputs = [u], jacobians)), whole);
+    assert_eq!(read(quote!(coordinates [x, theta [2]], inputs = [u], jacobians)), whole);
+    assert_eq!(read(quote!(= [x, mut theta: [2]], inputs = [u], jacobians)), whole);
+    assert_eq!(read(quote!(coordinates = [x, theta: [2]], stray inputs = [u], jacobians)), whole);
+    assert_eq!(read(quote!(coordinates = [x, theta: [2]], inputs =)), (x, Vec::new(), false));
 }
 
 #[test]
@@ -178,7 +218,7 @@ fn recovery_survives_anything() {
         (quote!(coordinates = [x]), quote!(impl Drop for S { #[potential] fn drop(&mut self) {} })),
         (quote!(coordinates), quote!(impl [f64; 3] { fn f(&self) -> f64 { } })),
     ] {
-        let recovered = flat(recover(args, item, true));
-        assert!(!recovered.contains("potential"), "{recovered}");
+        let recovered = flat(crate::expand(args, item, "::lagrangian"));
+        assert!(!recovered.contains("[potential"), "{recovered}");
     }
 }

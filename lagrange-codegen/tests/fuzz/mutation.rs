@@ -94,6 +94,11 @@ pub const ACCEPTED: [(&str, &str, &str); 6] = [
     ),
 ];
 
+/// Whether a description was accepted: its expansion has no message, and nothing that refuses a program.
+pub fn is_accepted(expansion: &str) -> bool {
+    !expansion.contains("compile_error") && !expansion.contains("REFUSED")
+}
+
 /// What tokens are replaced by.
 const VOCABULARY: [&str; 110] = [
     "+",
@@ -271,6 +276,7 @@ fn change(tokens: TokenStream, place: &mut usize, random: &mut Random) -> TokenS
     out.into_iter().collect()
 }
 
-fn word(random: &mut Random) -> TokenStream {
+/// A token of the vocabulary.
+pub fn word(random: &mut Random) -> TokenStream {
     VOCABULARY[random.below(VOCABULARY.len())].parse().unwrap_or_default()
 }

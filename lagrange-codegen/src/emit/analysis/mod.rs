@@ -23,7 +23,7 @@ use super::constraints::{balance_at, of_balance};
 use super::methods::{arguments, method};
 use crate::expr::NodeId;
 use crate::mechanics::analysis::Covariant;
-pub(super) use stubs::stubs;
+pub(super) use stubs::{certificate, stubs};
 pub(super) use verify::test;
 
 /// What the attribute's `analysis` adds.

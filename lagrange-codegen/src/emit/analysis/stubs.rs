@@ -71,3 +71,47 @@ pub(in crate::emit) fn stubs(item: &Item, scalar: &TokenStream, count: usize, in
         #regressor
     }
 }
+
+/// The implementation that certificates ask for.
+pub(in crate::emit) fn certificate(
+    item: &Item,
+    scalar: &TokenStream,
+    count: usize,
+    inputs: usize,
+) -> TokenStream {
+    let Item { self_ty, generics, .. } = item;
+    let (impl_generics, _, where_clause) = generics.split_for_impl();
+    let state = quote!(&self, _: &lagrange::State<#scalar, #count>);
+    let vector = quote!([#scalar; #count]);
+    let functions = [
+        ("nearest_at", quote!(), quote!(::core::option::Option<lagrange::State<#scalar, #count>>)),
+        ("mass_at", quote!(), quote!([#vector; #count])),
+        ("coriolis_at", quote!(), quote!(::core::option::Option<[#vector; #count]>)),
+        ("momenta_at", quote!(), vector.clone()),
+        ("integral_at", quote!(), scalar.clone()),
+        ("integral_rate_at", quote!(_: &[#scalar; #inputs]), quote!(::core::option::Option<#scalar>)),
+        (
+            "driven_at",
+            quote!(_: &[#scalar; #inputs]),
+            quote!(::core::option::Option<lagrange::verify::Driven<#scalar, #count>>),
+        ),
+        ("conserved_at", quote!(_: usize), scalar.clone()),
+        ("constraint_at", quote!(_: usize), scalar.clone()),
+        ("gradient_at", quote!(_: usize), vector),
+        ("energies_at", quote!(), quote!(::core::option::Option<[#scalar; 2]>)),
+        ("described_at", quote!(_: #scalar), quote!(lagrange::verify::Described<#scalar>)),
+    ];
+    let functions = functions.into_iter().map(|(name, arguments, output)| {
+        let name = format_ident!("{name}");
+        quote!(fn #name(#state, #arguments) -> #output { loop {} })
+    });
+    quote! {
+        impl #impl_generics lagrange::Verifiable<#count, #inputs> for #self_ty #where_clause {
+            const CONSERVED: usize = 0;
+            const CONSTRAINTS: usize = 0;
+            const DEFINITE: bool = false;
+            #(#functions)*
+            fn is_holonomic(_: usize) -> bool { loop {} }
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Blocks that do not parse, as they stand in an editor: everything that can be read, item by item.
+//!
+//! The compiler has parsed an item before it calls its attribute, and has reported what is wrong with the form. So
+//! nothing is reported here. A body that does not parse stays the tokens that it is, and of a signature stays
+//! what can be read, so that the declarations, which the generated items follow from, outlive what is being written.
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use quote::quote;
+use syn::parse::Parser;
+use syn::punctuated::Punctuated;
+
+use syn::{Attribute, Expr, FnArg, Ident, ImplItem, ImplItemFn, ItemImpl, ReturnType, Stmt, Token};
+
+use super::pieces::{between_commas, is_punct, read_as};
+use super::role;
+
+/// What rust-analyzer puts in a place where something is missing, before it calls a macro.
+const MISSING: &str = "__ra_fixup";
+
+/// Reads an `impl` block with the message of what does not parse, if anything does not.
+pub fn read(item: TokenStream) -> syn::Result<(syn::Item, Option<String>)> {
+    let error = match syn::parse2::<syn::Item>(item.clone()) {
+        Ok(read) if !is_missing(&item) => return Ok((read, None)),
+        Ok(read) => return Ok((read, Some(format!("`{MISSING}` stands where something is missing")))),
+        Err(error) => error,
+    };
+    let mut trees: Vec<TokenTree> = item.into_iter().collect();
+    match trees.pop() {
+        Some(TokenTree::Group(body)) if body.delimiter() == Delimiter::Brace => {
+            let header: TokenStream = trees.into_iter().collect();
+            let Ok(mut block) = syn::parse2::<ItemImpl>(quote!(#header {})) else { return Err(error) };
+            block.items = pieces(body.stream()).into_iter().filter_map(item_of).collect();
+            Ok((syn::Item::Impl(block), Some(error.to_string())))
+        }
+        _ => Err(error),
+    }
+}
+
+fn is_missing(tokens: &TokenStream) -> bool {
+    tokens.clone().into_iter().any(|tree| match tree {
+        TokenTree::Ident(ident) => ident == MISSING,
+        TokenTree::Group(group) => is_missing(&group.stream()),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => false,
+    })
+}
+
+/// The tokens of each item. An item ends with its body or a semicolon, or where the next one begins.
+fn pieces(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let mut pieces: Vec<Vec<TokenTree>> = vec![Vec::new()];
+    let (mut declares, mut is_function) = (false, false);
+    for (place, tree) in trees.iter().enumerate() {
+        let next = trees.get(place + 1);
+        let is_pointer = place > 0 && is_punct(&trees[place - 1], '*');
+        if declares && !is_pointer && begins(tree, next) {
+            pieces.push(Vec::new());
+            (declares, is_function) = (false, false);
+        }
+        is_function |= is_word(tree, &["fn"]);
+        declares |= is_function || is_word(tree, &["type"]) || is_constant(tree, next);
+        let ends = match tree {
+            TokenTree::Punct(punct) => punct.as_char() == ';',
+            // A length in angle brackets is no body.
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+                is_function && !next.is_some_and(|next| is_punct(next, '>') || is_punct(next, ','))
+            }
+            _ => false,
+        };
+        pieces.last_mut().expect("there is one from the start").push(tree.clone());
+        if ends {
+            pieces.push(Vec::new());
+            (declares, is_function) = (false, false);
+        }
+    }
+    pieces
+}
+
+/// Whether an item begins with a token, seen with the one behind it.
+fn begins(tree: &TokenTree, next: Option<&TokenTree>) -> bool {
+    // `fn(f64) -> f64` is a type.
+    let is_named = is_word(tree, &["fn", "type"]) && matches!(next, Some(TokenTree::Ident(_)));
+    let is_constant_function = is_word(tree, &["const"]) && next.is_some_and(|next| is_word(next, &["fn"]));
+    is_attribute(tree, next)
+        || is_word(tree, &["pub"])
+        || is_named
+        || is_constant_function
+        || is_constant(tree, next)
+}
+
+fn is_constant(tree: &TokenTree, next: Option<&TokenTree>) -> bool {
+    let qualifiers = ["fn", "async", "unsafe", "extern"];
+    is_word(tree, &["const"])
+        && matches!(next, Some(next @ TokenTree::Ident(_)) if !is_word(next, &qualifiers))
+}
+
+fn is_attribute(tree: &TokenTree, next: Option<&TokenTree>) -> bool {
+    let brackets =
+        |tree: &TokenTree| matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket);
+    is_punct(tree, '#') && next.is_some_and(brackets)
+}
+
+fn is_word(tree: &TokenTree, words: &[&str]) -> bool {
+    matches!(tree, TokenTree::Ident(ident) if words.iter().any(|word| ident == word))
+}
+
+/// An item, whole where it parses.
+fn item_of(piece: Vec<TokenTree>) -> Option<ImplItem> {
+    let tokens: TokenStream = piece.iter().cloned().collect();
+    match syn::parse2::<ImplItem>(tokens) {
+        Ok(item) if !matches!(item, ImplItem::Verbatim(_)) => Some(item),
+        Ok(_) | Err(_) => function(piece).map(ImplItem::Fn),
+    }
+}
+
+/// A function without what cannot be read of it.
+fn function(piece: Vec<TokenTree>) -> Option<ImplItemFn> {
+    let keyword = piece.iter().position(|tree| is_word(tree, &["fn"]))?;
+    let (head, rest) = piece.split_at(keyword);
+    let attributes: Vec<Attribute> = head.iter().filter_map(attribute).collect();
+    let qualifiers = head.iter().filter(|tree| is_word(tree, &["pub", "const"]));
+    let is_name = |tree: &TokenTree| read_as::<Ident>(tree.clone().into());
+    let before_parameters = rest.iter().take_while(|tree| !matches!(tree, TokenTree::Group(_)));
+    // The name stands last.
+    let (named, name) =
+        before_parameters.enumerate().filter_map(|(place, tree)| Some((place, is_name(tree)?))).last()?;
+    let mut signature: Vec<TokenTree> = rest[named + 1..].to_vec();
+    let is_brace =
+        |tree: &TokenTree| matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
+    let body = signature.pop_if(|tree| is_brace(tree)).map_or_else(TokenStream::new, TokenStream::from);
+    let rest: TokenStream = signature.iter().cloned().collect();
+    let mut function = match syn::parse2::<ImplItemFn>(quote!(#(#qualifiers)* fn #name #rest {})) {
+        Ok(function) => function,
+        Err(_) => declared(name, signature)?,
+    };
+    function.attrs = attributes;
+    // The tokens as they are, for the places of their delimiters are those of the compiler's message.
+    function.block.stmts = vec![Stmt::Expr(Expr::Verbatim(body), None)];
+    Some(function)
+}
+
+/// The attribute in brackets, from where it can be read.
+fn attribute(tree: &TokenTree) -> Option<Attribute> {
+    let TokenTree::Group(group) = tree else { return None };
+    if group.delimiter() != Delimiter::Bracket {
+        return None;
+    }
+    let inside: Vec<TokenTree> = group.stream().into_iter().collect();
+    let from = |start: usize| {
+        let tokens: TokenStream = inside[start..].iter().cloned().collect();
+        Attribute::parse_outer.parse2(quote!(#[#tokens])).ok()?.pop()
+    };
+    let role = |start: usize| {
+        let word = &inside[start];
+        let attribute = Attribute::parse_outer.parse2(quote!(#[#word])).ok()?.pop();
+        attribute.filter(role::is_role)
+    };
+    (0..inside.len()).find_map(from).or_else(|| (0..inside.len()).find_map(role))
+}
+
+/// A function of the parameters and the return type that can be read.
+fn declared(name: Ident, signature: Vec<TokenTree>) -> Option<ImplItemFn> {
+    let parameters = signature.iter().find_map(|tree| match tree {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => Some(group.stream()),
+        _ => None,
+    });
+    let parameters: Punctuated<FnArg, Token![,]> =
+        between_commas(parameters.unwrap_or_default()).into_iter().filter_map(read_as::<FnArg>).collect();
+    let arrow = signature.windows(2).position(|pair| is_punct(&pair[0], '-') && is_punct(&pair[1], '>'));
+    let output = arrow.and_then(|arrow| read_as(signature[arrow..].iter().cloned().collect()));
+    let output: ReturnType = output.unwrap_or(ReturnType::Default);
+    syn::parse2(quote!(pub fn #name(#parameters) #output {})).ok()
+}

@@ -1,0 +1,94 @@
+//! One token less or one more, somewhere in a description.
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+use crate::mutation::{Random, word};
+
+/// Where a description is changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// The arguments of the attribute.
+    Arguments,
+    /// Roles and signatures.
+    Declaration,
+    /// The body of a function or the value of a constant.
+    Body,
+}
+
+/// Arguments and item with a token deleted or inserted. The header of the block stays: where that does not parse, the
+/// compiler calls no macro. So do delimiters, without which there is no token tree.
+pub fn damaged(
+    args: TokenStream,
+    item: TokenStream,
+    random: &mut Random,
+) -> (Part, TokenStream, TokenStream) {
+    let mut trees: Vec<TokenTree> = item.into_iter().collect();
+    let Some(TokenTree::Group(block)) = trees.pop() else { panic!("a block ends with its body") };
+    let (leaves, outside) = (leaves(&block.stream()), leaves(&args));
+    let place = random.below(leaves + outside);
+    let mut change = Change { place, random, part: Part::Arguments };
+    let (mut args, mut inner) = (args, block.stream());
+    if place < outside {
+        args = change.within(args);
+    } else {
+        change.place -= outside;
+        change.part = Part::Declaration;
+        inner = change.within(inner);
+    }
+    let part = change.part;
+    trees.push(proc_macro2::Group::new(Delimiter::Brace, inner).into());
+    (part, args, trees.into_iter().collect())
+}
+
+fn leaves(tokens: &TokenStream) -> usize {
+    let inner = |tree: TokenTree| match tree {
+        TokenTree::Group(group) => leaves(&group.stream()),
+        _ => 1,
+    };
+    tokens.clone().into_iter().map(inner).sum()
+}
+
+struct Change<'r> {
+    /// Leaves before the one that is changed.
+    place: usize,
+    random: &'r mut Random,
+    part: Part,
+}
+
+impl Change<'_> {
+    fn within(&mut self, tokens: TokenStream) -> TokenStream {
+        let mut out: Vec<TokenTree> = Vec::new();
+        let mut is_done = false;
+        for tree in tokens {
+            match tree {
+                other if is_done => out.push(other),
+                TokenTree::Group(group) => {
+                    let inside = leaves(&group.stream());
+                    if self.place >= inside {
+                        self.place -= inside;
+                        out.push(group.into());
+                        continue;
+                    }
+                    if self.part == Part::Declaration && group.delimiter() == Delimiter::Brace {
+                        self.part = Part::Body;
+                    }
+                    let changed = self.within(group.stream());
+                    out.push(proc_macro2::Group::new(group.delimiter(), changed).into());
+                    is_done = true;
+                }
+                leaf if self.place == 0 => {
+                    if self.random.below(2) == 0 {
+                        out.extend(word(self.random));
+                        out.push(leaf);
+                    }
+                    is_done = true;
+                }
+                leaf => {
+                    self.place -= 1;
+                    out.push(leaf);
+                }
+            }
+        }
+        out.into_iter().collect()
+    }
+}

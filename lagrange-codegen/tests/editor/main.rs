@@ -1,0 +1,112 @@
+//! Descriptions while they are written: a token is missing or too many, and what the rest of a program uses is there.
+//!
+//! `CASES=100000 cargo test --release -p lagrange-codegen --test editor -- --nocapture` tries more and prints shares.
+
+// Its changes are coarser.
+#[allow(dead_code)]
+#[path = "../fuzz/mutation.rs"]
+mod mutation;
+
+mod damage;
+mod items;
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use damage::{Part, damaged};
+use items::Items;
+use mutation::{ACCEPTED, Random};
+use proc_macro2::TokenStream;
+
+/// How many descriptions; `CASES` is another number.
+const COUNT: u64 = 3000;
+
+/// Contacts, friction and events; a coordinate that is eliminated, a velocity and constraints of an array.
+const MORE: [(&str, &str, &str); 2] = [
+    (
+        "pub struct Hopper { pub m: f64, pub g: f64, pub mu: f64 }",
+        "coordinates = [x, y]",
+        "impl Hopper {
+            #[point(mass = self.m)] fn foot(&self, q: &Coordinates) -> Vector2<f64> { Vector2::new(q.x, q.y) }
+            #[potential] fn weight(&self, q: &Coordinates) -> f64 { self.m * self.g * q.y }
+            #[unilateral(restitution = 0.5)] fn gap(&self, q: &Coordinates) -> f64 { q.y }
+            #[friction(coefficient = self.mu, normal = gap)] fn slip(&self, v: &Velocities) -> f64 { v.x }
+            #[event] fn highest_point(&self, v: &Velocities) -> f64 { v.y }
+        }",
+    ),
+    (
+        "pub struct Slider { pub m: f64, pub l: f64, pub k: f64 }",
+        "coordinates = [phi, x, y, z: [2]], inputs = [drive: [2]]",
+        "impl Slider {
+            #[holonomic(eliminate = x)] fn crank(&self, q: &Coordinates) -> f64 { q.x - self.l * q.phi.cos() }
+            #[holonomic] fn rods(&self, q: &Coordinates) -> [f64; 2] { [q.y - q.z[0], q.z[0] - q.z[1] - 0.1 * q.phi] }
+            #[point(mass = self.m)] fn pins(&self, q: &Coordinates) -> [Vector2<f64>; 2] {
+                [Vector2::new(q.x, q.z[0]), Vector2::new(q.phi.sin(), q.z[1])] }
+            fn place(&self, q: &Coordinates) -> Vector2<f64> { Vector2::new(q.x, q.y) }
+            #[kinetic] fn motion(&self, q: &Coordinates, v: &Velocities) -> f64 {
+                let rate = self.place_velocity(q, v); 0.5 * self.m * (rate.norm_squared() + v.phi * v.phi) }
+            #[potential] fn spring(&self, q: &Coordinates) -> f64 { 0.5 * self.k * q.phi * q.phi }
+            #[force] fn drive(&self, u: &Inputs, t: f64) -> [f64; 5] { [u.drive[0] * t.cos(), 0.0, 0.0, 0.0, u.drive[1]] }
+        }",
+    ),
+];
+
+/// How many descriptions kept all items.
+#[derive(Default)]
+struct Share {
+    tried: u64,
+    kept: u64,
+    example: Option<String>,
+}
+
+impl fmt::Display for Share {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {} ({:.3} %)", self.kept, self.tried, 100.0 * self.kept as f64 / self.tried as f64)?;
+        self.example.iter().try_for_each(|example| write!(f, ", not\n{example}"))
+    }
+}
+
+fn expanded(args: TokenStream, item: TokenStream) -> TokenStream {
+    lagrange_codegen::expand(args, item, "::lagrangian")
+}
+
+fn tokens(text: &str) -> TokenStream {
+    text.parse().expect("the description is made of tokens")
+}
+
+#[test]
+fn generated_items_outlive_what_is_being_written() {
+    let count = std::env::var("CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(COUNT);
+    let whole: Vec<_> = ACCEPTED.into_iter().chain(MORE).map(|(_, args, item)| (args, item)).collect();
+    let declared: Vec<Items> =
+        whole.iter().map(|(args, item)| Items::of(expanded(tokens(args), tokens(item)))).collect();
+    let mut shares: BTreeMap<Part, Share> = BTreeMap::new();
+    for seed in 0..count {
+        let mut random = Random::new(seed);
+        let case = random.below(whole.len());
+        let (args, item) = whole[case];
+        let (part, args, item) = damaged(tokens(args), tokens(item), &mut random);
+        let shown = format!("    #[lagrangian({args})] {item}");
+        let found = Items::of(expanded(args, item));
+        if found.is_accepted {
+            // Another description, and as good.
+            continue;
+        }
+        let share = shares.entry(part).or_default();
+        let missing = declared[case].missing_in(&found);
+        share.tried += 1;
+        share.kept += u64::from(missing.is_empty());
+        if !missing.is_empty() {
+            share.example = Some(format!("    {missing:?} in\n{shown}"));
+        }
+    }
+    let all = shares.values().fold((0, 0), |(kept, tried), share| (kept + share.kept, tried + share.tried));
+    for (part, share) in &shares {
+        println!("{part:?}: {share}");
+    }
+    println!("all: {} of {} ({:.3} %)", all.0, all.1, 100.0 * all.0 as f64 / all.1 as f64);
+    // What is missing elsewhere is what a program may not use any more: its name is gone.
+    let body = &shares[&Part::Body];
+    assert!(body.kept as f64 >= 0.99 * body.tried as f64, "bodies: {body}");
+    assert!(all.0 as f64 >= 0.95 * all.1 as f64, "{} of {}", all.0, all.1);
+}
