@@ -10,6 +10,7 @@
 /// let grid = Grid::new([(0.0, 3.0, 3), (0.0, 1.0, 2)]);
 /// assert_eq!((grid.count(), grid.shape()), (6, [3, 2]));
 /// assert_eq!(grid.place(3), [1.5, 0.75]);
+/// assert!(grid.place(6)[0].is_nan());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid<const D: usize> {
@@ -32,7 +33,7 @@ impl<const D: usize> Grid<D> {
         self.sides.map(|side| side.2)
     }
 
-    /// The middle of a cell.
+    /// The middle of a cell; not a number beyond the last one.
     pub fn place(&self, index: u64) -> [f64; D] {
         let (mut place, mut rest) = ([0.0; D], index);
         for (at, (from, to, cells)) in place.iter_mut().zip(self.sides).rev() {
@@ -41,6 +42,6 @@ impl<const D: usize> Grid<D> {
             *at = from * (1.0 - share) + to * share;
             rest /= cells;
         }
-        place
+        if rest > 0 { [f64::NAN; D] } else { place }
     }
 }

@@ -1,3 +1,5 @@
+//! A force on a place that does not follow from the form of its constraint.
+
 use lagrangian::prelude::*;
 
 struct Sleeve;

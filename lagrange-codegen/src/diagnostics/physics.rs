@@ -204,6 +204,16 @@ pub fn negative_inertia(function: &str) -> String {
     format!("a moment of inertia of `{function}` is negative; moments of inertia are positive")
 }
 
+/// A restitution beyond its bounds.
+pub fn restitution(function: &str) -> String {
+    format!("the restitution of `{function}` is not between 0 and 1; 0 is a plastic impact, 1 an elastic one")
+}
+
+/// Friction that drives.
+pub fn negative_friction(function: &str) -> String {
+    format!("a coefficient or limit of `{function}` is negative; friction takes energy")
+}
+
 /// A constant part of an expression without a finite value.
 pub fn not_a_number() -> &'static str {
     "this constant is not a finite number (the root or logarithm of a negative one, a quotient by zero, an overflow); \

@@ -1,11 +1,13 @@
 //! Physics that cannot be right: reported on the user's own expression, never ignored.
 
 mod constraints;
+mod contacts;
 mod exactness;
 mod inertia;
 mod matching;
 
 pub(super) use constraints::constraints;
+pub(super) use contacts::contacts;
 pub(super) use inertia::inertia;
 
 use crate::calculus::beyond_degree;

@@ -136,7 +136,7 @@ impl fmt::Display for Cause {
             ),
             Self::InvalidTime => out.write_str("the target time is not finite: pass a finite time"),
             Self::InvalidStep => out.write_str(
-                "a step or sampling interval is zero or not finite: pass a finite step other than zero",
+                "a step, sampling interval or step limit is not finite, zero or a negative limit: pass a finite length above zero",
             ),
             Self::InvalidTolerance => {
                 out.write_str("a tolerance is negative or not finite: pass something like 1e-10")

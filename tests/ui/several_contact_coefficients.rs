@@ -1,0 +1,27 @@
+//! A restitution above one, and negative friction.
+
+use lagrangian::prelude::*;
+
+pub struct Puck {
+    pub mass: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Puck {
+    #[point(mass = self.mass)]
+    fn puck(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[unilateral(restitution = 1.5)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    #[friction(coefficient = -0.2, normal = floor)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+fn main() {}
