@@ -2,13 +2,13 @@
 //!
 //! Where f is a function of the position r of a place, its force there is λ ∂f/∂r. A coordinate that is a
 //! component of one position counts as that component, so that a constraint may be written in the coordinates
-//! as well. Where it is written in other coordinates of a particle that nothing else depends on, and there are
+//! as well. Where it is written in other coordinates of a particle that carry nothing else, and there are
 //! as many of them as r has components, f is a function of r by way of them, and ∂f/∂r follows from
 //! (∂r/∂q)ᵀ ∂f/∂r = ∂f/∂q. Otherwise its form does not tell how it acts.
 
 use crate::calculus::{pullback, substitute};
 use crate::expr::{Exponent, Graph, Node, NodeId, Variable};
-use crate::model::{Constraint, Place, component_of_one, orientation};
+use crate::model::{Constraint, Model, Place, component_of_one, orientation};
 use crate::number::Number;
 
 /// What a constraint does at a place.
@@ -34,52 +34,80 @@ impl Acting {
     }
 }
 
-/// How a constraint acts on each of the places. `orientations` are the first coordinates of those.
-pub(crate) fn acting(
+/// What a constraint is written through: itself as a function of the places, and its forces there.
+struct Written {
+    through: NodeId,
+    forces: Vec<Vec<NodeId>>,
+}
+
+/// The force of a unit multiplier at each of the places that a constraint is written through.
+pub(crate) fn forces_at(
     graph: &mut Graph,
     constraint: &Constraint,
     places: &[Place],
     coordinates: &[NodeId],
-    orientations: &[usize],
-) -> Vec<Acting> {
-    let Some(through) = constraint.through else { return Vec::new() };
+) -> Vec<Vec<NodeId>> {
+    written(graph, constraint, places, coordinates).map_or_else(Vec::new, |written| written.forces)
+}
+
+fn written(
+    graph: &mut Graph,
+    constraint: &Constraint,
+    places: &[Place],
+    coordinates: &[NodeId],
+) -> Option<Written> {
     let components: Vec<(NodeId, NodeId)> = coordinates
         .iter()
         .filter_map(|&q| component_of_one(places, q).map(|variable| (q, variable)))
         .collect();
-    let values: Vec<(NodeId, NodeId)> = places
-        .iter()
-        .flat_map(|place| place.variables.iter().copied().zip(place.position.iter().copied()))
-        .collect();
-    let through = substitute(graph, &[through], &components)[0];
+    let variables: Vec<NodeId> = places.iter().flat_map(|place| place.variables.iter().copied()).collect();
+    let positions = places.iter().flat_map(|place| place.position.iter().copied());
+    let values: Vec<(NodeId, NodeId)> = variables.iter().copied().zip(positions).collect();
+    let through = substitute(graph, &[constraint.through?], &components)[0];
     let one = graph.one();
+    let slopes = pullback(graph, &[(through, one)], &variables);
+    let mut slopes = substitute(graph, &slopes, &values).into_iter();
+    let forces = places.iter().map(|place| slopes.by_ref().take(place.variables.len()).collect()).collect();
+    Some(Written { through, forces })
+}
+
+/// How a constraint acts on each of the places.
+pub(crate) fn acting(model: &mut Model, constraint: &Constraint) -> Vec<Acting> {
+    let coordinates: Vec<NodeId> =
+        (0..model.coordinates.len() as u32).map(|i| model.graph.variable(Variable::Coordinate(i))).collect();
+    let Model { graph, places, orientations, kinetic, lagrangian, .. } = model;
+    let Some(Written { through, forces }) = written(graph, constraint, places, &coordinates) else {
+        return Vec::new();
+    };
     let movers: Vec<Option<Vec<NodeId>>> =
-        places.iter().map(|place| movers(graph, place, coordinates, orientations)).collect();
+        places.iter().map(|place| movers(graph, place, &coordinates, orientations)).collect();
     let named: Vec<NodeId> =
         graph.cone([through]).into_iter().filter(|node| coordinates.contains(node)).collect();
+    // Inertia that is given as an energy may belong to any coordinate.
+    let has_energies = !kinetic.is_empty() || !lagrangian.is_empty();
     let mut all = Vec::with_capacity(places.len());
-    for (i, place) in places.iter().enumerate() {
-        let slopes = pullback(graph, &[(through, one)], &place.variables);
-        let force = substitute(graph, &slopes, &values);
+    for (i, (place, force)) in places.iter().zip(forces).enumerate() {
         let is_whole = match &movers[i] {
             Some(movers) => !named.iter().any(|q| movers.contains(q)),
             // Of one that turns with an orientation the position may be all that is named.
-            None => !named.iter().any(|q| graph.cone(place.position.iter().copied()).contains(q)),
+            None => {
+                let cone = graph.cone(place.position.iter().copied());
+                !named.iter().any(|q| cone.contains(q))
+            }
         };
         let alone = |own: &[NodeId]| {
             let mut others = movers.iter().enumerate().filter(|&(j, _)| j != i).map(|(_, other)| other);
             others.all(|other| other.as_ref().is_some_and(|other| !other.iter().any(|q| own.contains(q))))
         };
+        let is_free = !is_whole && !place.turns && !has_energies;
         let by_coordinates = match &movers[i] {
-            Some(own) if !is_whole && !place.turns && own.len() == place.position.len() && alone(own) => {
+            Some(own) if is_free && own.len() == place.position.len() && alone(own) => {
                 inverse_slopes(graph, constraint.value, &place.position, own)
             }
             _ => None,
         };
-        all.push(match by_coordinates {
-            Some(force) => Acting { force, is_whole: true },
-            None => Acting { force, is_whole },
-        });
+        let is_whole = is_whole || by_coordinates.is_some();
+        all.push(Acting { force: by_coordinates.unwrap_or(force), is_whole });
     }
     all
 }

@@ -6,8 +6,8 @@ use super::places::nodes;
 use super::shape::Shape;
 use super::value::Value;
 use crate::diagnostics::catalogue;
-use crate::expr::{NodeId, Variable};
-use crate::kinematics::acting::{Acting, acting};
+use crate::expr::NodeId;
+use crate::kinematics::acting::acting;
 use crate::model::{Constraint, ConstraintKind, Contact, Law};
 use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Name, Owner, Word};
@@ -236,7 +236,7 @@ impl<'a> Interpreter<'a> {
         };
         let mut found = Vec::new();
         for (row, constraint) in self.model.constraints.clone().iter().enumerate() {
-            let Some(acting) = self.acting(constraint).into_iter().nth(place) else { continue };
+            let Some(acting) = acting(&mut self.model, constraint).into_iter().nth(place) else { continue };
             if acting.is_any(&self.model.graph) {
                 found.push((row, constraint.written(), acting));
             }
@@ -254,19 +254,10 @@ impl<'a> Interpreter<'a> {
         Some(None)
     }
 
-    /// How a constraint acts on the places.
-    fn acting(&mut self, constraint: &Constraint) -> Vec<Acting> {
-        let model = &mut self.model;
-        let coordinates: Vec<NodeId> = (0..model.coordinates.len() as u32)
-            .map(|i| model.graph.variable(Variable::Coordinate(i)))
-            .collect();
-        acting(&mut model.graph, constraint, &model.places, &coordinates, &model.orientations)
-    }
-
     /// The Cartesian size of a unit reaction: that of its force on the first place where it is known. A
     /// reaction between two places has the same size on both.
     fn size_of(&mut self, constraint: &Constraint) -> Option<NodeId> {
-        let on_places = self.acting(constraint);
+        let on_places = acting(&mut self.model, constraint);
         let graph = &mut self.model.graph;
         on_places.iter().find(|on| on.is_whole && on.is_any(graph)).map(|on| on.size(graph))
     }

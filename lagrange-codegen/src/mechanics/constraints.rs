@@ -105,8 +105,7 @@ impl Conditions {
                 }
             })
             .collect();
-        let on_places =
-            places::forces(graph, &constraints, &model.places, &jacobian, motion, &model.orientations);
+        let on_places = places::forces(graph, &constraints, &model.places, &jacobian, motion);
         let positions: Vec<NodeId> = constraints
             .iter()
             .map(|constraint| if is_holonomic(constraint) { constraint.value } else { zero })

@@ -1,13 +1,13 @@
 //! Cartesian forces of constraints on the particles and bodies that they are written through.
 //!
-//! That of a holonomic constraint follows from its [form](acting). A constraint g on velocities that names the
-//! velocity ṙ of a place acts there with λ ∂g/∂ṙ, and a coordinate that is a component of one position counts
-//! as that component.
+//! That of a holonomic constraint is λ ∂f/∂r where f is written through the position r. A constraint g on
+//! velocities that names the velocity ṙ of a place acts there with λ ∂g/∂ṙ, and a coordinate that is a
+//! component of one position counts as that component.
 
 use super::motion::Motion;
 use crate::calculus::{pullback, pushforward, substitute};
 use crate::expr::{Graph, NodeId};
-use crate::kinematics::acting::acting;
+use crate::kinematics::acting::forces_at;
 use crate::model::{Constraint, ConstraintKind, Place, component_of_one};
 
 /// The force of a unit multiplier by constraint, place and component.
@@ -17,7 +17,6 @@ pub(super) fn forces(
     places: &[Place],
     jacobian: &[Vec<NodeId>],
     motion: &Motion,
-    orientations: &[usize],
 ) -> Vec<Vec<Vec<NodeId>>> {
     let coordinates: Vec<(NodeId, NodeId)> =
         motion.q.iter().filter_map(|&q| component_of_one(places, q).map(|variable| (q, variable))).collect();
@@ -62,10 +61,7 @@ pub(super) fn forces(
                 }
                 flat
             }
-            Some(_) => acting(graph, constraint, places, &motion.q, orientations)
-                .into_iter()
-                .flat_map(|on_place| on_place.force)
-                .collect(),
+            Some(_) => forces_at(graph, constraint, places, &motion.q).concat(),
             // A force on velocities: what they are the velocities of.
             None => {
                 let slope = |&variable: &NodeId| {

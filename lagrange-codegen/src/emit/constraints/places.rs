@@ -59,7 +59,8 @@ pub(super) fn methods(emission: &mut Emission<'_>, balance: &str, parameter: &st
         let name = &place.name;
         let doc = format!(
             "Cartesian forces of the constraints on `{name}` \\[N\\], by name: λ ∂f/∂r where f is written through its position r, \
-             or in coordinates that are components of it.\n\n# Errors\n\nA singular system, with its cause and the time."
+             or in coordinates that are components of it. \
+             What f says of other coordinates is not in it.\n\n# Errors\n\nA singular system, with its cause and the time."
         );
         let signature = format!(
             "{PREFIX}{name}(&self, state: &{}{parameter}) -> ::core::result::Result<{record}<{each}>, lagrange::MotionError<{scalar}>>",
