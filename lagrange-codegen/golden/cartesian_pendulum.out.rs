@@ -370,7 +370,7 @@ A singular system, with its cause and the time.*/
             ::core::result::Result::Ok(0.0)
         }
         #[allow(unused_variables)]
-        /**Cartesian forces of the constraints on `bob` \[N\], by name: λ ∂f/∂r where f is written through its position r, or in coordinates that are components of it.
+        /**Cartesian forces of the constraints on `bob` \[N\], by name: λ ∂f/∂r where f is written through its position r, or in coordinates that are components of it. What f says of other coordinates is not in it.
 
 # Errors
 
