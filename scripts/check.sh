@@ -7,7 +7,7 @@ usage() {
     cat <<'EOF'
 usage: scripts/check.sh NAME …
   fmt         formatting
-  clippy      lints, warnings denied, with all features and peers from crates, and without the standard library
+  clippy      lints, warnings denied, with all features, and without the standard library
   docs        rustdoc, warnings denied
   features    programs of the book and tests that need a feature: lanes of SIMD vectors, 31 digits
   book        its pictures are what the examples draw; where mdbook is there, it builds and its links resolve
@@ -16,7 +16,7 @@ usage: scripts/check.sh NAME …
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
   editor      rust-analyzer in a body that is being written: completion, hover, no false message (installs it by rustup)
   packages    each package is complete: it is built from what would be published
-  benchmarks  the benchmark crate builds, optimised
+  benchmarks  the benchmark crate builds, optimised, and its lints with the peers from crates
   lanes       motions in the lanes of SIMD vectors with the instructions of the present processor
   tables      tables of studies, read by NumPy, pandas and Polars (installs them by pip)
   mpi         the same bytes by 1, 2 and 4 ranks and after a kill (installs Open MPI and libclang by apt-get)
@@ -34,7 +34,7 @@ usage: scripts/check.sh NAME …
   gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
               nightly toolchain and NVIDIA's assembler)
   all         everything above
-  ci          the same without random, editor, packages, benchmarks, lanes, tables, mpi, digits, roots, contacts, gallery and gpu, and of
+  ci          the same without book, random, editor, packages, benchmarks, lanes, tables, mpi, digits, roots, contacts, gallery and gpu, and of
               firmware what needs no nightly toolchain
 EOF
 }
@@ -42,7 +42,7 @@ EOF
 fmt() { cargo fmt --all --check; }
 
 clippy() {
-    cargo clippy --workspace --all-targets --features lagrangian/wide,lagrangian/double-double,benchmarks/peers -- -D warnings
+    cargo clippy --workspace --all-targets --features lagrangian/wide,lagrangian/double-double -- -D warnings
     cargo clippy -p lagrange-runtime --no-default-features --features libm,double-double -- -D warnings
 }
 
@@ -71,7 +71,10 @@ editor() {
 
 packages() { cargo package --workspace --exclude benchmarks --allow-dirty --quiet; }
 
-benchmarks() { cargo build --release -p benchmarks; }
+benchmarks() {
+    cargo clippy -p benchmarks --all-targets --features peers -- -D warnings
+    cargo build --release -p benchmarks
+}
 
 # `cargo test` has the vectors of any processor; others have other instructions, such as fused multiplications.
 lanes() {
@@ -113,7 +116,7 @@ for name in "$@"; do
             "$name" ;;
         all) fmt; clippy; docs; features; book; ui; stack; random; command_line; editor; packages; benchmarks; lanes; tables; mpi; digits; long; drift; roots; contacts; firmware; gallery; gpu ;;
         ci)
-            fmt; clippy; docs; features; book; ui; stack; command_line; long; drift
+            fmt; clippy; docs; features; ui; stack; command_line; long; drift
             FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac

@@ -19,7 +19,7 @@ use mutation::{ACCEPTED, Random};
 use proc_macro2::TokenStream;
 
 /// How many descriptions; `CASES` is another number.
-const COUNT: u64 = 3000;
+const COUNT: u64 = 1000;
 
 /// Contacts, friction and events; a coordinate that is eliminated, a velocity and constraints of an array.
 const MORE: [(&str, &str, &str); 2] = [
