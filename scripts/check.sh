@@ -34,8 +34,8 @@ usage: scripts/check.sh NAME …
   gpu         kernels of a graphics processor: built, assembled, interpreted bit by bit, and run where one is (installs a
               nightly toolchain and NVIDIA's assembler)
   all         everything above
-  ci          the same without book, random, editor, packages, benchmarks, lanes, tables, mpi, digits, roots, contacts, gallery and gpu, and of
-              firmware what needs no nightly toolchain
+  ci          the same without book, random, editor, packages, benchmarks, lanes, tables, mpi, digits, long, drift, roots, contacts,
+              gallery and gpu, and of firmware what needs no nightly toolchain
 EOF
 }
 
@@ -116,7 +116,7 @@ for name in "$@"; do
             "$name" ;;
         all) fmt; clippy; docs; features; book; ui; stack; random; command_line; editor; packages; benchmarks; lanes; tables; mpi; digits; long; drift; roots; contacts; firmware; gallery; gpu ;;
         ci)
-            fmt; clippy; docs; features; ui; stack; command_line; long; drift
+            fmt; clippy; docs; features; ui; stack; command_line
             FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac
