@@ -102,7 +102,7 @@ pub fn parse(
             }
         }
     }
-    let velocities = velocities(&block, &functions, &mut translator);
+    let velocities = velocities(&block, unfinished.is_some(), &functions, &mut translator);
     let origin = translator.origin(name.span());
     let scalar = translator.scalar;
     if functions.iter().all(|function| function.role.is_none()) && !diagnostics.has_errors() {
@@ -138,9 +138,14 @@ pub fn parse(
 }
 
 /// The functions of a block whose velocities it calls for, those left out that the user has written.
-fn velocities(block: &ItemImpl, functions: &[Function], translator: &mut Translator) -> Vec<Velocity> {
+fn velocities(
+    block: &ItemImpl,
+    is_unfinished: bool,
+    functions: &[Function],
+    translator: &mut Translator,
+) -> Vec<Velocity> {
     let find = |name: &str| functions.iter().position(|function| *function.name == *name);
-    let mentioned = velocity::mentioned(block).into_iter();
+    let mentioned = velocity::mentioned(block, is_unfinished).into_iter();
     let missing = mentioned.filter(|(name, _)| find(name).is_none());
     missing
         .filter_map(|(name, span)| {
