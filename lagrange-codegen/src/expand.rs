@@ -46,8 +46,8 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
     };
     // Everything that a program may use of a system is there as far as declarations can be read.
     let stubs = parsed.as_mut().map(stubs);
-    // rust-analyzer compares the expansion of what is written with that of a word at the cursor, place by place, so
-    // nothing that depends on the mistake stands before the user's block.
+    // rust-analyzer compares the expansion of what is written with that of a word at the cursor, place by
+    // place, so nothing that depends on the mistake stands before the user's block.
     let recovered = syntax::recover(item);
     quote!(#recovered #messages #stubs)
 }

@@ -1,8 +1,9 @@
 //! Blocks that do not parse, as they stand in an editor: everything that can be read, item by item.
 //!
-//! The compiler has parsed an item before it calls its attribute, and has reported what is wrong with the form. So
-//! nothing is reported here. A body that does not parse stays the tokens that it is, and of a signature stays
-//! what can be read, so that the declarations, which the generated items follow from, outlive what is being written.
+//! The compiler has parsed an item before it calls its attribute, and has reported what is wrong with the
+//! form. So nothing is reported here. A body that does not parse stays the tokens that it is, and of a
+//! signature stays what can be read, so that the declarations, which the generated items follow from, outlive
+//! what is being written.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;

@@ -12,8 +12,8 @@ use super::translate::bare;
 /// What stands behind the name of a function in the name of its velocity.
 pub const SUFFIX: &str = "_velocity";
 
-/// The names in a block that a function `…_velocity` of its own is called by, each once where it first stands.
-/// In an unfinished block every name counts, whatever stands before it.
+/// The names in a block that a function `…_velocity` of its own is called by, each once where it first
+/// stands. In an unfinished block every name counts, whatever stands before it.
 pub fn mentioned(block: &syn::ItemImpl, is_unfinished: bool) -> Vec<(Name, Span)> {
     let mut found = Vec::new();
     let own = super::self_type(&block.self_ty).map(|segment| &segment.ident);

@@ -1,7 +1,8 @@
-//! Descriptions while they are written: a token is missing or too many, and what the rest of a program uses is there.
+//! Descriptions while they are written: a token is missing or too many, and what the rest of a program uses
+//! is there.
 //!
-//! Not owed is what only the missing token says: items named after a name that is gone, and what follows from a role or
-//! a key that is gone. All else is owed, in every case.
+//! Not owed is what only the missing token says: items named after a name that is gone, and what follows from
+//! a role or a key that is gone. All else is owed, in every case.
 //!
 //! `CASES=100000 cargo test --release -p lagrange-codegen --test editor -- --nocapture` tries more and prints shares.
 
