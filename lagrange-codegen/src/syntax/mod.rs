@@ -125,6 +125,7 @@ pub fn parse(
         jacobians: args.jacobians || !sensitivities.is_empty(),
         sensitivities,
         analysis: args.analysis || args.verify.is_some(),
+        formulas: args.analysis || args.verify.is_some(),
         verify: args.verify,
         baumgarte,
         allowed: args.allowed,
