@@ -35,7 +35,7 @@ fn row(index: u64, pause: Duration) -> Result<(f64, bool), Failure> {
     if index % 97 == 5 {
         return Err(Failure::at(0.5, format!("motion {index}, \"as agreed\"")));
     }
-    let pendulum = Pendulum { rate: 1.0 + index as f64 };
+    let pendulum = Pendulum { rate: 1.0 + index as f64 / 100.0 };
     let mut motion = pendulum.simulate(State::at_rest([2.0]));
     Ok((motion.advance_to(1.0)?.q[0], index.is_multiple_of(2)))
 }
