@@ -155,15 +155,15 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
             if k > direction {
                 continue;
             }
-            let mut sum = if k == direction { R::one() } else { R::zero() };
+            c[k] = if k == direction { R::one() } else { R::zero() };
             for i in k + 1..N {
                 if i <= direction {
                     // Both factors are unit triangular: Lᵀ, or U.
-                    sum -= if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * c[i];
+                    let known = if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * c[i];
+                    c[k] -= known;
                 }
             }
-            c[k] = sum;
-            add_scaled(&mut motion, &self.basis[k], sum);
+            add_scaled(&mut motion, &self.basis[k], c[k]);
         }
         motion
     }
