@@ -4,10 +4,7 @@
 //
 // MODEL is what `robots.py` writes: the joints of a model of Pinocchio. STATES has a count and coordinates,
 // velocities and torques of each state, in the order of that model; a floating base has x, y, z and either yaw,
-// pitch, roll or three parameters of its orientation. Requests come line by line: `evaluate WHAT`, `refer WHAT`,
-// `condition`, `time SUBJECT SECONDS`, where WHAT is `accelerations` or `derivatives`. `refer` is the same in `long double`, which
-// has 19 digits on x86-64: its answers are what the errors of programs in doubles are measured against. `condition`
-// is that of the mass matrix with a unit diagonal, for each state.
+// pitch, roll or three parameters of its orientation. Requests come line by line: `evaluate accelerations`, `evaluate derivatives`, `time SUBJECT SECONDS`.
 //
 // A floating base is a free flyer with a quaternion, as everybody uses it. Values are converted to those of
 // the coordinates of the description that they are compared with; times are without that.
@@ -16,10 +13,7 @@
 
 #include <pinocchio/algorithm/aba-derivatives.hpp>
 #include <pinocchio/algorithm/aba.hpp>
-#include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/joint-configuration.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <chrono>
@@ -37,9 +31,6 @@
 using namespace pinocchio;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Precise = long double;
-template <class T> using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
-template <class T> using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <class T> using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T> using Vector6 = Eigen::Matrix<T, 6, 1>;
 template <class T> using Matrix3 = Eigen::Matrix<T, 3, 3>;
@@ -54,7 +45,7 @@ struct Robot {
   Base base = Base::none;
 };
 
-template <class Entries> void read(std::istream &in, Entries &&entries) {
+template <class Matrix> void read(std::istream &in, Matrix &&entries) {
   for (Eigen::Index i = 0; i < entries.rows(); ++i)
     for (Eigen::Index j = 0; j < entries.cols(); ++j)
       if (!(in >> entries(i, j)))
@@ -108,14 +99,9 @@ Robot load(const char *path) {
   return robot;
 }
 
-template <class T> struct StateOf {
-  Vector<T> q, v, tau;
-
-  template <class U> StateOf<U> cast() const {
-    return {q.template cast<U>(), v.template cast<U>(), tau.template cast<U>()};
-  }
+struct State {
+  VectorXd q, v, tau;
 };
-using State = StateOf<double>;
 
 std::vector<State> states(const char *path, Eigen::Index n) {
   std::ifstream in(path);
@@ -222,126 +208,85 @@ Vector6<T> angular(const Turn<T> &turn, const Vector6<T> &v, const Vector6<T> &a
 }
 
 /// The same state of a free flyer.
-template <class T> StateOf<T> flying(Base base, const StateOf<T> &state) {
-  const Turn<T> turn{base, state.q.template segment<3>(3)};
-  const Eigen::Quaternion<T> quaternion(turn.rotation());
-  StateOf<T> result{Vector<T>(state.q.size() + 1), state.v, state.tau};
-  result.q << state.q.template head<3>(), quaternion.coeffs(), state.q.tail(state.q.size() - 6);
-  result.v.template head<6>() = flying<T>(turn, state.v.template head<6>());
+State flying(Base base, const State &state) {
+  const Turn<double> turn{base, state.q.segment<3>(3)};
+  const Eigen::Quaterniond quaternion(turn.rotation());
+  State result{VectorXd(state.q.size() + 1), state.v, state.tau};
+  result.q << state.q.head<3>(), quaternion.coeffs(), state.q.tail(state.q.size() - 6);
+  result.v.head<6>() = flying<double>(turn, state.v.head<6>());
   return result;
 }
 
 /// Accelerations of a description.
-template <class T> Vector<T> described(Base base, const StateOf<T> &state, Vector<T> accelerations) {
-  const Vector6<T> flyer = accelerations.template head<6>();
-  const Turn<T> turn{base, state.q.template segment<3>(3)};
-  accelerations.template head<6>() = angular<T>(turn, state.v.template head<6>(), flyer);
+VectorXd described(Base base, const State &state, VectorXd accelerations) {
+  const Vector6<double> flyer = accelerations.head<6>();
+  const Turn<double> turn{base, state.q.segment<3>(3)};
+  accelerations.head<6>() = angular<double>(turn, state.v.head<6>(), flyer);
   return accelerations;
 }
 
 /// Their derivatives by coordinates or by velocities, by the chain rule. The functions above are
 /// differentiated by a step in the complex plane, which loses no digits.
-template <class T>
-Matrix<T> described(Base base, const StateOf<T> &state, const DataTpl<T> &data, bool by_velocities) {
-  using Complex = std::complex<T>;
+MatrixXd described(Base base, const State &state, const Data &data, bool by_velocities) {
+  using Complex = std::complex<double>;
   const Eigen::Index n = state.q.size();
-  const T step = 1e-100;
-  const Turn<T> turn{base, state.q.template segment<3>(3)};
-  Matrix<T> result = by_velocities ? data.ddq_dv : data.ddq_dq;
-  const Matrix3<T> turned = turn.rotation(), turning = turn.rates();
+  const double step = 1e-100;
+  const Turn<double> turn{base, state.q.segment<3>(3)};
+  MatrixXd result = by_velocities ? data.ddq_dv : data.ddq_dq;
+  const Matrix3<double> turned = turn.rotation(), turning = turn.rates();
   // How the state of the free flyer follows the base, and how its accelerations follow that.
   for (Eigen::Index j = 0; j < n; ++j) {
-    Turn<Complex> moved{base, turn.numbers.template cast<Complex>()};
-    Vector6<Complex> v = state.v.template head<6>().template cast<Complex>();
-    Vector<T> column = result.col(j);
+    Turn<Complex> moved{base, turn.numbers.cast<Complex>()};
+    Vector6<Complex> v = state.v.head<6>().cast<Complex>();
+    VectorXd column = result.col(j);
     if (j < 6) {
       if (by_velocities)
-        v[j] += Complex(0, step);
+        v[j] += Complex(0.0, step);
       else if (j >= 3)
-        moved.numbers[j - 3] += Complex(0, step);
-      column = data.ddq_dv.template leftCols<6>() * (flying<Complex>(moved, v).imag() / step);
+        moved.numbers[j - 3] += Complex(0.0, step);
+      column = data.ddq_dv.leftCols<6>() * (flying<Complex>(moved, v).imag() / step);
       if (!by_velocities && j < 3)
-        column += data.ddq_dq.template leftCols<3>() * turned.row(j).transpose();
+        column += data.ddq_dq.leftCols<3>() * turned.row(j).transpose();
       else if (!by_velocities)
-        column += data.ddq_dq.template middleCols<3>(3) * turning.col(j - 3);
+        column += data.ddq_dq.middleCols<3>(3) * turning.col(j - 3);
     }
     Vector6<Complex> accelerations;
     for (Eigen::Index i = 0; i < 6; ++i) accelerations[i] = Complex(data.ddq[i], step * column[i]);
-    column.template head<6>() = angular<Complex>(moved, v, accelerations).imag() / step;
+    column.head<6>() = angular<Complex>(moved, v, accelerations).imag() / step;
     result.col(j) = column;
   }
   return result;
 }
 
-/// What is timed, and the same in more digits.
-template <class T> class Subject {
+/// What is timed.
+class Subject {
 public:
-  Subject(const Robot &robot, const std::vector<State> &all)
-      : model(robot.model.cast<T>()), damping(robot.damping.cast<T>()), base(robot.base), data(model) {
-    for (const State &one : all) {
-      const StateOf<T> state = one.cast<T>();
-      given.push_back(state);
-      inputs.push_back(base == Base::none ? state : flying<T>(base, state));
-    }
+  Subject(const Robot &robot, const std::vector<State> &all) : robot(robot), data(robot.model) {
+    for (const State &state : all) inputs.push_back(robot.base == Base::none ? state : flying(robot.base, state));
   }
 
-  const Vector<T> &accelerations(const StateOf<T> &state, Convention convention) {
-    torque = state.tau - damping.cwiseProduct(state.v);
-    return aba(model, data, state.q, state.v, torque, convention);
+  const VectorXd &accelerations(const State &state, Convention convention) {
+    torque = state.tau - robot.damping.cwiseProduct(state.v);
+    return aba(robot.model, data, state.q, state.v, torque, convention);
   }
 
-  void derivatives(const StateOf<T> &state) {
-    torque = state.tau - damping.cwiseProduct(state.v);
-    computeABADerivatives(model, data, state.q, state.v, torque);
+  void derivatives(const State &state) {
+    torque = state.tau - robot.damping.cwiseProduct(state.v);
+    computeABADerivatives(robot.model, data, state.q, state.v, torque);
     // Only the upper triangle of the inverse is filled.
-    for (Eigen::Index j = 0; j < damping.size(); ++j)
-      if (damping[j] != T(0))
-        for (Eigen::Index i = 0; i < damping.size(); ++i)
-          data.ddq_dv(i, j) -= data.Minv(std::min(i, j), std::max(i, j)) * damping[j];
+    for (Eigen::Index j = 0; j < robot.damping.size(); ++j)
+      if (robot.damping[j] != 0.0)
+        for (Eigen::Index i = 0; i < robot.damping.size(); ++i)
+          data.ddq_dv(i, j) -= data.Minv(std::min(i, j), std::max(i, j)) * robot.damping[j];
   }
 
-  /// Values of a description.
-  void evaluate(const std::string &what) {
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      if (what == "accelerations") {
-        const Vector<T> &a = accelerations(inputs[i], Convention::LOCAL);
-        tell(base == Base::none ? a : described<T>(base, given[i], a));
-      } else {
-        derivatives(inputs[i]);
-        for (const bool by_velocities : {false, true}) {
-          if (base != Base::none)
-            tell(described<T>(base, given[i], data, by_velocities));
-          else
-            tell(by_velocities ? data.ddq_dv : data.ddq_dq);
-        }
-      }
-    }
-  }
-
-  ModelTpl<T> model;
-  Vector<T> damping;
-  Base base;
-  DataTpl<T> data;
-  std::vector<StateOf<T>> given, inputs;
+  const Robot &robot;
+  Data data;
+  std::vector<State> inputs;
 
 private:
-  static void tell(const Matrix<T> &matrix) {
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-      for (Eigen::Index j = 0; j < matrix.cols(); ++j) std::printf("%.17g ", double(matrix(i, j)));
-  }
-
-  Vector<T> torque;
+  VectorXd torque;
 };
-
-/// The condition of the mass matrix at a state, with rows and columns scaled to a unit diagonal.
-double condition(Subject<double> &subject, const State &state) {
-  crba(subject.model, subject.data, state.q);
-  const MatrixXd mass = subject.data.M.selfadjointView<Eigen::Upper>();
-  const VectorXd scale = mass.diagonal().cwiseSqrt().cwiseInverse();
-  const VectorXd values =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>(scale.asDiagonal() * mass * scale.asDiagonal()).eigenvalues();
-  return values.maxCoeff() / values.minCoeff();
-}
 
 double sink = 0.0;
 
@@ -358,6 +303,11 @@ template <class Evaluate> double fastest(std::size_t count, double seconds, Eval
   return best / double(count);
 }
 
+void tell(const MatrixXd &matrix) {
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) std::printf("%.17g ", matrix(i, j));
+}
+
 int main(int count, char **arguments) {
   if (count != 3) {
     std::cerr << "usage: pinocchio MODEL STATES\n";
@@ -366,7 +316,7 @@ int main(int count, char **arguments) {
   try {
     const Robot robot = load(arguments[1]);
     const auto all = states(arguments[2], robot.model.nv);
-    Subject<double> subject(robot, all);
+    Subject subject(robot, all);
     std::string line;
     while (std::getline(std::cin, line)) {
       std::istringstream request(line);
@@ -374,13 +324,20 @@ int main(int count, char **arguments) {
       double seconds = 0.0;
       request >> verb >> what >> seconds;
       if (verb == "evaluate") {
-        subject.evaluate(what);
-        std::printf("\n");
-      } else if (verb == "refer") {
-        Subject<Precise>(robot, all).evaluate(what);
-        std::printf("\n");
-      } else if (verb == "condition") {
-        for (const State &state : subject.inputs) std::printf("%.3g ", condition(subject, state));
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          if (what == "accelerations") {
+            const VectorXd &a = subject.accelerations(subject.inputs[i], Convention::LOCAL);
+            tell(robot.base == Base::none ? VectorXd(a) : described(robot.base, all[i], a));
+          } else {
+            subject.derivatives(subject.inputs[i]);
+            for (const bool by_velocities : {false, true}) {
+              if (robot.base != Base::none)
+                tell(described(robot.base, all[i], subject.data, by_velocities));
+              else
+                tell(by_velocities ? subject.data.ddq_dv : subject.data.ddq_dq);
+            }
+          }
+        }
         std::printf("\n");
       } else if (what == "pinocchio-derivatives") {
         std::printf("%.6f\n", fastest(all.size(), seconds, [&](std::size_t i) {
