@@ -56,7 +56,7 @@ pub struct Screws<R, const N: usize, const G: usize, const C: usize, const P: us
 /// Coordinates that are taken together with another one, on vectors.
 const LANES: usize = 4;
 
-/// Some coordinates, such as those on the way to a group.
+/// The coordinates on the way to a group.
 struct Path<R, const N: usize> {
     coordinates: [usize; N],
     /// The parts of S, Ṡ and S̈ of some coordinates side by side.
@@ -163,22 +163,26 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
     ) -> Linearization<R, N> {
         let zero = [[R::zero(); N]; N];
         let mut result = Linearization { mass: zero, by_q: zero, by_v: zero };
-        let (mut path, mut own) = (Path::<R, N>::new(), Path::<R, N>::new());
+        let mut path = Path::<R, N>::new();
         let mut ends = [0; G];
         let mut changes = self.changes.iter();
         for (place, (group, bodies)) in groups.iter().zip(composites).enumerate() {
-            let start = ends.get(group.parent).copied().unwrap_or(0);
-            ends[place] = start + group.coordinates.len();
+            let above = ends.get(group.parent).copied().unwrap_or(0);
+            ends[place] = above + group.coordinates.len();
             let point = &self.points[place];
             for (k, &j) in group.coordinates.iter().enumerate() {
-                let parts = [self.screw(j), rates[j][0], rates[j][1]];
-                own.put(k, j, &parts);
-                path.put(start + k, j, &parts.map(|part| part.from(point)));
-            }
-            for &j in group.coordinates {
-                let moving = Moving::of(bodies, &self.screw(j), &rates[j]);
-                own.pairs_with(j, &moving, group.coordinates.len(), false, &mut result);
-                path.pairs_with(j, &moving.from(point), start, true, &mut result);
+                let (screw, [rate, second]) = (self.screw(j), rates[j]);
+                path.put(above + k, j, &[screw, rate, second].map(|part| part.from(point)));
+                let moving = Moving::of(bodies, &screw, &rates[j]);
+                for &i in group.coordinates {
+                    let other = self.screw(i);
+                    result.mass[i][j] = other.dot(&moving.momentum);
+                    result.by_q[i][j] = -other.dot(&moving.by_q);
+                    result.by_v[i][j] = -other.dot(&moving.by_v);
+                }
+                if above > 0 {
+                    path.pairs_with(j, &moving.from(point), above, &mut result);
+                }
             }
             if group.given < C {
                 for &i in group.coordinates {
@@ -235,17 +239,9 @@ impl<R: Real, const N: usize> Path<R, N> {
         block.iter_mut().zip(parts).for_each(|(row, part)| row[place % LANES] = part);
     }
 
-    /// The entries of a coordinate with the first of these; on both sides of the diagonal, if they are `above`
-    /// it: move more bodies.
+    /// The entries of a coordinate with the first ones, which move more bodies.
     #[inline]
-    fn pairs_with(
-        &self,
-        j: usize,
-        moving: &Moving<R>,
-        count: usize,
-        above: bool,
-        result: &mut Linearization<R, N>,
-    ) {
+    fn pairs_with(&self, j: usize, moving: &Moving<R>, count: usize, result: &mut Linearization<R, N>) {
         let Moving { momentum, by_q, by_v, back } = moving;
         let (momentum, doubled) = (momentum.parts(), momentum.doubled().parts());
         let (by_q, by_v) = (by_q.parts(), by_v.parts());
@@ -269,11 +265,9 @@ impl<R: Real, const N: usize> Path<R, N> {
                 result.by_q[i][j] = -across[lane];
                 result.by_v[i][j] = -ahead[lane];
                 result.mass[i][j] = inertia[lane];
-                if above {
-                    result.mass[j][i] = inertia[lane];
-                    result.by_q[j][i] = -below[lane];
-                    result.by_v[j][i] = -behind[lane];
-                }
+                result.mass[j][i] = inertia[lane];
+                result.by_q[j][i] = -below[lane];
+                result.by_v[j][i] = -behind[lane];
             }
         }
     }
