@@ -30,7 +30,7 @@ const CHANGE: usize = 12;
 
 #[test]
 fn operations_are_those_that_the_engine_takes_them_for() {
-    let link = |parent, coordinates| Group { parent, coordinates, given: usize::MAX };
+    let link = |parent, coordinates| Group { parent, coordinates, given: 0 };
     // A vector of four is four numbers here.
     let block = LANES * BLOCK;
     let alone = BODIES + RATES + COORDINATE + WITHIN;
