@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 const TEMPLATE: &str = "template/main.rs";
+const CONTACTS: &str = "tests/files/contacts.rs";
 const TREE: &str = "tests/files/models/main.rs";
 
 fn lagrange(folder: &Path, arguments: &[&str]) -> Output {
@@ -51,6 +52,15 @@ fn equations_are_text_latex_and_json() {
     assert_eq!(values[0]["text"], plain.trim_end());
     assert_eq!(values[0]["latex"], latex.trim_end());
     assert_eq!((&values[0]["model"], &values[0]["line"]), (&"Pendulum".into(), &16.into()));
+}
+
+#[test]
+fn equations_with_contacts_and_friction_have_all_forms() {
+    let values: serde_json::Value =
+        serde_json::from_str(&printed(&["equations", "--json", "--file", CONTACTS])).expect("it is JSON");
+    assert_eq!(values[0]["text"], "mass·x\u{308} = λ(grip)\nmass·y\u{308} + 9.81 mass = λ(gap)");
+    let latex = values[0]["latex"].as_str().expect("it is there");
+    assert!(latex.contains("\\lambda_{\\mathrm{gap}}"), "{latex}");
 }
 
 #[test]

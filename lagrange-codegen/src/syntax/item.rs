@@ -37,6 +37,8 @@ pub struct Item {
     pub sensitivities: Vec<Expr>,
     /// Whether what the model can tell about itself is generated.
     pub analysis: bool,
+    /// Whether the equations are written in LaTeX, too.
+    pub formulas: bool,
     /// The system that a generated test verifies.
     pub verify: Option<syn::Expr>,
     /// Rate of Baumgarte's stabilisation, where the attribute asks for it.
