@@ -22,7 +22,7 @@ usage: scripts/check.sh NAME …
   tables      tables of studies, read by NumPy, pandas and Polars (installs them by pip)
   mpi         the same bytes by 1, 2 and 4 ranks and after a kill (installs Open MPI and libclang by apt-get)
   digits      31 digits with the other library of math, and the example that uses them
-  long        energy over millions of steps
+  long        energy and angular momentum over millions of steps
   drift       constraints and their energy over millions of steps
   roots       a million polynomials and steps cut anywhere: no zero is missed, none is found twice
   contacts    ten thousand random systems with contacts and friction
@@ -91,7 +91,7 @@ digits() {
     cargo run --release --features double-double --example true_digits
 }
 
-long() { cargo test --release --test long free:: -- --nocapture; }
+long() { cargo test --release --test long -- free:: turning:: --nocapture; }
 
 drift() { cargo test --release --test long constrained:: -- --nocapture; }
 
