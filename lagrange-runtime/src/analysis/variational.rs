@@ -215,7 +215,14 @@ where
     ) -> Result<VariationalMotion<'_, S, N, K, C, P, D>, MotionError<S::Scalar>> {
         let free = Transition::<_, N, P>::at(start);
         let mut transition = free;
-        if C > 0 {
+        if <Varied<S, N, K, C, P, D> as System<N, K>>::SWITCHED {
+            for first in passes::<N, P, D>() {
+                let system = over(self.system, first);
+                let mut pass: Place<Pass<'_, Varied<S, N, K, C, P, D>, N, K>> =
+                    placed(Simulation::new(&system, free.varied(first)));
+                transition.take(first, pass.settled().map_err(without_slopes)?);
+            }
+        } else if C > 0 {
             let failed = |cause| MotionError { cause, t: start.t };
             for first in passes::<N, P, D>() {
                 let (system, mut varied) = (over(self.system, first), free.varied(first));
@@ -227,6 +234,11 @@ where
         let simulation = placed(Simulation::new(&self.first, transition.varied(0)));
         Ok(VariationalMotion { system: self.system, simulation, transition, counts: Steps::default() })
     }
+}
+
+/// An error of a motion of numbers with derivatives.
+fn without_slopes<R: Real, const D: usize>(error: MotionError<Dual<R, D>>) -> MotionError<R> {
+    MotionError { cause: error.cause, t: error.t.value }
 }
 
 /// The first direction of each pass.
@@ -294,11 +306,10 @@ where
         &mut self,
         t: S::Scalar,
     ) -> Result<Transition<S::Scalar, N, P>, MotionError<S::Scalar>> {
-        let failed = |error: MotionError<Dual<_, D>>| MotionError { cause: error.cause, t: error.t.value };
         let mut next = self.transition;
         for first in passes::<N, P, D>() {
             if first == 0 {
-                next.take(first, self.simulation.advance_to(Dual::constant(t)).map_err(failed)?);
+                next.take(first, self.simulation.advance_to(Dual::constant(t)).map_err(without_slopes)?);
                 continue;
             }
             let system = over(self.system, first);
@@ -308,7 +319,7 @@ where
             pass.set_inputs(self.simulation.inputs());
             *pass.limits() = *self.simulation.limits();
             let value = next.state;
-            next.take(first, pass.advance_to(Dual::constant(t)).map_err(failed)?);
+            next.take(first, pass.advance_to(Dual::constant(t)).map_err(without_slopes)?);
             next.state = value;
             let Steps { accepted, rejected, evaluations } = pass.steps();
             self.counts.accepted += accepted;

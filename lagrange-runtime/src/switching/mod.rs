@@ -21,6 +21,7 @@ mod memory;
 mod reactions;
 mod rest;
 mod run;
+mod saltation;
 mod scene;
 mod standstill;
 mod trials;

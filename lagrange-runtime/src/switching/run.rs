@@ -88,6 +88,9 @@ where
                 scene = &later;
             }
             if let Some((v, more)) = scene.gathered(present, scales, self.limits.relative)? {
+                if S::Scalar::PARTS > 1 {
+                    return Err(scene.accumulation());
+                }
                 state.v = v;
                 *impulses = core::array::from_fn(|row| impulses[row] + more[row]);
                 (known.closed, known.settled) = (scene.is_closed, true);
@@ -99,9 +102,12 @@ where
                 *seen = most(*seen, now.abs());
             }
             self.memory.way = choice.accelerations;
+            // The time of a state is a number alone: what it varies by is in `late`.
+            state.t = state.t.part(0);
             if choice.later.is_positive() {
-                state.t += choice.later;
-                shift(state, &choice.accelerations, late + choice.later);
+                let later = choice.later.part(0);
+                state.t += later;
+                shift(state, &choice.accelerations, late + later);
             } else {
                 state.v = choice.velocities;
                 shift(state, &choice.accelerations, late);
@@ -115,6 +121,7 @@ where
         let State { t, q, v } = *state;
         let constants = in_regime.constants();
         let a = in_regime.accelerations_at(&constants, t, &q, &v, &self.control.0);
+        state.t = t.part(0);
         shift(state, &a, late);
         in_regime.project_at(&constants, state, None)?;
         Ok(*present)
@@ -274,7 +281,7 @@ where
         };
         let state = at_time(part)?;
         let late = match passed {
-            Some(passed) => (state.t - start.t) - passed,
+            Some(passed) => (state.t - start.t) - passed.part(0),
             None => guards.late(guard, [&at_time(part * S::Scalar::from_f64(EARLIER))?, &state]),
         };
         Ok(Some(Event { state, guard, late }))
@@ -311,19 +318,26 @@ where
             }
         }
         // A slip in two directions has turned by a right angle: the step goes on from there.
+        let mut regime_ends = true;
         if let Some(row) = fired
             && let Row::Friction { pair: Some(other), .. } = S::ROWS[row]
             && !present.active[row]
             && !self.rests(row, other, &state)
         {
-            (fired, avoid) = (None, false);
+            (fired, avoid, regime_ends) = (None, false, false);
         }
         // Back to the event itself.
         let State { t, q, v } = state;
         let a = self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
-        shift(&mut state, &a, -late);
         let known = Known { closed: present.active, fired, settled: false };
-        let regime = self.settle(&mut state, &present, known, avoid, late)?;
+        let varied = if S::Scalar::PARTS > 1 && regime_ends {
+            self.varied(guard, &state, &a, |run, state| run.settle(state, &present, known, avoid, late))?
+        } else {
+            num_traits::Zero::zero()
+        };
+        shift(&mut state, &a, varied - late);
+        state.t += varied;
+        let regime = self.settle(&mut state, &present, known, avoid, late - varied)?;
         self.memory.next = Some((regime, state));
         Ok(())
     }
