@@ -284,7 +284,8 @@ where
     pub(crate) fn settled(&mut self) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
         self.begin()?;
         let Self { system, constants, control, limits, memory, state, .. } = self;
-        *state = M::advance(memory, *system, constants, control, limits, state.t, &mut limits.attempts.clone())?;
+        *state =
+            M::advance(memory, *system, constants, control, limits, state.t, &mut limits.attempts.clone())?;
         Ok(&self.state)
     }
 

@@ -42,7 +42,8 @@ where
         let known = Known { closed, fired: None, settled: false };
         let regime = self.settle(&mut state, &present, known, false, num_traits::Zero::zero())?;
         if S::Scalar::PARTS > 1
-            && let Some(row) = self.memory.impulses.iter().position(|impulse| *impulse != num_traits::Zero::zero())
+            && let Some(row) =
+                self.memory.impulses.iter().position(|impulse| *impulse != num_traits::Zero::zero())
         {
             return Err(Cause::SwitchesCoincide { name: S::NAMES.constraint(row), other: Name::NONE });
         }

@@ -235,7 +235,8 @@ where
     pub(super) fn varying(&self, guard: Guard, state: &State<S::Scalar, N>) -> S::Scalar {
         let State { t, q, v } = state;
         let mut functions = S::functions_in(self.in_regime, |x| x, *t, q, v);
-        let reactions = if self.watch.reactions { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
+        let reactions =
+            if self.watch.reactions { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
         self.guard(&mut functions, &reactions, |x| x);
         *functions.get(guard)
     }

@@ -328,7 +328,11 @@ where
         }
         // Back to the event itself.
         let State { t, q, v } = state;
-        let a = self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
+        let mut a =
+            self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
+        if S::Scalar::PARTS > 1 {
+            self.complete(&mut a, t);
+        }
         let known = Known { closed: present.active, fired, settled: false };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
             self.varied(guard, &state, &a, |run, state| run.settle(state, &present, known, avoid, late))?

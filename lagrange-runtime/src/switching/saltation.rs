@@ -79,9 +79,25 @@ where
         let State { t, q, v } = &after;
         let b = in_regime.accelerations_at(&in_regime.constants(), *t, q, v, &self.control.0);
         let part = most(self.limits.relative, rounding());
-        let stays = |x: S::Scalar, y: S::Scalar| (x - y).part(0).abs() <= part * (x.part(0).abs() + y.part(0).abs());
+        let stays =
+            |x: S::Scalar, y: S::Scalar| (x - y).part(0).abs() <= part * (x.part(0).abs() + y.part(0).abs());
         let pairs = state.v.iter().zip(v).chain(a.iter().zip(&b));
         if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
+    }
+
+    /// Accelerations that have no value at the end of a piece, as where a slip in two directions has lost its direction,
+    /// are those that the motion comes with.
+    pub(super) fn complete(&self, a: &mut [S::Scalar; N], t: S::Scalar) {
+        let is_number = |a: &S::Scalar| a.part(0).is_finite();
+        let Some(terms) = M::terms(&self.memory.inner).filter(|_| !a.iter().all(is_number)) else { return };
+        let unit = terms.unit.part(0);
+        let passed = (t - self.memory.start.t).part(0) / unit;
+        *a = core::array::from_fn(|i| {
+            let orders = terms.v.iter().enumerate().rev();
+            orders.fold(num_traits::Zero::zero(), |sum: S::Scalar, (order, row)| {
+                sum * passed + S::Scalar::from_f64((order + 1) as f64) * row[i].part(0) / unit
+            })
+        });
     }
 
     fn name(&self, guard: Guard) -> Name {
@@ -128,7 +144,8 @@ where
         let earlier = if t == memory.start.t {
             memory.start
         } else {
-            M::sample(inner, in_regime, constants, self.control, self.limits, t, &mut 0).unwrap_or(memory.start)
+            M::sample(inner, in_regime, constants, self.control, self.limits, t, &mut 0)
+                .unwrap_or(memory.start)
         };
         let State { t, q, v } = &earlier;
         let a = in_regime.accelerations_at(constants, *t, q, v, &self.control.0);
@@ -136,7 +153,12 @@ where
     }
 
     /// Whether the rate of a guard is known to any digit where its zero is.
-    fn is_known(&mut self, guard: Guard, crossing: &Crossing<S::Scalar>, state: &State<S::Scalar, N>) -> bool {
+    fn is_known(
+        &mut self,
+        guard: Guard,
+        crossing: &Crossing<S::Scalar>,
+        state: &State<S::Scalar, N>,
+    ) -> bool {
         let (earlier, a) = self.earlier(state, crossing.unknown());
         let before = rate(&self.guards(), guard, &earlier, &a);
         above(crossing.rate.abs(), (crossing.rate - before).abs())
@@ -153,12 +175,15 @@ where
         let passed = state.t - self.memory.start.t;
         let part = most(self.limits.relative, rounding());
         let alike = |x: S::Scalar, y: S::Scalar| (x - y).abs() <= part * (x.abs() + y.abs());
-        let varies_alike = |x: S::Scalar, y: S::Scalar| (1..S::Scalar::PARTS).all(|i| alike(x.part(i), y.part(i)));
+        let varies_alike =
+            |x: S::Scalar, y: S::Scalar| (1..S::Scalar::PARTS).all(|i| alike(x.part(i), y.part(i)));
         let coincides = |other: &Guard| {
             let there = self.crossing(*other, state, a);
             let falls = above(-(there.rate * passed), there.noise);
             let apart = there.value.part(0).abs() / there.rate.abs();
-            falls && !above(apart, there.unknown() + crossing.unknown()) && !varies_alike(there.later(), crossing.later())
+            falls
+                && !above(apart, there.unknown() + crossing.unknown())
+                && !varies_alike(there.later(), crossing.later())
         };
         let other = self.guards().all().find(|other| *other != guard && coincides(other))?;
         Some(Cause::SwitchesCoincide { name: self.name(guard), other: self.name(other) })
