@@ -13,6 +13,7 @@ mod along;
 mod begin;
 mod choice;
 mod contacts;
+mod corners;
 mod guards;
 mod hybrid;
 mod impact;
