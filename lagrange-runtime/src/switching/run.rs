@@ -331,7 +331,7 @@ where
         let mut a =
             self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
         if S::Scalar::PARTS > 1 {
-            self.complete(&mut a, t);
+            self.complete(guard, &mut a, t);
         }
         let known = Known { closed: present.active, fired, settled: false };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {

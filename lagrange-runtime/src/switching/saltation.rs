@@ -14,7 +14,7 @@
 use super::guards::{Guard, Guards};
 use super::run::Run;
 use super::scene::{above, most, rounding};
-use super::{Regime, Switching};
+use super::{Regime, Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -85,11 +85,17 @@ where
         if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
     }
 
-    /// Accelerations that have no value at the end of a piece, as where a slip in two directions has lost its direction,
-    /// are those that the motion comes with.
-    pub(super) fn complete(&self, a: &mut [S::Scalar; N], t: S::Scalar) {
-        let is_number = |a: &S::Scalar| a.part(0).is_finite();
-        let Some(terms) = M::terms(&self.memory.inner).filter(|_| !a.iter().all(is_number)) else { return };
+    /// Where a slip in two directions ends it has lost its direction, and friction with it: accelerations are those that the
+    /// motion comes with.
+    pub(super) fn complete(&self, guard: Guard, a: &mut [S::Scalar; N], t: S::Scalar) {
+        let turns = |row: usize| {
+            matches!(S::ROWS[row], Row::Friction { pair: Some(_), .. }) && !self.memory.regime.active[row]
+        };
+        let Some(terms) =
+            M::terms(&self.memory.inner).filter(|_| matches!(guard, Guard::Row(row) if turns(row)))
+        else {
+            return;
+        };
         let unit = terms.unit.part(0);
         let passed = (t - self.memory.start.t).part(0) / unit;
         *a = core::array::from_fn(|i| {
