@@ -744,6 +744,18 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
     }
     #[automatically_derived]
     #[allow(clippy::all, unused_variables)]
+    impl lagrange::Parametric<2usize, 1usize, 0usize, 0usize> for ElasticPendulum {
+        #[inline]
+        fn by_parameters_at(
+            &self,
+            constants: &Self::Constants,
+            place: &lagrange::Place<'_, f64, 2, 1, 0>,
+        ) -> lagrange::ByParameters<f64, 2, 0, 0> {
+            lagrange::ByParameters::zero()
+        }
+    }
+    #[automatically_derived]
+    #[allow(clippy::all, unused_variables)]
     impl lagrange::Sensitive<2usize, 1usize, 0usize, 0usize, 4usize>
     for ElasticPendulum {
         const PARAMETERS: [&'static str; 0] = [];
@@ -767,14 +779,6 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                     __parameter(length, ::core::option::Option::None),
                 ],
             }
-        }
-        #[inline]
-        fn by_parameters_at(
-            &self,
-            constants: &Self::Constants,
-            place: &lagrange::Place<'_, f64, 2, 1, 0>,
-        ) -> lagrange::ByParameters<f64, 2, 0, 0> {
-            lagrange::ByParameters::zero()
         }
     }
     #[doc(hidden)]

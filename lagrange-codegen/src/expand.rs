@@ -140,7 +140,6 @@ fn names_are_free(item: &Item, model: &Model, equations: &Equations, diagnostics
 fn contacts_stand_alone(item: &Item, model: &Model, diagnostics: &mut Diagnostics) {
     let Some(contact) = model.contacts.first() else { return };
     let asked = [
-        ("jacobians", item.jacobians),
         ("analysis", item.analysis),
         ("verify", item.verify.is_some()),
         ("baumgarte", item.baumgarte.is_some()),

@@ -13,7 +13,7 @@
 //! | [`Tangent::linearize`] | M, C, G, K and ẋ = A x + B u about a state |
 //! | [`Tangent::modes`] | frequencies, damping ratios and shapes of small oscillations |
 //! | [`Tangent::inverse_dynamics`] | forces that a given motion needs |
-//! | [`Sensitive::sensitivities`] | derivatives of accelerations and multipliers by parameters |
+//! | [`Parametric::sensitivities`] | derivatives of accelerations and multipliers by parameters |
 //! | [`Sensitive::variational`] | the motion with its derivatives by the start and by parameters |
 //! | [`Variational::monodromy`] | Floquet multipliers of a periodic motion |
 mod equilibrium;
@@ -45,7 +45,7 @@ pub use modes::Mode;
 pub use monodromy::Monodromy;
 pub use reduced::{reduced, reduced_by_inputs, reduced_residual};
 pub use response::Response;
-pub use sensitive::{ByParameters, Sensitive, Sensitivities};
+pub use sensitive::{ByParameters, Parametric, Sensitive, Sensitivities};
 pub use variational::{Transition, Variational, VariationalMotion};
 
 /// r = f + Aᵀλ − M a, and A a − γ of the constraints: both zero on the motion.
@@ -124,7 +124,8 @@ pub struct Place<'a, R, const N: usize, const K: usize, const C: usize> {
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the equations of `{Self}` are not generated",
     label = "this needs `jacobians`",
-    note = "say so in the attribute: `#[lagrangian(coordinates = […], jacobians)]`"
+    note = "say so in the attribute: `#[lagrangian(coordinates = […], jacobians)]`",
+    note = "a system with contacts or dry friction has derivatives of its motions alone, by `variational`"
 )]
 pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linearized<N, K> {
     /// Which constraints are holonomic.

@@ -99,6 +99,14 @@ pub trait Real:
         self
     }
 
+    /// A number without value whose derivative in one direction is one: zero where there are no derivatives.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn infinitesimal(_direction: usize) -> Self {
+        Self::zero()
+    }
+
     /// The nearest value to a constant that is not a double, such as a tenth or ln 2. `high` is the double
     /// nearest to it, `low` the one nearest to the difference. The default ignores `low`, which is right for
     /// scalars with no more digits than `f64`.

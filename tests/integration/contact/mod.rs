@@ -5,6 +5,7 @@ mod corners;
 mod friction;
 mod kinks;
 mod laws;
+mod leashes;
 mod nested;
 mod normals;
 mod random;
