@@ -147,9 +147,11 @@ pub(crate) fn emit(
     });
     let written = equations::Equations::of(&mut emission, &sides);
     methods.push_str(&written.constant(emission.model, emission.item.analysis));
+    if emission.item.formulas {
+        methods.push_str(&written.formulas(emission.model));
+    }
     let page = emission.item.analysis.then(|| {
-        let (page, constants) = equations::page(&mut emission, &written, after);
-        methods.push_str(&constants);
+        let page = equations::page(&mut emission, &written, after);
         quote!(#[doc = #page])
     });
     let parameters = tokens::Parameters::new(emission.model, diagnostics);

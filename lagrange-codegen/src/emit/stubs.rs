@@ -7,6 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
+use super::velocities::UNKNOWN;
 use super::{COMPLETIONS, analysis, oriented, over, proofs, records};
 use crate::syntax::body::Expr;
 use crate::syntax::constant;
@@ -289,7 +290,8 @@ fn constraint_methods(
         if !matches!(function.meant(), Some(RoleKind::Point { .. } | RoleKind::Body { .. })) {
             return None;
         }
-        let force = force_on(item, &function.output.as_ref()?.kind, scalar)?;
+        let known = function.output.as_ref().and_then(|output| force_on(item, &output.kind, scalar));
+        let force = known.unwrap_or_else(|| quote!(lagrange::nalgebra::SVector<#scalar, #UNKNOWN>));
         let (name, result) =
             (format_ident!("{}{}", constraints::PREFIX, &*function.name), result(quote!(#record<#force>)));
         Some(quote!(pub fn #name(&self, _: &#state #given) -> #result { loop {} }))

@@ -336,4 +336,4 @@ pub(crate) fn extent<R: Ordered>(x: R) -> R {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
