@@ -29,7 +29,7 @@ pub fn of(
          ## Motions a second\n\n\
          One thread, {} motions of a study, processor time, the cheapest run whose error is at or below the first \
          column in nine of ten motions. Of heyoka the fastest of one motion after the other, 4 and 8 lanes; in \
-         parentheses its rate as a part of our best. `–`: no run is as good. Subjects took turns, {} times, and the least \
+         parentheses its rate as a part of our best. `–`: no run is as good. Rounds of turns of all subjects: {}; the least \
          time counts, because others may have used the machine.\n\n\
          | system | error | alone | 4 lanes | 8 lanes | heyoka, same input | heyoka, equations by hand |\n\
          | --- | --- | --- | --- | --- | --- | --- |\n",
