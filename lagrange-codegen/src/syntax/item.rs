@@ -374,8 +374,17 @@ pub struct Friction {
     pub kinetic: Expr,
     /// The same while it sticks, where that differs.
     pub fixed: Option<Expr>,
-    /// The constraint whose reaction limits it.
-    pub normal: Option<(Word, Option<Expr>)>,
+    /// What limits it.
+    pub normal: Option<Normal>,
+}
+
+/// What limits a friction: constraints, or a particle or body.
+#[derive(Clone, Debug)]
+pub enum Normal {
+    /// `normal = floor`, `normal = gap[1]`.
+    One(Word, Option<Expr>),
+    /// `normal = [across, along]`: the common size of their forces.
+    Together(Vec<(Word, Option<Expr>)>, Origin),
 }
 
 /// The coordinates that a constraint is solved for.

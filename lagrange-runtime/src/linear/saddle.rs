@@ -31,6 +31,7 @@ use super::gradients::Gradients;
 use crate::number::real::Real;
 
 mod diagonal;
+mod loads;
 mod partition;
 pub(super) mod range;
 mod reduced;
@@ -42,6 +43,7 @@ mod tangent_space;
 pub(super) mod vectors;
 
 pub use diagonal::Diagonal;
+pub use loads::Load;
 pub use sparse::Sparse;
 pub use switched::Switched;
 pub(crate) use tangent_space::TangentSpace;

@@ -58,7 +58,7 @@ where
         for (row, kind) in S::ROWS.iter().enumerate() {
             let (e, kinetic, fixed) = (laws.restitution[row], laws.kinetic[row], laws.fixed[row]);
             let is_good = match kind {
-                Row::Bilateral => true,
+                Row::Bilateral | Row::Load => true,
                 Row::Unilateral => e >= zero && e <= one,
                 Row::Friction { .. } => {
                     kinetic >= zero && fixed >= kinetic && kinetic.is_finite() && fixed.is_finite()

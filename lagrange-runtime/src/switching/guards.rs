@@ -108,6 +108,7 @@ where
                     });
                     (drives, watch.reactions || drives)
                 }
+                Row::Load => (false, watch.reactions),
                 Row::Unilateral => (true, watch.reactions || regime.active[row]),
                 Row::Friction { pair, .. } => {
                     let is_first = pair.is_none_or(|other| row < other);
@@ -178,7 +179,7 @@ where
                     turn(self.regime.side[row], &mut rows[row]);
                 }
                 Row::Unilateral if self.regime.active[row] => rows[row] = reactions[row],
-                Row::Unilateral => {}
+                Row::Unilateral | Row::Load => {}
                 Row::Friction { normal, pair } if self.regime.active[row] => {
                     let limit = normal.map_or(fixed[row], |normal| fixed[row] * reactions[normal]);
                     let force = reactions[row] * reactions[row];
@@ -321,7 +322,7 @@ where
         let is_active = self.regime.active[row];
         match S::ROWS[row] {
             Row::Unilateral if !is_active => scales.gaps[row],
-            Row::Bilateral | Row::Unilateral => scales.reactions[row],
+            Row::Bilateral | Row::Unilateral | Row::Load => scales.reactions[row],
             Row::Friction { .. } if is_active => scales.reactions[row] * scales.reactions[row],
             Row::Friction { pair: None, .. } => scales.speeds[row],
             Row::Friction { pair: Some(other), .. } => {
