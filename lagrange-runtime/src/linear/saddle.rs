@@ -91,6 +91,12 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
         self.independence().rank
     }
 
+    /// Whether no row of A depends on others. Those that do not hold at present are none.
+    fn is_independent(&self) -> bool {
+        let independence = self.independence();
+        independence.rank == independence.rows
+    }
+
     /// Why there is no solution; `None` where there is one.
     fn defect(&self) -> Option<Defect>;
 
