@@ -101,14 +101,14 @@ where
         let mut turns = false;
         for (row, kind) in S::ROWS.iter().enumerate() {
             (watch.rows[row], watch.reactions) = match kind {
-                Row::Bilateral => {
+                // Beyond its zero the series of a load has the other sign.
+                Row::Bilateral | Row::Load => {
                     let drives = S::ROWS.iter().enumerate().any(|(other, kind)| {
                         matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row)
                             && slips(other)
                     });
                     (drives, watch.reactions || drives)
                 }
-                Row::Load => (false, watch.reactions),
                 Row::Unilateral => (true, watch.reactions || regime.active[row]),
                 Row::Friction { pair, .. } => {
                     let is_first = pair.is_none_or(|other| row < other);
@@ -141,7 +141,7 @@ where
 
     /// Whether the guard of a row is made of reactions.
     pub(super) fn is_reaction(&self, row: usize) -> bool {
-        S::ROWS[row] == Row::Bilateral || self.regime.active[row]
+        matches!(S::ROWS[row], Row::Bilateral | Row::Load) || self.regime.active[row]
     }
 
     /// The guards that are polynomials where the motion is one.
@@ -174,12 +174,12 @@ where
         }
         for row in (0..C).filter(|&row| self.watch.rows[row]) {
             match S::ROWS[row] {
-                Row::Bilateral => {
+                Row::Bilateral | Row::Load => {
                     rows[row] = reactions[row];
                     turn(self.regime.side[row], &mut rows[row]);
                 }
                 Row::Unilateral if self.regime.active[row] => rows[row] = reactions[row],
-                Row::Unilateral | Row::Load => {}
+                Row::Unilateral => {}
                 Row::Friction { normal, pair } if self.regime.active[row] => {
                     let limit = normal.map_or(fixed[row], |normal| fixed[row] * reactions[normal]);
                     let force = reactions[row] * reactions[row];

@@ -214,3 +214,60 @@ fn sizes(table: &'static [Load]) -> impl Iterator<Item = (usize, &'static [usize
         Load::Sum { .. } => None,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two components and their size.
+    const TABLE: &[Load] = &[Load::Size { row: 2, parts: &[0, 1] }];
+
+    fn loads(response: [f64; 2]) -> Option<Loads<f64, 3>> {
+        let [x, y] = response;
+        let linear = Lu::factor([[1.0, 0.0, -x], [0.0, 1.0, -y], [0.0, 0.0, 1.0]]).unwrap();
+        Loads::new(TABLE, &[[0.0; 3]; 3], &linear)
+    }
+
+    #[test]
+    fn a_load_is_the_size_of_the_force_that_it_changes() {
+        let ([x, y], [a, b]) = ([0.6, -0.7], [-3.0, 0.5]);
+        let [p, q, load] = loads([x, y]).unwrap().solve(&[a, b, 0.0]);
+        // (1 − X²) N² − 2 a X N − a² = 0.
+        let (square, along, rest) = (1.0 - x * x - y * y, a * x + b * y, a * a + b * b);
+        let expected = (along + (along * along + square * rest).sqrt()) / square;
+        assert!((load - expected).abs() < 1e-14 * expected, "{load} {expected}");
+        assert!((p - a - x * load).abs() < 1e-15 && (q - b - y * load).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_load_that_exceeds_itself_jams() {
+        assert!(loads([0.6, 0.79]).is_some() && loads([0.6, 0.81]).is_none());
+    }
+
+    #[test]
+    fn without_a_force_there_is_no_load() {
+        assert_eq!(loads([0.3, 0.0]).unwrap().solve(&[0.0; 3]), [0.0; 3]);
+    }
+
+    /// N² = F · F for the series, also where the first order vanishes.
+    #[test]
+    fn orders_of_a_load_follow_from_those_of_its_force() {
+        for first in [[1.5, -0.25], [0.0, 0.0]] {
+            let loads = loads([0.2, 0.3]).unwrap();
+            let free = [first, [0.7, 0.4], [-0.3, 1.0], [0.9, -0.6], [0.1, 0.2], [0.5, 0.0]];
+            let mut known = [[0.0; 3]; 6];
+            for order in 0..6 {
+                let [x, y] = free[order];
+                let (before, _) = known.split_at(order);
+                known[order] = loads.solve_order(&[2.0 * x, 2.0 * y, 0.0], 2.0, before).map(|x| 0.5 * x);
+            }
+            for order in 0..6 {
+                let product = |row: usize| -> f64 {
+                    (0..=order).map(|place| known[place][row] * known[order - place][row]).sum()
+                };
+                let lack = product(0) + product(1) - product(2);
+                assert!(lack.abs() < 1e-14, "{order}: {lack}");
+            }
+        }
+    }
+}
