@@ -54,14 +54,13 @@ impl<'a> Interpreter<'a> {
         let mut actions = None;
         for (index, function) in item.functions.iter().enumerate() {
             if let Some(RoleKind::Friction(friction)) = function.role.as_ref().map(|role| &role.kind) {
-                let actions = actions.get_or_insert_with(|| Actions::of(&mut self.model));
-                self.friction(index, friction, actions);
+                self.friction(index, friction, &mut actions);
             }
         }
     }
 
     /// Lowers a friction: a scalar slips in one direction, a vector in two, an array is several frictions.
-    fn friction(&mut self, index: usize, friction: &'a Friction, actions: &Actions) {
+    fn friction(&mut self, index: usize, friction: &'a Friction, actions: &mut Option<Actions>) {
         let function: &'a Function = &self.item.functions[index];
         let shape = self.declared(function);
         let (count, directions) = match &shape {
@@ -83,10 +82,13 @@ impl<'a> Interpreter<'a> {
         };
         let normals = match &friction.normal {
             None => vec![None; size],
-            Some(normal) => match self.limits(function, normal, frictions, actions) {
-                Some(limits) => limits.into_iter().map(Some).collect(),
-                None => return,
-            },
+            Some(normal) => {
+                let actions = actions.get_or_insert_with(|| Actions::of(&mut self.model));
+                match self.limits(function, normal, frictions, actions) {
+                    Some(limits) => limits.into_iter().map(Some).collect(),
+                    None => return,
+                }
+            }
         };
         // The Cartesian size of a reaction is that of its multiplier times that of the gradient.
         let mut sized = |values: Vec<NodeId>| -> Vec<NodeId> {

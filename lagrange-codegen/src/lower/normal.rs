@@ -72,12 +72,16 @@ impl<'a> Interpreter<'a> {
                         rows.push(row);
                     }
                 }
+                if rows.is_empty() {
+                    self.report(*origin, catalogue::friction_without_normal());
+                    return None;
+                }
                 let places = 0..self.model.places.len();
                 let known = |row: usize, place: usize| {
                     actions.at(&self.model, row, place).is_some_and(|acting| acting.is_whole)
                 };
                 let common = places.into_iter().find(|&place| rows.iter().all(|&row| known(row, place)));
-                let (Some(place), false) = (common, rows.is_empty()) else {
+                let Some(place) = common else {
                     self.report(*origin, catalogue::friction_apart());
                     return None;
                 };

@@ -62,17 +62,11 @@ impl<R: Ordered, const N: usize, const C: usize, const T: usize> Path<R, N, C, T
     /// Along the part from `from` that is so long.
     fn on(&self, from: R, width: R) -> Self {
         let on = |x: &Taylor<R, T>| x.on(from, width);
-        // What forces leave of a reaction is no better known on a part.
-        let borne = |x: &Taylor<R, T>| {
-            let mut part = x.on(from, width);
-            part.error += x.error;
-            part
-        };
         let mut part = Self {
             t: on(&self.t),
             q: self.q.each_ref().map(on),
             v: self.v.each_ref().map(on),
-            reactions: self.reactions.each_ref().map(borne),
+            reactions: self.reactions.each_ref().map(on),
             ..*self
         };
         part.round(from + width);

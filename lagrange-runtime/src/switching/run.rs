@@ -67,7 +67,6 @@ where
         state: &mut State<S::Scalar, N>,
         present: &Regime<S::Scalar, C, W>,
         mut known: Known<C>,
-        avoid: bool,
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
         self.memory.way = [num_traits::Zero::zero(); N];
@@ -94,7 +93,7 @@ where
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
-            let choice = scene.choose(present, known.fired.filter(|_| avoid))?;
+            let choice = scene.choose(present, known.fired)?;
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
@@ -285,7 +284,7 @@ where
         let memory = &mut *self.memory;
         let (mut state, mut present) = (memory.end, memory.regime);
         memory.changes += 1;
-        let (mut fired, mut avoid) = (None, false);
+        let mut fired = None;
         match guard {
             Guard::Kink(kink) => {
                 present.kinks[kink] = -present.kinks[kink];
@@ -307,7 +306,6 @@ where
                     return Err(Cause::EndlessSwitching { constraint: row, name: S::NAMES.constraint(row) });
                 }
                 fired = Some(row);
-                avoid = S::ROWS[row] != Row::Unilateral || present.active[row];
             }
         }
         // A slip in two directions has turned by a right angle: the step goes on from there.
@@ -316,14 +314,14 @@ where
             && !present.active[row]
             && !self.rests(row, other, &state)
         {
-            (fired, avoid) = (None, false);
+            fired = None;
         }
         // Back to the event itself.
         let State { t, q, v } = state;
         let a = self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
         shift(&mut state, &a, -late);
         let known = Known { closed: present.active, fired, settled: false };
-        let regime = self.settle(&mut state, &present, known, avoid, late)?;
+        let regime = self.settle(&mut state, &present, known, late)?;
         self.memory.next = Some((regime, state));
         Ok(())
     }
