@@ -183,7 +183,8 @@ fn is_autonomous(switching: &Regimes) -> bool {
         Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
     });
     let rows = conditions.positions.iter().chain(&conditions.rates).chain(&switching.kinks);
-    let factors = switching.rows.loads.iter().flat_map(|load| &load.force).flatten().map(|&(_, factor)| factor);
+    let factors =
+        switching.rows.loads.iter().flat_map(|load| &load.force).flatten().map(|&(_, factor)| factor);
     let mut laws = rows.copied().chain(coefficients).chain(factors);
     switching.facts.autonomous
         && !laws.any(|node| switching.rows.graph.dependence(node).meets(Dependence::TIME))

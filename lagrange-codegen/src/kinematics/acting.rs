@@ -154,11 +154,7 @@ fn on_velocities(
         let by_coordinates = movers.as_ref().is_none_or(|movers| movers.iter().any(|&q| moves(q)));
         by_coordinates || place.rates.iter().any(|rate| named.contains(rate))
     };
-    places
-        .iter()
-        .zip(movers)
-        .map(|one| Acting { force: Vec::new(), is_whole: !acts(one) })
-        .collect()
+    places.iter().zip(movers).map(|one| Acting { force: Vec::new(), is_whole: !acts(one) }).collect()
 }
 
 /// The coordinates that move a place; `None` where orientations do.

@@ -176,13 +176,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The size of the force that constraints exert together on a place.
-    fn together(
-        &mut self,
-        function: &Function,
-        rows: &[usize],
-        place: usize,
-        actions: &Actions,
-    ) -> Limit {
+    fn together(&mut self, function: &Function, rows: &[usize], place: usize, actions: &Actions) -> Limit {
         if let [row] = *rows {
             let size = actions.acting[row][place].size(&mut self.model.graph);
             return Limit { normal: Normal::Row(row), size: Some(size) };

@@ -176,7 +176,9 @@ fn as_rows(model: &mut Model) -> (Vec<Contact>, Vec<LoadRow>) {
         for terms in &load.force {
             parts.push(match terms.as_slice() {
                 // A size does not depend on signs.
-                &[(row, factor)] if model.graph.as_constant(factor).map(Number::abs) == Some(Number::ONE) => row,
+                &[(row, factor)] if model.graph.as_constant(factor).map(Number::abs) == Some(Number::ONE) => {
+                    row
+                }
                 terms => {
                     rows.push(LoadRow::Sum(terms.to_vec()));
                     first + rows.len() - 1

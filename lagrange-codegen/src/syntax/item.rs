@@ -8,6 +8,7 @@ use quote::{format_ident, quote};
 use super::args::LINTS;
 use super::body::{Block, Constant, Expr, Name, Pattern, Word};
 use super::constant;
+pub use super::friction::{Friction, Normal};
 use super::translate::bare;
 use super::types::{Type, TypeKind};
 use crate::diagnostics::Origin;
@@ -365,26 +366,6 @@ pub enum RoleKind {
     Friction(Box<Friction>),
     /// `#[event]`.
     Event,
-}
-
-/// What limits a friction.
-#[derive(Clone, Debug)]
-pub struct Friction {
-    /// The coefficient, or the force where its size is given.
-    pub kinetic: Expr,
-    /// The same while it sticks, where that differs.
-    pub fixed: Option<Expr>,
-    /// What limits it.
-    pub normal: Option<Normal>,
-}
-
-/// What limits a friction: constraints, or a particle or body.
-#[derive(Clone, Debug)]
-pub enum Normal {
-    /// `normal = floor`, `normal = gap[1]`.
-    One(Word, Option<Expr>),
-    /// `normal = [across, along]`: the common size of their forces.
-    Together(Vec<(Word, Option<Expr>)>, Origin),
 }
 
 /// The coordinates that a constraint is solved for.

@@ -39,7 +39,7 @@ where
         }
         let closed = self.penetrating(&state, &laws)?;
         let known = Known { closed, fired: None, settled: false };
-        let regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+        let regime = self.settle(&mut state, &present, known, false, num_traits::Zero::zero())?;
         if state.t == self.memory.end.t {
             self.enter(regime, state);
         } else {

@@ -42,11 +42,7 @@ where
         present: &Regime<S::Scalar, C, W>,
         avoid: Option<usize>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
-        let decided = avoid.filter(|&row| match S::ROWS[row] {
-            Row::Bilateral | Row::Load => true,
-            Row::Unilateral => present.active[row],
-            Row::Friction { .. } => false,
-        });
+        let decided = avoid.filter(|&row| !matches!(S::ROWS[row], Row::Friction { .. }));
         if decided.is_some()
             && let Ok(choice) = self.choose_among(self.options(present, avoid, decided), decided)
         {

@@ -67,6 +67,7 @@ where
         state: &mut State<S::Scalar, N>,
         present: &Regime<S::Scalar, C, W>,
         mut known: Known<C>,
+        avoid: bool,
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
         self.memory.way = [num_traits::Zero::zero(); N];
@@ -93,7 +94,7 @@ where
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
-            let choice = scene.choose(present, known.fired)?;
+            let choice = scene.choose(present, known.fired.filter(|_| avoid))?;
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
@@ -284,7 +285,7 @@ where
         let memory = &mut *self.memory;
         let (mut state, mut present) = (memory.end, memory.regime);
         memory.changes += 1;
-        let mut fired = None;
+        let (mut fired, mut avoid) = (None, false);
         match guard {
             Guard::Kink(kink) => {
                 present.kinks[kink] = -present.kinks[kink];
@@ -306,6 +307,7 @@ where
                     return Err(Cause::EndlessSwitching { constraint: row, name: S::NAMES.constraint(row) });
                 }
                 fired = Some(row);
+                avoid = S::ROWS[row] != Row::Unilateral || present.active[row];
             }
         }
         // A slip in two directions has turned by a right angle: the step goes on from there.
@@ -314,14 +316,14 @@ where
             && !present.active[row]
             && !self.rests(row, other, &state)
         {
-            fired = None;
+            (fired, avoid) = (None, false);
         }
         // Back to the event itself.
         let State { t, q, v } = state;
         let a = self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
         shift(&mut state, &a, -late);
         let known = Known { closed: present.active, fired, settled: false };
-        let regime = self.settle(&mut state, &present, known, late)?;
+        let regime = self.settle(&mut state, &present, known, avoid, late)?;
         self.memory.next = Some((regime, state));
         Ok(())
     }

@@ -69,7 +69,7 @@ where
             shift(&mut state, &a, left);
             let present = memory.regime;
             let known = Known { closed: present.active, fired: Some(row), settled: false };
-            let regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
+            let regime = self.settle(&mut state, &present, known, true, num_traits::Zero::zero())?;
             // Where another slip begins at once, that is the way.
             if state.t == t + left {
                 self.memory.way = a;

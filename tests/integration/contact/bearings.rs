@@ -238,7 +238,9 @@ fn a_load_that_passes_zero_goes_on_as_a_size() {
 fn friction_that_loads_itself_jams() {
     let jam = (INERTIA + MASS * LENGTH * LENGTH) / (RADIUS * MASS * LENGTH);
     let rate = State { v: [LENGTH, 0.0, 1.0], ..hanging(0.0) };
-    let start = |friction: f64| Journal { friction, restitution: 0.5, stop: FAR }.simulate(rate).advance_to(1e-6).copied();
+    let start = |friction: f64| {
+        Journal { friction, restitution: 0.5, stop: FAR }.simulate(rate).advance_to(1e-6).copied()
+    };
     assert!(start(0.99 * jam).is_ok());
     let error = start(1.01 * jam).unwrap_err();
     assert!(matches!(error.cause, Cause::NoReaction { name, .. } if name.as_str() == "slip"), "{error}");

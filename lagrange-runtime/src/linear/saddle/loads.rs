@@ -63,11 +63,7 @@ struct Tangent<R, const C: usize> {
 
 impl<R: Real, const C: usize> Loads<R, C> {
     /// `linear` has multipliers as they follow from given loads; `None` where friction jams.
-    pub(super) fn new(
-        table: &'static [Load],
-        shares: &[[R; C]; C],
-        linear: &Lu<R, C>,
-    ) -> Option<Self> {
+    pub(super) fn new(table: &'static [Load], shares: &[[R; C]; C], linear: &Lu<R, C>) -> Option<Self> {
         let mut response = [[R::zero(); C]; C];
         for (row, _) in sizes(table) {
             let unit = core::array::from_fn(|place| if place == row { R::one() } else { R::zero() });
@@ -145,11 +141,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
     }
 
     /// Newton's method, beside sizes whose tangents are given.
-    fn settled(
-        &self,
-        free: &[R; C],
-        given: impl Fn(usize, &[usize]) -> Option<Tangent<R, C>>,
-    ) -> [R; C] {
+    fn settled(&self, free: &[R; C], given: impl Fn(usize, &[usize]) -> Option<Tangent<R, C>>) -> [R; C] {
         let mut multipliers = *free;
         let mut has_converged = false;
         for _ in 0..ITERATIONS {

@@ -83,7 +83,8 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         let mut this = Self { saddle, driven: [[R::zero(); N]; C], jam: Jam::None };
         let mut matrix = [[R::zero(); C]; C];
         let mut is_coupled = loaded.is_some();
-        let is_load = |row: usize| loaded.is_some_and(|(_, loads)| loads.iter().any(|load| load.row() == row));
+        let is_load =
+            |row: usize| loaded.is_some_and(|(_, loads)| loads.iter().any(|load| load.row() == row));
         for (j, (row, &is_active)) in coupling.iter().zip(&active).enumerate() {
             put(&mut matrix[j], j, R::one());
             if !is_active && !is_load(j) || row.iter().all(|&x| x == R::zero()) {
