@@ -15,13 +15,14 @@ usage: scripts/check.sh NAME …
   random      10 000 random systems (or CASES of them) against dual numbers
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
   editor      rust-analyzer in a body that is being written: completion, hover, no false message (installs it by rustup)
-  packages    each package is complete: it is built from what would be published
+  packages    what publishing asks for: complete packages, licences, oldest versions, pages of docs.rs (PACKAGES names a part
+              of scripts/packages.sh; installs cargo-deny and compilers)
   benchmarks  the benchmark crate builds, optimised, and its lints with the peers from crates
   lanes       motions in the lanes of SIMD vectors with the instructions of the present processor
   tables      tables of studies, read by NumPy, pandas and Polars (installs them by pip)
   mpi         the same bytes by 1, 2 and 4 ranks and after a kill (installs Open MPI and libclang by apt-get)
   digits      31 digits with the other library of math, and the example that uses them
-  long        energy over millions of steps
+  long        energy and angular momentum over millions of steps
   drift       constraints and their energy over millions of steps
   roots       a million polynomials and steps cut anywhere: no zero is missed, none is found twice
   contacts    ten thousand random systems with contacts and friction
@@ -69,7 +70,7 @@ editor() {
     scripts/editor.py
 }
 
-packages() { cargo package --workspace --exclude benchmarks --allow-dirty --quiet; }
+packages() { scripts/packages.sh "${PACKAGES:-all}"; }
 
 benchmarks() {
     cargo clippy -p benchmarks --all-targets --features peers -- -D warnings
@@ -90,7 +91,7 @@ digits() {
     cargo run --release --features double-double --example true_digits
 }
 
-long() { cargo test --release --test long free:: -- --nocapture; }
+long() { cargo test --release --test long -- free:: turning:: --nocapture; }
 
 drift() { cargo test --release --test long constrained:: -- --nocapture; }
 

@@ -129,8 +129,8 @@ pub mod prelude {
     };
     pub use lagrange_runtime::{
         BlanesMoan4, BlanesMoan6, Cause, Crossing, Dop853, Event, Gauss4, Gauss6, Gauss8, Guard, Jet, Jets,
-        Leapfrog, Linearized, MotionError, Ordered, PoseVelocity, Real, Rk4, Sensitive, State, System,
-        Tangent, Twist2, Twist3, Yoshida4, Yoshida6, Yoshida8,
+        Leapfrog, Linearized, MotionError, Ordered, Parametric, PoseVelocity, Real, Rk4, Sensitive, State,
+        System, Tangent, Twist2, Twist3, Yoshida4, Yoshida6, Yoshida8,
     };
 }
 

@@ -1,8 +1,8 @@
 //! What the program of a robot does: it answers requests about its states, line by line.
 //!
-//! `names`; `evaluate accelerations`, `evaluate derivatives`, `evaluate motions`; `time SUBJECT SECONDS`. The
-//! states stand in the file that the program is given: a count, then coordinates, velocities and inputs of
-//! each.
+//! `names`; `evaluate accelerations`, `evaluate derivatives`, `evaluate motions`; `refer accelerations`, `refer
+//! derivatives`, the same in 31 digits; `time SUBJECT SECONDS`. The states stand in the file that the program is
+//! given: a count, then coordinates, velocities and inputs of each.
 
 use std::hint::black_box;
 use std::io::Write as _;
@@ -10,10 +10,20 @@ use std::time::Instant;
 
 use lagrangian::integrator::FixedStep;
 use lagrangian::prelude::*;
-use lagrangian::{Linearized, System};
+use lagrangian::{DoubleDouble, Sensitive, System};
 
 /// What a request is about.
-type Answer<'a> = dyn Fn(&str, Option<f64>) -> String + 'a;
+type Answer<'a> = dyn Fn(&Request) -> String + 'a;
+
+/// A line of words.
+enum Request<'a> {
+    /// Values of all states.
+    Evaluate(&'a str),
+    /// The same in more digits.
+    Refer(&'a str),
+    /// The time of a subject, to be measured for some seconds.
+    Time(&'a str, f64),
+}
 
 /// Serves accelerations.
 pub fn accelerations<S: System<N, K, Scalar = f64>, const N: usize, const K: usize>(
@@ -25,8 +35,8 @@ pub fn accelerations<S: System<N, K, Scalar = f64>, const N: usize, const K: usi
     let evaluate = |(state, u): &(State<f64, N>, [f64; K]), out: &mut [f64; N]| {
         *out = robot.accelerations_at(&constants, state.t, &state.q, &state.v, u);
     };
-    serve(names, &|what, seconds| match (what, seconds) {
-        ("accelerations", None) => {
+    serve(names, &|request| match *request {
+        Request::Evaluate("accelerations") => {
             let mut text = String::new();
             for state in &states {
                 let mut out = [0.0; N];
@@ -35,41 +45,93 @@ pub fn accelerations<S: System<N, K, Scalar = f64>, const N: usize, const K: usi
             }
             text
         }
-        ("generated", Some(seconds)) => {
+        Request::Time("generated", seconds) => {
             let mut out = [0.0; N];
             fastest(&states, seconds, |state| {
                 evaluate(black_box(state), &mut out);
                 black_box(&mut out);
             })
         }
-        _ => panic!("unknown request {what}"),
+        _ => panic!("unknown request"),
     });
 }
 
-/// Serves derivatives of accelerations.
-pub fn derivatives<S: Linearized<N, K, Scalar = f64>, const N: usize, const K: usize>(
-    robot: &S,
-    names: &[&str; N],
-) {
+/// Serves derivatives of accelerations, and both in 31 digits.
+pub fn derivatives<S, const N: usize, const K: usize, const D: usize>(robot: &S, names: &[&str; N])
+where
+    S: Sensitive<N, K, 0, 0, D, Scalar = f64>,
+{
     let states = states::<N, K>();
-    serve(names, &|what, seconds| match (what, seconds) {
-        ("derivatives", None) => {
-            let mut text = String::new();
-            for (state, u) in &states {
-                let jacobians = robot.jacobians(state, u).expect("regular states");
-                for matrix in [jacobians.by_q, jacobians.by_v] {
-                    for i in 0..N {
-                        tell(&mut text, &std::array::from_fn::<f64, N, _>(|j| matrix[(i, j)]));
+    let constants = robot.constants();
+    serve(names, &|request| {
+        let mut text = String::new();
+        match *request {
+            Request::Evaluate("accelerations") => {
+                for (State { t, q, v }, u) in &states {
+                    tell(&mut text, &robot.accelerations_at(&constants, *t, q, v, u));
+                }
+            }
+            Request::Evaluate("derivatives") => {
+                for (state, u) in &states {
+                    let jacobians = robot.jacobians(state, u).expect("regular states");
+                    for matrix in [jacobians.by_q, jacobians.by_v] {
+                        for i in 0..N {
+                            tell(&mut text, &std::array::from_fn::<f64, N, _>(|j| matrix[(i, j)]));
+                        }
                     }
                 }
             }
-            text
+            Request::Refer(what) => {
+                let precise = robot.over(|value, _| DoubleDouble::from(value));
+                for (state, u) in &states {
+                    refer(&precise, &mut text, what, state, &u.map(DoubleDouble::from));
+                }
+            }
+            Request::Time("generated-derivatives", seconds) => {
+                return fastest(&states, seconds, |(state, u)| {
+                    let _ = black_box(robot.jacobians(black_box(state), u));
+                });
+            }
+            _ => panic!("unknown request"),
         }
-        ("generated-derivatives", Some(seconds)) => fastest(&states, seconds, |(state, u)| {
-            let _ = black_box(robot.jacobians(black_box(state), u));
-        }),
-        _ => panic!("unknown request {what}"),
+        text
     });
+}
+
+/// Half the length of differences. Of 31 digits of values they leave twenty, and what they lack is of its square.
+const APART: f64 = 1e-10;
+
+/// Accelerations or their derivatives at a state, rounded from 31 digits.
+fn refer<S: System<N, K, Scalar = DoubleDouble>, const N: usize, const K: usize>(
+    robot: &S,
+    text: &mut String,
+    what: &str,
+    state: &State<f64, N>,
+    u: &[DoubleDouble; K],
+) {
+    let constants = robot.constants();
+    let at = |q: &[DoubleDouble; N], v: &[DoubleDouble; N]| {
+        robot.accelerations_at(&constants, DoubleDouble::from(state.t), q, v, u)
+    };
+    let (q, v) = (state.q.map(DoubleDouble::from), state.v.map(DoubleDouble::from));
+    if what == "accelerations" {
+        return tell(text, &at(&q, &v).map(DoubleDouble::high));
+    }
+    for by_velocities in [false, true] {
+        let columns: [[f64; N]; N] = std::array::from_fn(|j| {
+            let moved = |by: f64| {
+                let (mut q, mut v) = (q, v);
+                let place = if by_velocities { &mut v[j] } else { &mut q[j] };
+                *place += DoubleDouble::from(by);
+                at(&q, &v)
+            };
+            let (ahead, behind) = (moved(APART), moved(-APART));
+            std::array::from_fn(|i| ((ahead[i] - behind[i]) / DoubleDouble::from(2.0 * APART)).high())
+        });
+        for i in 0..N {
+            tell(text, &std::array::from_fn::<f64, N, _>(|j| columns[j][i]));
+        }
+    }
 }
 
 /// How far motions go [s].
@@ -97,8 +159,8 @@ where
         let mut motion = robot.simulate(*state).with_tolerance(1e-12);
         *motion.advance_to(END).expect("a regular motion")
     };
-    serve(names, &|what, seconds| match (what, seconds) {
-        ("motions", None) => {
+    serve(names, &|request| match *request {
+        Request::Evaluate("motions") => {
             let mut text = String::new();
             for state in &states {
                 tell(&mut text, &steps(state).q);
@@ -106,17 +168,17 @@ where
             }
             text
         }
-        ("accelerations-in-turn", Some(seconds)) => fastest(&states, seconds, |(state, u)| {
+        Request::Time("accelerations-in-turn", seconds) => fastest(&states, seconds, |(state, u)| {
             let state = black_box(state);
             black_box(robot.accelerations_at(&constants, state.t, &state.q, &state.v, u));
         }),
-        ("steps", Some(seconds)) => fastest(&states, seconds, |state| {
+        Request::Time("steps", seconds) => fastest(&states, seconds, |state| {
             black_box(steps(black_box(state)));
         }),
-        ("motion", Some(seconds)) => fastest(&states, seconds, |state| {
+        Request::Time("motion", seconds) => fastest(&states, seconds, |state| {
             black_box(motion(black_box(state)));
         }),
-        _ => panic!("unknown request {what}"),
+        _ => panic!("unknown request"),
     });
 }
 
@@ -126,8 +188,11 @@ fn serve<const N: usize>(names: &[&str; N], answer: &Answer) {
         let words: Vec<&str> = line.split_whitespace().collect();
         let text = match words[..] {
             ["names"] => names.join(" "),
-            ["evaluate", what] => answer(what, None),
-            ["time", what, seconds] => answer(what, Some(seconds.parse().expect("a number of seconds"))),
+            ["evaluate", what] => answer(&Request::Evaluate(what)),
+            ["refer", what] => answer(&Request::Refer(what)),
+            ["time", what, seconds] => {
+                answer(&Request::Time(what, seconds.parse().expect("a number of seconds")))
+            }
             _ => panic!("unknown request {line}"),
         };
         println!("{text}");

@@ -35,6 +35,42 @@ fn message(text: &str) -> String {
 fn every_mistake_of_urdf_has_its_place() {
     for (from, to, expected) in [
         (
+            "<axis xyz=\"1 0 0\"/>",
+            "<axis/>",
+            "error: r.urdf:12:5: <axis> of <joint name=\"turn\">: it has no `xyz`; write xyz=\"0 0 1\"",
+        ),
+        (
+            "axis xyz=",
+            "axis xzy=",
+            "error: r.urdf:12:11: <axis> of <joint name=\"turn\">: `xzy` is no attribute of <axis>, or did you mean `xyz`?",
+        ),
+        (
+            "<axis xyz",
+            "<dynamics dampng=\"3\"/><axis xyz",
+            "<dynamics> of <joint name=\"turn\">: `dampng` is no attribute of <dynamics>, or did you mean `damping`?",
+        ),
+        (
+            "<axis xyz",
+            "<dynamics stiffness=\"3\"/><axis xyz",
+            "warning: r.urdf:12:5: <dynamics> of <joint name=\"turn\">: `stiffness` is no attribute of <dynamics>; it is \
+             passed over",
+        ),
+        (
+            "<mass value=\"1\"/>",
+            "<mass value=\"1\"/><orgin xyz=\"1 0 0\"/>",
+            "<orgin> of <link name=\"arm\">: there is no <orgin> in <inertial>, or did you mean `origin`?",
+        ),
+        (
+            "<mass value=\"1\"/>",
+            "<mass value=\"1\"/><mass value=\"2\"/>",
+            "error: r.urdf:5:24: <mass> of <link name=\"arm\">: <inertial> has another <mass> already; remove one of them",
+        ),
+        (
+            "<axis xyz",
+            "<spring/><axis xyz",
+            "warning: r.urdf:12:5: <spring> of <joint name=\"turn\">: there is no <spring> in <joint>; it is passed over",
+        ),
+        (
             "</robot>",
             "",
             "error: r.urdf:1:1: this is not XML: the root node was opened but never closed; mend the XML there",
@@ -199,6 +235,23 @@ fn every_mistake_of_mjcf_has_its_place() {
         (
             body("<joint damping=\"-1\"/>"),
             "error: m.xml:3:8: <joint> of <body name=\"b\">: `damping` is negative",
+        ),
+        (body("<joint pso=\"0 0 1\"/>"), "`pso` is no attribute of <joint>, or did you mean `pos`?"),
+        (
+            body("<jiont/>"),
+            "error: m.xml:3:1: <jiont> of <body name=\"b\">: there is no <jiont> in <body>, or did you",
+        ),
+        (
+            body("<joint/>") + "<optoin timestep=\"1\"/>",
+            "there is no <optoin> in <mujoco>, or did you mean `option`?",
+        ),
+        (
+            body("<joint range=\"10 -10\"/>"),
+            "error: m.xml:3:8: <joint> of <body name=\"b\">: 10 is above -10; exchange the two",
+        ),
+        (
+            body("<joint/><body name=\"c\" quat=\"1 0 0 0\" euler=\"0 0 1\"/>"),
+            "<body name=\"c\">: it has an orientation by `quat` already; remove one of them",
         ),
         (body("<joint class=\"c\"/>"), "there is no <default class=\"c\">"),
         (

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 const TEMPLATE: &str = "template/main.rs";
+const CONTACTS: &str = "tests/files/contacts.rs";
 const TREE: &str = "tests/files/models/main.rs";
 
 fn lagrange(folder: &Path, arguments: &[&str]) -> Output {
@@ -51,6 +52,16 @@ fn equations_are_text_latex_and_json() {
     assert_eq!(values[0]["text"], plain.trim_end());
     assert_eq!(values[0]["latex"], latex.trim_end());
     assert_eq!((&values[0]["model"], &values[0]["line"]), (&"Pendulum".into(), &16.into()));
+}
+
+#[test]
+fn equations_with_contacts_and_friction_have_all_forms() {
+    let values: serde_json::Value =
+        serde_json::from_str(&printed(&["equations", "--json", "--file", CONTACTS])).expect("it is JSON");
+    // Between contacts; reactions and friction come with the regimes.
+    let form = |name: &str| values[0][name].as_str().unwrap_or_default().to_owned();
+    assert!(form("text").contains("mass·y\u{308} + 9.81 mass"), "{}", form("text"));
+    assert!(form("latex").contains("\\ddot{y}"), "{}", form("latex"));
 }
 
 #[test]

@@ -438,7 +438,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 lagrange::Function(
                     &[
                         "cart",
-                        "`cart` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`cart` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.cart(&__coordinates).each_number(take),
@@ -449,7 +449,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 lagrange::Function(
                     &[
                         "tip",
-                        "`tip` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`tip` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.tip(&__coordinates).each_number(take),
@@ -463,7 +463,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 lagrange::Function(
                     &[
                         "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.gravity(&__coordinates).each_number(take),
@@ -474,7 +474,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 lagrange::Function(
                     &[
                         "bearing",
-                        "`bearing` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`bearing` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.bearing(&__velocities).each_number(take),
@@ -488,7 +488,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 lagrange::Function(
                     &[
                         "motor",
-                        "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.motor(&__inputs).each_number(take),

@@ -393,7 +393,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 lagrange::Function(
                     &[
                         "bob",
-                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.bob(&__coordinates).each_number(take),
@@ -404,7 +404,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 lagrange::Function(
                     &[
                         "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.gravity(&__coordinates).each_number(take),
@@ -415,7 +415,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 lagrange::Function(
                     &[
                         "spring",
-                        "`spring` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`spring` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.spring(&__coordinates).each_number(take),
@@ -429,7 +429,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 lagrange::Function(
                     &[
                         "motor",
-                        "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.motor(&__inputs).each_number(take),
@@ -744,6 +744,18 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
     }
     #[automatically_derived]
     #[allow(clippy::all, unused_variables)]
+    impl lagrange::Parametric<2usize, 1usize, 0usize, 0usize> for ElasticPendulum {
+        #[inline]
+        fn by_parameters_at(
+            &self,
+            constants: &Self::Constants,
+            place: &lagrange::Place<'_, f64, 2, 1, 0>,
+        ) -> lagrange::ByParameters<f64, 2, 0, 0> {
+            lagrange::ByParameters::zero()
+        }
+    }
+    #[automatically_derived]
+    #[allow(clippy::all, unused_variables)]
     impl lagrange::Sensitive<2usize, 1usize, 0usize, 0usize, 4usize>
     for ElasticPendulum {
         const PARAMETERS: [&'static str; 0] = [];
@@ -767,14 +779,6 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                     __parameter(length, ::core::option::Option::None),
                 ],
             }
-        }
-        #[inline]
-        fn by_parameters_at(
-            &self,
-            constants: &Self::Constants,
-            place: &lagrange::Place<'_, f64, 2, 1, 0>,
-        ) -> lagrange::ByParameters<f64, 2, 0, 0> {
-            lagrange::ByParameters::zero()
         }
     }
     #[doc(hidden)]

@@ -648,7 +648,7 @@ The first identity that does not hold, and by how much.*/
                 lagrange::Function(
                     &[
                         "bob",
-                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.bob(&__coordinates, state.t).each_number(take),
@@ -663,7 +663,7 @@ The first identity that does not hold, and by how much.*/
                 lagrange::Function(
                     &[
                         "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
+                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
                     ],
                 ),
                 |take| self.gravity(&__coordinates, state.t).each_number(take),

@@ -22,6 +22,15 @@ use crate::{eliminate, jets, lower, mechanics, regimes, syntax};
 /// `crate = path`. Where the description has mistakes, the expansion is all of their messages
 /// and as much of the user's item as lets the compiler be silent about the rest.
 pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
+    expansion(args, item, default_crate, false)
+}
+
+/// The same with the constant `EQUATIONS_LATEX`, which otherwise `analysis` asks for, for tools that show equations.
+pub fn expand_with_formulas(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
+    expansion(args, item, default_crate, true)
+}
+
+fn expansion(args: TokenStream, item: TokenStream, default_crate: &str, formulas: bool) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
     // Nothing that descends into expressions may see what is too deep, not even to recover.
     if let Some(span) = [&args, &item].into_iter().find_map(|tokens| syntax::too_deep(tokens.clone())) {
@@ -31,7 +40,9 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
     let mut parsed = None;
     let attempt = || {
         parsed = syntax::parse(args, item.clone(), default_crate, &mut diagnostics);
-        try_expand(parsed.as_ref()?, &mut diagnostics)
+        let parsed = parsed.as_mut()?;
+        parsed.formulas |= formulas;
+        try_expand(parsed, &mut diagnostics)
     };
     // A panic is always a bug of ours; as an error on the attribute it can be reported as one.
     match catch_unwind(AssertUnwindSafe(attempt)) {
@@ -46,8 +57,8 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
     };
     // Everything that a program may use of a system is there as far as declarations can be read.
     let stubs = parsed.as_mut().map(stubs);
-    // rust-analyzer compares the expansion of what is written with that of a word at the cursor, place by place, so
-    // nothing that depends on the mistake stands before the user's block.
+    // rust-analyzer compares the expansion of what is written with that of a word at the cursor, place by
+    // place, so nothing that depends on the mistake stands before the user's block.
     let recovered = syntax::recover(item);
     quote!(#recovered #messages #stubs)
 }
@@ -129,7 +140,6 @@ fn names_are_free(item: &Item, model: &Model, equations: &Equations, diagnostics
 fn contacts_stand_alone(item: &Item, model: &Model, diagnostics: &mut Diagnostics) {
     let Some(contact) = model.contacts.first() else { return };
     let asked = [
-        ("jacobians", item.jacobians),
         ("analysis", item.analysis),
         ("verify", item.verify.is_some()),
         ("baumgarte", item.baumgarte.is_some()),

@@ -41,7 +41,7 @@ pub enum Error {
         path: PathBuf,
         /// The version that wrote it.
         found: String,
-        /// This version.
+        /// The version that reads it.
         expected: String,
     },
     /// A file is cut off, or its bytes are not those that were written.

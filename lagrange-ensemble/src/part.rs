@@ -1,7 +1,7 @@
 //! A part of a study as a file: an `.npy` array of its rows, which NumPy reads as it is, and behind the array
 //! what tells that it is whole: the study, the failures, the length and a checksum.
 
-use std::fs;
+use std::fs::{self, File};
 use std::io::Write;
 use std::path::Path;
 
@@ -27,11 +27,11 @@ struct Behind {
     failures: Vec<(u64, Failure)>,
 }
 
-/// Writes a part.
-pub(crate) fn write(path: &Path, study: &Fingerprint, layout: &Layout, block: Block) -> Result<(), Error> {
+/// Writes a part. The file is to be flushed, but need not be: what a failure of power takes from it, its end tells.
+pub(crate) fn write(path: &Path, study: &Fingerprint, layout: &Layout, block: Block) -> Result<File, Error> {
     let count = (block.rows.len() / layout.row().max(1)) as u64;
     let Block { number, rows, failures, .. } = block;
-    whole::write(path, |out| {
+    whole::place(path, |out| {
         let header = npy::header(layout, &[count])?;
         let text = serde_json::to_vec(&Behind { study: study.clone(), part: number, failures })?;
         let length = (text.len() as u64).to_le_bytes();

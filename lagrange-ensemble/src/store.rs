@@ -1,9 +1,10 @@
 //! [`Store`]: the folder of a study, with its manifest and its parts.
 
 use std::collections::HashSet;
-use std::fs;
+use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use crate::block::{Block, Layout};
 use crate::error::Error;
@@ -52,23 +53,21 @@ impl Store {
         part::read(&self.path(part), &self.fingerprint, &self.layout, part, self.parts.part(part))
     }
 
-    pub(crate) fn write(&self, block: Block) -> Result<(), Error> {
+    /// Writes a part; none where another process was faster.
+    fn write(&self, block: Block) -> Result<Option<(PathBuf, File)>, Error> {
         let path = self.path(block.number);
         match part::write(&path, &self.fingerprint, &self.layout, block) {
             // Whoever found the study complete swept up, so this part was there.
-            Err(Error::Io { source, .. }) if source.kind() == ErrorKind::NotFound && path.exists() => Ok(()),
-            verdict => verdict,
+            Err(Error::Io { source, .. }) if source.kind() == ErrorKind::NotFound && path.exists() => {
+                Ok(None)
+            }
+            verdict => verdict.map(|file| Some((path, file))),
         }
     }
 
     /// Why a table has no such part.
     pub(crate) fn missing(&self, part: u64) -> Error {
         Error::Damaged { path: self.path(part), why: "it is not there any more" }
-    }
-
-    /// Flushes the names of the parts to the disk.
-    pub(crate) fn flush(&self) -> Result<(), Error> {
-        whole::flush(&self.folder)
     }
 
     /// Whether all parts are there; then files that a killed run has left are swept up.
@@ -86,5 +85,49 @@ impl Store {
             let _ = fs::remove_file(self.folder.join(name));
         }
         Ok(true)
+    }
+}
+
+/// Flushing a part to the disk may take this part of the time of a run: it takes milliseconds, whatever is in it. Parts
+/// that are quickly made follow each other unflushed. What a failure of power takes from them, their ends tell, and they
+/// are computed again.
+const FLUSHING: u32 = 100;
+
+/// Writes the parts of a run.
+#[derive(Debug)]
+pub(crate) struct Writer<'a> {
+    store: &'a Store,
+    /// When the last flush ended, and how long it took.
+    flushed: (Instant, Duration),
+    /// The last part, if it is not flushed.
+    last: Option<(PathBuf, File)>,
+}
+
+impl<'a> Writer<'a> {
+    pub(crate) fn new(store: &'a Store) -> Self {
+        Self { store, flushed: (Instant::now(), Duration::ZERO), last: None }
+    }
+
+    /// Writes a part.
+    pub(crate) fn write(&mut self, block: Block) -> Result<(), Error> {
+        self.last = self.store.write(block)?;
+        let (ended, taken) = self.flushed;
+        if ended.elapsed() >= taken.saturating_mul(FLUSHING) { self.flush() } else { Ok(()) }
+    }
+
+    /// Flushes the last part, where an operating system that writes late says that the disk is full.
+    fn flush(&mut self) -> Result<(), Error> {
+        let begin = Instant::now();
+        if let Some((path, file)) = self.last.take() {
+            file.sync_all().map_err(Error::io("write", &path))?;
+        }
+        self.flushed = (Instant::now(), begin.elapsed());
+        Ok(())
+    }
+
+    /// After the last part: flushes it, and the names of all.
+    pub(crate) fn end(mut self) -> Result<(), Error> {
+        self.flush()?;
+        whole::flush(&self.store.folder)
     }
 }

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::progress::Progress;
 use crate::record::Record;
 use crate::row::Row;
-use crate::store::Store;
+use crate::store::{Store, Writer};
 use crate::study::Study;
 use crate::table::Table;
 use crate::work::{self, Dispatch, InOrder};
@@ -20,8 +20,9 @@ use crate::work::{self, Dispatch, InOrder};
 /// A study whose parts are files of a folder: `NAME.json`, the manifest, and `NAME.parts/`.
 ///
 /// A part is there whole or not at all, so a run may be killed at any moment. The next run of the same study
-/// reads the parts that are there, computes one motion of each again, and goes on. Parts may be deleted when
-/// the table has been written.
+/// reads the parts that are there, computes one motion of each again, and goes on. Where the power failed, parts of the
+/// last seconds may be damaged: they carry a checksum, and are computed again. Parts may be deleted when the table has
+/// been written.
 #[derive(Clone, Debug)]
 pub struct StoredStudy<F, T> {
     study: Study<F, T>,
@@ -140,15 +141,16 @@ where
         let motions = |first, count, at: &Cell<u64>, block: &mut Block| {
             study.append(&store.layout, first, count, at, block)
         };
+        let mut writer = Writer::new(store);
         work::compute(
             (&study.pool()?, study.at_once()),
             store.parts,
             dispatch,
             &motions,
             progress,
-            |block| store.write(block),
+            |block| writer.write(block),
         )?;
-        store.flush()
+        writer.end()
     }
 
     /// The table, if all parts are there.

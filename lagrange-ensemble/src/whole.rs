@@ -1,8 +1,8 @@
-//! Files that are there whole or not at all: written under a temporary name, flushed to the disk, renamed.
+//! Files that are there whole or not at all: written under a temporary name, then renamed.
 
 use std::fs::{self, File};
 use std::hash::{BuildHasher, RandomState};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
@@ -11,24 +11,41 @@ use crate::error::Error;
 const BEFORE: &str = ".unfinished-";
 const AFTER: &str = ".tmp";
 
-/// Writes a file whole, or leaves none and no trace of it.
+/// Writes a file whole and to the disk, or leaves none and no trace of it.
 pub(crate) fn write(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<(), Error> {
-    let failed = |source| Error::Io { doing: "write", path: path.to_owned(), source };
+    placed(path, content, File::sync_all).map(|_| ())
+}
+
+/// The same for every process that looks, while the operating system may still hold the content back from the
+/// disk: a failure of power can leave less of it. The file, to be flushed.
+pub(crate) fn place(
+    path: &Path,
+    content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> Result<File, Error> {
+    placed(path, content, |_| Ok(()))
+}
+
+fn placed(
+    path: &Path,
+    content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+    ready: impl FnOnce(&File) -> io::Result<()>,
+) -> Result<File, Error> {
     let temporary = temporary(path);
     let write = || {
         let mut out = BufWriter::with_capacity(1 << 18, File::create_new(&temporary)?);
         content(&mut out)?;
-        out.flush()?;
-        out.get_ref().sync_all()?;
-        fs::rename(&temporary, path)
+        let file = out.into_inner()?;
+        ready(&file)?;
+        fs::rename(&temporary, path)?;
+        Ok(file)
     };
     write().map_err(|source| {
         // It is of no use, and the disk may be full. The first error is what matters.
         let _ = fs::remove_file(&temporary);
-        failed(source)
+        Error::Io { doing: "write", path: path.to_owned(), source }
     })
 }
 

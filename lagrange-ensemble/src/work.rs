@@ -24,7 +24,7 @@ pub trait Dispatch: Sync {
     /// The number of a part that nobody else computes, or `None` when there is nothing left to begin.
     fn next(&self) -> Option<u64>;
 
-    /// A part is finished and, in a folder, on the disk.
+    /// A part is finished and, in a folder, written.
     fn done(&self, part: u64);
 }
 
@@ -197,7 +197,7 @@ impl Work<'_> {
         }
         let mut pieces = std::mem::take(&mut open.pieces);
         pieces.sort_by_key(|piece| piece.first);
-        let rows = pieces.iter().flat_map(|piece| &piece.rows).copied().collect();
+        let rows = pieces.iter().map(|piece| &piece.rows[..]).collect::<Vec<_>>().concat();
         let failures = pieces.into_iter().flat_map(|piece| piece.failures).collect();
         Some(Block { number: open.number, first: open.first, rows, failures })
     }

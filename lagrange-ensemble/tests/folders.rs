@@ -35,7 +35,7 @@ fn row(index: u64, pause: Duration) -> Result<(f64, bool), Failure> {
     if index % 97 == 5 {
         return Err(Failure::at(0.5, format!("motion {index}, \"as agreed\"")));
     }
-    let pendulum = Pendulum { rate: 1.0 + index as f64 };
+    let pendulum = Pendulum { rate: 1.0 + index as f64 / 100.0 };
     let mut motion = pendulum.simulate(State::at_rest([2.0]));
     Ok((motion.advance_to(1.0)?.q[0], index.is_multiple_of(2)))
 }
@@ -90,11 +90,12 @@ fn as_a_process_of_its_own() {
     }
 }
 
-fn process(folder: &Path, before: &str) -> Child {
-    let program = std::env::current_exe().expect("this program");
+/// Runs the process above by a shell, in which `$RUN` is what starts it.
+fn process(folder: &Path, script: &str) -> Child {
+    let run = "\"$0\" --exact as_a_process_of_its_own --nocapture";
     Command::new("sh")
-        .args(["-c", &format!("{before} exec \"$0\" --exact as_a_process_of_its_own --nocapture")])
-        .arg(program)
+        .args(["-c", &script.replace("$RUN", run)])
+        .arg(std::env::current_exe().expect("this program"))
         .env("LAGRANGE_ENSEMBLE_FOLDER", folder)
         .stdout(Stdio::null())
         .stderr(Stdio::piped())
@@ -108,7 +109,7 @@ fn a_study_that_is_killed_goes_on_where_it_was() {
     let folder = tempfile::tempdir().expect("a folder");
     for kill in 1..=4_u64 {
         let before = parts(folder.path()).len();
-        let mut child = process(folder.path(), "");
+        let mut child = process(folder.path(), "exec $RUN");
         // At different moments of writing.
         while parts(folder.path()).len() < before + 3 {
             assert!(child.try_wait().expect("a process").is_none(), "it ends before it is killed");
@@ -243,10 +244,74 @@ fn another_study_in_the_folder_is_an_error() {
 fn a_disk_that_is_full_loses_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     // The limit of the size of files is reached by the first part: 1 block of 512 bytes.
-    let full = process(folder.path(), "trap '' XFSZ; ulimit -f 1;").wait_with_output().expect("a process");
+    let full =
+        process(folder.path(), "trap '' XFSZ; ulimit -f 1; exec $RUN").wait_with_output().expect("a process");
     let said = String::from_utf8_lossy(&full.stderr);
     assert_eq!(full.status.code(), Some(3), "{said}");
     assert!(said.contains("cannot write") && said.contains(".npy"), "{said}");
+    assert!(bytes(folder.path()) == expected());
+}
+
+/// A file system in memory that is too small for the parts, and then grows. Where nobody may mount one, the shell
+/// says so and the test above has to do.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_file_system_that_is_full_loses_nothing() {
+    const NOT_HERE: i32 = 77;
+    let folder = tempfile::tempdir().expect("a folder");
+    let script = "mount -t tmpfs -o size=64k tmpfs \"$LAGRANGE_ENSEMBLE_FOLDER\" || exit 77
+        cd \"$LAGRANGE_ENSEMBLE_FOLDER\"
+        $RUN; test $? = 3 || exit 78
+        find . -name '*.tmp' | grep -q . && exit 79
+        find pendulums.parts -name '*.npy' -exec sha256sum {} + >\"$KEPT\"
+        mount -o remount,size=4m . || exit 77
+        $RUN || exit 80
+        sha256sum --quiet -c \"$KEPT\" && cp -r pendulums.* \"$OUT\"";
+    let out = tempfile::tempdir().expect("a folder");
+    let kept = out.path().join("kept");
+    let full = Command::new("unshare")
+        .args(["--mount", "--map-root-user", "sh", "-c"])
+        .arg(script.replace("$RUN", "\"$0\" --exact as_a_process_of_its_own --nocapture"))
+        .arg(std::env::current_exe().expect("this program"))
+        .envs([("LAGRANGE_ENSEMBLE_FOLDER", folder.path()), ("OUT", out.path()), ("KEPT", kept.as_path())])
+        .stdout(Stdio::null())
+        .output();
+    let full = match full {
+        Ok(full) if full.status.code() != Some(NOT_HERE) => full,
+        other => return println!("no file system may be mounted here: {other:?}"),
+    };
+    let said = String::from_utf8_lossy(&full.stderr);
+    assert!(full.status.success(), "{:?}: {said}", full.status);
+    assert!(said.contains("cannot write") && said.contains("No space left"), "{said}");
+    let kept = fs::read_to_string(kept).expect("what was kept").lines().count();
+    assert!((1..37).contains(&kept), "{kept} parts were kept");
+    assert!(bytes(out.path()) == expected());
+}
+
+#[test]
+#[cfg(unix)]
+fn a_folder_without_permission_to_write_keeps_what_is_there() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = tempfile::tempdir().expect("a folder");
+    study(folder.path(), 0).part(1, 3).expect("a share").run().expect("the share runs");
+    let before: Vec<_> = parts(folder.path()).iter().map(|part| fs::read(part).expect("a part")).collect();
+    let allow = |mode| {
+        for place in [folder.path().to_owned(), folder.path().join("pendulums.parts")] {
+            fs::set_permissions(place, fs::Permissions::from_mode(mode)).expect("our folder");
+        }
+    };
+    allow(0o555);
+    // The superuser may write anywhere, so somebody else runs the program then.
+    let script = "if [ -w \"$LAGRANGE_ENSEMBLE_FOLDER\" ]
+        then exec setpriv --reuid=65534 --regid=65534 --clear-groups $RUN; else exec $RUN; fi";
+    let denied = process(folder.path(), script).wait_with_output().expect("a process");
+    allow(0o755);
+    let said = String::from_utf8_lossy(&denied.stderr);
+    assert_eq!(denied.status.code(), Some(3), "{said}");
+    assert!(said.contains("cannot write") && said.contains("ermission denied"), "{said}");
+    let after: Vec<_> = parts(folder.path()).iter().map(|part| fs::read(part).expect("a part")).collect();
+    assert!(before == after);
     assert!(bytes(folder.path()) == expected());
 }
 

@@ -114,8 +114,8 @@ where
             .line("total", total)
     }
 
-    /// By how much the energy has changed since the first state, on a logarithmic axis: of a conservative
-    /// system, the error of the motion.
+    /// By how much the energy has changed since the first state, on a logarithmic axis. For a conservative
+    /// system that is the error of its energy.
     #[must_use]
     pub fn energy_change(&self) -> Chart {
         let constants = self.system.constants();

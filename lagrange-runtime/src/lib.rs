@@ -51,8 +51,8 @@ pub use analysis::inertia::InertiaForces;
 pub use analysis::verify::{self, Certificate, Identity, Violation};
 pub use analysis::{
     self as tangent, Basis, ByParameters, Equilibrium, EquilibriumError, FoundBy, Imbalance, InverseDynamics,
-    LinearModel, Response, Sensitive, Sensitivities, Stability, Tangent, Transition, Variation, Variational,
-    VariationalMotion,
+    LinearModel, Parametric, Response, Sensitive, Sensitivities, Stability, Tangent, Transition, Variation,
+    Variational, VariationalMotion,
 };
 #[cfg(feature = "std")]
 pub use analysis::{Mode, Monodromy};
@@ -121,7 +121,7 @@ pub mod __private {
         };
     }
     pub use crate::analysis::{
-        self as tangent, ByParameters, Imbalance, Place, Sensitive, Tangent, Variation,
+        self as tangent, ByParameters, Imbalance, Parametric, Place, Sensitive, Tangent, Variation,
     };
     pub use crate::constraints::{
         self, Balance, Constrained, Equations, Footing, Reactions, Residuals, Surface,

@@ -6,3 +6,4 @@
 mod close;
 mod constrained;
 mod free;
+mod turning;

@@ -11,7 +11,9 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import os
+import re
 import subprocess
 import sys
 import venv
@@ -46,6 +48,8 @@ SYSTEMS = [
     ("talos", "talos_data/robots/talos_reduced.urdf", None),
     ("talos-floating", "talos_data/robots/talos_reduced.urdf", "angles"),
 ]
+# How near a right angle the importer completes it [rad].
+RIGHT = 1e-9
 BASES = {
     "angles": ["x", "y", "z", "yaw", "pitch", "roll"],
     "pose": [f"base[{i}]" for i in range(6)],
@@ -93,12 +97,27 @@ def numbers(array: Any) -> str:
     return " ".join(repr(float(entry)) for entry in array.flatten())
 
 
+def completed(text: str) -> str:
+    """A file with right angles of eleven decimals to the last digit, as the importer reads it: so both sides
+    have the same robot."""
+
+    def angle(number: str) -> str:
+        quarters = round(float(number) / (math.pi / 2))
+        right = quarters * (math.pi / 2)
+        return repr(right) if abs(float(number) - right) < RIGHT else number
+
+    def angles(found: re.Match[str]) -> str:
+        return 'rpy="' + " ".join(map(angle, found[1].split())) + '"'
+
+    return re.sub(r'rpy="([^"]*)"', angles, text)
+
+
 def export(urdf: Path, base: str | None, output: Path) -> list[str]:
     """Writes a model; its coordinates in order."""
     import pinocchio
 
     root = [pinocchio.JointModelFreeFlyer()] if base else []
-    model = pinocchio.buildModelFromUrdf(str(urdf), *root)
+    model = pinocchio.buildModelFromXML(completed(urdf.read_text()), *root)
     lines, coordinates = [], []
     for index in range(1, model.njoints):
         joint, place, inertia = model.joints[index], model.jointPlacements[index], model.inertias[index]

@@ -8,34 +8,33 @@ use lagrangian::ensemble::Study;
 
 use super::processor_time;
 
-/// Rows of the studies whose overhead is measured, and the square roots in each: about 20 µs.
+/// Rows of the studies whose overhead is measured.
 const ROWS: u64 = 100_000;
-const ROOTS: u32 = 4000;
 
-/// Time of a row alone [µs], and what studies need more, as a part of it: in memory, in a folder.
+/// What a row of a short motion takes [s], of which the overhead is to be a small part.
+const MOTION: f64 = 20e-6;
+
+/// Times that each is measured, in turn.
+const TURNS: usize = 25;
+
+/// Processor time of a study beside that of its motions [ms], and as a part of that of short motions: in memory, in a
+/// folder.
 pub struct Overhead {
-    pub row: f64,
-    pub memory: f64,
-    pub folder: f64,
+    pub memory: (f64, f64),
+    pub folder: (f64, f64),
 }
 
-/// Rows that need nothing of the library: in a plain loop and as studies, in turn.
+/// Studies whose rows take no time, so that all they take is the library's. (Beside rows that take as long as motions it
+/// is lost in the scatter of a machine that others use.)
 pub fn overhead() -> Result<Overhead, Box<dyn Error>> {
-    let work = |index: u64| (0..ROOTS).fold(index as f64, |x, _| (x + 1.0).sqrt());
-    let study = || Study::new("work", ROWS, |index| Ok(work(index))).with_threads(1);
+    let study = || Study::new("work", ROWS, |index| Ok(black_box(index) as f64)).with_threads(1);
     let folder = std::env::temp_dir().join(format!("lagrange-many-{}", std::process::id()));
     let timed = |run: &dyn Fn() -> Result<(), Box<dyn Error>>| {
         let begin = processor_time();
         run().map(|()| processor_time() - begin)
     };
-    let mut best = [f64::INFINITY; 3];
-    for _ in 0..5 {
-        let alone = timed(&|| {
-            (0..ROWS).for_each(|index| {
-                black_box(work(index));
-            });
-            Ok(())
-        })?;
+    let mut best = [f64::INFINITY; 2];
+    for _ in 0..TURNS {
         let memory = timed(&|| {
             black_box(study().run()?);
             Ok(())
@@ -45,13 +44,12 @@ pub fn overhead() -> Result<Overhead, Box<dyn Error>> {
             Ok(())
         })?;
         fs::remove_dir_all(&folder)?;
-        for (best, time) in best.iter_mut().zip([alone, memory, stored]) {
+        for (best, time) in best.iter_mut().zip([memory, stored]) {
             *best = best.min(time);
         }
     }
-    let [alone, memory, stored] = best;
-    let more = |time: f64| time / alone - 1.0;
-    Ok(Overhead { row: alone / ROWS as f64 * 1e6, memory: more(memory), folder: more(stored) })
+    let [memory, folder] = best.map(|time| (time * 1e3, time / (ROWS as f64 * MOTION)));
+    Ok(Overhead { memory, folder })
 }
 
 /// The most memory of the process so far [kB], after studies in a folder of ten thousand and a million rows,

@@ -32,6 +32,9 @@ const TOLERANCES: [f64; 9] = [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13
 /// The tolerance at which threads are measured.
 const THREADS_AT: f64 = 1e-9;
 
+/// The motions for it: several parts for each thread, in lanes, too.
+const ON_THREADS: u64 = 4096;
+
 /// How much is measured.
 #[derive(Clone, Copy)]
 pub struct Extent {
@@ -54,9 +57,9 @@ const OURS: [&str; 3] = ["alone", "lanes4", "lanes8"];
 /// The coordinates and velocities at the end of each motion.
 type Ends = Vec<Vec<f64>>;
 
-/// A study with one of our subjects, at a tolerance, on so many threads: processor time and time on the clock
-/// [s], and the ends.
-type Run = Box<dyn Fn(&str, f64, usize) -> Result<(f64, f64, Ends), String>>;
+/// A study of so many motions with one of our subjects, at a tolerance, on so many threads: processor time and time on
+/// the clock [s], and the ends.
+type Run = Box<dyn Fn(&str, f64, u64, usize) -> Result<(f64, f64, Ends), String>>;
 
 /// A study.
 struct Case {
@@ -120,8 +123,8 @@ fn case(name: &'static str, extent: Extent) -> Case {
                 let end = motion.advance_to(number($t_end)).expect("the motion goes on");
                 end.q.iter().chain(&end.v).map(|x| x.high()).collect()
             });
-            let run: Run = Box::new(move |subject, tolerance, threads| {
-                let ensemble = || Ensemble::new(extent.motions, $start).with_tolerance(tolerance);
+            let run: Run = Box::new(move |subject, tolerance, motions, threads| {
+                let ensemble = || Ensemble::new(motions, $start).with_tolerance(tolerance);
                 match subject {
                     "lanes4" => {
                         timed(&ensemble().in_lanes::<Lanes<f64x4>>().ends(name, $t_end).with_threads(threads))
@@ -203,7 +206,8 @@ fn measure(case: &Case, mut peer: Option<&mut Peer>, extent: Extent, records: &m
                     (Some(peer), Some(asked)) => {
                         peer.ask(case.name, asked, tolerance, &case.starts, case.t_end)
                     }
-                    _ => (case.run)(subject, tolerance, 1).map(|(seconds, _, ends)| (seconds, ends)),
+                    _ => (case.run)(subject, tolerance, extent.motions, 1)
+                        .map(|(seconds, _, ends)| (seconds, ends)),
                 };
                 match outcome {
                     Ok((seconds, ends)) => {
@@ -236,7 +240,7 @@ fn on_threads(case: &Case, subject: &str, extent: Extent) -> Option<[f64; 2]> {
     let mut best = [[f64::INFINITY; 2]; 2];
     for _ in 0..extent.rounds + 2 {
         for (best, threads) in best.iter_mut().zip([1, 2]) {
-            let (processor, clock, _) = (case.run)(subject, THREADS_AT, threads).ok()?;
+            let (processor, clock, _) = (case.run)(subject, THREADS_AT, ON_THREADS, threads).ok()?;
             *best = [best[0].min(processor), best[1].min(clock)];
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::costs::Overhead;
-use super::{Extent, OURS, SYSTEMS, THREADS_AT};
+use super::{Extent, ON_THREADS, OURS, SYSTEMS, THREADS_AT};
 use crate::record::{self, Record, cheapest};
 use crate::report::machine;
 
@@ -29,11 +29,13 @@ pub fn of(
          ## Motions a second\n\n\
          One thread, {} motions of a study, processor time, the cheapest run whose error is at or below the first \
          column in nine of ten motions. Of heyoka the fastest of one motion after the other, 4 and 8 lanes; in \
-         parentheses its rate as a part of our best. `–`: no run is as good.\n\n\
+         parentheses its rate as a part of our best. `–`: no run is as good. Subjects took turns, {} times, and the least \
+         time counts, because others may have used the machine.\n\n\
          | system | error | alone | 4 lanes | 8 lanes | heyoka, same input | heyoka, equations by hand |\n\
          | --- | --- | --- | --- | --- | --- | --- |\n",
         machine::circumstances(versions),
         extent.motions,
+        extent.rounds,
     );
     let rate = |record: Option<&Record>| record.map(|record| 1e6 / record.us);
     let number = |rate: Option<f64>| rate.map_or("–".to_owned(), |rate| format!("{rate:.0}"));
@@ -65,7 +67,7 @@ pub fn of(
         "\nOur best makes {:.2} times as many motions as heyoka's best from the same input, and {:.2} times as many as \
          from equations derived by hand (geometric means of the lines with both).\n\n\
          ## Two threads\n\n\
-         The same studies at tolerance {THREADS_AT:.0e}: processor time of a motion on two threads beside one, and how many \
+         {ON_THREADS} motions at tolerance {THREADS_AT:.0e}: processor time of a motion on two threads beside one, and how many \
          times as fast the clock says it is. Where others use the machine the clock means little.\n\n\
          | system | motions | processor time, ratio | speed by the clock |\n| --- | --- | --- | --- |\n",
         means[0], means[1]
@@ -73,15 +75,17 @@ pub fn of(
     for (system, subject, [processor, clock]) in threads {
         let _ = writeln!(text, "| {system} | {subject} | {processor:.3} | {clock:.2} |");
     }
-    let Overhead { row, memory: in_memory, folder } = overhead;
+    let Overhead { memory: in_memory, folder } = overhead;
     let _ = write!(
         text,
         "\n## What the library costs\n\n\
-         100 000 rows of {row:.1} µs that need nothing of the library, on one thread, beside a plain loop: in memory \
-         {:+.2} %, in a folder {:+.2} % (processor time).\n\n\
+         100 000 rows that take no time, on one thread: in memory {:.1} ms, {:.2} % of what as many motions of 20 µs take, \
+         in a folder {:.1} ms, {:.2} % (processor time, least of 25 turns).\n\n\
          The most memory of one process so far, in this order:\n\n| after | MB |\n| --- | --- |\n",
-        100.0 * in_memory,
-        100.0 * folder
+        in_memory.0,
+        100.0 * in_memory.1,
+        folder.0,
+        100.0 * folder.1
     );
     for (after, most) in memory {
         let _ = writeln!(text, "| {after} | {:.1} |", *most as f64 / 1e3);

@@ -64,7 +64,7 @@ pub fn measure(
                 system: system.clone(),
                 subject: (*subject).to_owned(),
                 ns,
-                apart: None,
+                error: None,
                 build: None,
             });
         }

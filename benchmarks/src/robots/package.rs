@@ -137,8 +137,11 @@ fn manifest_of(name: &str, dependencies: &[&str]) -> String {
     let mut text =
         format!("[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\n");
     for dependency in dependencies {
-        let path = if *dependency == "lagrangian" { root() } else { Path::new("..").join(dependency) };
-        text += &format!("{dependency} = {{ path = {:?} }}\n", path.display().to_string());
+        let (path, features) = match *dependency {
+            "lagrangian" => (root(), ", features = [\"double-double\"]"),
+            other => (Path::new("..").join(other), ""),
+        };
+        text += &format!("{dependency} = {{ path = {:?}{features} }}\n", path.display().to_string());
     }
     text
 }

@@ -10,11 +10,11 @@ use clap::Args;
 
 use super::package::{all_models, metadata, package};
 
-/// Checks identities of mechanics: positive mass matrix, power balance, conserved quantities, gradients of constraints, and
-/// that generated code and your own functions agree.
+/// Checks identities of mechanics: positive mass matrix, power balance, conserved quantities, gradients of
+/// constraints, and that generated code and your own functions agree.
 ///
-/// Without a system, runs the tests that `verify = …` in the attributes of the package makes. With one, which must be of the
-/// package's library and have `analysis` in its attribute, prints the certificate.
+/// Without a system, runs the tests that `verify = …` in the attributes of the package makes. With one, which
+/// must be of the package's library and have `analysis` in its attribute, prints the certificate.
 #[derive(Args)]
 pub struct VerifyArguments {
     /// An expression that makes the system, with its path: 'my_crate::Pendulum { length: 1.0 }'.

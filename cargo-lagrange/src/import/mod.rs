@@ -12,6 +12,7 @@ mod names;
 mod plan;
 mod report;
 mod robot;
+mod schema;
 mod tree;
 mod urdf;
 mod weight;
@@ -135,8 +136,14 @@ pub fn import(file: &str, text: &str, options: &Options) -> Result<Import, Repor
 fn read<'a>(reader: &mut Reader<'a>, options: &Options) -> Option<Robot> {
     let root = reader.document.root_element();
     match root.tag_name().name() {
-        "robot" => Some(urdf::read(reader, root, options)),
-        "mujoco" => Some(mjcf::read(reader, root, options)),
+        "robot" => {
+            schema::check(reader, root, &schema::urdf::ROBOT);
+            Some(urdf::read(reader, root, options))
+        }
+        "mujoco" => {
+            schema::check(reader, root, &schema::mjcf::MUJOCO);
+            Some(mjcf::read(reader, root, options))
+        }
         "sdf" => {
             reader.problem(root, "SDF is not read; write the model as URDF or MJCF");
             None

@@ -145,7 +145,10 @@ impl Urdf<'_, '_> {
         let axis = |urdf: &mut Self| {
             let axis = child(node, "axis");
             let written = match axis {
-                Some(axis) => urdf.reader.vector(axis, "xyz")?,
+                Some(axis) => {
+                    urdf.reader.text(axis, "xyz", "0 0 1")?;
+                    urdf.reader.vector(axis, "xyz")?
+                }
                 // The default of the format.
                 None => [1.0, 0.0, 0.0],
             };
@@ -188,18 +191,18 @@ impl Urdf<'_, '_> {
             }
         }
         let bounded = matches!(node.attribute("type"), Some("revolute" | "prismatic")) && kind.is_some();
-        if let Some(limit) = child(node, "limit").filter(|_| bounded) {
-            let [lower, upper] =
-                ["lower", "upper"].map(|side| self.reader.number(limit, side).unwrap_or(0.0));
-            if lower > upper {
-                self.reader.problem_of(
-                    limit,
-                    "lower",
-                    format!("{lower} is above upper=\"{upper}\"; exchange the two"),
-                );
-            }
-            // Files that mean no limits leave both at their default.
-            action.limits = (lower < upper).then_some([lower, upper]);
+        let Some(limit) = child(node, "limit") else { return action };
+        let [lower, upper] = ["lower", "upper"].map(|side| self.reader.number(limit, side).unwrap_or(0.0));
+        if bounded && lower > upper {
+            let text = format!("{lower} is above upper=\"{upper}\"; exchange the two");
+            self.reader.problem_of(limit, "lower", text);
+        }
+        // Files that mean no limits leave both at their default.
+        action.limits = (bounded && lower < upper).then_some([lower, upper]);
+        let is_given = bounded || limit.has_attribute("lower") || limit.has_attribute("upper");
+        if self.options.limits && is_given && action.limits.is_none() {
+            let why = if bounded { "both are the same" } else { "this type of joint has none" };
+            self.reader.warning(limit, format!("left out as stops: {why}"));
         }
         action
     }

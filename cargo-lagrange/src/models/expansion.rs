@@ -1,7 +1,5 @@
 //! What the engine makes of a model: its constants as values, its methods as text.
 
-use proc_macro2::{TokenStream, TokenTree};
-use quote::quote;
 use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{Expr, ExprLit, ImplItem, ImplItemConst, Item, ItemImpl, ItemMacro, Lit};
@@ -13,7 +11,7 @@ pub struct Expansion {
     file: syn::File,
     /// The equations of motion as text.
     pub equations: String,
-    /// The equations in LaTeX, if `analysis` was asked for.
+    /// The equations in LaTeX, if they were asked for.
     pub latex: Option<String>,
     /// What was found and left out.
     pub structure: Structure,
@@ -48,12 +46,8 @@ impl Model {
     ///
     /// The messages of the macro.
     pub fn expand(&self, latex: bool) -> Result<Expansion, Vec<Mistake>> {
-        let has_latex = ["analysis", "verify"].iter().any(|name| self.has_argument(name));
-        let arguments = match latex && !has_latex {
-            true => with_analysis(&self.arguments),
-            false => self.arguments.clone(),
-        };
-        let tokens = lagrange_codegen::expand(arguments, self.block.clone(), "::lagrangian");
+        let expand = if latex { lagrange_codegen::expand_with_formulas } else { lagrange_codegen::expand };
+        let tokens = expand(self.arguments.clone(), self.block.clone(), "::lagrangian");
         let at_attribute =
             |message: String| Mistake { file: self.file.clone(), line: self.line, column: 1, message };
         let file: syn::File = syn::parse2(tokens)
@@ -106,16 +100,6 @@ impl Expansion {
         names.dedup();
         names
     }
-}
-
-/// The arguments with `analysis` among them, which brings the LaTeX.
-fn with_analysis(arguments: &TokenStream) -> TokenStream {
-    let mut tokens: Vec<TokenTree> = arguments.clone().into_iter().collect();
-    if matches!(tokens.last(), Some(TokenTree::Punct(punct)) if punct.as_char() == ',') {
-        tokens.pop();
-    }
-    let arguments: TokenStream = tokens.into_iter().collect();
-    quote!(#arguments, analysis)
 }
 
 /// A block with the functions of this name alone.

@@ -1,7 +1,8 @@
 //! The models of a package: where they stand, and what the macro makes of them.
 //!
-//! Nothing is compiled. The module tree of a target is read file by file (`source`), and the engine expands each
-//! model as the compiler would let it (`expansion`). Models that a `macro_rules!` macro writes are not seen.
+//! Nothing is compiled. The module tree of a target is read file by file (`source`), and the engine expands
+//! each model as the compiler would let it (`expansion`). Models that a `macro_rules!` macro writes are not
+//! seen.
 
 mod expansion;
 mod source;

@@ -205,6 +205,7 @@ messages! {
     unknown_field(value, name) = "{value} has no field `{name}`; use a component or a method it has";
     unknown_method(value, name; near) = "{value} has no method `{name}` that the macro knows{near}; write \
         it out, or put it into a function of this impl block";
+    field_called(name) = "`{name}` is a field, not a method; remove the parentheses";
     unknown_function(name; near) = "there is no function `{name}` that the macro knows{near}; only functions \
         of this impl block and of nalgebra's small types can be used";
     unknown_helper(name; near) = "there is no function `{name}` in this impl block{near}; only functions of \
@@ -326,6 +327,9 @@ messages! {
     wrong_number_of(what, expected, found) = "`{what}` has {found} for {expected}; give one for each, or one \
         scalar for all";
     array_for_single(what) = "several values of {what} are given for one element; index the one that is meant";
+    moments_in_the_plane() = "a body in the plane has one moment of inertia, about its centre of mass; give a number";
+    asymmetric_inertia() = "this matrix of inertia is not symmetric; entries on both sides of the diagonal are the same \
+        product of inertia";
     wrong_inertia(found) = "the inertia of a body in space is three principal moments or a `Matrix3`, not \
         {found}";
     unknown_force_target(name; near) = "there is no function `{name}` for the force to act at{near}; name a \
@@ -338,6 +342,7 @@ messages! {
     bad_baumgarte() = "the rate of Baumgarte's stabilisation must be positive; write how fast an error shall decay \
         [1/s]";
     not_a_parameter() = "derivatives are taken by single parameters: name a field as the formulas do, such as `self.mass`";
+    several_parameters(path) = "`{path}` is several parameters; name one, such as `{path}[0]`";
     idle_sensitivity(path) = "no formula uses `{path}`, so nothing depends on it; remove it here";
     repeated_sensitivity(path) = "`{path}` is listed twice; its derivatives are one column, so name it once";
     index_into_single(name) = "`{name}` is no array; remove the index";

@@ -1,9 +1,9 @@
-//! The implementations of the runtime's `Linearized`, `Tangent` and `Sensitive`, where the attribute asks for
+//! The implementations of the runtime's `Linearized`, `Tangent` and `Parametric`, where the attribute asks for
 //! them.
 
 use super::body::{self, Source};
 use super::names::{Names, name_accelerations};
-use super::{Emission, block, over, scalar, screws};
+use super::{Emission, block, scalar, screws};
 use crate::expr::NodeId;
 use crate::mechanics::{Linearization, Sensitivities};
 use crate::model::ConstraintKind;
@@ -19,23 +19,21 @@ pub(super) struct Items {
     pub linearized: String,
     /// Of `Tangent`.
     pub tangent: String,
-    /// Of `Sensitive`.
-    pub sensitive: String,
+    /// Of `Parametric`.
+    pub parametric: String,
 }
 
-pub(super) fn linearization(emission: &mut Emission<'_>) -> Option<Items> {
-    if !emission.item.jacobians {
-        return None;
-    }
+/// All of them.
+pub(super) fn linearization(emission: &mut Emission<'_>) -> Items {
     name_accelerations(emission.model);
     let derived = Linearization::of(emission.model, emission.equations);
-    let sensitive = sensitive(emission, &derived.by_p);
+    let parametric = parametric(emission, &derived.by_p);
     let (linearized, tangent) = if emission.equations.conditions.count() == 0 {
         free(emission, derived)
     } else {
         constrained(emission, derived)
     };
-    Some(Items { linearized, tangent, sensitive })
+    Items { linearized, tangent, parametric }
 }
 
 /// Argument lists that several functions share.
@@ -225,8 +223,8 @@ fn tangent(emission: &Emission<'_>, [balance, deviations, imbalance, variation]:
     )
 }
 
-/// The items of `Sensitive`.
-fn sensitive(emission: &mut Emission<'_>, by_p: &Sensitivities) -> String {
+/// The items of `Parametric`.
+fn parametric(emission: &mut Emission<'_>, by_p: &Sensitivities) -> String {
     let (count, inputs, held, parameters) = (
         emission.count(),
         emission.model.inputs.len(),
@@ -255,15 +253,11 @@ fn sensitive(emission: &mut Emission<'_>, by_p: &Sensitivities) -> String {
             text + "matrices"
         })
     };
-    let path = |&parameter: &u32| format!("{:?}", emission.model.parameters[parameter as usize].path);
-    let paths: Vec<String> = emission.model.sensitivities.iter().map(path).collect();
-    let (scalar, over) = (&emission.scalar, over::conversion(emission));
+    let scalar = &emission.scalar;
     format!(
-        "const PARAMETERS: [&'static str; {parameters}] = [{}];\n{over}\
-         #[inline]\nfn by_parameters_at(&self, constants: &Self::Constants, \
+        "#[inline]\nfn by_parameters_at(&self, constants: &Self::Constants, \
          place: &lagrange::Place<'_, {scalar}, {count}, {inputs}, {held}>) \
-         -> lagrange::ByParameters<{scalar}, {count}, {held}, {parameters}> {{\n{body}\n}}\n",
-        paths.join(", ")
+         -> lagrange::ByParameters<{scalar}, {count}, {held}, {parameters}> {{\n{body}\n}}\n"
     )
 }
 

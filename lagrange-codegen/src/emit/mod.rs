@@ -108,7 +108,6 @@ pub(crate) fn emit(
     emission.model.locals = names::locals(emission.model);
     emission.method = switching.as_ref().map(regimes::method);
     let has_contacts = switching.as_ref().is_some_and(Regimes::has_contacts);
-    let none = "type Constants = ();\nfn constants(&self) {}\n".to_owned();
     let (system, constants, surface, after) = match emission.solution.saddle {
         Some(method) => {
             let all = constraints::system(&mut emission, method);
@@ -116,7 +115,7 @@ pub(crate) fn emit(
         }
         None => {
             let (system, after) = system::system(&mut emission);
-            (system, none, None, after)
+            (system, system::NO_CONSTANTS.to_owned(), None, after)
         }
     };
     let system = match &switching {
@@ -138,8 +137,10 @@ pub(crate) fn emit(
     let report = report::report(&emission, switching.as_ref(), before, after);
     let smooth = emission.jets.zip(emission.orders);
     let smooth = smooth.map(|(jets, orders)| jets::jets(&mut emission, jets, orders));
-    let linearization = linearization::linearization(&mut emission);
-    let over = emission.item.jacobians.then(|| over::over(&mut emission));
+    let asked = emission.item.jacobians;
+    let linearization = (asked && !has_contacts).then(|| linearization::linearization(&mut emission));
+    let sensitive = asked.then(|| over::sensitive(&emission));
+    let over = asked.then(|| over::over(&mut emission, switching.as_mut()));
     let certificate = emission.item.analysis.then(|| {
         let analysis = analysis::analysis(&mut emission);
         methods.push_str(&analysis.methods);
@@ -147,15 +148,17 @@ pub(crate) fn emit(
     });
     let written = equations::Equations::of(&mut emission, &sides);
     methods.push_str(&written.constant(emission.model, emission.item.analysis));
+    if emission.item.formulas {
+        methods.push_str(&written.formulas(emission.model));
+    }
     let page = emission.item.analysis.then(|| {
-        let (page, constants) = equations::page(&mut emission, &written, after);
-        methods.push_str(&constants);
+        let page = equations::page(&mut emission, &written, after);
         quote!(#[doc = #page])
     });
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
-    let linearization = linearization.map(|linearization::Items { linearized, tangent, sensitive }| {
-        [linearized, tangent, sensitive].map(|text| parameters.parse(&text))
+    let linearization = linearization.map(|linearization::Items { linearized, tangent, parametric }| {
+        [linearized, tangent, parametric].map(|text| parameters.parse(&text))
     });
 
     let Item { self_ty, generics, crate_path, cleaned, .. } = emission.item;
@@ -222,10 +225,20 @@ pub(crate) fn emit(
             #named
         }
     });
-    let linearization = linearization.map(|[linearized, tangent, sensitive]| {
-        let held = emission.equations.conditions.count();
-        let by = emission.model.sensitivities.len();
+    let by = emission.model.sensitivities.len();
+    let sensitive = sensitive.map(|items| {
+        let (items, held) = (parameters.parse(&items), rows.len());
         let directions = over::directions(count, by);
+        quote! {
+            #[automatically_derived]
+            #[allow(clippy::all, unused_variables)]
+            impl #impl_generics lagrange::Sensitive<#count, #inputs, #held, #by, #directions> for #self_ty #where_clause {
+                #items
+            }
+        }
+    });
+    let linearization = linearization.map(|[linearized, tangent, parametric]| {
+        let held = emission.equations.conditions.count();
         quote! {
             #[automatically_derived]
             #[allow(clippy::all, unused_variables)]
@@ -241,8 +254,8 @@ pub(crate) fn emit(
 
             #[automatically_derived]
             #[allow(clippy::all, unused_variables)]
-            impl #impl_generics lagrange::Sensitive<#count, #inputs, #held, #by, #directions> for #self_ty #where_clause {
-                #sensitive
+            impl #impl_generics lagrange::Parametric<#count, #inputs, #held, #by> for #self_ty #where_clause {
+                #parametric
             }
         }
     });
@@ -308,6 +321,7 @@ pub(crate) fn emit(
             #proofs
             #smooth
             #linearization
+            #sensitive
             #over
             #regimes
             #guards

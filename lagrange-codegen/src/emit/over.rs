@@ -9,7 +9,8 @@ use quote::{format_ident, quote};
 
 use super::body::{self, Source};
 use super::tokens::{Parameters, placeholder};
-use super::{Emission, constraints, jets, methods, proofs, system};
+use super::{Emission, constraints, jets, methods, proofs, regimes, system};
+use crate::regimes::Regimes;
 use crate::syntax::Scalar;
 
 /// The struct, which no one names.
@@ -28,35 +29,68 @@ pub(super) fn directions(count: usize, parameters: usize) -> usize {
     all.div_ceil(all.div_ceil(AT_ONCE).max(1))
 }
 
-/// The struct with its implementations.
-pub(super) fn over(emission: &mut Emission<'_>) -> TokenStream {
-    let own = emission.scalar.clone();
-    let scalar = match &own {
+/// The type parameter of systems that are emitted once more over any scalar.
+pub(super) fn any(own: &Scalar) -> Scalar {
+    Scalar::Generic(match own {
         Scalar::Generic(ident) => ident.clone(),
         Scalar::F64 | Scalar::F32 => format_ident!("R"),
+    })
+}
+
+/// The struct with its implementations.
+pub(super) fn over(emission: &mut Emission<'_>, switching: Option<&mut Regimes>) -> TokenStream {
+    let own = emission.scalar.clone();
+    emission.scalar = any(&own);
+    let items = match switching {
+        Some(switching) => switched(emission, switching),
+        None => numbers(emission, NAME, None, constraints::implementations),
     };
-    emission.scalar = Scalar::Generic(scalar);
-    let method = emission.method.take();
-    let items = numbers(emission, NAME, constraints::implementations);
-    (emission.scalar, emission.method) = (own, method);
+    emission.scalar = own;
     items
 }
 
+/// The same of a system whose equations switch.
+fn switched(emission: &mut Emission<'_>, switching: &mut Regimes) -> TokenStream {
+    let constrained = |emission: &Emission<'_>| constraints::implementations(emission);
+    let none = |_: &Emission<'_>| String::new();
+    let system = match switching.has_contacts() {
+        true => numbers(emission, NAME, Some(&*switching), none),
+        false => numbers(emission, NAME, None, constrained),
+    };
+    let items = Parameters::kept(emission.model).parse(&regimes::switching(emission, switching));
+    let (rows, kinks) = (switching.rows(), switching.kinks.len());
+    let (count, inputs) = (emission.count(), emission.model.inputs.len());
+    let (name, scalar) = (format_ident!("{NAME}"), emission.scalar.to_string());
+    let scalar = format_ident!("{scalar}");
+    quote! {
+        #system
+
+        #[automatically_derived]
+        #[allow(clippy::all, unused_variables)]
+        impl<#scalar: lagrange::Real> lagrange::Switching<#count, #inputs, #rows, #kinks> for #name<#scalar> {
+            #items
+        }
+    }
+}
+
 /// A struct of numbers for all parameters, with the implementations of the system. `constrained` gives the
-/// items of `Constrained`, none if that is not implemented.
+/// items of `Constrained`, none if that is not implemented. Of a system with contacts accelerations are those of its regime.
 pub(super) fn numbers(
     emission: &mut Emission<'_>,
     name: &str,
+    contacts: Option<&Regimes>,
     constrained: impl Fn(&Emission<'_>) -> String,
 ) -> TokenStream {
-    let (system, surface) = match emission.solution.saddle {
+    let (system, constants, surface) = match emission.solution.saddle {
         Some(method) => {
-            let constraints::Implementations { system, surface, .. } = constraints::system(emission, method);
-            (system, Some((surface, constrained(emission))))
+            let all = constraints::system(emission, method);
+            (all.system, all.constants, Some((all.surface, constrained(emission))))
         }
-        None => (system::system(emission).0, None),
+        None => (system::system(emission).0, system::NO_CONSTANTS.to_owned(), None),
     };
-    let smooth = emission.jets.zip(emission.orders).map(|(jets, orders)| jets::jets(emission, jets, orders));
+    let system = contacts.map_or(system, |switching| regimes::system(emission, switching, &constants));
+    let smooth = emission.jets.zip(emission.orders).filter(|_| contacts.is_none());
+    let smooth = smooth.map(|(jets, orders)| jets::jets(emission, jets, orders));
     let mut methods = energy(emission);
     if system.contains("self.mass_matrix(") {
         methods.push_str(&methods::mass_matrix(emission));
@@ -91,7 +125,8 @@ pub(super) fn numbers(
         quote!(#surface #constrained)
     });
     let smooth = smooth.map(|items| implementation(quote!(lagrange::Smooth<#count, #inputs> for), &items));
-    let proofs = proofs::proved(emission.facts).into_iter().map(|name| {
+    let proved = if contacts.is_some() { Vec::new() } else { proofs::proved(emission.facts) };
+    let proofs = proved.into_iter().map(|name| {
         let name = format_ident!("{name}");
         quote!(impl #generics lagrange::#name<#count, #inputs> for #itself {})
     });
@@ -110,8 +145,8 @@ pub(super) fn numbers(
     }
 }
 
-/// The items of `Sensitive` that make one from the user's system.
-pub(super) fn conversion(emission: &Emission<'_>) -> String {
+/// The items of `Sensitive`: the parameters, and what makes such a system from the user's.
+pub(super) fn sensitive(emission: &Emission<'_>) -> String {
     let model = &*emission.model;
     let (mut values, mut numbers) = (String::new(), Vec::new());
     for (index, name) in (0_u32..).zip(&model.locals.parameters) {
@@ -122,10 +157,15 @@ pub(super) fn conversion(emission: &Emission<'_>) -> String {
         };
         numbers.push(format!("__parameter({name}, {listed})"));
     }
+    let path = |&parameter: &u32| format!("{:?}", model.parameters[parameter as usize].path);
+    let paths: Vec<String> = model.sensitivities.iter().map(path).collect();
     format!(
-        "type Over<{OTHER}: lagrange::Real> = {NAME}<{OTHER}>;\n\
+        "const PARAMETERS: [&'static str; {}] = [{}];\n\
+         type Over<{OTHER}: lagrange::Real> = {NAME}<{OTHER}>;\n\
          fn over<{OTHER}: lagrange::Real>(&self, mut __parameter: impl ::core::ops::FnMut({}, ::core::option::Option<usize>) -> {OTHER}) \
          -> {NAME}<{OTHER}> {{\n{values}{NAME} {{ parameters: [{}] }}\n}}\n",
+        paths.len(),
+        paths.join(", "),
         emission.scalar,
         numbers.join(", ")
     )

@@ -1,4 +1,4 @@
-//! The blocks of the mass matrix as lists of results: which nodes, which slots, which texts.
+//! What a step computes for each block of the mass matrix, as lists: nodes to plan, slots to store, texts to print.
 
 use super::Emission;
 use crate::expr::NodeId;

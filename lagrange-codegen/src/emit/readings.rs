@@ -37,8 +37,8 @@ pub(super) fn implementation(emission: &mut Emission<'_>) -> String {
             };
             let message = format!(
                 "`{name}` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it \
-                 means something else here than usual; give that another name, or say `allow(misread)` in the attribute if the \
-                 function loses most of its digits by rounding"
+                 means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say \
+                 `allow(misread)` in the attribute if the function loses most of its digits by rounding"
             );
             text.push_str(&format!(
                 "lagrange::reading::compare(lagrange::Function(&[{name:?}, {message:?}]), |take| {found}.each_number(take), &[{}], &[{}])?;\n",

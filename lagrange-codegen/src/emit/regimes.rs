@@ -72,20 +72,11 @@ pub(super) fn facts(switching: &Regimes) -> Vec<String> {
 /// All items; `emission` is that of the system itself.
 pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items {
     let (rows, kinks) = (switching.rows(), switching.kinks.len());
-    switching.model.locals = names::locals(&switching.model);
-    let items = [
-        regime(emission, switching),
-        laws(emission, switching),
-        jumps(emission, switching),
-        corners(emission, switching),
-        functions(emission, switching),
-        if switching.has_contacts() { equations(emission, rows) } else { String::new() },
-    ];
-    let items = items.concat();
+    let items = self::switching(emission, switching);
     let constrained = switching.has_contacts().then(|| constrained(emission, rows, kinks));
     let mut companion = Emission {
         item: emission.item,
-        scalar: emission.scalar.clone(),
+        scalar: companion_scalar(emission),
         model: &mut switching.model,
         equations: &switching.equations,
         solved: switching.turned.as_ref().unwrap_or(&switching.equations),
@@ -95,8 +86,27 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
         orders: switching.orders.as_ref(),
         method: None,
     };
-    let companion = over::numbers(&mut companion, NAME, |_| String::new());
+    let companion = over::numbers(&mut companion, NAME, None, |_| String::new());
     Items { companion, switching: items, constrained, rows, kinks }
+}
+
+/// The items of `Switching` over the scalar of `emission`.
+pub(super) fn switching(emission: &Emission<'_>, switching: &mut Regimes) -> String {
+    switching.model.locals = names::locals(&switching.model);
+    let items = [
+        regime(emission, switching),
+        laws(emission, switching),
+        jumps(emission, switching),
+        corners(emission, switching),
+        functions(emission, switching),
+        if switching.has_contacts() { equations(emission, switching.rows()) } else { String::new() },
+    ];
+    items.concat()
+}
+
+/// The scalar of the system of one regime: any where motions have derivatives.
+fn companion_scalar(emission: &Emission<'_>) -> Scalar {
+    if emission.item.jacobians { over::any(&emission.scalar) } else { emission.scalar.clone() }
 }
 
 /// The items of `System` of a system with contacts, whose accelerations are those of its regime.
@@ -164,7 +174,10 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
         String::new()
     };
     let timeless = if is_autonomous(switching) { "const AUTONOMOUS: bool = true;\n" } else { "" };
-    let generic = if let Scalar::Generic(ident) = scalar { format!("<{ident}>") } else { String::new() };
+    let generic = match companion_scalar(emission) {
+        Scalar::Generic(_) => format!("<{scalar}>"),
+        Scalar::F64 | Scalar::F32 => String::new(),
+    };
     format!(
         "type InRegime = {NAME}{generic};\n\
          const ROWS: [lagrange::Row; {rows}] = [{}];\n{poisson}{named}{timeless}\

@@ -67,13 +67,13 @@ fn literal(screws: &Screws, values: &[String]) -> String {
         let rows: Vec<String> = (0..count).map(|_| row(size)).collect();
         format!("[{}]", rows.join(", "))
     };
-    let of_coordinates = rows(screws.screws.len(), 6);
+    let (points, of_coordinates) = (rows(screws.points.len(), 3), rows(screws.screws.len(), 6));
     let rates: Vec<String> = screws.rates.iter().map(|_| rows(2, 6)).collect();
     let (changes, inertias) = (rows(screws.changes.len(), 6), rows(screws.inertias.len(), 10));
     let gravity = row(3);
     format!(
-        "let screws = lagrange::screws::Screws {{ screws: {of_coordinates}, rates: [{}], changes: {changes}, \
-         inertias: {inertias}, gravity: {gravity} }};\n",
+        "let screws = lagrange::screws::Screws {{ points: {points}, screws: {of_coordinates}, rates: [{}], \
+         changes: {changes}, inertias: {inertias}, gravity: {gravity} }};\n",
         rates.join(", ")
     )
 }

@@ -7,6 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::constraints::{self, Held};
+use super::velocities::UNKNOWN;
 use super::{COMPLETIONS, analysis, oriented, over, proofs, records};
 use crate::syntax::body::Expr;
 use crate::syntax::constant;
@@ -47,7 +48,8 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
     let total_held: usize = held.iter().map(|(_, length)| length.unwrap_or(1)).sum();
     let parameters = item.sensitivities.len();
     let directions = over::directions(count, parameters);
-    let linearization = item.jacobians.then(|| {
+    let switches = contacts::any(item);
+    let linearization = (item.jacobians && !switches).then(|| {
         let place = quote!(
             &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
         );
@@ -78,6 +80,17 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
                 ) -> lagrange::Variation<#scalar, #count, #inputs, #total_held> { loop {} }
             }
 
+            impl #impl_generics lagrange::Parametric<#count, #inputs, #total_held, #parameters>
+                for #self_ty #where_clause
+            {
+                fn by_parameters_at(
+                    &self, _: &(), _: &lagrange::Place<'_, #scalar, #count, #inputs, #total_held>
+                ) -> lagrange::ByParameters<#scalar, #count, #total_held, #parameters> { loop {} }
+            }
+        }
+    });
+    let sensitive = item.jacobians.then(|| {
+        quote! {
             impl #impl_generics lagrange::Sensitive<#count, #inputs, #total_held, #parameters, #directions>
                 for #self_ty #where_clause
             {
@@ -86,9 +99,6 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
                 fn over<__Other: lagrange::Real>(
                     &self, _: impl ::core::ops::FnMut(#scalar, ::core::option::Option<usize>) -> __Other
                 ) -> __Over<__Other> { loop {} }
-                fn by_parameters_at(
-                    &self, _: &(), _: &lagrange::Place<'_, #scalar, #count, #inputs, #total_held>
-                ) -> lagrange::ByParameters<#scalar, #count, #total_held, #parameters> { loop {} }
             }
         }
     });
@@ -105,7 +115,6 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
             }
         }
     });
-    let switches = contacts::any(item);
     let method = if switches { contacts::method(&held) } else { quote!(lagrange::Jets) };
     let regimes = switches.then(|| contacts::implementations(item, &held, &quote!(#scalar), (count, inputs)));
     let certificate = item.analysis.then(|| analysis::certificate(item, &quote!(#scalar), count, inputs));
@@ -161,6 +170,7 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
             #certificate
             #constrained
             #linearization
+            #sensitive
             #over
             impl #impl_generics lagrange::Smooth<#count, #inputs> for #self_ty #where_clause {
                 type JetConstants = ();
@@ -289,7 +299,8 @@ fn constraint_methods(
         if !matches!(function.meant(), Some(RoleKind::Point { .. } | RoleKind::Body { .. })) {
             return None;
         }
-        let force = force_on(item, &function.output.as_ref()?.kind, scalar)?;
+        let known = function.output.as_ref().and_then(|output| force_on(item, &output.kind, scalar));
+        let force = known.unwrap_or_else(|| quote!(lagrange::nalgebra::SVector<#scalar, #UNKNOWN>));
         let (name, result) =
             (format_ident!("{}{}", constraints::PREFIX, &*function.name), result(quote!(#record<#force>)));
         Some(quote!(pub fn #name(&self, _: &#state #given) -> #result { loop {} }))

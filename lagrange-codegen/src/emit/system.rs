@@ -14,6 +14,9 @@ use crate::structure::Method;
 /// A state from the arguments of the trait's functions, for the inherent methods.
 const STATE: &str = "lagrange::State { t, q: *q, v: *v }";
 
+/// The items of a system that computes nothing once per run.
+pub(super) const NO_CONSTANTS: &str = "type Constants = ();\nfn constants(&self) {}\n";
+
 /// The trait's items as text, and the operations of one evaluation of the accelerations.
 pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
     let parts = Part::all(emission);

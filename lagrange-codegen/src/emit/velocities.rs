@@ -12,6 +12,9 @@ use crate::syntax::item::{Argument, Function};
 use crate::syntax::types::{Type, TypeKind};
 use crate::syntax::{Item, Record, constant};
 
+/// Components of a place whose type cannot be read: the vector that has every field.
+pub(super) const UNKNOWN: usize = 3;
+
 /// All of them as functions of the user's type.
 pub(super) fn velocities(emission: &mut Emission<'_>, diagnostics: &Diagnostics) -> TokenStream {
     let velocities = emission.model.velocities.clone();
@@ -170,7 +173,8 @@ pub(super) fn stubs(item: &Item, scalar: &str) -> TokenStream {
     let stub = |velocity: &crate::syntax::Velocity| {
         let function = &item.functions[velocity.function];
         function.velocity_arguments()?;
-        let output = declared_rate(item, function.output.as_ref()?, scalar)?;
+        let known = function.output.as_ref().and_then(|output| declared_rate(item, output, scalar));
+        let output = known.unwrap_or_else(|| vector(UNKNOWN, scalar));
         let text =
             format!("pub fn {} {{ loop {{}} }}", signature(item, function, &velocity.name, scalar, &output));
         text.parse::<TokenStream>().ok()

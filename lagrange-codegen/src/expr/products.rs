@@ -120,9 +120,9 @@ impl Graph {
         }
     }
 
-    /// Writes powers of a hyperbolic cosine as such of its reciprocal, or the other way round. While factors are
-    /// collected, all are powers of the cosine, so that they meet; afterwards those below zero are powers of the
-    /// reciprocal: it does not overflow, and neither do derivatives of its powers.
+    /// Writes powers of a hyperbolic cosine as such of its reciprocal, or the other way round. While factors
+    /// are collected, all are powers of the cosine, so that they meet; afterwards those below zero are powers
+    /// of the reciprocal: it does not overflow, and neither do derivatives of its powers.
     fn swap(&mut self, flat: &mut Flat, from: Unary, is_swapped: impl Fn(i32) -> bool) {
         let mut swapped = false;
         for (factor, exponent) in &mut flat.factors {

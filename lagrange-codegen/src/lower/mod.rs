@@ -33,6 +33,7 @@ mod rotation;
 mod rounded;
 mod scalar;
 mod scope;
+mod sensitivity;
 mod shape;
 mod statement;
 #[cfg(test)]

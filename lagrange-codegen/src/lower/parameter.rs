@@ -34,6 +34,21 @@ impl Parameters {
         id
     }
 
+    /// The path of a text, if it has been met.
+    pub fn known(&self, text: &str) -> Option<ParameterId> {
+        self.known.get(&text.to_owned()).copied()
+    }
+
+    /// The scalar that formulas use.
+    pub fn node(&self, id: ParameterId) -> Option<NodeId> {
+        self.paths[id.0].node
+    }
+
+    /// The texts of all scalars that formulas use.
+    pub fn used(&self) -> impl Iterator<Item = &str> {
+        self.paths.iter().filter(|entry| entry.node.is_some()).map(|entry| &*entry.text)
+    }
+
     /// The Rust text of a path.
     pub fn text(&self, id: ParameterId) -> &str {
         &self.paths[id.0].text

@@ -200,6 +200,10 @@ impl<'a> Interpreter<'a> {
             Owner::Type(ty) => self.construct(ty, &word, arguments, origin),
             Owner::Other(owner) => match (&**owner, &*path.last) {
                 ("Unit", "new_normalize") => self.first_method(arguments, &word, "normalize", origin),
+                // What does not move is given its length: angular velocities are those of unit axes.
+                ("Unit", "new_unchecked") if self.is_fixed_vector(&arguments) => {
+                    self.first_method(arguments, &word, "normalize", origin)
+                }
                 ("Unit", "new_unchecked") | ("convert", "identity") => {
                     arguments.into_iter().next().unwrap_or(Value::Unknown)
                 }
@@ -218,6 +222,11 @@ impl<'a> Interpreter<'a> {
                 _ => self.refuse(path.origin, catalogue::free_function(&path.text)),
             },
         }
+    }
+
+    fn is_fixed_vector(&self, arguments: &[Value]) -> bool {
+        matches!(arguments, [Value::Vector(nodes)]
+            if nodes.iter().all(|&node| self.model.graph.dependence(node).is_fixed()))
     }
 
     /// `Type::method(receiver, …)` as `receiver.method(…)`.

@@ -1,5 +1,5 @@
-//! What was read of each function with a role or a velocity and of each argument of a role, for the comparison with what
-//! they return.
+//! What was read of each function with a role or a velocity and of each argument of a role, for the
+//! comparison with what they return.
 
 use super::interpreter::Interpreter;
 use super::value::{Turn, Value};

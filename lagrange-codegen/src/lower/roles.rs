@@ -5,8 +5,9 @@ use super::interpreter::Interpreter;
 use super::shape::Shape;
 use super::value::{Turn, Value};
 use crate::diagnostics::{Origin, catalogue};
-use crate::expr::{Node, NodeId, Variable};
+use crate::expr::{NodeId, Variable};
 use crate::model::{Attitude, Body, ConstraintKind, Point, Rotation, Term};
+use crate::number::Number;
 use crate::syntax::Record;
 use crate::syntax::body::{Expr, ExprKind};
 use crate::syntax::item::{Argument, Function, RoleKind};
@@ -62,28 +63,6 @@ impl<'a> Interpreter<'a> {
         self.sensitivities();
         self.velocities();
         self.readings();
-    }
-
-    /// The parameters that derivatives are taken by.
-    fn sensitivities(&mut self) {
-        let item = self.item;
-        for parameter in &item.sensitivities {
-            let known = self.model.parameters.len();
-            let value = self.attribute(parameter);
-            let Some(node) = self.scalar(value, parameter.origin) else { continue };
-            let Node::Variable(Variable::Parameter(index)) = *self.graph().node(node) else {
-                self.report(parameter.origin, catalogue::not_a_parameter());
-                continue;
-            };
-            if index as usize >= known {
-                let path = self.model.parameters[index as usize].path.clone();
-                self.report(parameter.origin, catalogue::idle_sensitivity(path));
-            } else if self.model.sensitivities.contains(&index) {
-                let path = self.model.parameters[index as usize].path.clone();
-                self.report(parameter.origin, catalogue::repeated_sensitivity(path));
-            }
-            self.model.sensitivities.push(index);
-        }
     }
 
     /// The result of a role function; `None` if its signature is wrong, which is reported.
@@ -182,7 +161,7 @@ impl<'a> Interpreter<'a> {
             _ => return self.wrong_return(function, &shape),
         };
         let masses = self.masses(mass, count, "mass");
-        let scalar_inertias = if dimension == 2 { self.masses(inertia, count, "inertia") } else { None };
+        let scalar_inertias = if dimension == 2 { self.moments(inertia, count) } else { None };
         let tensors = if dimension == 3 { self.tensors(inertia, count) } else { None };
         let Some(value) = self.result(index) else { return };
         let places = self.placed(&function.name, &value);
@@ -317,8 +296,8 @@ impl<'a> Interpreter<'a> {
     fn tensor(&mut self, value: Value, origin: Origin) -> Option<[[NodeId; 3]; 3]> {
         let moments = match value {
             Value::Matrix(matrix) if matrix.rows == 3 && matrix.columns == 3 => {
-                let row = |row: usize| [matrix.at(row, 0), matrix.at(row, 1), matrix.at(row, 2)];
-                return Some([row(0), row(1), row(2)]);
+                let rows = [0, 1, 2].map(|row| [0, 1, 2].map(|column| matrix.at(row, column)));
+                return self.symmetric(rows, origin);
             }
             Value::Parameter(id) => {
                 let crate_path = self.crate_text();
@@ -345,6 +324,35 @@ impl<'a> Interpreter<'a> {
             row[axis] = moments[axis];
         }
         Some(tensor)
+    }
+
+    /// A tensor as the energy ½ ω·I ω knows it: by its symmetric part. Constants that differ are a mistake.
+    fn symmetric(&mut self, rows: [[NodeId; 3]; 3], origin: Origin) -> Option<[[NodeId; 3]; 3]> {
+        let mut tensor = rows;
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            let (above, below) = (rows[i][j], rows[j][i]);
+            if above == below {
+                continue;
+            }
+            let graph = self.graph();
+            if graph.as_constant(above).is_some() && graph.as_constant(below).is_some() {
+                self.report(origin, catalogue::asymmetric_inertia());
+                return None;
+            }
+            let half = Number::Ratio(1, 2);
+            let middle = graph.sum(Number::ZERO, &[(above, half), (below, half)]);
+            (tensor[i][j], tensor[j][i]) = (middle, middle);
+        }
+        Some(tensor)
+    }
+
+    /// One moment of inertia for each of `count` bodies in the plane.
+    fn moments(&mut self, expr: &'a Expr, count: Option<usize>) -> Option<Vec<NodeId>> {
+        if count.is_none() && matches!(expr.kind, ExprKind::Array(_)) {
+            self.report(expr.origin, catalogue::moments_in_the_plane());
+            return None;
+        }
+        self.masses(expr, count, "inertia")
     }
 
     /// The number of scalar coordinates or inputs.

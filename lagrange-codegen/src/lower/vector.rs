@@ -304,16 +304,19 @@ impl Interpreter<'_> {
         arguments: Vec<Value>,
         origin: Origin,
     ) -> Value {
+        if let Turn::Plane(angle) = turn
+            && &*word.name == "angle"
+            && arguments.is_empty()
+        {
+            // Between −π and π, as nalgebra gives it, whatever the rotation was made from.
+            let graph = self.graph();
+            let (sine, cosine) = (graph.unary(Unary::Sin, angle), graph.unary(Unary::Cos, angle));
+            return Value::scalar(graph.atan2(sine, cosine));
+        }
         match (&*word.name, arguments.as_slice()) {
             ("inverse" | "transpose" | "conjugate", []) => Value::Rotation(self.inverse_turn(&turn)),
             ("matrix", []) => self.rotation_matrix(&turn),
             ("to_rotation_matrix", []) => Value::Rotation(turn),
-            // Between −π and π, as nalgebra gives it, whatever the rotation was made from.
-            ("angle", []) if let Turn::Plane(angle) = turn => {
-                let graph = self.graph();
-                let (sine, cosine) = (graph.unary(Unary::Sin, angle), graph.unary(Unary::Cos, angle));
-                Value::scalar(graph.atan2(sine, cosine))
-            }
             ("transform_vector", [value]) => self.turned(&turn, value, false, origin),
             ("transform_point", [value]) => self.turned(&turn, value, true, origin),
             ("inverse_transform_vector", [value]) => {

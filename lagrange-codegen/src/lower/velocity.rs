@@ -14,6 +14,10 @@ use crate::model::{Rates, Spin, Twist, Velocity};
 use crate::syntax::body::Word;
 use crate::syntax::item::Argument;
 
+/// What velocities of bodies hold beside their methods.
+const FIELDS: [&str; 5] =
+    ["position", "velocity", "velocity_in_body", "angular_velocity", "angular_velocity_in_body"];
+
 impl<'a> Interpreter<'a> {
     /// A call of the velocity of a function of the block; `None` where a name is no such velocity.
     pub fn velocity_call(
@@ -233,6 +237,9 @@ impl<'a> Interpreter<'a> {
         origin: Origin,
     ) -> Value {
         if &*word.name != "at" {
+            if FIELDS.contains(&&*word.name) {
+                return self.refuse(word.origin, catalogue::field_called(&word.name));
+            }
             return self.unknown_method(&Value::Twist(twist), word);
         }
         let Some([place]) = self.exactly(word, arguments, origin) else { return Value::Unknown };

@@ -42,7 +42,7 @@ pub struct Conditions {
     pub on_places: Vec<Vec<Vec<NodeId>>>,
     /// dw/dt, where stabilised by Baumgarte's method; elsewhere it is zero.
     pub relaxation: Option<Vec<NodeId>>,
-    /// Of rows that are constraints at times.
+    /// The terms of rows that are constraints at times: contacts and frictions.
     pub switched: Option<Switched>,
 }
 

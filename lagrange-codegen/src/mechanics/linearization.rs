@@ -88,10 +88,6 @@ impl Linearization {
 
 /// Screws, if there are any, where they take fewer operations than sweeps.
 fn cheaper_screws(model: &mut Model, residual: &[NodeId]) -> Option<Screws> {
-    /// Operations for a coordinate: its rates, and the forces and inertia of what it moves.
-    const COORDINATE: usize = 500;
-    /// Operations on vectors for a pair of coordinates, of which one moves the other.
-    const PAIR: usize = 20;
     let count = model.coordinates.len();
     let mut trial = model.clone();
     let screws = Screws::of(&mut trial)?;
@@ -99,14 +95,7 @@ fn cheaper_screws(model: &mut Model, residual: &[NodeId]) -> Option<Screws> {
     let variables: Vec<NodeId> =
         variables.into_iter().map(|variable| trial.graph.variable(variable)).collect();
     let sweeps = forward_operations(&trial.graph, residual, &variables);
-    let mut above = vec![0; screws.groups.len()];
-    let mut pairs = 0;
-    for (place, group) in screws.groups.iter().enumerate() {
-        let own = group.coordinates.len();
-        above[place] = own + group.parent.map_or(0, |parent| above[parent]);
-        pairs += own * above[place];
-    }
-    let of_screws = cost(&trial.graph, &screws.nodes()) as usize + COORDINATE * count + PAIR * pairs;
+    let of_screws = cost(&trial.graph, &screws.nodes()) as usize + screws.operations();
     if of_screws >= sweeps {
         return None;
     }

@@ -8,6 +8,7 @@
 //! structure.
 
 mod moved;
+mod operations;
 mod weight;
 
 use super::equations::{Loads, negated};
@@ -28,7 +29,10 @@ type Vector = [NodeId; 3];
 pub struct Screws {
     /// What hangs on a group follows it.
     pub groups: Vec<Group>,
-    /// The screw of each coordinate about the place of a body: angular part, linear part.
+    /// For each group the place of a body, from that of the first group: its screws and inertia are about it.
+    /// About a common point, small bodies far from it would drown in m d².
+    pub points: Vec<Vector>,
+    /// The screw of each coordinate about the point of its group: angular part, linear part.
     pub screws: Vec<[NodeId; 6]>,
     /// Their first and second rates along the motion, where they are given.
     pub rates: Vec<[[NodeId; 6]; 2]>,
@@ -70,7 +74,8 @@ impl Screws {
     /// The nodes that a state is turned into, in the order of the fields.
     pub fn nodes(&self) -> Vec<NodeId> {
         let rates = self.rates.as_flattened().as_flattened();
-        let flat = self.screws.as_flattened().iter().chain(rates).chain(self.changes.as_flattened());
+        let flat = self.points.as_flattened().iter().chain(self.screws.as_flattened());
+        let flat = flat.chain(rates).chain(self.changes.as_flattened());
         flat.chain(self.inertias.as_flattened()).chain(&self.gravity).copied().collect()
     }
 }
@@ -83,42 +88,33 @@ struct Deriving {
     direction: Vec<(NodeId, NodeId)>,
 }
 
-/// A part in space axes.
-struct Placed {
-    /// From the point that moments are about.
-    from: Vector,
-    velocity: Vector,
-}
-
 impl Deriving {
     fn screws(&self, graph: &mut Graph, mut groups: Vec<Group>) -> Screws {
         let own: Vec<Vec<usize>> = (0..groups.len()).map(|group| self.own(&groups, group)).collect();
         let zero = graph.zero();
         let mut screws = vec![[zero; 6]; self.sets.len()];
-        let (mut rates, mut changes, mut inertias) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut points, mut inertias) = (Vec::new(), Vec::new());
+        let (mut rates, mut changes) = (Vec::new(), Vec::new());
         let origin = self.parts[self.follows(&groups[0], &own[0])].place;
         for (group, own) in groups.iter_mut().zip(&own) {
             let part = &self.parts[self.follows(group, own)];
-            let placed = Placed {
-                from: difference(graph, &part.place, &origin),
-                velocity: times(graph, &part.rotation.matrix, &part.velocity),
-            };
+            points.push(less(graph, &part.place, &[(origin, Number::ONE)]));
             let slopes: Vec<[Vector; 2]> = group.coordinates.iter().map(|&j| part.slopes(graph, j)).collect();
             for (&j, [angular, linear]) in group.coordinates.iter().zip(&slopes) {
-                let carried = cross(graph, angular, &placed.from);
-                screws[j] = joined(*angular, difference(graph, linear, &carried));
+                screws[j] = joined(*angular, *linear);
             }
-            let of_group = changes_of(graph, group, &slopes, &placed);
+            let of_group = changes_of(graph, group, &slopes);
             if group.coordinates.len() > 1 || !vanish(graph, &of_group) {
                 group.given = Some(rates.len());
-                rates.extend(slopes.iter().map(|slopes| self.rates(graph, slopes, &placed)));
+                let velocity = times(graph, &part.rotation.matrix, &part.velocity);
+                rates.extend(slopes.iter().map(|slopes| self.rates(graph, slopes, &velocity)));
                 changes.extend(of_group);
             }
             let parts = own.iter().map(|&part| &self.parts[part]);
-            inertias.push(inertia(graph, parts, &origin));
+            inertias.push(inertia(graph, parts, &part.place));
         }
         let gravity = [zero; 3];
-        Screws { groups, screws, rates, changes, inertias, gravity, rest: Vec::new() }
+        Screws { groups, points, screws, rates, changes, inertias, gravity, rest: Vec::new() }
     }
 
     fn holds(&self, group: &Group, part: usize) -> bool {
@@ -140,19 +136,14 @@ impl Deriving {
         own.first().copied().or_else(any).unwrap_or_default()
     }
 
-    /// Ṡ and S̈ about a point at rest.
-    fn rates(&self, graph: &mut Graph, [w, u]: &[Vector; 2], placed: &Placed) -> [[NodeId; 6]; 2] {
+    /// Ṡ and S̈ about a point at rest, which a body passes with a velocity.
+    fn rates(&self, graph: &mut Graph, [w, u]: &[Vector; 2], velocity: &Vector) -> [[NodeId; 6]; 2] {
         let [dw, du] = [w, u].map(|vector| self.rate(graph, vector));
         let [ddw, ddu] = [&dw, &du].map(|vector| self.rate(graph, vector));
-        let acceleration = self.rate(graph, &placed.velocity);
-        let two = Number::integer(2);
-        let first = [
-            (cross(graph, &dw, &placed.from), Number::ONE),
-            (cross(graph, w, &placed.velocity), Number::ONE),
-        ];
+        let acceleration = self.rate(graph, velocity);
+        let first = [(cross(graph, w, velocity), Number::ONE)];
         let second = [
-            (cross(graph, &ddw, &placed.from), Number::ONE),
-            (cross(graph, &dw, &placed.velocity), two),
+            (cross(graph, &dw, velocity), Number::integer(2)),
             (cross(graph, w, &acceleration), Number::ONE),
         ];
         [joined(dw, less(graph, &du, &first)), joined(ddw, less(graph, &ddu, &second))]
@@ -165,7 +156,7 @@ impl Deriving {
 }
 
 /// ∂S/∂q of a group, rows S, about a point at rest.
-fn changes_of(graph: &mut Graph, group: &Group, slopes: &[[Vector; 2]], placed: &Placed) -> Vec<[NodeId; 6]> {
+fn changes_of(graph: &mut Graph, group: &Group, slopes: &[[Vector; 2]]) -> Vec<[NodeId; 6]> {
     let one = graph.one();
     let mut changes = Vec::with_capacity(slopes.len() * slopes.len());
     for [w, u] in slopes {
@@ -175,19 +166,18 @@ fn changes_of(graph: &mut Graph, group: &Group, slopes: &[[Vector; 2]], placed: 
                 let slopes = pushforward(graph, vector, &[(coordinate, one)]);
                 [slopes[0], slopes[1], slopes[2]]
             });
-            let across =
-                [(cross(graph, &dw, &placed.from), Number::ONE), (cross(graph, w, moves), Number::ONE)];
-            changes.push(joined(dw, less(graph, &du, &across)));
+            let across = cross(graph, w, moves);
+            changes.push(joined(dw, less(graph, &du, &[(across, Number::ONE)])));
         }
     }
     changes
 }
 
-/// Mass, first moment and moments of inertia of some parts together.
-fn inertia<'a>(graph: &mut Graph, parts: impl Iterator<Item = &'a Part>, origin: &Vector) -> [NodeId; 10] {
+/// Mass, first moment and moments of inertia of some parts together, about a point.
+fn inertia<'a>(graph: &mut Graph, parts: impl Iterator<Item = &'a Part>, point: &Vector) -> [NodeId; 10] {
     let mut sums: [Vec<(NodeId, Number)>; 10] = Default::default();
     for part in parts {
-        let from = difference(graph, &part.place, origin);
+        let from = less(graph, &part.place, &[(*point, Number::ONE)]);
         let moment = from.map(|component| graph.mul(part.mass, component));
         let turned = part.inertia.map(|inertia| {
             let matrix = &part.rotation.matrix;
@@ -227,10 +217,6 @@ fn rest(model: &mut Model, falling: &[usize]) -> Vec<NodeId> {
 
 fn joined([a, b, c]: Vector, [d, e, f]: Vector) -> [NodeId; 6] {
     [a, b, c, d, e, f]
-}
-
-fn difference(graph: &mut Graph, a: &Vector, b: &Vector) -> Vector {
-    less(graph, a, &[(*b, Number::ONE)])
 }
 
 /// A vector less multiples of others.

@@ -54,7 +54,7 @@ pub struct Regimes {
     pub solution: Solution,
     /// The recurrences of its series; `None` where it is not smooth even so.
     pub jets: Option<Jets>,
-    /// Their operations.
+    /// The operations of these recurrences, an order at a time.
     pub orders: Option<Expansions>,
     /// What each row stands for, but for the last ones, which are no constraints.
     pub laws_of: Vec<Option<Law>>,

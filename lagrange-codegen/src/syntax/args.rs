@@ -193,7 +193,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
             loose::arguments(tokens.clone())
         }
     };
-    // What a key stands before that is none may be declarations.
+    // Declarations may stand behind an unknown key.
     if list.iter().any(|argument| matches!(argument, Argument::Unknown(_))) {
         let known = |key: &Ident| list.iter().any(|argument| argument.key() == key);
         let hidden: Vec<_> =

@@ -38,6 +38,8 @@ pub struct Item {
     pub sensitivities: Vec<Expr>,
     /// Whether what the model can tell about itself is generated.
     pub analysis: bool,
+    /// Whether the equations are written in LaTeX, too.
+    pub formulas: bool,
     /// The system that a generated test verifies.
     pub verify: Option<syn::Expr>,
     /// Rate of Baumgarte's stabilisation, where the attribute asks for it.
@@ -81,10 +83,8 @@ impl Item {
 
     /// How many scalar coordinates are to be eliminated, by what the roles say.
     pub fn eliminated(&self) -> usize {
-        let eliminates = |function: &&Function| {
-            matches!(function.meant(), Some(RoleKind::Holonomic { eliminate: Some(_) }))
-        };
-        let functions = self.functions.iter().filter(eliminates);
+        let eliminates = |kind: &RoleKind| matches!(kind, RoleKind::Holonomic { eliminate: Some(_) });
+        let functions = self.functions.iter().filter(|function| function.meant().is_some_and(eliminates));
         functions.map(|function| self.components(function).unwrap_or(1)).sum()
     }
 

@@ -103,7 +103,7 @@ pub fn parse(
             }
         }
     }
-    let velocities = velocities(&block, &functions, &mut translator);
+    let velocities = velocities(&block, unfinished.is_some(), &functions, &mut translator);
     let origin = translator.origin(name.span());
     let scalar = translator.scalar;
     if functions.iter().all(|function| function.role.is_none()) && !diagnostics.has_errors() {
@@ -126,6 +126,7 @@ pub fn parse(
         jacobians: args.jacobians || !sensitivities.is_empty(),
         sensitivities,
         analysis: args.analysis || args.verify.is_some(),
+        formulas: args.analysis || args.verify.is_some(),
         verify: args.verify,
         baumgarte,
         allowed: args.allowed,
@@ -139,9 +140,14 @@ pub fn parse(
 }
 
 /// The functions of a block whose velocities it calls for, those left out that the user has written.
-fn velocities(block: &ItemImpl, functions: &[Function], translator: &mut Translator) -> Vec<Velocity> {
+fn velocities(
+    block: &ItemImpl,
+    is_unfinished: bool,
+    functions: &[Function],
+    translator: &mut Translator,
+) -> Vec<Velocity> {
     let find = |name: &str| functions.iter().position(|function| *function.name == *name);
-    let mentioned = velocity::mentioned(block).into_iter();
+    let mentioned = velocity::mentioned(block, is_unfinished).into_iter();
     let missing = mentioned.filter(|(name, _)| find(name).is_none());
     missing
         .filter_map(|(name, span)| {
@@ -175,8 +181,8 @@ fn self_type(ty: &syn::Type) -> Option<&syn::PathSegment> {
     }
 }
 
-/// What generated types are named after: `Chain`, and `Chain3` for `Chain<3>`, so that there may be a description
-/// for each of several numbers.
+/// What generated types are named after: `Chain`, and `Chain3` for `Chain<3>`, so that there may be a
+/// description for each of several numbers.
 fn name_of(segment: &syn::PathSegment) -> Ident {
     let mut name = segment.ident.clone();
     if let syn::PathArguments::AngleBracketed(arguments) = &segment.arguments {

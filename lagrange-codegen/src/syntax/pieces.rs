@@ -1,7 +1,8 @@
 //! Pieces of tokens that do not parse as a whole.
 
-use proc_macro2::{TokenStream, TokenTree};
-use syn::parse::Parse;
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::format_ident;
+use syn::parse::{Parse, ParseStream, Parser};
 
 /// Tokens between commas outside angle brackets.
 pub fn between_commas(tokens: TokenStream) -> Vec<TokenStream> {
@@ -34,4 +35,32 @@ pub fn is_punct(tree: &TokenTree, c: char) -> bool {
 /// Some tokens, if they parse.
 pub fn read_as<T: Parse>(tokens: TokenStream) -> Option<T> {
     syn::parse2(tokens).ok()
+}
+
+/// The name of what has none yet. No program uses it; `place` tells it from others.
+pub fn unnamed(place: usize, span: Span) -> Ident {
+    format_ident!("__unnamed{place}", span = span)
+}
+
+/// What some of the tokens read as: the longest run of them, also within their groups.
+pub fn readable<T: Parse>(trees: &[TokenTree]) -> Option<T> {
+    let run = |start: usize| {
+        let rest = || trees[start..].iter().cloned().collect::<TokenStream>();
+        let prefix = |input: ParseStream| {
+            let read = input.parse::<T>()?;
+            Ok((read, input.parse::<TokenStream>()?.into_iter().count()))
+        };
+        // Where a mark opens what does not end, as in `Vector2<f64`, the word before it is read.
+        let word = || Some((read_as(trees[start].clone().into())?, trees.len() - start - 1));
+        let (read, left) = prefix.parse2(rest()).ok().or_else(word)?;
+        Some((trees.len() - start - left, read))
+    };
+    // Of runs that are as long, the first.
+    let longest = (0..trees.len()).rev().filter_map(run).max_by_key(|(length, _)| *length);
+    longest.map(|(_, read)| read).or_else(|| {
+        trees.iter().find_map(|tree| match tree {
+            TokenTree::Group(group) => readable(&group.stream().into_iter().collect::<Vec<_>>()),
+            _ => None,
+        })
+    })
 }

@@ -8,8 +8,8 @@ use super::item::Scalar;
 use super::{generic_scalar, name_of, rewrite, role, self_type, unfinished};
 use crate::diagnostics::catalogue;
 
-/// The item without our attributes. Bodies, in which unknown names may stand, are there for an editor alone, which
-/// completes what is written in them.
+/// The item without our attributes. Bodies, in which unknown names may stand, are there for an editor alone,
+/// which completes what is written in them.
 pub fn recover(item: TokenStream) -> TokenStream {
     let Ok((item, _)) = unfinished::read(item) else { return TokenStream::new() };
     match item {

@@ -24,7 +24,7 @@ pub fn clean(
     let mut block = block.clone();
     let mut used = names_in_attributes(&block, rate);
     // A function may serve through its velocity alone.
-    let velocities = velocity::mentioned(&block).into_iter();
+    let velocities = velocity::mentioned(&block, false).into_iter();
     used.extend(velocities.filter_map(|(name, _)| Some(name.strip_suffix(velocity::SUFFIX)?.to_owned())));
     for item in &mut block.items {
         match item {

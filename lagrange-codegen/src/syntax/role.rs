@@ -100,8 +100,8 @@ pub fn refuse_on_item(item: &syn::ImplItem, translator: &mut Translator) {
     }
 }
 
-/// Reads the role of a function from its attributes; mistakes are reported. Beside it stands the kind of a role whose
-/// arguments are wrong.
+/// Reads the role of a function from its attributes; mistakes are reported. Beside it stands the kind of a
+/// role whose arguments are wrong.
 pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> (Option<Role>, Option<RoleKind>) {
     let mut role: Option<(Role, String)> = None;
     let mut unread = None;

@@ -190,7 +190,9 @@ pub fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
 pub fn returns(role: &RoleKind) -> &'static str {
     match role {
         RoleKind::Point { .. } => "a position such as `Vector2<f64>`, or an array of them",
-        RoleKind::Body { .. } => "a pose such as `Isometry2<f64>`, or an array of them",
+        RoleKind::Body { .. } => {
+            "a pose such as `Isometry2<f64>`, `Isometry3<f64>` or `(Vector3<f64>, Rotation3<f64>)`, or an array of them"
+        }
         RoleKind::Kinetic | RoleKind::Potential | RoleKind::Lagrangian | RoleKind::Dissipation => {
             "a scalar energy"
         }

@@ -193,10 +193,12 @@ impl Translator<'_> {
         if arguments.first().is_some_and(|argument| is_other(argument)) {
             return Some(TypeKind::OtherFloat);
         }
+        if let Some(types) = Integers::named(name) {
+            return Some(TypeKind::Integer(types));
+        }
         match name {
             "f32" | "f64" if name == self.other_float() => return Some(TypeKind::OtherFloat),
             "f32" | "f64" => return Some(TypeKind::Scalar),
-            name if let Some(types) = Integers::named(name) => return Some(TypeKind::Integer(types)),
             "bool" => return Some(TypeKind::Boolean),
             "Rotation2" | "UnitComplex" => return Some(TypeKind::Rotation(2)),
             "Rotation3" => return Some(TypeKind::Rotation(3)),

@@ -1,17 +1,17 @@
 //! Blocks that do not parse, as they stand in an editor: everything that can be read, item by item.
 //!
-//! The compiler has parsed an item before it calls its attribute, and has reported what is wrong with the form. So
-//! nothing is reported here. A body that does not parse stays the tokens that it is, and of a signature stays
-//! what can be read, so that the declarations, which the generated items follow from, outlive what is being written.
+//! The compiler has parsed an item before it calls its attribute, and has reported what is wrong with the
+//! form. So nothing is reported here. A body that does not parse stays the tokens that it is, and of a
+//! signature stays what can be read, so that the declarations, which the generated items follow from, outlive
+//! what is being written.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
+use syn::{Attribute, Expr, FnArg, Ident, ImplItem, ImplItemFn, ItemImpl, Stmt, Token, Type};
 
-use syn::{Attribute, Expr, FnArg, Ident, ImplItem, ImplItemFn, ItemImpl, ReturnType, Stmt, Token};
-
-use super::pieces::{between_commas, is_punct, read_as};
+use super::pieces::{between_commas, is_punct, read_as, readable, unnamed};
 use super::role;
 
 /// What rust-analyzer puts in a place where something is missing, before it calls a macro.
@@ -29,7 +29,7 @@ pub fn read(item: TokenStream) -> syn::Result<(syn::Item, Option<String>)> {
         Some(TokenTree::Group(body)) if body.delimiter() == Delimiter::Brace => {
             let header: TokenStream = trees.into_iter().collect();
             let Ok(mut block) = syn::parse2::<ItemImpl>(quote!(#header {})) else { return Err(error) };
-            block.items = pieces(body.stream()).into_iter().filter_map(item_of).collect();
+            block.items = pieces(body.stream()).into_iter().enumerate().filter_map(item_of).collect();
             Ok((syn::Item::Impl(block), Some(error.to_string())))
         }
         _ => Err(error),
@@ -50,19 +50,27 @@ fn pieces(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
     let mut pieces: Vec<Vec<TokenTree>> = vec![Vec::new()];
     let (mut declares, mut is_function) = (false, false);
     for (place, tree) in trees.iter().enumerate() {
-        let next = trees.get(place + 1);
-        let is_pointer = place > 0 && is_punct(&trees[place - 1], '*');
-        if declares && !is_pointer && begins(tree, next) {
+        let (before, rest) = (place.checked_sub(1).map(|place| &trees[place]), &trees[place..]);
+        let is_pointer = before.is_some_and(|before| is_punct(before, '*'));
+        if declares && !is_pointer && begins(rest) {
             pieces.push(Vec::new());
             (declares, is_function) = (false, false);
         }
-        is_function |= is_word(tree, &["fn"]);
-        declares |= is_function || is_word(tree, &["type"]) || is_constant(tree, next);
+        let is_keyword = is_word(tree, &["fn"]);
+        is_function |= is_keyword || (!declares && is_called(rest));
+        // A keyword that stands twice declares once.
+        declares |= (is_function && !is_keyword) || is_word(tree, &["type"]) || is_constant(rest);
+        if is_punct(tree, ';') && !declares {
+            // It ends nothing.
+            continue;
+        }
         let ends = match tree {
             TokenTree::Punct(punct) => punct.as_char() == ';',
-            // A length in angle brackets is no body.
             TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
-                is_function && !next.is_some_and(|next| is_punct(next, '>') || is_punct(next, ','))
+                // A length in angle brackets is no body.
+                let is_argument = before.is_some_and(|before| is_punct(before, '<') || is_punct(before, ','))
+                    && rest.get(1).is_some_and(|next| is_punct(next, '>') || is_punct(next, ','));
+                is_function && !is_argument
             }
             _ => false,
         };
@@ -75,8 +83,10 @@ fn pieces(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
     pieces
 }
 
-/// Whether an item begins with a token, seen with the one behind it.
-fn begins(tree: &TokenTree, next: Option<&TokenTree>) -> bool {
+/// Whether an item begins with these tokens.
+fn begins(trees: &[TokenTree]) -> bool {
+    let [tree, rest @ ..] = trees else { return false };
+    let next = rest.first();
     // `fn(f64) -> f64` is a type.
     let is_named = is_word(tree, &["fn", "type"]) && matches!(next, Some(TokenTree::Ident(_)));
     let is_constant_function = is_word(tree, &["const"]) && next.is_some_and(|next| is_word(next, &["fn"]));
@@ -84,13 +94,18 @@ fn begins(tree: &TokenTree, next: Option<&TokenTree>) -> bool {
         || is_word(tree, &["pub"])
         || is_named
         || is_constant_function
-        || is_constant(tree, next)
+        || is_constant(trees)
 }
 
-fn is_constant(tree: &TokenTree, next: Option<&TokenTree>) -> bool {
-    let qualifiers = ["fn", "async", "unsafe", "extern"];
-    is_word(tree, &["const"])
-        && matches!(next, Some(next @ TokenTree::Ident(_)) if !is_word(next, &qualifiers))
+/// `const NAME:`.
+fn is_constant(trees: &[TokenTree]) -> bool {
+    matches!(trees, [word, TokenTree::Ident(_), colon, ..] if is_word(word, &["const"]) && is_punct(colon, ':'))
+}
+
+/// A name with parameters, as it stands where `fn` is missing.
+fn is_called(trees: &[TokenTree]) -> bool {
+    let [name @ TokenTree::Ident(_), TokenTree::Group(group), ..] = trees else { return false };
+    group.delimiter() == Delimiter::Parenthesis && read_as::<Ident>(name.clone().into()).is_some()
 }
 
 fn is_attribute(tree: &TokenTree, next: Option<&TokenTree>) -> bool {
@@ -103,26 +118,27 @@ fn is_word(tree: &TokenTree, words: &[&str]) -> bool {
     matches!(tree, TokenTree::Ident(ident) if words.iter().any(|word| ident == word))
 }
 
-/// An item, whole where it parses.
-fn item_of(piece: Vec<TokenTree>) -> Option<ImplItem> {
+/// An item, whole where it parses. `place` tells it from others.
+fn item_of((place, piece): (usize, Vec<TokenTree>)) -> Option<ImplItem> {
     let tokens: TokenStream = piece.iter().cloned().collect();
     match syn::parse2::<ImplItem>(tokens) {
         Ok(item) if !matches!(item, ImplItem::Verbatim(_)) => Some(item),
-        Ok(_) | Err(_) => function(piece).map(ImplItem::Fn),
+        Ok(_) | Err(_) => function(place, piece).map(ImplItem::Fn),
     }
 }
 
 /// A function without what cannot be read of it.
-fn function(piece: Vec<TokenTree>) -> Option<ImplItemFn> {
-    let keyword = piece.iter().position(|tree| is_word(tree, &["fn"]))?;
-    let (head, rest) = piece.split_at(keyword);
+fn function(place: usize, piece: Vec<TokenTree>) -> Option<ImplItemFn> {
+    let keyword = piece.iter().position(|tree| is_word(tree, &["fn"]));
+    let start = keyword.or_else(|| (0..piece.len()).find(|&place| is_called(&piece[place..])))?;
+    let (head, rest) = piece.split_at(start);
     let attributes: Vec<Attribute> = head.iter().filter_map(attribute).collect();
     let qualifiers = head.iter().filter(|tree| is_word(tree, &["pub", "const"]));
     let is_name = |tree: &TokenTree| read_as::<Ident>(tree.clone().into());
     let before_parameters = rest.iter().take_while(|tree| !matches!(tree, TokenTree::Group(_)));
     // The name stands last.
-    let (named, name) =
-        before_parameters.enumerate().filter_map(|(place, tree)| Some((place, is_name(tree)?))).last()?;
+    let names = before_parameters.enumerate().filter_map(|(place, tree)| Some((place, is_name(tree)?)));
+    let (named, name) = names.last().unwrap_or_else(|| (0, unnamed(place, rest[0].span())));
     let mut signature: Vec<TokenTree> = rest[named + 1..].to_vec();
     let is_brace =
         |tree: &TokenTree| matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
@@ -159,14 +175,17 @@ fn attribute(tree: &TokenTree) -> Option<Attribute> {
 
 /// A function of the parameters and the return type that can be read.
 fn declared(name: Ident, signature: Vec<TokenTree>) -> Option<ImplItemFn> {
-    let parameters = signature.iter().find_map(|tree| match tree {
-        TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => Some(group.stream()),
-        _ => None,
+    let is_list = |tree: &TokenTree| matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis);
+    let open = signature.iter().position(is_list);
+    let parameters = open.map_or_else(TokenStream::new, |open| match &signature[open] {
+        TokenTree::Group(group) => group.stream(),
+        _ => TokenStream::new(),
     });
     let parameters: Punctuated<FnArg, Token![,]> =
-        between_commas(parameters.unwrap_or_default()).into_iter().filter_map(read_as::<FnArg>).collect();
-    let arrow = signature.windows(2).position(|pair| is_punct(&pair[0], '-') && is_punct(&pair[1], '>'));
-    let output = arrow.and_then(|arrow| read_as(signature[arrow..].iter().cloned().collect()));
-    let output: ReturnType = output.unwrap_or(ReturnType::Default);
+        between_commas(parameters).into_iter().filter_map(read_as::<FnArg>).collect();
+    let behind = &signature[open.map_or(0, |open| open + 1)..];
+    let bounds = behind.iter().position(|tree| is_word(tree, &["where"])).unwrap_or(behind.len());
+    let output = readable::<Type>(&behind[..bounds]).or_else(|| readable(&behind[bounds..]));
+    let output = output.map(|output| quote!(-> #output));
     syn::parse2(quote!(pub fn #name(#parameters) #output {})).ok()
 }

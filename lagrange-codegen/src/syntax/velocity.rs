@@ -12,24 +12,30 @@ use super::translate::bare;
 /// What stands behind the name of a function in the name of its velocity.
 pub const SUFFIX: &str = "_velocity";
 
-/// The names in a block that a function `…_velocity` of its own is called by, each once where it first stands.
-pub fn mentioned(block: &syn::ItemImpl) -> Vec<(Name, Span)> {
+/// The names in a block that a function `…_velocity` of its own is called by, each once where it first
+/// stands. In an unfinished block every name counts, whatever stands before it.
+pub fn mentioned(block: &syn::ItemImpl, is_unfinished: bool) -> Vec<(Name, Span)> {
     let mut found = Vec::new();
     let own = super::self_type(&block.self_ty).map(|segment| &segment.ident);
+    let is_called = |trees: &[TokenTree], place: usize| is_unfinished || is_called(trees, place, own);
     for item in &block.items {
         if let syn::ImplItem::Fn(function) = item {
-            search(function.block.to_token_stream(), own, &mut found);
+            search(function.block.to_token_stream(), &is_called, &mut found);
         }
     }
     found
 }
 
-fn search(tokens: TokenStream, own: Option<&Ident>, found: &mut Vec<(Name, Span)>) {
+fn search(
+    tokens: TokenStream,
+    is_called: &dyn Fn(&[TokenTree], usize) -> bool,
+    found: &mut Vec<(Name, Span)>,
+) {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     for (place, tree) in trees.iter().enumerate() {
         match tree {
-            TokenTree::Group(group) => search(group.stream(), own, found),
-            TokenTree::Ident(ident) if is_called(&trees, place, own) => {
+            TokenTree::Group(group) => search(group.stream(), is_called, found),
+            TokenTree::Ident(ident) if is_called(&trees, place) => {
                 let name = bare(ident);
                 let is_new = name.ends_with(SUFFIX) && found.iter().all(|(other, _)| *other != name);
                 if is_new {

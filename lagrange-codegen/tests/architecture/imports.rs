@@ -122,7 +122,8 @@ impl Names {
         self.modules[module].globs.iter().filter(foreign).map(|path| path.join("::")).collect()
     }
 
-    /// Rings of modules with one parent, below the root, that need each other, each as the names of its members.
+    /// Rings of modules with one parent, below the root, that need each other, each as the names of its
+    /// members.
     pub fn rings(&self) -> Vec<Vec<String>> {
         let mut found = Vec::new();
         // Those at the root have layers.

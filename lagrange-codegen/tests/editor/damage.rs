@@ -15,18 +15,26 @@ pub enum Part {
     Body,
 }
 
-/// Arguments and item with a token deleted or inserted. The header of the block stays: where that does not parse, the
+/// A description with a token deleted or inserted.
+pub struct Damaged {
+    /// The arguments of the attribute.
+    pub args: TokenStream,
+    /// The block.
+    pub item: TokenStream,
+    /// Where the token stands.
+    pub part: Part,
+    /// The word that is gone, if a word was deleted.
+    pub gone: Option<String>,
+}
+
+/// Deletes or inserts a token. The header of the block stays: where that does not parse, the
 /// compiler calls no macro. So do delimiters, without which there is no token tree.
-pub fn damaged(
-    args: TokenStream,
-    item: TokenStream,
-    random: &mut Random,
-) -> (Part, TokenStream, TokenStream) {
+pub fn damaged(args: TokenStream, item: TokenStream, random: &mut Random) -> Damaged {
     let mut trees: Vec<TokenTree> = item.into_iter().collect();
     let Some(TokenTree::Group(block)) = trees.pop() else { panic!("a block ends with its body") };
     let (leaves, outside) = (leaves(&block.stream()), leaves(&args));
     let place = random.below(leaves + outside);
-    let mut change = Change { place, random, part: Part::Arguments };
+    let mut change = Change { place, random, part: Part::Arguments, gone: None };
     let (mut args, mut inner) = (args, block.stream());
     if place < outside {
         args = change.within(args);
@@ -35,9 +43,9 @@ pub fn damaged(
         change.part = Part::Declaration;
         inner = change.within(inner);
     }
-    let part = change.part;
+    let (part, gone) = (change.part, change.gone);
     trees.push(proc_macro2::Group::new(Delimiter::Brace, inner).into());
-    (part, args, trees.into_iter().collect())
+    Damaged { args, item: trees.into_iter().collect(), part, gone }
 }
 
 fn leaves(tokens: &TokenStream) -> usize {
@@ -53,6 +61,7 @@ struct Change<'r> {
     place: usize,
     random: &'r mut Random,
     part: Part,
+    gone: Option<String>,
 }
 
 impl Change<'_> {
@@ -80,6 +89,8 @@ impl Change<'_> {
                     if self.random.below(2) == 0 {
                         out.extend(word(self.random));
                         out.push(leaf);
+                    } else if let TokenTree::Ident(word) = leaf {
+                        self.gone = Some(word.to_string());
                     }
                     is_done = true;
                 }

@@ -15,7 +15,8 @@ pub struct Agreement {
     /// The largest error relative to the largest component, cancelled components aside.
     pub error: f64,
     pub components: usize,
-    /// Components in which the oracle has lost so many digits that a relative error says nothing; zero has none.
+    /// Components in which the oracle has lost so many digits that a relative error says nothing; zero has
+    /// none.
     pub cancelled: usize,
     /// Components with an error beyond what the oracle's rounding errors account for.
     pub beyond: usize,

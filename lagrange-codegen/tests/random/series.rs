@@ -1,8 +1,9 @@
-//! The Taylor coefficients of emitted code, order by order, against the equations of motion in truncated series.
+//! The Taylor coefficients of emitted code, order by order, against the equations of motion in truncated
+//! series.
 //!
-//! The emitted coefficients of coordinates and velocities are put into the definitions. The accelerations that
-//! follow, as series in time, are what the next coefficients of the velocities have to be. So an error of one
-//! order does not hide behind those of others.
+//! The emitted coefficients of coordinates and velocities are put into the definitions. The accelerations
+//! that follow, as series in time, are what the next coefficients of the velocities have to be. So an error
+//! of one order does not hide behind those of others.
 
 use crate::check::{CONDITION, Sample, instant, is_measurable, point};
 use crate::close::{Agreement, compare};
@@ -65,7 +66,8 @@ pub fn check(system: &System, expansion: &Expansion, sample: &Sample) -> Result<
     Ok(Outcome::Compared(agreement))
 }
 
-/// The sample with velocities that the constraints allow: what a series does with others is nobody's business.
+/// The sample with velocities that the constraints allow: what a series does with others is nobody's
+/// business.
 fn on_constraints(system: &System, sample: &Sample) -> Option<Sample> {
     let mut sample = sample.clone();
     for _ in 0..4 {

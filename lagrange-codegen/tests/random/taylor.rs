@@ -1,5 +1,5 @@
-//! Truncated Taylor series as numbers of the oracle: y = f(x) has y′ = f′(x) x′, with the slope on a series that
-//! is one term shorter.
+//! Truncated Taylor series as numbers of the oracle: y = f(x) has y′ = f′(x) x′, with the slope on a series
+//! that is one term shorter.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -168,8 +168,9 @@ impl Variation {
     /// Gives derivatives by the state and the time that have no terms here the size of the largest of their
     /// equation.
     ///
-    /// An evaluation may write vectors in any axes. In axes that turn with x − t, what depends on neither x nor t
-    /// is a sum of terms with both, as large as others of the equation, whose slopes cancel to roundings.
+    /// An evaluation may write vectors in any axes. In axes that turn with x − t, what depends on neither x
+    /// nor t is a sum of terms with both, as large as others of the equation, whose slopes cancel to
+    /// roundings.
     fn share(&mut self, part: impl Fn(&mut Slopes) -> &mut Matrix) {
         let mut parts = [&mut self.by_q, &mut self.by_v, &mut self.by_t].map(part);
         for i in 0..parts[0].len() {

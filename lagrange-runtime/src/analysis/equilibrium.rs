@@ -277,7 +277,8 @@ where
         })
     }
 
-    /// The error of a search whose energy falls without end: under a constant force, that force says more.
+    /// The error of a search whose energy falls without end. Where the force is constant, the error names the
+    /// force, which says more than the way.
     fn ran_away(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> EquilibriumError {
         let two = S::Scalar::from_f64(2.0);
         if rest.norm <= two * search.first && search.first <= two * rest.norm {

@@ -13,6 +13,7 @@ use super::{Tangent, Variation};
 use crate::linear::stored::Stored;
 use crate::linear::{Ldlt, Saddle, SaddlePoint, TangentSpace};
 use crate::number::real::{Ordered, Real};
+use crate::system::attitude::{drift, triple};
 use crate::system::error::MotionError;
 use crate::system::state::State;
 
@@ -264,10 +265,58 @@ impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
     }
 }
 
+/// The blocks of T⁻¹ T′ of all orientations ([`drift`]).
+fn drift_of<R: Real, const N: usize>(
+    orientations: &[usize],
+    state: &State<R, N>,
+    accelerations: &[R; N],
+) -> [Stored<SMatrix<R, N, N>>; 2] {
+    let mut blocks = [filled(|_, _| R::zero()), filled(|_, _| R::zero())];
+    for &first in orientations {
+        let [rho, rates, seconds] = [&state.q, &state.v, accelerations].map(|numbers| triple(numbers, first));
+        for (block, rows) in blocks.iter_mut().zip(drift(rho, rates, seconds)) {
+            for (i, row) in rows.into_iter().enumerate() {
+                for (j, entry) in row.into_iter().enumerate() {
+                    block[(first + i, first + j)] = entry;
+                }
+            }
+        }
+    }
+    blocks
+}
+
 pub(super) fn linearize<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
     u: &[S::Scalar; K],
+) -> Result<LinearModel<S::Scalar, N, K>, MotionError<S::Scalar>>
+where
+    S: Tangent<N, K, C>,
+    S::Scalar: Ordered,
+{
+    deviations(system, state, u, false)
+}
+
+/// The same with `turning` axes: the rates of deviations are those seen in axes that turn with the bodies, in which
+/// equations about a steady spin do not change. The components themselves stay those of the moment.
+#[cfg(feature = "std")]
+pub(super) fn linearize_turning<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    u: &[S::Scalar; K],
+) -> Result<LinearModel<S::Scalar, N, K>, MotionError<S::Scalar>>
+where
+    S: Tangent<N, K, C>,
+    S::Scalar: Ordered,
+{
+    deviations(system, state, u, true)
+}
+
+fn deviations<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    u: &[S::Scalar; K],
+    turning: bool,
 ) -> Result<LinearModel<S::Scalar, N, K>, MotionError<S::Scalar>>
 where
     S: Tangent<N, K, C>,
@@ -300,10 +349,18 @@ where
     let carried = times(&entrained, z);
     let (by_place, by_carried) = (times(&a_by_q, z), times(&a_by_v, &carried));
     let both = filled(|i, j| by_place[(i, j)] + by_carried[(i, j)]);
-    let blocks = [
+    let mut blocks = [
         [times(&displacements.dual, &carried), times(&displacements.dual, y)],
         [times(&velocities.dual, &both), times(&velocities.dual, &times(&a_by_v, y))],
     ];
+    if turning && S::ORIENTATIONS.iter().any(|&first| triple(&state.v, first) != [zero; 3]) {
+        let [turned, rest] = drift_of(S::ORIENTATIONS, state, &balance.accelerations);
+        let (place, speed) = (times(&rest, z), times(&turned, &carried));
+        let speed = filled(|i, j| place[(i, j)] + speed[(i, j)]);
+        *blocks[0][0] += *times(&displacements.dual, &times(&turned, z));
+        *blocks[1][0] += *times(&velocities.dual, &speed);
+        *blocks[1][1] += *times(&velocities.dual, &times(&turned, y));
+    }
     Ok(LinearModel {
         damping: filled(|i, j| -half * (by_v[i][j] + by_v[j][i])),
         gyroscopic: filled(|i, j| -half * (by_v[i][j] - by_v[j][i])),

@@ -13,7 +13,7 @@
 //! | [`Tangent::linearize`] | M, C, G, K and ẋ = A x + B u about a state |
 //! | [`Tangent::modes`] | frequencies, damping ratios and shapes of small oscillations |
 //! | [`Tangent::inverse_dynamics`] | forces that a given motion needs |
-//! | [`Sensitive::sensitivities`] | derivatives of accelerations and multipliers by parameters |
+//! | [`Parametric::sensitivities`] | derivatives of accelerations and multipliers by parameters |
 //! | [`Sensitive::variational`] | the motion with its derivatives by the start and by parameters |
 //! | [`Variational::monodromy`] | Floquet multipliers of a periodic motion |
 mod equilibrium;
@@ -45,7 +45,7 @@ pub use modes::Mode;
 pub use monodromy::Monodromy;
 pub use reduced::{reduced, reduced_by_inputs, reduced_residual};
 pub use response::Response;
-pub use sensitive::{ByParameters, Sensitive, Sensitivities};
+pub use sensitive::{ByParameters, Parametric, Sensitive, Sensitivities};
 pub use variational::{Transition, Variational, VariationalMotion};
 
 /// r = f + Aᵀλ − M a, and A a − γ of the constraints: both zero on the motion.
@@ -124,7 +124,8 @@ pub struct Place<'a, R, const N: usize, const K: usize, const C: usize> {
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the equations of `{Self}` are not generated",
     label = "this needs `jacobians`",
-    note = "say so in the attribute: `#[lagrangian(coordinates = […], jacobians)]`"
+    note = "say so in the attribute: `#[lagrangian(coordinates = […], jacobians)]`",
+    note = "a system with contacts or dry friction has derivatives of its motions alone, by `variational`"
 )]
 pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linearized<N, K> {
     /// Which constraints are holonomic.
@@ -279,7 +280,9 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// that moment. In general they are not frequencies of a motion. For example, a bead at rest in a
     /// whirling hoop has other eigenvalues in Cartesian coordinates than by its angle in the turning frame:
     /// describe such a state by coordinates in which it is at rest. The same holds without constraints where
-    /// the linear equations change along the motion.
+    /// the linear equations change along the motion. Deviations of an orientation are seen in axes that turn with
+    /// the body, where a steady spin of a body about an axis of symmetry, or a free one about a principal axis, has
+    /// equations that do not change.
     ///
     /// Golub and Van Loan, *Matrix Computations*, 4th ed., chapters 7 and 8.
     ///
@@ -297,7 +300,8 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         Self: Sized,
         Self::Scalar: Ordered + Into<f64>,
     {
-        modes::modes(&self.linearize(state, u)?).map_err(|cause| MotionError { cause, t: state.t })
+        let model = linear_model::linearize_turning(self, state, u)?;
+        modes::modes(&model).map_err(|cause| MotionError { cause, t: state.t })
     }
 
     /// The generalized forces that a motion with accelerations `a` needs, with all inputs at zero: M a − f,

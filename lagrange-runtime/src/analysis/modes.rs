@@ -77,7 +77,9 @@ where
         return Err(Cause::NotFinite);
     }
     let equations = SecondOrder::new(model, &mass);
-    let is_reversible = equations.as_ref().is_some_and(|equations| equations.is_reversible(unit));
+    // Of equations that are of the first order, as about a spin, the symmetry is not known: an eigenvalue that
+    // rounding could have moved off an axis is on it.
+    let is_reversible = equations.as_ref().is_none_or(|equations| equations.is_reversible(unit));
     let mut modes = match equations.and_then(|equations| equations.modes(&mass, unit)) {
         Some(modes) => modes,
         None => general(model, matrix, &mass, unit, is_reversible).ok_or(Cause::NoEigenvalues)?,

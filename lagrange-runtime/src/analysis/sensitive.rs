@@ -46,10 +46,10 @@ pub struct Sensitivities<R, const N: usize, const C: usize, const P: usize> {
     pub multipliers: SMatrix<R, C, P>,
 }
 
-/// A system with derivatives by its start and by the `P` parameters that its attribute lists as
-/// `sensitivities` (`P` may be zero), in `D` directions at once.
+/// A system whose motions have derivatives by the start and by the `P` parameters that its attribute lists as
+/// `sensitivities` (`P` may be zero), in `D` directions at once; `C` counts constraints, contacts and frictions.
 #[diagnostic::on_unimplemented(
-    message = "the derivatives of the equations of `{Self}` are not generated",
+    message = "the derivatives of the motions of `{Self}` are not generated",
     label = "this needs `jacobians`, and `sensitivities = […]` for derivatives by parameters",
     note = "say so in the attribute: `#[lagrangian(coordinates = […], sensitivities = [self.mass])]`"
 )]
@@ -59,7 +59,7 @@ pub trait Sensitive<
     const C: usize = 0,
     const P: usize = 0,
     const D: usize = 0,
->: Tangent<N, K, C>
+>: System<N, K>
 {
     /// The parameters in the order of all columns, as they are written.
     const PARAMETERS: [&'static str; P];
@@ -74,6 +74,27 @@ pub trait Sensitive<
     /// combination of start and parameters, and second ones by duals of duals, are motions like others.
     fn over<R: Real>(&self, parameter: impl FnMut(Self::Scalar, Option<usize>) -> R) -> Self::Over<R>;
 
+    /// The system with states that carry their derivatives by the start and by the parameters: its
+    /// [`motion`](Variational::motion) has the state-transition matrix.
+    fn variational(&self) -> Variational<'_, Self, N, K, C, P, D>
+    where
+        Self: Sized,
+        Self::Scalar: Ordered,
+    {
+        Variational::new(self)
+    }
+}
+
+/// A system whose equations have derivatives by the `P` parameters that its attribute lists as `sensitivities`.
+#[diagnostic::on_unimplemented(
+    message = "the derivatives of the equations of `{Self}` by parameters are not generated",
+    label = "this needs `sensitivities = […]`",
+    note = "say so in the attribute: `#[lagrangian(coordinates = […], sensitivities = [self.mass])]`",
+    note = "a system with contacts or dry friction has derivatives of its motions alone, by `variational`"
+)]
+pub trait Parametric<const N: usize, const K: usize = 0, const C: usize = 0, const P: usize = 0>:
+    Tangent<N, K, C>
+{
     /// Derivatives of the equations by the parameters.
     fn by_parameters_at(
         &self,
@@ -104,15 +125,5 @@ pub trait Sensitive<
         } else {
             Err(MotionError { cause: Cause::NotFinite, t: *t })
         }
-    }
-
-    /// The system with states that carry their derivatives by the start and by the parameters: its
-    /// [`motion`](Variational::motion) has the state-transition matrix.
-    fn variational(&self) -> Variational<'_, Self, N, K, C, P, D>
-    where
-        Self: Sized,
-        Self::Scalar: Ordered,
-    {
-        Variational::new(self)
     }
 }

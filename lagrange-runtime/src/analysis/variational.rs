@@ -7,6 +7,8 @@
 //! multipliers, of projections. Steps follow the errors of the derivatives as they follow those of the
 //! motion.
 //!
+//! Through impacts, dry friction and kinks the time of each switch is differentiated as well (`switching/saltation.rs`).
+//!
 //! A few directions are carried at once, and the motion is repeated for the others. So the memory is that of
 //! a few motions, whatever the size of the system.
 
@@ -205,7 +207,8 @@ where
     }
 
     /// A motion from a state, with inputs at zero. Of a constrained system the derivatives at the start are
-    /// those of the nearest consistent state, so that every column obeys the constraints.
+    /// those of the nearest consistent state, so that every column obeys the constraints; likewise of a system with
+    /// contacts on those that are closed.
     ///
     /// # Errors
     /// What is wrong with the constraints at the start.
@@ -215,7 +218,14 @@ where
     ) -> Result<VariationalMotion<'_, S, N, K, C, P, D>, MotionError<S::Scalar>> {
         let free = Transition::<_, N, P>::at(start);
         let mut transition = free;
-        if C > 0 {
+        if <Varied<S, N, K, C, P, D> as System<N, K>>::SWITCHED {
+            for first in passes::<N, P, D>() {
+                let system = over(self.system, first);
+                let mut pass: Place<Pass<'_, Varied<S, N, K, C, P, D>, N, K>> =
+                    placed(Simulation::new(&system, free.varied(first)));
+                transition.take(first, pass.settled().map_err(without_slopes)?);
+            }
+        } else if C > 0 {
             let failed = |cause| MotionError { cause, t: start.t };
             for first in passes::<N, P, D>() {
                 let (system, mut varied) = (over(self.system, first), free.varied(first));
@@ -227,6 +237,11 @@ where
         let simulation = placed(Simulation::new(&self.first, transition.varied(0)));
         Ok(VariationalMotion { system: self.system, simulation, transition, counts: Steps::default() })
     }
+}
+
+/// An error of a motion of numbers with derivatives.
+fn without_slopes<R: Real, const D: usize>(error: MotionError<Dual<R, D>>) -> MotionError<R> {
+    MotionError { cause: error.cause, t: error.t.value }
 }
 
 /// The first direction of each pass.
@@ -294,11 +309,10 @@ where
         &mut self,
         t: S::Scalar,
     ) -> Result<Transition<S::Scalar, N, P>, MotionError<S::Scalar>> {
-        let failed = |error: MotionError<Dual<_, D>>| MotionError { cause: error.cause, t: error.t.value };
         let mut next = self.transition;
         for first in passes::<N, P, D>() {
             if first == 0 {
-                next.take(first, self.simulation.advance_to(Dual::constant(t)).map_err(failed)?);
+                next.take(first, self.simulation.advance_to(Dual::constant(t)).map_err(without_slopes)?);
                 continue;
             }
             let system = over(self.system, first);
@@ -308,7 +322,7 @@ where
             pass.set_inputs(self.simulation.inputs());
             *pass.limits() = *self.simulation.limits();
             let value = next.state;
-            next.take(first, pass.advance_to(Dual::constant(t)).map_err(failed)?);
+            next.take(first, pass.advance_to(Dual::constant(t)).map_err(without_slopes)?);
             next.state = value;
             let Steps { accepted, rejected, evaluations } = pass.steps();
             self.counts.accepted += accepted;

@@ -302,7 +302,8 @@ where
         saddle.solve(&none, &core::array::from_fn(|c| rates[c] - here.rates[c])).0
     }
 
-    /// A corrected state and its residuals; of a rough start one that is better, if there is one.
+    /// A corrected state, its residuals and the share of the correction that was taken. For a rough start the
+    /// share is halved until the state is closer to the constraints; `None` if it never is.
     fn corrected<const FAR: bool>(
         &self,
         system: &S,

@@ -10,6 +10,8 @@ use crate::number::real::Real;
 /// Columns that are solved for side by side: eight vectors of four, each with one result under way, fill
 /// the time that a result takes.
 pub(crate) const COLUMNS: usize = 32;
+/// Those of a last few.
+pub(crate) const FEW: usize = 16;
 
 /// The factors of a symmetric positive definite matrix.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +81,7 @@ impl<R: Real, const N: usize> Rows<R, N> {
     }
 
     /// Solves for some columns in place.
-    pub fn solve(&self, right: &mut [[R; COLUMNS]; N]) {
+    pub fn solve<const W: usize>(&self, right: &mut [[R; W]; N]) {
         for k in (0..N).rev() {
             let mut load = right[k];
             for i in self.columns.of(k) {
@@ -99,7 +101,7 @@ impl<R: Real, const N: usize> Rows<R, N> {
 
 /// row ← row − l · other.
 #[inline(always)]
-fn subtract<R: Real>(row: &mut [R; COLUMNS], l: R, other: &[R; COLUMNS]) {
+fn subtract<R: Real, const W: usize>(row: &mut [R; W], l: R, other: &[R; W]) {
     for (entry, &other) in row.iter_mut().zip(other) {
         *entry = R::mul_add(-l, other, *entry);
     }

@@ -33,12 +33,11 @@ pub(super) const REFINED: usize = 4;
 /// rank than another, or with other dependent rows, gives NaN; the other lanes are right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schur<R, const C: usize> {
-    /// L without its unit diagonal, below the diagonal; or the inverse: the row of what a component of y
-    /// adds to κ.
+    /// L below its unit diagonal, or the inverse of S.
     factor: [[R; C]; C],
     /// 1 / D.
     inverse: [R; C],
-    /// What `factor` is.
+    /// Whether `factor` is the inverse.
     inverted: bool,
     independence: Independence<R>,
     vanishing: Option<usize>,

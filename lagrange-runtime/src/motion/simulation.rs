@@ -280,6 +280,15 @@ where
         Ok(())
     }
 
+    /// The state in the regime that it begins with: on the contacts that are closed.
+    pub(crate) fn settled(&mut self) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
+        self.begin()?;
+        let Self { system, constants, control, limits, memory, state, .. } = self;
+        *state =
+            M::advance(memory, *system, constants, control, limits, state.t, &mut limits.attempts.clone())?;
+        Ok(&self.state)
+    }
+
     /// Refuses a bad target or bad limits.
     #[inline]
     pub(crate) fn check(&self, t: S::Scalar) -> Result<(), MotionError<S::Scalar>> {

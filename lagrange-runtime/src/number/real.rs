@@ -99,6 +99,14 @@ pub trait Real:
         self
     }
 
+    /// A number without value whose derivative in one direction is one: zero where there are no derivatives.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn infinitesimal(_direction: usize) -> Self {
+        Self::zero()
+    }
+
     /// The nearest value to a constant that is not a double, such as a tenth or ln 2. `high` is the double
     /// nearest to it, `low` the one nearest to the difference. The default ignores `low`, which is right for
     /// scalars with no more digits than `f64`.
@@ -336,4 +344,4 @@ pub(crate) fn extent<R: Ordered>(x: R) -> R {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -20,8 +20,8 @@ const fn is_wide<R: Real>() -> bool {
     size_of::<R>() > size_of::<R::Lane>()
 }
 
-/// Factors of `L` products, coefficients of the orders 1 to `P` (at the index before). Where each factor is
-/// stored once, the first `L` of them stand on the left and the others on the right.
+/// The factors of `L` products. Row k − 1 holds their coefficients of order k, for orders 1 to `P`. Where each
+/// factor is stored once, the first `L` of them stand in `left` and the others in `right`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Tables<R, const L: usize, const P: usize> {

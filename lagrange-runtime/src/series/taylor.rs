@@ -91,6 +91,16 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         Self { error: R::epsilon() * size, ..Self::constant(value) }
     }
 
+    /// The same without derivatives of its numbers.
+    #[inline]
+    pub(crate) fn plain(&self) -> Self {
+        if R::PARTS == 1 {
+            return *self;
+        }
+        let plain = |x: R| x.part(0);
+        Self { coefficients: self.coefficients.map(plain), error: plain(self.error), ..*self }
+    }
+
     /// The coefficients up to the degree.
     #[inline]
     pub(crate) fn terms(&self) -> &[R] {

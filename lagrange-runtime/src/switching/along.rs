@@ -233,7 +233,7 @@ where
     ) -> Functions<Taylor<S::Scalar, T>, C, W> {
         let mut functions = S::functions_in(self.in_regime, Taylor::constant, part.t, &part.q, &part.v);
         self.guard(&mut functions, &part.reactions, Taylor::constant);
-        functions
+        functions.plain()
     }
 
     /// The guards at one end of it, with the roundings of the whole.
@@ -250,7 +250,7 @@ where
         let (q, v) = (part.q.each_ref().map(known), part.v.each_ref().map(known));
         let mut functions = S::functions_in(self.in_regime, Taylor::constant, known(&part.t), &q, &v);
         self.guard(&mut functions, &part.reactions.each_ref().map(known), Taylor::constant);
-        functions
+        functions.plain()
     }
 
     /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its zero.

@@ -10,6 +10,7 @@ use crate::system::control::Held;
 use crate::system::error::Cause;
 use crate::system::error::magnitude;
 use crate::system::method::Adaptive;
+use crate::system::name::Name;
 use crate::system::state::State;
 
 impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
@@ -40,6 +41,12 @@ where
         let closed = self.penetrating(&state, &laws)?;
         let known = Known { closed, fired: None, settled: false };
         let regime = self.settle(&mut state, &present, known, false, num_traits::Zero::zero())?;
+        if S::Scalar::PARTS > 1
+            && let Some(row) =
+                self.memory.impulses.iter().position(|impulse| *impulse != num_traits::Zero::zero())
+        {
+            return Err(Cause::SwitchesCoincide { name: S::NAMES.constraint(row), other: Name::NONE });
+        }
         if state.t == self.memory.end.t {
             self.enter(regime, state);
         } else {

@@ -43,6 +43,21 @@ impl<T, const C: usize, const W: usize> Functions<T, C, W> {
     }
 }
 
+impl<R: Ordered, const T: usize, const C: usize, const W: usize> Functions<Taylor<R, T>, C, W> {
+    /// The same without derivatives of their numbers: where they are zero, values tell alone.
+    pub(super) fn plain(self) -> Self {
+        if R::PARTS == 1 {
+            return self;
+        }
+        let plain = |x: &Taylor<R, T>| x.plain();
+        Self {
+            rows: self.rows.each_ref().map(plain),
+            fixed: self.fixed.each_ref().map(plain),
+            kinks: self.kinks.each_ref().map(plain),
+        }
+    }
+}
+
 /// Values of all guards and their sizes.
 #[derive(Clone, Copy, Debug)]
 struct Values<R, const C: usize, const W: usize> {
@@ -214,7 +229,22 @@ where
             reactions = core::array::from_fn(|row| Rounded::sum_of(multipliers[row], sizes[row]));
         }
         self.guard(&mut functions, &reactions, Taylor::constant);
-        functions
+        functions.plain()
+    }
+
+    /// One of the guards at a state with its derivatives.
+    pub(super) fn varying(&self, guard: Guard, state: &State<S::Scalar, N>) -> S::Scalar {
+        let State { t, q, v } = state;
+        let mut functions = S::functions_in(self.in_regime, |x| x, *t, q, v);
+        let reactions =
+            if self.watch.reactions { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
+        self.guard(&mut functions, &reactions, |x| x);
+        *functions.get(guard)
+    }
+
+    /// All guards that are looked at.
+    pub(super) fn all(&self) -> impl Iterator<Item = Guard> + '_ {
+        (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row).chain((0..W).map(Guard::Kink))
     }
 
     /// One of the guards at a state, likewise.

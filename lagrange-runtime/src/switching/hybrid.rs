@@ -15,7 +15,7 @@ use super::run::Run;
 use super::scene::Scales;
 use super::standstill::is_at_rest;
 use super::{Regime, Switching};
-use crate::number::real::Ordered;
+use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
 use crate::system::error::MotionError;
@@ -55,6 +55,9 @@ where
     where
         S::Scalar: Ordered,
     {
+        const {
+            assert!(S::Scalar::DEPTH < 2, "motions through contacts and kinks have first derivatives alone");
+        }
         let regime = Regime::open(&S::ROWS);
         let in_regime = system.in_regime(&regime);
         HybridMemory {

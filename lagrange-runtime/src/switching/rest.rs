@@ -21,6 +21,14 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
+    /// Why a motion with derivatives ends where impacts are taken together.
+    #[cold]
+    pub(super) fn accumulation(&self) -> Cause {
+        let opens = |row: &usize| self.is_closed[*row] && self.status[*row] == Status::Apart;
+        let constraint = (0..C).find(opens).unwrap_or(0);
+        Cause::ImpactsAccumulate { constraint, name: S::NAMES.constraint(constraint) }
+    }
+
     /// The velocities with those contacts closed that an impact would open for a negligible time only, and the impulses
     /// that close them; `None` where no contact is of this kind. The scene is one without an impact.
     pub(super) fn gathered(

@@ -88,6 +88,9 @@ where
                 scene = &later;
             }
             if let Some((v, more)) = scene.gathered(present, scales, self.limits.relative)? {
+                if S::Scalar::PARTS > 1 {
+                    return Err(scene.accumulation());
+                }
                 state.v = v;
                 *impulses = core::array::from_fn(|row| impulses[row] + more[row]);
                 (known.closed, known.settled) = (scene.is_closed, true);
@@ -99,9 +102,12 @@ where
                 *seen = most(*seen, now.abs());
             }
             self.memory.way = choice.accelerations;
+            // The time of a state is a number alone: what it varies by is in `late`.
+            state.t = state.t.part(0);
             if choice.later.is_positive() {
-                state.t += choice.later;
-                shift(state, &choice.accelerations, late + choice.later);
+                let later = choice.later.part(0);
+                state.t += later;
+                shift(state, &choice.accelerations, late + later);
             } else {
                 state.v = choice.velocities;
                 shift(state, &choice.accelerations, late);
@@ -115,6 +121,7 @@ where
         let State { t, q, v } = *state;
         let constants = in_regime.constants();
         let a = in_regime.accelerations_at(&constants, t, &q, &v, &self.control.0);
+        state.t = t.part(0);
         shift(state, &a, late);
         in_regime.project_at(&constants, state, None)?;
         Ok(*present)
@@ -274,7 +281,7 @@ where
         };
         let state = at_time(part)?;
         let late = match passed {
-            Some(passed) => (state.t - start.t) - passed,
+            Some(passed) => (state.t - start.t) - passed.part(0),
             None => guards.late(guard, [&at_time(part * S::Scalar::from_f64(EARLIER))?, &state]),
         };
         Ok(Some(Event { state, guard, late }))
@@ -311,50 +318,32 @@ where
             }
         }
         // A slip in two directions has turned by a right angle: the step goes on from there.
+        let mut regime_ends = true;
         if let Some(row) = fired
             && let Row::Friction { pair: Some(other), .. } = S::ROWS[row]
             && !present.active[row]
             && !self.rests(row, other, &state)
         {
-            (fired, avoid) = (None, false);
+            (fired, avoid, regime_ends) = (None, false, false);
         }
         // Back to the event itself.
         let State { t, q, v } = state;
-        let a = self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
-        shift(&mut state, &a, -late);
+        let mut a =
+            self.memory.in_regime.accelerations_at(&self.memory.constants, t, &q, &v, &self.control.0);
+        if S::Scalar::PARTS > 1 {
+            self.complete(guard, &mut a, t);
+        }
         let known = Known { closed: present.active, fired, settled: false };
-        let regime = self.settle(&mut state, &present, known, avoid, late)?;
+        let varied = if S::Scalar::PARTS > 1 && regime_ends {
+            self.varied(guard, &state, &a, |run, state| run.settle(state, &present, known, avoid, late))?
+        } else {
+            num_traits::Zero::zero()
+        };
+        shift(&mut state, &a, varied - late);
+        state.t += varied;
+        let regime = self.settle(&mut state, &present, known, avoid, late - varied)?;
         self.memory.next = Some((regime, state));
         Ok(())
-    }
-
-    /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through it as
-    /// they are. At the kink itself a function may be no more than roundings: its size is that along the piece.
-    fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
-        let part = S::Scalar::epsilon().sqrt();
-        let mut middle = None;
-        let mut place = 0;
-        let mut found = false;
-        let system = self.system;
-        let memory = &mut *self.memory;
-        let (inner, in_regime, constants) = (&mut memory.inner, &memory.in_regime, &memory.constants);
-        let (control, limits, start) = (self.control, self.limits, memory.start);
-        system.corners_at(state.t, &state.q, &state.v, |own, gain, size| {
-            place += 1;
-            if own != kink || !above(gain.abs(), part * size) {
-                return;
-            }
-            let half = S::Scalar::from_f64(0.5) * (start.t + state.t);
-            let state = *middle.get_or_insert_with(|| {
-                M::sample(inner, in_regime, constants, control, limits, half, &mut 0).unwrap_or(start)
-            });
-            let mut other = 0;
-            system.corners_at(state.t, &state.q, &state.v, |_, _, size| {
-                other += 1;
-                found = found || other == place && above(gain.abs(), part * size);
-            });
-        });
-        found
     }
 
     /// The state at time `t`.

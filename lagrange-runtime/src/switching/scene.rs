@@ -236,7 +236,7 @@ where
         let ulps = S::Scalar::from_f64(8.0) * S::Scalar::epsilon();
         for (v, &unit) in v.iter_mut().zip(&self.units) {
             if !above(v.abs(), ulps * fastest * unit) {
-                *v = zero;
+                *v -= v.part(0);
             }
         }
     }

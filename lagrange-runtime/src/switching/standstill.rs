@@ -69,9 +69,9 @@ where
             shift(&mut state, &a, left);
             let present = memory.regime;
             let known = Known { closed: present.active, fired: Some(row), settled: false };
-            let regime = self.settle(&mut state, &present, known, true, num_traits::Zero::zero())?;
+            let regime = self.settle(&mut state, &present, known, true, left.part(0) - left)?;
             // Where another slip begins at once, that is the way.
-            if state.t == t + left {
+            if state.t == t + left.part(0) {
                 self.memory.way = a;
             }
             self.memory.next = Some((regime, state));
@@ -86,5 +86,6 @@ pub(super) fn is_at_rest<R: Real, const N: usize>(start: &State<R, N>, end: &Sta
     let are_still = [start, end].iter().all(|state| state.v.iter().all(|&v| v == R::zero()));
     let ulps = R::from_f64(4.0) * R::epsilon();
     let mut places = start.q.iter().zip(&end.q);
-    start.t != end.t && are_still && places.all(|(&a, &b)| !above((b - a).abs(), ulps * a.abs()))
+    let stays = |a: R, b: R| (0..R::PARTS).all(|i| !above((b - a).part(i).abs(), ulps * a.part(i).abs()));
+    start.t != end.t && are_still && places.all(|(&a, &b)| stays(a, b))
 }

@@ -28,9 +28,10 @@ impl<R: Real, const C: usize> Turning<R, C> {
         let mut share = R::from_f64(0.25);
         if let Some((before, lacked)) = self.last {
             let (mut along, mut square) = (R::zero(), R::zero());
-            for row in 0..C {
-                let change = lack[row] - lacked[row];
-                along += (x[row] - before[row]) * change;
+            // Derivatives are iterated as the values are, by the same operator.
+            for (row, part) in (0..C).flat_map(|row| (0..R::PARTS).map(move |part| (row, part))) {
+                let change = (lack[row] - lacked[row]).part(part);
+                along += (x[row] - before[row]).part(part) * change;
                 square += change * change;
             }
             if square.is_positive() && along != R::zero() {

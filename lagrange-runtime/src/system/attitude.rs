@@ -8,9 +8,11 @@
 //! (Schaub and Junkins, *Analytical Mechanics of Space Systems*, 4th ed., section 3.5, where σ = ρ/4.)
 
 mod axes;
+mod drift;
 mod motion;
 
 pub use axes::{BodyAxes, ByName};
+pub(crate) use drift::drift;
 
 use nalgebra::{Isometry3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 use num_traits::Zero;
@@ -47,7 +49,7 @@ fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
 
 /// The three numbers that begin at a place.
 #[inline(always)]
-fn triple<R: Real, const N: usize>(numbers: &[R; N], first: usize) -> [R; 3] {
+pub(crate) fn triple<R: Real, const N: usize>(numbers: &[R; N], first: usize) -> [R; 3] {
     numbers.get(first..first + 3).and_then(<[R]>::first_chunk).copied().unwrap_or([R::zero(); 3])
 }
 
@@ -60,13 +62,15 @@ pub fn rotation<R: Real>(rho: [R; 3]) -> UnitQuaternion<R> {
     Unit::new_unchecked(Quaternion::from_vector(nalgebra::Vector4::new(x, y, z, (R::one() - s) * reciprocal)))
 }
 
-/// The parameters of an orientation, those of the turn by half a turn at most.
+/// The parameters of an orientation, those of the turn by half a turn at most. A quaternion of any length is the
+/// orientation of the unit one in its direction; zero has none, and gives no numbers.
 #[must_use]
 pub fn parameters<R: Real>(rotation: &UnitQuaternion<R>) -> [R; 3] {
     let [x, y, z, w]: [R; 4] = rotation.as_ref().coords.into();
+    let length = (square([x, y, z]) + w * w).sqrt();
     // Both signs of a quaternion are one orientation.
     let sign = w.signum();
-    let scale = R::from_f64(4.0) * sign / (R::one() + w * sign);
+    let scale = R::from_f64(4.0) * sign / (length + w * sign);
     [x * scale, y * scale, z * scale]
 }
 
@@ -189,6 +193,17 @@ mod tests {
         let small = UnitQuaternion::new(Vector3::new(1e-5, -2e-5, 3e-5));
         let [x, y, z] = parameters(&small);
         assert!((Vector3::new(x, y, z) - small.scaled_axis()).norm() < 1e-14);
+    }
+
+    #[test]
+    fn a_quaternion_of_any_length_is_an_orientation() {
+        for (turn, length) in turns().zip([1e-3, 0.5, 2.0, 1e3].into_iter().cycle()) {
+            let long = parameters(&Unit::new_unchecked(turn.into_inner() * length));
+            assert!(long.iter().zip(parameters(&turn)).all(|(a, b)| (a - b).abs() < 4e-15));
+        }
+        assert!(
+            parameters(&Unit::new_unchecked(Quaternion::from([0.0; 4]))).iter().all(|x: &f64| x.is_nan())
+        );
     }
 
     /// Along ρ + τ ρ′ the quaternion turns by ω: compared with a difference of quaternions.

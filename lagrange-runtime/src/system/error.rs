@@ -144,6 +144,27 @@ pub enum Cause {
         /// The function that it stands in.
         name: Name,
     },
+    /// A motion with derivatives meets a switch without speed, so that it has none: a start beside this one passes by.
+    Grazes {
+        /// Index of the constraint or kink.
+        switch: usize,
+        /// Its name: that of the contact, the friction or the function with the kink.
+        name: Name,
+    },
+    /// A motion with derivatives meets two switches at once, so that it has none: which is first depends on the start.
+    SwitchesCoincide {
+        /// The name of one of them.
+        name: Name,
+        /// That of the other one; empty where the motion begins in an impact.
+        other: Name,
+    },
+    /// A motion with derivatives comes to infinitely many impacts in finite time, through which none are computed.
+    ImpactsAccumulate {
+        /// Index of the contact.
+        constraint: usize,
+        /// Its name.
+        name: Name,
+    },
     /// Impacts and friction cannot be followed backward in time.
     Irreversible,
     /// A fixed step is too long for the constraints: bringing its end back onto them would change the state
@@ -199,6 +220,9 @@ impl Cause {
             | Self::HeldAtKink { .. }
             | Self::EnergyJumps { .. }
             | Self::MomentumJumps { .. }
+            | Self::Grazes { .. }
+            | Self::SwitchesCoincide { .. }
+            | Self::ImpactsAccumulate { .. }
             | Self::Irreversible
             | Self::StepTooLong
             | Self::NotFinite

@@ -5,7 +5,7 @@
 
 use nalgebra::SMatrix;
 
-use crate::linear::{COLUMNS, Lu, Rows};
+use crate::linear::{COLUMNS, FEW, Lu, Rows};
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::diagnose;
@@ -121,40 +121,66 @@ fn solved<R: Real, const N: usize, const K: usize>(
         return Some(jacobians);
     };
     // All columns of the three stand beside each other.
-    for first in (0..N + N + K).step_by(COLUMNS) {
-        let mut columns = [[R::zero(); COLUMNS]; N];
-        for (i, columns) in columns.iter_mut().enumerate() {
-            take(columns, first, 0, &by_q[i]);
-            take(columns, first, N, &by_v[i]);
-            take(columns, first, N + N, &by_u[i]);
-        }
-        factors.solve(&mut columns);
-        put(&columns, first, 0, &mut jacobians.by_q);
-        put(&columns, first, N, &mut jacobians.by_v);
-        put(&columns, first, N + N, &mut jacobians.by_u);
+    let (mut first, count) = (0, N + N + K);
+    while first < count {
+        first = if count - first > FEW {
+            side_by_side::<R, N, K, COLUMNS>(&factors, linearization, by_u, first, &mut jacobians)
+        } else {
+            side_by_side::<R, N, K, FEW>(&factors, linearization, by_u, first, &mut jacobians)
+        };
     }
     Some(jacobians)
 }
 
+/// Solves for some columns from the `first` on; the next.
+fn side_by_side<R: Real, const N: usize, const K: usize, const W: usize>(
+    factors: &Rows<R, N>,
+    Linearization { by_q, by_v, .. }: &Linearization<R, N>,
+    by_u: &[[R; K]; N],
+    first: usize,
+    jacobians: &mut Jacobians<R, N, K>,
+) -> usize {
+    let mut columns = [[R::zero(); W]; N];
+    for (i, columns) in columns.iter_mut().enumerate() {
+        take(columns, first, 0, &by_q[i]);
+        take(columns, first, N, &by_v[i]);
+        take(columns, first, N + N, &by_u[i]);
+    }
+    factors.solve(&mut columns);
+    put(&columns, first, 0, &mut jacobians.by_q);
+    put(&columns, first, N, &mut jacobians.by_v);
+    put(&columns, first, N + N, &mut jacobians.by_u);
+    first + W
+}
+
 /// The columns from `first` on that a matrix has, which begins at `offset`: in the target, and in the matrix.
-fn common(first: usize, offset: usize, width: usize) -> Option<(core::ops::Range<usize>, usize)> {
-    let (low, high) = (first.max(offset), (first + COLUMNS).min(offset + width));
+fn common<const W: usize>(
+    first: usize,
+    offset: usize,
+    width: usize,
+) -> Option<(core::ops::Range<usize>, usize)> {
+    let (low, high) = (first.max(offset), (first + W).min(offset + width));
     (low < high).then(|| (low - first..high - first, low - offset))
 }
 
-fn take<R: Real, const C: usize>(columns: &mut [R; COLUMNS], first: usize, offset: usize, row: &[R; C]) {
-    if let Some((range, from)) = common(first, offset, C) {
+fn take<R: Real, const C: usize, const W: usize>(
+    columns: &mut [R; W],
+    first: usize,
+    offset: usize,
+    row: &[R; C],
+) {
+    if let Some((range, from)) = common::<W>(first, offset, C) {
         columns[range].iter_mut().zip(&row[from..]).for_each(|(column, &entry)| *column = entry);
     }
 }
 
-fn put<R: Real, const N: usize, const C: usize>(
-    columns: &[[R; COLUMNS]; N],
+fn put<R: Real, const N: usize, const C: usize, const W: usize>(
+    columns: &[[R; W]; N],
     first: usize,
     offset: usize,
     matrix: &mut SMatrix<R, N, C>,
 ) {
-    let Some((range, from)) = common(first, offset, C) else { return };
+    let Some((range, from)) = common::<W>(first, offset, C) else { return };
     for (column, target) in range.zip(&mut matrix.data.0[from..]) {
         target.iter_mut().zip(columns).for_each(|(entry, row)| *entry = row[column]);
     }

@@ -10,10 +10,13 @@
 //! I, B and F add up over all bodies that a coordinate moves. So a pair of coordinates takes a few dot
 //! products, and nothing is carried from link to link (Carpentier and Mansard, RSS 2018; Singh, Russell and
 //! Wensing, IEEE Robotics and Automation Letters 7, 2022). B asks for the angular part of x alone: B x = 2
-//! (G x, −P × x), with the momentum P. All vectors are in space axes, about a point of space at which one
-//! of the bodies is.
+//! (G x, −P × x), with the momentum P. All vectors are in space axes. What a group moves is added up about a point
+//! of its own, at one of its bodies: about a point at a distance d, a small moment of inertia would be a
+//! difference of numbers of size m d². Only coordinates of different groups meet about a common point.
 
 mod composite;
+#[cfg(test)]
+mod tests;
 
 use crate::number::real::Real;
 use crate::system::linearized::Linearization;
@@ -35,7 +38,9 @@ pub struct Group {
 /// What a state is for the groups.
 #[derive(Clone, Copy, Debug)]
 pub struct Screws<R, const N: usize, const G: usize, const C: usize, const P: usize> {
-    /// S of each coordinate: angular part, linear part.
+    /// The point of each group, from a common one.
+    pub points: [Vector<R>; G],
+    /// S of each coordinate about the point of its group: angular part, linear part.
     pub screws: [[R; 6]; N],
     /// Ṡ and S̈ where they are given, in the order of groups.
     pub rates: [[[R; 6]; 2]; C],
@@ -104,7 +109,10 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
         let free = Pair([R::zero(); 3], self.gravity.map(|g| -g));
         for (place, group) in groups.iter().enumerate() {
             let (mut twist, mut acceleration) = match twists.get(group.parent) {
-                Some(&twist) => (twist, accelerations[group.parent]),
+                Some(twist) => {
+                    let arm = self.arm(place, group.parent);
+                    (twist.at(&arm), accelerations[group.parent].at(&arm))
+                }
                 None => (nothing, free),
             };
             for &j in group.coordinates {
@@ -131,10 +139,15 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
         for (place, group) in groups.iter().enumerate().rev() {
             let own = composites[place];
             if let Some(parent) = composites.get_mut(group.parent) {
-                parent.add(&own);
+                parent.add(&own, &self.arm(place, group.parent));
             }
         }
         (rates, composites)
+    }
+
+    /// To the point of a group from that of another.
+    fn arm(&self, to: usize, from: usize) -> Vector<R> {
+        [0, 1, 2].map(|i| self.points[to][i] - self.points[from][i])
     }
 
     fn screw(&self, coordinate: usize) -> Pair<R> {
@@ -154,14 +167,22 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
         let mut ends = [0; G];
         let mut changes = self.changes.iter();
         for (place, (group, bodies)) in groups.iter().zip(composites).enumerate() {
-            let start = ends.get(group.parent).copied().unwrap_or(0);
-            let end = start + group.coordinates.len();
-            ends[place] = end;
+            let above = ends.get(group.parent).copied().unwrap_or(0);
+            ends[place] = above + group.coordinates.len();
+            let point = &self.points[place];
             for (k, &j) in group.coordinates.iter().enumerate() {
-                path.put(start + k, j, &self.screw(j), &rates[j]);
-            }
-            for &j in group.coordinates {
-                path.pairs_with(j, &Moving::of(bodies, &self.screw(j), &rates[j]), start, end, &mut result);
+                let (screw, [rate, second]) = (self.screw(j), rates[j]);
+                path.put(above + k, j, &[screw, rate, second].map(|part| part.from(point)));
+                let moving = Moving::of(bodies, &screw, &rates[j]);
+                for &i in group.coordinates {
+                    let other = self.screw(i);
+                    result.mass[i][j] = other.dot(&moving.momentum);
+                    result.by_q[i][j] = -other.dot(&moving.by_q);
+                    result.by_v[i][j] = -other.dot(&moving.by_v);
+                }
+                if above > 0 {
+                    path.pairs_with(j, &moving.from(point), above, &mut result);
+                }
             }
             if group.given < C {
                 for &i in group.coordinates {
@@ -197,6 +218,13 @@ impl<R: Real> Moving<R> {
             back: bodies.gyrates_back(screw),
         }
     }
+
+    /// The same about the point that this one's point is counted from.
+    fn from(&self, point: &Vector<R>) -> Self {
+        let [momentum, by_q, by_v] =
+            [&self.momentum, &self.by_q, &self.by_v].map(|wrench| wrench.wrench_from(point));
+        Moving { momentum, by_q, by_v, back: self.back }
+    }
 }
 
 impl<R: Real, const N: usize> Path<R, N> {
@@ -204,36 +232,26 @@ impl<R: Real, const N: usize> Path<R, N> {
         Path { coordinates: [0; N], blocks: [[[R::zero(); LANES]; 18]; N] }
     }
 
-    fn put(&mut self, place: usize, coordinate: usize, screw: &Pair<R>, rates: &[Pair<R>; 2]) {
+    fn put(&mut self, place: usize, coordinate: usize, parts: &[Pair<R>; 3]) {
         self.coordinates[place] = coordinate;
         let block = &mut self.blocks[place / LANES];
-        let parts =
-            [screw, &rates[0], &rates[1]].into_iter().flat_map(|pair| pair.0.into_iter().chain(pair.1));
+        let parts = parts.iter().flat_map(Pair::parts);
         block.iter_mut().zip(parts).for_each(|(row, part)| row[place % LANES] = part);
     }
 
-    /// The entries of a coordinate with those on its path, of which the first `start` move more bodies than
-    /// it.
+    /// The entries of a coordinate with the first ones, which move more bodies.
     #[inline]
-    fn pairs_with(
-        &self,
-        j: usize,
-        moving: &Moving<R>,
-        start: usize,
-        end: usize,
-        result: &mut Linearization<R, N>,
-    ) {
+    fn pairs_with(&self, j: usize, moving: &Moving<R>, count: usize, result: &mut Linearization<R, N>) {
         let Moving { momentum, by_q, by_v, back } = moving;
         let (momentum, doubled) = (momentum.parts(), momentum.doubled().parts());
         let (by_q, by_v) = (by_q.parts(), by_v.parts());
-        let blocks = self.coordinates[..end].chunks(LANES).zip(&self.blocks);
-        for (first, (coordinates, block)) in (0..).step_by(LANES).zip(blocks) {
+        for (coordinates, block) in self.coordinates[..count].chunks(LANES).zip(&self.blocks) {
             let nothing = [R::zero(); LANES];
-            let (mut above, mut ahead, mut inertia, mut below, mut behind) =
+            let (mut across, mut ahead, mut inertia, mut below, mut behind) =
                 (nothing, nothing, nothing, nothing, nothing);
             for i in 0..6 {
                 let (screw, rate, second) = (&block[i], &block[6 + i], &block[12 + i]);
-                add(&mut above, by_q[i], screw);
+                add(&mut across, by_q[i], screw);
                 add(&mut ahead, by_v[i], screw);
                 add(&mut inertia, momentum[i], screw);
                 add(&mut below, momentum[i], second);
@@ -244,14 +262,12 @@ impl<R: Real, const N: usize> Path<R, N> {
                 add(&mut behind, back, &block[i]);
             }
             for (lane, &i) in coordinates.iter().enumerate() {
-                result.by_q[i][j] = -above[lane];
+                result.by_q[i][j] = -across[lane];
                 result.by_v[i][j] = -ahead[lane];
                 result.mass[i][j] = inertia[lane];
-                if first + lane < start {
-                    result.mass[j][i] = inertia[lane];
-                    result.by_q[j][i] = -below[lane];
-                    result.by_v[j][i] = -behind[lane];
-                }
+                result.mass[j][i] = inertia[lane];
+                result.by_q[j][i] = -below[lane];
+                result.by_v[j][i] = -behind[lane];
             }
         }
     }

@@ -10,5 +10,6 @@ mod modes;
 mod scalars;
 mod seeds;
 mod sensitivities;
+mod switches;
 mod variational;
 mod written_out;

@@ -6,6 +6,7 @@ mod corners;
 mod friction;
 mod kinks;
 mod laws;
+mod leashes;
 mod nested;
 mod normals;
 mod random;

@@ -18,4 +18,5 @@ mod scalars;
 mod sizes;
 mod spatial_bodies;
 mod time;
+mod unusual_numbers;
 mod velocities;

@@ -87,16 +87,8 @@ fn closed(loop_: &Bennett, first: f64) -> BennettCoordinates {
     BennettCoordinates { bars: [a, b, c] }
 }
 
-/// Without optimisation the generated functions of 18 coordinates and 20 constraints need more than the 2 MiB of a
-/// test's thread.
-const STACK: usize = 4 << 20;
-
 #[test]
 fn bennetts_loop_turns_with_one_degree_of_freedom() {
-    std::thread::Builder::new().stack_size(STACK).spawn(turn_bennetts_loop).unwrap().join().unwrap();
-}
-
-fn turn_bennetts_loop() {
     let (alpha, beta) = (0.6_f64, 1.1_f64);
     let loop_ = Bennett { lengths: [1.0, beta.sin() / alpha.sin()], twists: [alpha, beta] };
     // Twenty constraints on eighteen coordinates leave one motion.

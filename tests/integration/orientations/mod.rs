@@ -7,4 +7,5 @@ mod linkage;
 mod momenta;
 mod named;
 mod rolling;
+mod spin;
 mod tops;

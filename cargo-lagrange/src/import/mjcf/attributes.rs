@@ -146,6 +146,17 @@ impl<'a> Attributes<'a> {
 
     fn turn(&self, reader: &mut Reader<'a>, node: Element<'a>, options: &Options) -> Option<Rotation> {
         let tolerance = options.tolerance;
+        let written: Vec<&str> = ["quat", "axisangle", "euler", "xyaxes", "zaxis"]
+            .into_iter()
+            .filter(|form| node.has_attribute(*form))
+            .collect();
+        if let [first, second, ..] = written[..] {
+            reader.problem_of(
+                node,
+                second,
+                format!("it has an orientation by `{first}` already; remove one of them"),
+            );
+        }
         let not_zero = |reader: &mut Reader<'a>, attribute: &str| {
             reader.problem_of(
                 node,

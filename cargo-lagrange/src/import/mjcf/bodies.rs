@@ -182,7 +182,11 @@ impl<'r, 'a> Bodies<'r, 'a> {
             });
         let range: Option<[f64; 2]> = attributes.vector(self.reader, node, "range");
         let limited = attributes.text(self.reader, node, "limited").unwrap_or("auto");
-        let limits = range.filter(|[lower, upper]| limited != "false" && lower < upper);
+        let range = range.filter(|_| limited != "false");
+        if let Some([lower, upper]) = range.filter(|[lower, upper]| lower > upper) {
+            self.reader.problem_of(node, "range", format!("{lower} is above {upper}; exchange the two"));
+        }
+        let limits = range.filter(|[lower, upper]| lower < upper);
         let limits =
             limits.map(|limits| if turns { limits.map(|limit| attributes.radians(limit)) } else { limits });
         if kind.freedom() > 1 {

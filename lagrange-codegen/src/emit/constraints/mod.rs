@@ -18,7 +18,7 @@ pub(super) use methods::{balance_at, consistent, methods, of_balance};
 pub(in crate::emit) use places::PREFIX;
 pub(crate) use places::is_generated as is_force_on_place;
 pub(super) use record::{Held, declared, held, record, record_ident};
-pub(super) use surface::{Implementations, implementations, system};
+pub(super) use surface::{implementations, system};
 
 use super::{Emission, scalar};
 use crate::mechanics::{LoadRow, Switched};

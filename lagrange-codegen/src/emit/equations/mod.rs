@@ -103,6 +103,15 @@ impl Equations {
         format!("#[doc = {doc:?}]\npub const EQUATIONS: &'static str = {{ let text = {plain:?}; text }};\n")
     }
 
+    /// The constant `EQUATIONS_LATEX`.
+    pub fn formulas(&self, model: &Model) -> String {
+        let formulas = self.written(model, Notation::Latex);
+        format!(
+            "/// `EQUATIONS` in LaTeX, an `aligned` environment.\n\
+             pub const EQUATIONS_LATEX: &'static str = {{ let text = {formulas:?}; text }};\n"
+        )
+    }
+
     /// The equations as text.
     fn written(&self, model: &Model, notation: Notation) -> String {
         let mut writer = Writer { model, notation, names: Lookup::default() };

@@ -11,23 +11,14 @@ use crate::schedule::Operations;
 /// Longer expressions, in nodes written out, are left to the code.
 const LONGEST: u64 = 240;
 
-/// The page as markdown, and the constant `EQUATIONS_LATEX`.
-pub(in crate::emit) fn page(
-    emission: &mut Emission<'_>,
-    equations: &Equations,
-    after: Operations,
-) -> (String, String) {
+/// The page as markdown.
+pub(in crate::emit) fn page(emission: &mut Emission<'_>, equations: &Equations, after: Operations) -> String {
     let plain = equations.written(emission.model, Notation::Unicode);
-    let formulas = equations.written(emission.model, Notation::Latex);
-    let constants = format!(
-        "/// `EQUATIONS` in LaTeX, an `aligned` environment.\n\
-         pub const EQUATIONS_LATEX: &'static str = {{ let text = {formulas:?}; text }};\n"
-    );
     let mut text = format!("# Model\n\n{}", states(emission));
     text.push_str(&energies(emission));
     text.push_str(&format!("\nEquations of motion:\n\n```text\n{}```\n", folded(&plain)));
     text.push_str(&findings(emission, after));
-    (text, constants)
+    text
 }
 
 /// The table of the state.

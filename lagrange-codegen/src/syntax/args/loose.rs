@@ -1,26 +1,28 @@
 //! What declares something in arguments that do not parse: the items that follow from it outlive the mistake.
 
-use super::{Argument, Declaration, WORDS};
-use crate::syntax::item::Kind;
-use crate::syntax::pieces::{between_commas, is_punct, read_as};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+
+use super::{Argument, Declaration, KNOWN, WORDS};
+use crate::syntax::item::Kind;
+use crate::syntax::pieces::{between_commas, is_punct, read_as, unnamed};
 
 /// The arguments that can be read, wherever they stand.
 pub fn arguments(tokens: TokenStream) -> Vec<Argument> {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     let mut found: Vec<Argument> = Vec::new();
+    let mut claimed: Vec<usize> = Vec::new();
     for (place, tree) in trees.iter().enumerate() {
         let TokenTree::Ident(key) = tree else { continue };
-        let list = || trees[place + 1..].iter().take_while(|tree| !is_punct(tree, ',')).find_map(in_brackets);
         match key.to_string().as_str() {
-            "coordinates" | "inputs" => found.extend(list().map(|list| {
-                let names = between_commas(list).into_iter().filter_map(declaration);
-                Argument::Names(key.clone(), names.collect())
-            })),
-            "sensitivities" => found.extend(list().map(|list| {
-                let parameters = between_commas(list).into_iter().filter_map(read_as);
-                Argument::Sensitivities(key.clone(), parameters.collect())
-            })),
+            "coordinates" | "inputs" | "sensitivities" => {
+                let behind = trees[place + 1..].iter().take_while(|tree| !is_key(tree));
+                let list =
+                    behind.enumerate().find_map(|(distance, tree)| Some((distance, in_brackets(tree)?)));
+                if let Some((distance, list)) = list {
+                    claimed.push(place + 1 + distance);
+                    found.push(listed(key.clone(), list));
+                }
+            }
             "crate" => {
                 let path = trees.iter().skip(place + 2).take_while(|tree| !is_punct(tree, ','));
                 let path = read_as(path.cloned().collect());
@@ -32,17 +34,36 @@ pub fn arguments(tokens: TokenStream) -> Vec<Argument> {
             _ => {}
         }
     }
-    if found.iter().all(|argument| argument.key() != "coordinates")
-        && let Some(list) = trees.iter().find_map(in_brackets)
-    {
-        // They come first.
-        let key = Ident::new("coordinates", Span::call_site());
-        found.push(Argument::Names(key, between_commas(list).into_iter().filter_map(declaration).collect()));
+    // Lists whose key is missing come in this order, and parameters begin with `self`.
+    for (place, tree) in trees.iter().enumerate() {
+        let Some(list) = in_brackets(tree).filter(|_| !claimed.contains(&place)) else { continue };
+        let of_parameters =
+            matches!(list.clone().into_iter().next(), Some(TokenTree::Ident(word)) if word == "self");
+        let keys = if of_parameters { &["sensitivities"][..] } else { &["coordinates", "inputs"] };
+        let is_missing = |key: &&&str| found.iter().all(|argument| argument.key() != **key);
+        if let Some(key) = keys.iter().find(is_missing) {
+            found.push(listed(Ident::new(key, Span::call_site()), list));
+        }
     }
     let keys: Vec<String> = found.iter().map(|argument| argument.key().to_string()).collect();
     let mut place = 0..;
     found.retain(|_| place.next().is_some_and(|place| !keys[..place].contains(&keys[place])));
     found
+}
+
+fn is_key(tree: &TokenTree) -> bool {
+    matches!(tree, TokenTree::Ident(word) if KNOWN.iter().any(|key| word == key))
+}
+
+/// A list with its key. An element of which nothing can be read counts all the same.
+fn listed(key: Ident, list: TokenStream) -> Argument {
+    let elements = between_commas(list).into_iter();
+    if key == "sensitivities" {
+        let parameter = |tokens| read_as(tokens).unwrap_or_else(|| syn::parse_quote!(self));
+        return Argument::Sensitivities(key, elements.map(parameter).collect());
+    }
+    let names = elements.enumerate().map(|(place, tokens)| declaration(place, tokens));
+    Argument::Names(key.clone(), names.collect())
 }
 
 fn in_brackets(tree: &TokenTree) -> Option<TokenStream> {
@@ -52,17 +73,17 @@ fn in_brackets(tree: &TokenTree) -> Option<TokenStream> {
     }
 }
 
-/// A declared name with as much of its type as can be read.
-fn declaration(tokens: TokenStream) -> Option<Declaration> {
+/// A declared name with as much of its type as can be read. `place` tells it from others.
+fn declaration(place: usize, tokens: TokenStream) -> Declaration {
     if let Some(declaration) = read_as(tokens.clone()) {
-        return Some(declaration);
+        return declaration;
     }
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     let ident = trees.iter().find_map(|tree| match tree {
         // A keyword is no name.
         TokenTree::Ident(_) => read_as::<Ident>(tree.clone().into()),
         _ => None,
-    })?;
+    });
     let length = trees.iter().find_map(in_brackets).and_then(read_as);
     let named = |name: &str| trees.iter().any(|tree| matches!(tree, TokenTree::Ident(word) if word == name));
     let kind = if named("Rotation") {
@@ -72,5 +93,7 @@ fn declaration(tokens: TokenStream) -> Option<Declaration> {
     } else {
         Kind::Scalar
     };
-    Some(Declaration { ident, kind, length })
+    let ident = ident.filter(|ident| ident != "Rotation" && ident != "Pose");
+    let ident = ident.unwrap_or_else(|| unnamed(place, Span::call_site()));
+    Declaration { ident, kind, length }
 }

@@ -1,5 +1,5 @@
-//! Inertia forces of bodies and their derivatives from screws, body by body as they are defined: nothing is
-//! added up over bodies before a pair of coordinates asks.
+//! Inertia forces of bodies and their derivatives from screws, body by body as they are defined, all about one
+//! point: nothing is added up over bodies before a pair of coordinates asks.
 
 use super::value::unknown;
 use super::{Run, Value};
@@ -29,8 +29,10 @@ impl Forces {
     pub fn of(record: &Value, groups: &Value, v: &Value, a: &Value) -> Run<Forces> {
         let (v, a) = (v.to_numbers()?, a.to_numbers()?);
         let screws = sixes(record.field("screws")?)?;
-        let given: Vec<Vec<Six>> = record.field("rates")?.list()?.iter().map(sixes).collect::<Run<_>>()?;
+        let mut given: Vec<Vec<Six>> =
+            record.field("rates")?.list()?.iter().map(sixes).collect::<Run<_>>()?;
         let mut of_groups = sixes(record.field("changes")?)?.into_iter();
+        let points = record.field("points")?.to_rows()?;
         let gravity = record.field("gravity")?.to_numbers()?;
         let mut forces = Forces {
             groups: Vec::new(),
@@ -41,10 +43,19 @@ impl Forces {
             twists: Vec::new(),
             accelerations: Vec::new(),
         };
-        for group in groups.list()? {
+        for (place, group) in groups.list()?.iter().enumerate() {
             let index = |name: &str| group.field(name).and_then(index);
             let coordinates = group.field("coordinates")?.to_indices()?;
             let group = Group { parent: index("parent")?, coordinates, given: index("given")? };
+            let [x, y, z] = points[place][..] else { return unknown("a point".to_owned()) };
+            let point = [x, y, z];
+            for (k, &j) in group.coordinates.iter().enumerate() {
+                forces.screws[j] = carried(&forces.screws[j], &point);
+                for rate in given.get_mut(group.given + k).into_iter().flatten() {
+                    *rate = carried(rate, &point);
+                }
+            }
+            forces.inertias[place] = carried_inertia(&forces.inertias[place], &point);
             let fall = [0.0, 0.0, 0.0, -gravity[0], -gravity[1], -gravity[2]];
             let mut twist = forces.twists.get(group.parent).copied().unwrap_or_default();
             let mut acceleration = forces.accelerations.get(group.parent).copied().unwrap_or(fall);
@@ -75,7 +86,8 @@ impl Forces {
                 }
                 if group.given < given.len() {
                     for &j in &group.coordinates {
-                        forces.changes[i][j] = of_groups.next().unwrap_or([f64::NAN; 6]);
+                        let change = of_groups.next().unwrap_or([f64::NAN; 6]);
+                        forces.changes[i][j] = carried(&change, &point);
                     }
                 }
             }
@@ -167,6 +179,27 @@ fn sixes(value: &Value) -> Run<Vec<Six>> {
         .into_iter()
         .map(|row| row.try_into().or_else(|row| unknown(format!("{row:?}"))))
         .collect()
+}
+
+/// A twist about the origin, from that about a point.
+fn carried(twist: &Six, point: &[f64; 3]) -> Six {
+    let [w, u] = halves(twist);
+    let across = cross(point, &w);
+    joined(&w, &[0, 1, 2].map(|i| u[i] + across[i]))
+}
+
+/// An inertia about the origin, from that about a point: J + (2 h·p + m p²) 1 − h pᵀ − p hᵀ − m p pᵀ.
+fn carried_inertia(inertia: &[f64], p: &[f64; 3]) -> Vec<f64> {
+    let [m, hx, hy, hz, ..] = *inertia else { return vec![f64::NAN; 10] };
+    let h = [hx, hy, hz];
+    let along: f64 = (0..3).map(|i| (2.0 * h[i] + m * p[i]) * p[i]).sum();
+    let mut carried = inertia.to_vec();
+    (0..3).for_each(|i| carried[1 + i] += m * p[i]);
+    for (entry, (i, j)) in carried[4..].iter_mut().zip([(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)]) {
+        *entry -= h[i] * p[j] + p[i] * h[j] + m * p[i] * p[j];
+        *entry += if i == j { along } else { 0.0 };
+    }
+    carried
 }
 
 fn halves(&[a, b, c, d, e, f]: &Six) -> [[f64; 3]; 2] {

@@ -100,10 +100,10 @@ where
     Ok(())
 }
 
-/// Ends a step of a constrained motion where it can be checked and goes on well: at the length that it has,
-/// or near that. `measured` is what the step has and error control has measured, `natural` what it would
-/// allow without a limit, both in units of the scaled time. Beyond `measured` only a part of the error is
-/// known to be small.
+/// Ends a step of a constrained motion where it can be checked and the motion goes on well: at its present
+/// length or near that. `measured` is that length, for which error control has measured the error; `natural`
+/// is the length without a limit. Both are in units of the scaled time. Beyond `measured` only a part of
+/// the error is known to be small.
 #[inline]
 fn land<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,

@@ -150,15 +150,20 @@ impl<'a, R: Real, const N: usize> Reduced<'a, R, N> {
     pub(super) fn motion<const DEFINITE: bool>(&self, rank: usize, direction: usize) -> [R; N] {
         let mut c = [R::zero(); N];
         let mut motion = [R::zero(); N];
-        let end = N.min(direction + 1);
-        for k in (rank..end).rev() {
-            let mut sum = if k == direction { R::one() } else { R::zero() };
-            for (i, &c) in c.iter().enumerate().take(end).skip(k + 1) {
-                // Both factors are unit triangular: Lᵀ, or U.
-                sum -= if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * c;
+        // Ranges that end at a constant, so that no index needs a check at run time.
+        for k in (rank..N).rev() {
+            if k > direction {
+                continue;
             }
-            c[k] = sum;
-            add_scaled(&mut motion, &self.basis[k], sum);
+            c[k] = if k == direction { R::one() } else { R::zero() };
+            for i in k + 1..N {
+                if i <= direction {
+                    // Both factors are unit triangular: Lᵀ, or U.
+                    let known = if DEFINITE { self.matrix[i][k] } else { self.matrix[k][i] } * c[i];
+                    c[k] -= known;
+                }
+            }
+            add_scaled(&mut motion, &self.basis[k], c[k]);
         }
         motion
     }

@@ -184,6 +184,10 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
         Self::constant(part.part(index % R::PARTS))
     }
     #[inline(always)]
+    fn infinitesimal(direction: usize) -> Self {
+        Self::variable(R::zero(), direction)
+    }
+    #[inline(always)]
     fn splat(lane: R::Lane) -> Self {
         Self::constant(R::splat(lane))
     }

@@ -1,19 +1,33 @@
 //! The defaults of [`Real`], on a scalar that writes only what it must, against the functions of `f64`.
 
+use std::cell::Cell;
+
 use super::*;
 use crate::integrator::Rk4;
 use crate::linear::{Ldlt, Lu};
 use crate::{State, System};
 
-/// A scalar with the required functions alone.
+/// A scalar with the required functions alone, which counts its operations.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-struct Minimal(f64);
+pub struct Minimal(f64);
+
+std::thread_local! {
+    static OPERATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+/// Additions, subtractions, multiplications and divisions of a call.
+pub fn operations<T>(call: impl FnOnce() -> T) -> usize {
+    let before = OPERATIONS.get();
+    call();
+    OPERATIONS.get() - before
+}
 
 macro_rules! operators {
     ($($op:ident $method:ident $assign:ident $assign_method:ident $sign:tt;)*) => {$(
         impl $op for Minimal {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
+                OPERATIONS.set(OPERATIONS.get() + 1);
                 Self(self.0 $sign other.0)
             }
         }

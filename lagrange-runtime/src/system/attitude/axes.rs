@@ -5,7 +5,7 @@
 
 use nalgebra::{SMatrix, Vector3};
 
-use super::rates;
+use super::{rates, triple};
 use crate::number::real::{Dual, Real};
 use crate::system::state::State;
 
@@ -99,20 +99,15 @@ impl<R: Real, const N: usize> BodyAxes<R, N> {
     }
 }
 
-/// Three numbers from a place on.
-fn triple<R: Real, const N: usize>(numbers: &[R; N], first: usize) -> [R; 3] {
-    core::array::from_fn(|i| numbers.get(first + i).copied().unwrap_or(R::zero()))
-}
-
 /// The columns of J: rates of the parameters at unit angular velocities.
-fn columns<R: Real>(rho: [R; 3]) -> [[R; 3]; 3] {
+pub(super) fn columns<R: Real>(rho: [R; 3]) -> [[R; 3]; 3] {
     let (zero, one) = (R::zero(), R::one());
     [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(|axis| rates(rho, &axis.into()))
 }
 
 /// The angular velocity in body axes. J has columns of the length 1 + |ρ|²/16 =: c that are orthogonal, so that its
 /// inverse is Jᵀ/c².
-fn angular<R: Real>(rho: [R; 3], rates: [R; 3]) -> [R; 3] {
+pub(super) fn angular<R: Real>(rho: [R; 3], rates: [R; 3]) -> [R; 3] {
     let c = R::one() + super::square(rho) * R::from_f64(1.0 / 16.0);
     columns(rho).map(|column| (column[0] * rates[0] + column[1] * rates[1] + column[2] * rates[2]) / (c * c))
 }

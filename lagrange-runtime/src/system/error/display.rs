@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::Cause;
-use crate::system::name::Part;
+use crate::system::name::{Name, Part};
 
 impl fmt::Display for Cause {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -97,6 +97,27 @@ impl fmt::Display for Cause {
                 "the motion is pushed from both sides to where what is switched (`abs`, `signum`, `max`, …) in {function} is zero: \
                  for dry friction use `#[friction]`, which can stick",
                 function = Part(*kink, *name)
+            ),
+            Self::Grazes { switch, name } => write!(
+                out,
+                "the motion has no derivatives where it grazes {switch}: it meets the switch without speed, and motions beside it \
+                 pass by; choose another start or other parameters",
+                switch = Part(*switch, *name)
+            ),
+            Self::SwitchesCoincide { name, other } if *other == Name::NONE => write!(
+                out,
+                "the motion has no derivatives where it begins in an impact at `{name}`: start before or after it"
+            ),
+            Self::SwitchesCoincide { name, other } => write!(
+                out,
+                "the motion has no derivatives where `{name}` and `{other}` switch at once: which is first depends on the start; \
+                 choose another start or other parameters"
+            ),
+            Self::ImpactsAccumulate { constraint, name } => write!(
+                out,
+                "derivatives end where the impacts of {constraint} come infinitely fast and close it: begin another motion with \
+                 derivatives after that, or let the contact be plastic",
+                constraint = Part(*constraint, *name)
             ),
             Self::Irreversible => out.write_str(
                 "impacts and dry friction cannot be followed backward in time: choose a time after the present one",

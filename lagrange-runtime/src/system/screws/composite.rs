@@ -54,6 +54,21 @@ impl<R: Real> Pair<R> {
         dot(&self.0, &other.0) + dot(&self.1, &other.1)
     }
 
+    /// A twist about a point that lies at an arm from that of `self`.
+    pub fn at(&self, arm: &Vector<R>) -> Self {
+        Pair(self.0, sum(&self.1, &cross(&self.0, arm)))
+    }
+
+    /// A twist about the point that its own point is counted from.
+    pub fn from(&self, point: &Vector<R>) -> Self {
+        Pair(self.0, sum(&self.1, &cross(point, &self.0)))
+    }
+
+    /// A wrench, likewise.
+    pub fn wrench_from(&self, point: &Vector<R>) -> Self {
+        Pair(sum(&self.0, &cross(point, &self.1)), self.1)
+    }
+
     /// How a twist changes what it carries: self × twist.
     pub fn moves(&self, twist: &Self) -> Self {
         Pair(cross(&self.0, &twist.0), sum(&cross(&self.0, &twist.1), &cross(&self.1, &twist.0)))
@@ -108,15 +123,24 @@ impl<R: Real> Composite<R> {
         bodies
     }
 
-    pub fn add(&mut self, other: &Self) {
-        self.mass += other.mass;
-        self.moment = sum(&self.moment, &other.moment);
+    /// Adds bodies whose point lies at an arm from that of `self`.
+    pub fn add(&mut self, other: &Self, arm: &Vector<R>) {
+        let Composite { mass, moment, inertia, gyration, momentum, force } = other;
+        // About the other point: h + m d, J + (d·h′ + d·h) 1 − d h′ᵀ − h dᵀ, G + (d·P) 1 − P dᵀ.
+        let carried: Vector<R> = [0, 1, 2].map(|i| R::mul_add(*mass, arm[i], moment[i]));
+        let (round, along) = (dot(arm, &carried) + dot(arm, moment), dot(arm, momentum));
         for k in 0..3 {
-            self.inertia[k] = sum(&self.inertia[k], &other.inertia[k]);
-            self.gyration[k] = sum(&self.gyration[k], &other.gyration[k]);
+            for i in 0..3 {
+                self.inertia[k][i] += inertia[k][i] - arm[k] * carried[i] - moment[k] * arm[i];
+                self.gyration[k][i] += gyration[k][i] - momentum[i] * arm[k];
+            }
+            self.inertia[k][k] += round;
+            self.gyration[k][k] += along;
         }
-        self.momentum = sum(&self.momentum, &other.momentum);
-        self.force = self.force.sum(&other.force);
+        self.mass += *mass;
+        self.moment = sum(&self.moment, &carried);
+        self.momentum = sum(&self.momentum, momentum);
+        self.force = self.force.sum(&force.wrench_from(arm));
     }
 
     /// I x.

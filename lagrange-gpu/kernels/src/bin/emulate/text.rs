@@ -115,7 +115,7 @@ fn named(text: &str) -> (String, &str) {
 /// Bytes of the elements of a declaration.
 fn element(text: &str) -> Result<usize, String> {
     let kinds = text.split_whitespace().filter_map(|word| word.strip_prefix('.'));
-    kinds.filter_map(|kind| size_of(kind).ok()).last().ok_or(format!("no type: {text}"))
+    kinds.filter_map(|kind| size_of(kind).ok()).next_back().ok_or(format!("no type: {text}"))
 }
 
 fn constant(text: &str) -> Result<Constant, String> {

@@ -1,4 +1,4 @@
-//! Derivatives of a system with contacts.
+//! An analysis of a system with contacts.
 
 use lagrangian::prelude::*;
 
@@ -7,7 +7,7 @@ pub struct Puck {
     pub mu: f64,
 }
 
-#[lagrangian(coordinates = [x, y], jacobians)]
+#[lagrangian(coordinates = [x, y], analysis)]
 impl Puck {
     #[point(mass = self.mass)]
     fn puck(&self, q: &Coordinates) -> Vector2<f64> {

@@ -1,0 +1,228 @@
+//! Derivatives through switches.
+//!
+//! Where the start and parameters vary, a guard g is zero at another time: by −δg/ġ later, with ġ its rate along the
+//! motion. That is a time without value, of slopes alone. Varied states go on by so much in the equations that end,
+//! are switched where the guard is zero for each, and come back to the common time in the equations that begin. Of a
+//! switch x ↦ R(x, t) between ẋ = f⁻ and ẋ = f⁺ this is the saltation matrix
+//! ∂R + (f⁺ − ∂R f⁻ − ∂R/∂t) ∇gᵀ / (∇g · f⁻ + ∂g/∂t)
+//! (Aizerman and Gantmakher 1958; Filippov, *Differential Equations with Discontinuous Righthand Sides*; Leine and Nijmeijer, *Dynamics
+//! and Bifurcations of Non-Smooth Mechanical Systems*, chapter 7), which is never written down.
+//!
+//! There are no derivatives where ġ is zero, and where two guards are zero at once. A motion known to its
+//! tolerance is there if the time of the zero is not known to any digit of ġ, or not which of two is first.
+
+use super::guards::{Guard, Guards};
+use super::run::Run;
+use super::scene::{above, most, rounding};
+use super::{Regime, Row, Switching};
+use crate::number::real::{Ordered, Real};
+use crate::system::System;
+use crate::system::control::Held;
+use crate::system::error::Cause;
+use crate::system::method::Adaptive;
+use crate::system::name::Name;
+use crate::system::state::State;
+
+/// A guard at a state.
+struct Crossing<R> {
+    /// Its value, with derivatives at a fixed time.
+    value: R,
+    /// Its rate along the motion.
+    rate: R,
+    /// What the tolerance of the motion makes of it.
+    noise: R,
+}
+
+impl<R: Real> Crossing<R> {
+    /// By how much later it is zero, without value.
+    fn later(&self) -> R {
+        (self.value.part(0) - self.value) / self.rate
+    }
+
+    /// For how long the motion does not tell whether it is zero.
+    fn unknown(&self) -> R {
+        if self.noise.is_positive() { self.noise / self.rate.abs() } else { R::zero() }
+    }
+}
+
+impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+    M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
+{
+    /// By how much later a guard fires, as a time without value, at the state where it has fired with these
+    /// accelerations. `switched` makes of a state that after the switch.
+    #[cold]
+    pub(super) fn varied(
+        &mut self,
+        guard: Guard,
+        state: &State<S::Scalar, N>,
+        a: &[S::Scalar; N],
+        switched: impl FnOnce(&mut Self, &mut State<S::Scalar, N>) -> Result<Regime<S::Scalar, C, W>, Cause>,
+    ) -> Result<S::Scalar, Cause> {
+        let crossing = self.crossing(guard, state, a);
+        let doubt = if self.is_known(guard, &crossing, state) {
+            self.coincidence(guard, &crossing, state, a)
+        } else {
+            let (switch, name) = match guard {
+                Guard::Row(row) => (row, self.name(guard)),
+                Guard::Kink(kink) => (kink, self.name(guard)),
+            };
+            Some(Cause::Grazes { switch, name })
+        };
+        let Some(doubt) = doubt else { return Ok(crossing.later()) };
+        // Where nothing jumps, it does not matter when.
+        let mut after = *state;
+        let regime = switched(self, &mut after)?;
+        let in_regime = self.system.in_regime(&regime);
+        let State { t, q, v } = &after;
+        let b = in_regime.accelerations_at(&in_regime.constants(), *t, q, v, &self.control.0);
+        let part = most(self.limits.relative, rounding());
+        let stays =
+            |x: S::Scalar, y: S::Scalar| (x - y).part(0).abs() <= part * (x.part(0).abs() + y.part(0).abs());
+        let pairs = state.v.iter().zip(v).chain(a.iter().zip(&b));
+        if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
+    }
+
+    /// Where a slip in two directions ends it has lost its direction, and friction with it: accelerations are those that the
+    /// motion comes with.
+    pub(super) fn complete(&self, guard: Guard, a: &mut [S::Scalar; N], t: S::Scalar) {
+        let turns = |row: usize| {
+            matches!(S::ROWS[row], Row::Friction { pair: Some(_), .. }) && !self.memory.regime.active[row]
+        };
+        let Some(terms) =
+            M::terms(&self.memory.inner).filter(|_| matches!(guard, Guard::Row(row) if turns(row)))
+        else {
+            return;
+        };
+        let unit = terms.unit.part(0);
+        let passed = (t - self.memory.start.t).part(0) / unit;
+        *a = core::array::from_fn(|i| {
+            let orders = terms.v.iter().enumerate().rev();
+            orders.fold(num_traits::Zero::zero(), |sum: S::Scalar, (order, row)| {
+                sum * passed + S::Scalar::from_f64((order + 1) as f64) * row[i].part(0) / unit
+            })
+        });
+    }
+
+    fn name(&self, guard: Guard) -> Name {
+        match guard {
+            Guard::Row(row) => S::NAMES.constraint(row),
+            Guard::Kink(kink) => S::KINKS[kink],
+        }
+    }
+
+    /// The guards of the piece that ends.
+    fn guards(&self) -> Guards<'_, S, N, K, C, W> {
+        let memory = &*self.memory;
+        Guards::new(self.system, &memory.in_regime, &memory.regime, &self.control.0, &memory.start, false)
+    }
+
+    fn crossing(&self, guard: Guard, state: &State<S::Scalar, N>, a: &[S::Scalar; N]) -> Crossing<S::Scalar> {
+        let guards = self.guards();
+        let start = &self.memory.start;
+        // Errors of a state are relative to the sizes of its numbers on the way.
+        let size = |now: S::Scalar, before: S::Scalar| most(now.part(0).abs(), before.part(0).abs());
+        let sizes = State {
+            t: size(state.t, start.t),
+            q: core::array::from_fn(|i| size(state.q[i], start.q[i])),
+            v: core::array::from_fn(|i| size(state.v[i], start.v[i])),
+        };
+        let rounded = guards.value(guard, state, &sizes).error / S::Scalar::epsilon();
+        Crossing {
+            value: guards.varying(guard, state),
+            rate: rate(&guards, guard, state, a),
+            noise: most(self.limits.relative, rounding()) * rounded,
+        }
+    }
+
+    /// The state and the accelerations by some time before the end of the piece.
+    fn earlier(
+        &mut self,
+        state: &State<S::Scalar, N>,
+        by: S::Scalar,
+    ) -> (State<S::Scalar, N>, [S::Scalar; N]) {
+        let memory = &mut *self.memory;
+        let (inner, in_regime, constants) = (&mut memory.inner, &memory.in_regime, &memory.constants);
+        let all = state.t - memory.start.t;
+        let t = if by < all.abs() { state.t - all.signum() * by } else { memory.start.t };
+        let earlier = if t == memory.start.t {
+            memory.start
+        } else {
+            M::sample(inner, in_regime, constants, self.control, self.limits, t, &mut 0)
+                .unwrap_or(memory.start)
+        };
+        let State { t, q, v } = &earlier;
+        let a = in_regime.accelerations_at(constants, *t, q, v, &self.control.0);
+        (earlier, a)
+    }
+
+    /// Whether the rate of a guard is known to any digit where its zero is.
+    fn is_known(
+        &mut self,
+        guard: Guard,
+        crossing: &Crossing<S::Scalar>,
+        state: &State<S::Scalar, N>,
+    ) -> bool {
+        let (earlier, a) = self.earlier(state, crossing.unknown());
+        let before = rate(&self.guards(), guard, &earlier, &a);
+        above(crossing.rate.abs(), (crossing.rate - before).abs())
+    }
+
+    /// Another guard that falls through zero at the same time as far as is known, and that varies otherwise.
+    fn coincidence(
+        &self,
+        guard: Guard,
+        crossing: &Crossing<S::Scalar>,
+        state: &State<S::Scalar, N>,
+        a: &[S::Scalar; N],
+    ) -> Option<Cause> {
+        let passed = state.t - self.memory.start.t;
+        let part = most(self.limits.relative, rounding());
+        let alike = |x: S::Scalar, y: S::Scalar| (x - y).abs() <= part * (x.abs() + y.abs());
+        let varies_alike =
+            |x: S::Scalar, y: S::Scalar| (1..S::Scalar::PARTS).all(|i| alike(x.part(i), y.part(i)));
+        let coincides = |other: &Guard| {
+            let there = self.crossing(*other, state, a);
+            let falls = above(-(there.rate * passed), there.noise);
+            let apart = there.value.part(0).abs() / there.rate.abs();
+            falls
+                && !above(apart, there.unknown() + crossing.unknown())
+                && !varies_alike(there.later(), crossing.later())
+        };
+        let other = self.guards().all().find(|other| *other != guard && coincides(other))?;
+        Some(Cause::SwitchesCoincide { name: self.name(guard), other: self.name(other) })
+    }
+}
+
+/// The rate of a guard along the motion: its derivative in the direction of velocities and accelerations. Parameters
+/// may have derivatives in that direction as well, and what these give is taken off again.
+fn rate<S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    guards: &Guards<'_, S, N, K, C, W>,
+    guard: Guard,
+    state: &State<S::Scalar, N>,
+    a: &[S::Scalar; N],
+) -> S::Scalar
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    let one: S::Scalar = num_traits::One::one();
+    let along = |pace: S::Scalar| {
+        let pace = pace * S::Scalar::infinitesimal(0);
+        let moved = |x: S::Scalar, rate: S::Scalar| x.part(0) + pace * rate.part(0);
+        let state = State {
+            t: moved(state.t, one),
+            q: core::array::from_fn(|i| moved(state.q[i], state.v[i])),
+            v: core::array::from_fn(|i| moved(state.v[i], a[i])),
+        };
+        guards.varying(guard, &state).part(1)
+    };
+    let still = along(num_traits::Zero::zero());
+    let first = along(one) - still;
+    // So fast that what is taken off is not larger.
+    let least = S::Scalar::epsilon() * still.abs();
+    let pace = still.abs() / most(first.abs(), least);
+    if above(pace, one) { (along(pace) - still) / pace } else { first }
+}

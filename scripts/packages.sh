@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# What publishing asks of the packages.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+usage() {
+    cat <<'END'
+usage: scripts/packages.sh COMMAND …
+  build       each package is built from what would be published, its licences and README among it
+  deny        licences, sources and known faults of what they depend on, by deny.toml (installs cargo-deny: minutes)
+  oldest      they build with the oldest compiler and the oldest versions of dependencies that they say are enough (installs
+              that compiler and a nightly one, which finds these versions)
+  docs        pages as docs.rs builds them, with the feature that an item needs beside it (needs a nightly compiler)
+  all         everything above
+
+Promises of earlier versions are not compared (cargo semver-checks): none has been published.
+END
+}
+
+published=(lagrangian lagrange-{codegen,ensemble,macros,pictures,runtime} cargo-lagrange)
+features=lagrangian/wide,lagrangian/double-double,lagrangian/parquet,lagrangian/pictures
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
+
+toolchain() { rustup toolchain list | grep -q "^$1-" || rustup toolchain install --profile minimal "$1"; }
+
+build() {
+    local package file files
+    for package in "${published[@]}"; do
+        files=$(cargo package --list --allow-dirty -p "$package")
+        for file in LICENSE-APACHE LICENSE-MIT README.md; do
+            grep -qx "$file" <<<"$files" || { echo "packages: $package lacks $file" >&2; exit 1; }
+        done
+    done
+    cargo package --workspace --exclude benchmarks --allow-dirty --quiet
+}
+
+deny() {
+    command -v cargo-deny >/dev/null || cargo install --locked --quiet cargo-deny
+    cargo deny --all-features check licenses bans sources
+    local offline=()
+    cargo deny fetch db 2>/dev/null || offline=(--offline)
+    if [ ${#offline[@]} = 0 ] || [ -d "${CARGO_HOME:-$HOME/.cargo}/advisory-dbs" ]; then
+        cargo deny "${offline[@]}" --all-features check advisories
+    else
+        echo "packages: the database of known faults is out of reach: they are not looked for"
+    fi
+}
+
+# In a copy, because cargo has one lock file a workspace. Peers of the benchmarks ask for newer versions of what they
+# share with us, and are not published.
+oldest() {
+    local rust copy
+    rust=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
+    toolchain "$rust"
+    toolchain nightly
+    copy=$(mktemp -d)
+    git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$copy"
+    rm "$copy/Cargo.lock"
+    sed -i '/^    "benchmarks",$/d' "$copy/Cargo.toml"
+    (
+        cd "$copy"
+        cargo +nightly generate-lockfile --quiet -Z direct-minimal-versions
+        cargo "+$rust" check --quiet --workspace --lib --bins --features $features
+        cargo "+$rust" check --quiet -p lagrange-runtime --no-default-features --features libm,double-double
+    )
+    rm -r "$copy"
+}
+
+docs() {
+    toolchain nightly
+    RUSTDOCFLAGS="--cfg docsrs -D warnings" cargo +nightly doc --quiet --no-deps --features $features \
+        -p lagrangian -p lagrange-runtime -p lagrange-ensemble
+    local shown
+    for shown in lagrangian:ensemble lagrangian:pictures lagrange_runtime:double-double lagrange_ensemble:parquet; do
+        grep -rqF "<code>${shown#*:}</code>" "$CARGO_TARGET_DIR/doc/${shown%:*}" ||
+            { echo "packages: no page of ${shown%:*} names the feature ${shown#*:}" >&2; exit 1; }
+    done
+}
+
+[ $# -gt 0 ] || { usage; exit 2; }
+for name in "$@"; do
+    case $name in
+        build | deny | oldest | docs) "$name" ;;
+        all) build; deny; oldest; docs ;;
+        *) usage; exit 2 ;;
+    esac
+done

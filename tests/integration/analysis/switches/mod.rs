@@ -1,0 +1,9 @@
+//! Derivatives of motions through impacts, dry friction and kinks: closed forms over dual numbers, differences, and
+//! where there are none.
+
+mod friction;
+mod impacts;
+mod kinks;
+mod tables;
+
+const TIGHT: f64 = 1e-13;
