@@ -12,7 +12,7 @@ use crate::collections::Lookup;
 use crate::diagnostics::Origin;
 use crate::expr::{Graph, NodeId};
 pub use constraints::{
-    Constraint, ConstraintKind, Contact, Eliminated, Elimination, Law, Place, component_of_one,
+    Constraint, ConstraintKind, Contact, Eliminated, Elimination, Law, Load, Normal, Place, component_of_one,
 };
 pub use levers::{Lever, Levers};
 pub use velocities::{Rates, Spin, Twist, Velocity};
@@ -62,6 +62,8 @@ pub struct Model {
     pub at_times: usize,
     /// Gaps and slip velocities, in the order of declaration, gaps first: rows that are constraints at times.
     pub contacts: Vec<Contact>,
+    /// What limits friction where that is the common size of several reactions.
+    pub loads: Vec<Load>,
     /// Functions whose zeros are events.
     pub events: Vec<Term>,
     /// Particles and bodies in the order of declaration, as places where constraint forces act; empty

@@ -134,7 +134,7 @@ pub mod __private {
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
         pub use crate::linear::{
-            Diagonal, Pattern, Saddle, SaddlePoint, Schur, Sparse, SparseRows, Switched,
+            Diagonal, Load, Pattern, Saddle, SaddlePoint, Schur, Sparse, SparseRows, Switched,
         };
     }
     pub mod jets {

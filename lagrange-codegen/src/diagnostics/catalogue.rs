@@ -83,8 +83,15 @@ messages! {
         `normal = floor`, or give the force itself: `#[friction(limit = …)]`";
     friction_on_unknown(name; near) = "`{name}` is no constraint with a reaction{near}; name a function with the role \
         `unilateral` or `holonomic`";
-    friction_on_place(name, count) = "{count} act on `{name}`, and friction needs exactly one; name the constraint whose \
-        reaction limits it, or give the force itself as a function: `#[friction(limit = force)]`";
+    friction_on_free_place(name) = "no holonomic constraint acts on `{name}`; name the constraint whose reaction limits \
+        friction, or give the force itself as a function: `#[friction(limit = force)]`";
+    friction_beside(other, place) = "`{other}` acts on `{place}` as well; name the constraints whose forces limit \
+        friction: `normal = floor` one, `normal = [across, along]` several";
+    friction_with_gap(name) = "`{name}` is a gap, and a common size is that of the forces of `holonomic` constraints; \
+        write a friction of its own for `{name}`";
+    friction_named_twice(name) = "`{name}` stands twice in this list; name each constraint once";
+    friction_apart() = "there is no point or body on which all of these act with forces that follow from their form; \
+        name constraints at one place, and write a friction for each place";
     friction_by_form(constraint, place) = "`{constraint}` names coordinates that move `{place}`, so that its force there \
         does not follow from its form; write it as a function of `self.{place}(q)`, or give the normal force itself as a \
         function: `#[friction(limit = force)]`";

@@ -2,7 +2,7 @@
 
 use crate::calculus::substitute;
 use crate::expr::{Node, NodeId};
-use crate::model::{Action, Attitude, Contact, Eliminated, Lever, Model, Rotation, RotationForm};
+use crate::model::{Action, Attitude, Contact, Eliminated, Law, Lever, Model, Rotation, RotationForm};
 
 /// Replaces nodes in all quantities of a model. Names and places in the source go with what they belong to.
 pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
@@ -55,6 +55,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         constraints,
         at_times: _,
         contacts,
+        loads,
         events,
         places,
         levers,
@@ -104,8 +105,18 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
             }
         }
     }
-    for Contact { constraint, law: _ } in contacts {
+    for Contact { constraint, law } in contacts {
         each(&mut constraint.value);
+        match law {
+            Law::Unilateral { restitution, poisson: _ } => each(restitution),
+            Law::Friction { kinetic, fixed, normal: _, pair: _ } => {
+                each(kinetic);
+                each(fixed);
+            }
+        }
+    }
+    for (_, factor) in loads.iter_mut().flat_map(|load| &mut load.force).flatten() {
+        each(factor);
     }
     for constraint in constraints {
         each(&mut constraint.value);

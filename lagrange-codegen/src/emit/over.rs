@@ -58,7 +58,7 @@ fn switched(emission: &mut Emission<'_>, switching: &mut Regimes) -> TokenStream
         false => numbers(emission, NAME, None, constrained),
     };
     let items = Parameters::kept(emission.model).parse(&regimes::switching(emission, switching));
-    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let (rows, kinks) = (switching.rows(), switching.kinks.len());
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let (name, scalar) = (format_ident!("{NAME}"), emission.scalar.to_string());
     let scalar = format_ident!("{scalar}");

@@ -10,7 +10,7 @@ use super::tokens::placeholder;
 use super::{Emission, names, names_of_parts, over};
 use crate::calculus::sizes;
 use crate::expr::{Dependence, NodeId};
-use crate::model::Law;
+use crate::model::{Law, Normal};
 use crate::regimes::Regimes;
 use crate::syntax::Scalar;
 
@@ -37,7 +37,7 @@ pub(super) struct Items {
 /// The integrator of a system whose equations switch.
 pub(super) fn method(switching: &Regimes) -> String {
     let inner = if switching.jets.is_some() { "Jets" } else { "Dop853" };
-    format!("lagrange::Hybrid<lagrange::{inner}, {}, {}>", switching.laws_of.len(), switching.kinks.len())
+    format!("lagrange::Hybrid<lagrange::{inner}, {}, {}>", switching.rows(), switching.kinks.len())
 }
 
 /// Lines of the report.
@@ -71,7 +71,7 @@ pub(super) fn facts(switching: &Regimes) -> Vec<String> {
 
 /// All items; `emission` is that of the system itself.
 pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items {
-    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let (rows, kinks) = (switching.rows(), switching.kinks.len());
     let items = self::switching(emission, switching);
     let constrained = switching.has_contacts().then(|| constrained(emission, rows, kinks));
     let mut companion = Emission {
@@ -99,7 +99,7 @@ pub(super) fn switching(emission: &Emission<'_>, switching: &mut Regimes) -> Str
         jumps(emission, switching),
         corners(emission, switching),
         functions(emission, switching),
-        if switching.has_contacts() { equations(emission, switching.laws_of.len()) } else { String::new() },
+        if switching.has_contacts() { equations(emission, switching.rows()) } else { String::new() },
     ];
     items.concat()
 }
@@ -114,7 +114,7 @@ pub(super) fn system(emission: &Emission<'_>, switching: &Regimes, constants: &s
     let scalar = &emission.scalar;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let (count, given) = (emission.count(), emission.model.inputs.len());
-    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let (rows, kinks) = (switching.rows(), switching.kinks.len());
     let place = format!("t: {scalar}, q: &{vector}, v: &{vector}");
     format!(
         "type Scalar = {scalar};\ntype Method = {};\n{constants}{}\
@@ -131,28 +131,31 @@ pub(super) fn system(emission: &Emission<'_>, switching: &Regimes, constants: &s
 /// `InRegime`, `ROWS` and `in_regime`.
 fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
     let scalar = &emission.scalar;
-    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let (rows, kinks) = (switching.rows(), switching.kinks.len());
     let row = |law: &Option<Law>| match law {
         None => "lagrange::Row::Bilateral".to_owned(),
         Some(Law::Unilateral { .. }) => "lagrange::Row::Unilateral".to_owned(),
         Some(Law::Friction { normal, pair, .. }) => {
-            let option = |index: &Option<usize>| match index {
+            let option = |index: Option<usize>| match index {
                 Some(index) => format!("::core::option::Option::Some({index})"),
                 None => "::core::option::Option::None".to_owned(),
             };
-            format!("lagrange::Row::Friction {{ normal: {}, pair: {} }}", option(normal), option(pair))
+            let normal = normal.map(|(Normal::Row(row) | Normal::Load(row))| row);
+            format!("lagrange::Row::Friction {{ normal: {}, pair: {} }}", option(normal), option(*pair))
         }
     };
-    let kinds: Vec<String> = switching.laws_of.iter().map(row).collect();
+    let laws = switching.laws_of.len();
+    let others = std::iter::repeat_n("lagrange::Row::Load".to_owned(), rows - laws);
+    let kinds: Vec<String> = switching.laws_of.iter().map(row).chain(others).collect();
     let mut values = String::new();
     let mut numbers = Vec::new();
     for (index, name) in (0_u32..).zip(&emission.model.locals.parameters) {
         values.push_str(&format!("let {name}: {scalar} = {};\n", placeholder(index)));
         numbers.push(name.clone());
     }
-    numbers.extend((0..rows).map(|row| format!("__regime.activity({row})")));
+    numbers.extend((0..laws).map(|row| format!("__regime.activity({row})")));
     for list in ["slip", "side"] {
-        numbers.extend((0..rows).map(|row| format!("__regime.{list}[{row}]")));
+        numbers.extend((0..laws).map(|row| format!("__regime.{list}[{row}]")));
     }
     numbers.extend((0..kinks).map(|kink| format!("__regime.kinks[{kink}]")));
     let names: Vec<String> =
@@ -162,7 +165,9 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
         _ => format!("const KINKS: [lagrange::Name; {kinks}] = [{}];\n", names.join(", ")),
     };
     let by_poisson = |law: &Option<Law>| matches!(law, Some(Law::Unilateral { poisson: true, .. }));
-    let poisson: Vec<String> = switching.laws_of.iter().map(|law| by_poisson(law).to_string()).collect();
+    let others = std::iter::repeat_n("false".to_owned(), rows - laws);
+    let poisson = switching.laws_of.iter().map(|law| by_poisson(law).to_string());
+    let poisson: Vec<String> = poisson.chain(others).collect();
     let poisson = if switching.laws_of.iter().any(by_poisson) {
         format!("const POISSON: [bool; {rows}] = [{}];\n", poisson.join(", "))
     } else {
@@ -191,7 +196,9 @@ fn is_autonomous(switching: &Regimes) -> bool {
         Law::Friction { kinetic, fixed, .. } => [*kinetic, *fixed],
     });
     let rows = conditions.positions.iter().chain(&conditions.rates).chain(&switching.kinks);
-    let mut laws = rows.copied().chain(coefficients);
+    let factors =
+        switching.rows.loads.iter().flat_map(|load| &load.force).flatten().map(|&(_, factor)| factor);
+    let mut laws = rows.copied().chain(coefficients).chain(factors);
     switching.facts.autonomous
         && !laws.any(|node| switching.rows.graph.dependence(node).meets(Dependence::TIME))
 }
@@ -199,11 +206,12 @@ fn is_autonomous(switching: &Regimes) -> bool {
 /// `laws_at`.
 fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     let (scalar, vector) = (&emission.scalar, emission.vector_type());
-    let (rows, kinks) = (switching.laws_of.len(), switching.kinks.len());
+    let (rows, kinks) = (switching.rows(), switching.kinks.len());
     let conditions = &switching.laws.conditions;
     let zero = switching.rows.graph.zero();
     let of = |number: fn(&Law) -> Option<NodeId>| -> Vec<NodeId> {
-        switching.laws_of.iter().map(|law| law.as_ref().and_then(number).unwrap_or(zero)).collect()
+        let known = switching.laws_of.iter().map(|law| law.as_ref().and_then(number).unwrap_or(zero));
+        known.chain(std::iter::repeat_n(zero, rows - switching.laws_of.len())).collect()
     };
     let restitution = of(|law| match law {
         Law::Unilateral { restitution, .. } => Some(*restitution),

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Emission, regimes, turning};
+use crate::regimes::LOAD;
 use crate::regimes::Regimes;
 use crate::schedule::Operations;
 use crate::structure::Facts;
@@ -54,7 +55,8 @@ pub(super) fn report(
         emission.model.coordinates.iter().map(|quantity| quantity.written()).collect();
     let count = coordinates.len();
     let rows = switching.map_or(&emission.model.constraints, |switching| &switching.rows.constraints);
-    let constraints: Vec<String> = rows.iter().map(|constraint| constraint.written()).collect();
+    let named = rows.iter().filter(|constraint| !constraint.name.starts_with(LOAD));
+    let constraints: Vec<String> = named.map(|constraint| constraint.written()).collect();
     let constraints = (!constraints.is_empty()).then(|| {
         let count = constraints.len();
         quote! {

@@ -6,7 +6,8 @@
 
 use crate::calculus::pullback;
 use crate::expr::{Dependence, Graph, NodeId, Variable};
-use crate::mechanics::Conditions;
+use crate::mechanics::{Conditions, Switched};
+use crate::number::Number;
 
 /// The constraints of a series.
 #[derive(Clone, Debug, Default)]
@@ -28,7 +29,10 @@ impl Restrictions {
             reactions: conditions.reactions.clone(),
         };
         // Friction belongs to the multipliers of the rows as they are.
-        if conditions.relaxation.is_some() || conditions.switched.is_some() {
+        if let Some(switched) = &conditions.switched {
+            return plain.with_sums(graph, switched);
+        }
+        if conditions.relaxation.is_some() {
             return plain;
         }
         let rates: Vec<NodeId> = plain.rates.iter().map(|&rate| numerator(graph, rate)).collect();
@@ -47,6 +51,21 @@ impl Restrictions {
         let reactions = pullback(graph, &seeds, &velocities);
         Restrictions { rates, gradients, reactions }
     }
+
+    /// With what sums of multipliers lack of those that they are: coefficients of these follow as those of rates do.
+    fn with_sums(mut self, graph: &mut Graph, switched: &Switched) -> Restrictions {
+        for (row, terms) in switched.sums() {
+            let mut multiplier = |row: usize| graph.variable(Variable::Multiplier(row as u32));
+            let own = multiplier(row);
+            let others: Vec<NodeId> = terms.iter().map(|&(other, _)| multiplier(other)).collect();
+            let mut sum = vec![(own, Number::MINUS_ONE)];
+            for (&(_, factor), other) in terms.iter().zip(others) {
+                sum.push((graph.mul(factor, other), Number::ONE));
+            }
+            self.rates[row] = graph.sum(Number::ZERO, &sum);
+        }
+        self
+    }
 }
 
 /// A product without its denominators, which vanish nowhere where it has a value.
@@ -63,5 +82,5 @@ fn numerator(graph: &mut Graph, rate: NodeId) -> NodeId {
         return rate;
     }
     let numerator = graph.without(product, &denominators);
-    graph.sum(crate::number::Number::ZERO, &[(numerator, coefficient)])
+    graph.sum(Number::ZERO, &[(numerator, coefficient)])
 }

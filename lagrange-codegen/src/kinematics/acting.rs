@@ -8,7 +8,7 @@
 
 use crate::calculus::{pullback, substitute};
 use crate::expr::{Exponent, Graph, Node, NodeId, Variable};
-use crate::model::{Constraint, Model, Place, component_of_one, orientation};
+use crate::model::{Constraint, ConstraintKind, Model, Place, component_of_one, orientation};
 use crate::number::Number;
 
 /// What a constraint does at a place.
@@ -34,82 +34,127 @@ impl Acting {
     }
 }
 
-/// What a constraint is written through: itself as a function of the places, and its forces there.
-struct Written {
-    through: NodeId,
-    forces: Vec<Vec<NodeId>>,
+/// Places as variables of what is written through them.
+pub(crate) struct Standing<'a> {
+    pub places: &'a [Place],
+    /// Coordinates that are a component of one position, with the variables of these components.
+    pub components: Vec<(NodeId, NodeId)>,
+    /// The variables of all components.
+    pub variables: Vec<NodeId>,
+    /// These with the positions that they stand for.
+    pub values: Vec<(NodeId, NodeId)>,
 }
 
-/// The force of a unit multiplier at each of the places that a constraint is written through.
-pub(crate) fn forces_at(
-    graph: &mut Graph,
-    constraint: &Constraint,
-    places: &[Place],
-    coordinates: &[NodeId],
-) -> Vec<Vec<NodeId>> {
-    written(graph, constraint, places, coordinates).map_or_else(Vec::new, |written| written.forces)
+impl<'a> Standing<'a> {
+    pub fn of(places: &'a [Place], coordinates: &[NodeId]) -> Standing<'a> {
+        let component = |&q: &NodeId| component_of_one(places, q).map(|variable| (q, variable));
+        let components = coordinates.iter().filter_map(component).collect();
+        let variables: Vec<NodeId> =
+            places.iter().flat_map(|place| place.variables.iter().copied()).collect();
+        let positions = places.iter().flat_map(|place| place.position.iter().copied());
+        let values = variables.iter().copied().zip(positions).collect();
+        Standing { places, components, variables, values }
+    }
+
+    /// A constraint as a function of the places that it is written through.
+    fn through(&self, graph: &mut Graph, constraint: &Constraint) -> Option<NodeId> {
+        Some(substitute(graph, &[constraint.through?], &self.components)[0])
+    }
+
+    /// The forces of a unit multiplier of such a function, by component.
+    fn slopes(&self, graph: &mut Graph, through: NodeId) -> Vec<NodeId> {
+        let one = graph.one();
+        let slopes = pullback(graph, &[(through, one)], &self.variables);
+        substitute(graph, &slopes, &self.values)
+    }
+
+    /// The forces of a unit multiplier of a holonomic constraint, by component.
+    pub fn forces(&self, graph: &mut Graph, constraint: &Constraint) -> Vec<NodeId> {
+        match self.through(graph, constraint) {
+            Some(through) => self.slopes(graph, through),
+            None => vec![graph.zero(); self.variables.len()],
+        }
+    }
+
+    /// Components by place.
+    pub fn by_place<T>(&self, components: impl IntoIterator<Item = T>) -> Vec<Vec<T>> {
+        let mut rest = components.into_iter();
+        self.places.iter().map(|place| rest.by_ref().take(place.variables.len()).collect()).collect()
+    }
 }
 
-fn written(
-    graph: &mut Graph,
-    constraint: &Constraint,
-    places: &[Place],
-    coordinates: &[NodeId],
-) -> Option<Written> {
-    let components: Vec<(NodeId, NodeId)> = coordinates
-        .iter()
-        .filter_map(|&q| component_of_one(places, q).map(|variable| (q, variable)))
-        .collect();
-    let variables: Vec<NodeId> = places.iter().flat_map(|place| place.variables.iter().copied()).collect();
-    let positions = places.iter().flat_map(|place| place.position.iter().copied());
-    let values: Vec<(NodeId, NodeId)> = variables.iter().copied().zip(positions).collect();
-    let through = substitute(graph, &[constraint.through?], &components)[0];
-    let one = graph.one();
-    let slopes = pullback(graph, &[(through, one)], &variables);
-    let mut slopes = substitute(graph, &slopes, &values).into_iter();
-    let forces = places.iter().map(|place| slopes.by_ref().take(place.variables.len()).collect()).collect();
-    Some(Written { through, forces })
-}
-
-/// How a constraint acts on each of the places.
-pub(crate) fn acting(model: &mut Model, constraint: &Constraint) -> Vec<Acting> {
+/// How each of some constraints acts on each of the places; of constraints on velocities whether.
+pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<Acting>> {
+    let count = model.coordinates.len() as u32;
     let coordinates: Vec<NodeId> =
-        (0..model.coordinates.len() as u32).map(|i| model.graph.variable(Variable::Coordinate(i))).collect();
+        (0..count).map(|i| model.graph.variable(Variable::Coordinate(i))).collect();
+    let velocities: Vec<NodeId> = (0..count).map(|i| model.graph.variable(Variable::Velocity(i))).collect();
     let Model { graph, places, orientations, kinetic, lagrangian, .. } = model;
-    let Some(Written { through, forces }) = written(graph, constraint, places, &coordinates) else {
-        return Vec::new();
-    };
+    let standing = Standing::of(places, &coordinates);
     let movers: Vec<Option<Vec<NodeId>>> =
         places.iter().map(|place| movers(graph, place, &coordinates, orientations)).collect();
-    let named: Vec<NodeId> =
-        graph.cone([through]).into_iter().filter(|node| coordinates.contains(node)).collect();
     // Inertia that is given as an energy may belong to any coordinate.
     let has_energies = !kinetic.is_empty() || !lagrangian.is_empty();
-    let mut all = Vec::with_capacity(places.len());
-    for (i, (place, force)) in places.iter().zip(forces).enumerate() {
-        let is_whole = match &movers[i] {
-            Some(movers) => !named.iter().any(|q| movers.contains(q)),
-            // Of one that turns with an orientation the position may be all that is named.
-            None => {
-                let cone = graph.cone(place.position.iter().copied());
-                !named.iter().any(|q| cone.contains(q))
-            }
+    let mut all = Vec::with_capacity(constraints.len());
+    for constraint in constraints {
+        if constraint.kind != ConstraintKind::Holonomic {
+            let named = graph.cone([constraint.value].into_iter().chain(constraint.through));
+            all.push(on_velocities(places, &movers, &coordinates, &velocities, &named));
+            continue;
+        }
+        let Some(through) = standing.through(graph, constraint) else {
+            all.push(Vec::new());
+            continue;
         };
-        let alone = |own: &[NodeId]| {
-            let mut others = movers.iter().enumerate().filter(|&(j, _)| j != i).map(|(_, other)| other);
-            others.all(|other| other.as_ref().is_some_and(|other| !other.iter().any(|q| own.contains(q))))
-        };
-        let is_free = !is_whole && !place.turns && !has_energies;
-        let by_coordinates = match &movers[i] {
-            Some(own) if is_free && own.len() == place.position.len() && alone(own) => {
-                inverse_slopes(graph, constraint.value, &place.position, own)
-            }
-            _ => None,
-        };
-        let is_whole = is_whole || by_coordinates.is_some();
-        all.push(Acting { force: by_coordinates.unwrap_or(force), is_whole });
+        let slopes = standing.slopes(graph, through);
+        let cone = graph.cone([through]);
+        let named: Vec<NodeId> = cone.into_iter().filter(|node| coordinates.contains(node)).collect();
+        let mut own = Vec::with_capacity(places.len());
+        for (i, (place, force)) in places.iter().zip(standing.by_place(slopes)).enumerate() {
+            let is_whole = match &movers[i] {
+                Some(movers) => !named.iter().any(|q| movers.contains(q)),
+                // Of one that turns with an orientation the position may be all that is named.
+                None => {
+                    let cone = graph.cone(place.position.iter().copied());
+                    !named.iter().any(|q| cone.contains(q))
+                }
+            };
+            let alone = |own: &[NodeId]| {
+                let mut others = movers.iter().enumerate().filter(|&(j, _)| j != i).map(|(_, other)| other);
+                others.all(|other| other.as_ref().is_some_and(|other| !other.iter().any(|q| own.contains(q))))
+            };
+            let is_free = !is_whole && !place.turns && !has_energies;
+            let by_coordinates = match &movers[i] {
+                Some(own) if is_free && own.len() == place.position.len() && alone(own) => {
+                    inverse_slopes(graph, constraint.value, &place.position, own)
+                }
+                _ => None,
+            };
+            let is_whole = is_whole || by_coordinates.is_some();
+            own.push(Acting { force: by_coordinates.unwrap_or(force), is_whole });
+        }
+        all.push(own);
     }
     all
+}
+
+/// Of a constraint on velocities that names these nodes its force is not asked for, but whether there may be one.
+fn on_velocities(
+    places: &[Place],
+    movers: &[Option<Vec<NodeId>>],
+    coordinates: &[NodeId],
+    velocities: &[NodeId],
+    named: &[NodeId],
+) -> Vec<Acting> {
+    let moves = |q: NodeId| {
+        let i = coordinates.iter().position(|&other| other == q);
+        i.is_some_and(|i| named.contains(&velocities[i]))
+    };
+    let acts = |(place, movers): (&Place, &Option<Vec<NodeId>>)| {
+        let by_coordinates = movers.as_ref().is_none_or(|movers| movers.iter().any(|&q| moves(q)));
+        by_coordinates || place.rates.iter().any(|rate| named.contains(rate))
+    };
+    places.iter().zip(movers).map(|one| Acting { force: Vec::new(), is_whole: !acts(one) }).collect()
 }
 
 /// The coordinates that move a place; `None` where orientations do.

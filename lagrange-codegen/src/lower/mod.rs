@@ -20,6 +20,7 @@ mod hint;
 mod interpreter;
 mod iterate;
 mod method;
+mod normal;
 mod operator;
 mod parameter;
 mod path;

@@ -56,11 +56,7 @@ impl<'a> Interpreter<'a> {
             }
         }
         self.places();
-        for (index, function) in item.functions.iter().enumerate() {
-            if let Some(RoleKind::Friction(friction)) = function.role.as_ref().map(|role| &role.kind) {
-                self.friction(index, friction);
-            }
-        }
+        self.frictions();
         if let Some(rate) = &item.baumgarte {
             self.baumgarte(rate);
         }

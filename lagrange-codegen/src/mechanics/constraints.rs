@@ -53,16 +53,62 @@ pub struct Switched {
     pub coupling: Vec<Vec<NodeId>>,
     /// One for a row that holds, else zero.
     pub active: Vec<NodeId>,
+    /// The last rows, which are no constraints.
+    pub loads: Vec<LoadRow>,
+}
+
+/// A row that is no constraint: its multiplier follows from others.
+#[derive(Clone, Debug)]
+pub enum LoadRow {
+    /// Their sum with these factors.
+    Sum(Vec<(usize, NodeId)>),
+    /// The size of the force with these components.
+    Size(Vec<usize>),
+}
+
+impl Switched {
+    /// Sums of multipliers: their rows, and the rows and factors of the summands.
+    pub fn sums(&self) -> impl Iterator<Item = (usize, &[(usize, NodeId)])> {
+        let first = self.active.len() - self.loads.len();
+        self.loads.iter().enumerate().filter_map(move |(place, load)| match load {
+            LoadRow::Sum(terms) => Some((first + place, terms.as_slice())),
+            LoadRow::Size(_) => None,
+        })
+    }
 }
 
 impl Conditions {
-    /// What a factorisation needs of rows that hold at times: their coupling, then whether they hold.
+    /// What a factorisation needs of rows that hold at times: their coupling, then whether they hold, then
+    /// the factors of sums of multipliers.
     pub fn switches(&self) -> Vec<NodeId> {
-        let switched = self.switched.iter();
-        switched
-            .flat_map(|switched| switched.coupling.iter().flatten().chain(&switched.active))
-            .copied()
-            .collect()
+        let Some(switched) = &self.switched else { return Vec::new() };
+        let factors = switched.sums().flat_map(|(_, terms)| terms).map(|(_, factor)| factor);
+        switched.coupling.iter().flatten().chain(&switched.active).chain(factors).copied().collect()
+    }
+
+    /// Whether some rows are no constraints.
+    pub fn has_loads(&self) -> bool {
+        self.switched.as_ref().is_some_and(|switched| !switched.loads.is_empty())
+    }
+
+    /// Adds rows that are no constraints.
+    pub fn add_rows(&mut self, graph: &mut Graph, count: usize) {
+        let zero = graph.zero();
+        let width = self.jacobian.first().map_or(0, Vec::len);
+        for list in [
+            &mut self.positions,
+            &mut self.position_sizes,
+            &mut self.rates,
+            &mut self.rate_sizes,
+            &mut self.gamma,
+            &mut self.losses,
+        ] {
+            list.resize(list.len() + count, zero);
+        }
+        self.jacobian.resize(self.jacobian.len() + count, vec![zero; width]);
+        let places = self.on_places.first().cloned().unwrap_or_default();
+        let nothing = places.into_iter().map(|force| vec![zero; force.len()]).collect();
+        self.on_places.resize(self.on_places.len() + count, nothing);
     }
 
     /// Differentiates all constraints of a system with this mass matrix.

@@ -19,7 +19,7 @@ mod screws;
 mod turning;
 mod validate;
 
-pub use constraints::{Conditions, Switched};
+pub use constraints::{Conditions, LoadRow, Switched};
 pub use linearization::{Linearization, Sensitivities};
 pub use screws::Screws;
 pub use turning::turning;

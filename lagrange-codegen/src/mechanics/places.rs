@@ -7,8 +7,8 @@
 use super::motion::Motion;
 use crate::calculus::{pullback, pushforward, substitute};
 use crate::expr::{Graph, NodeId};
-use crate::kinematics::acting::forces_at;
-use crate::model::{Constraint, ConstraintKind, Place, component_of_one};
+use crate::kinematics::acting::Standing;
+use crate::model::{Constraint, ConstraintKind, Place};
 
 /// The force of a unit multiplier by constraint, place and component.
 pub(super) fn forces(
@@ -18,13 +18,8 @@ pub(super) fn forces(
     jacobian: &[Vec<NodeId>],
     motion: &Motion,
 ) -> Vec<Vec<Vec<NodeId>>> {
-    let coordinates: Vec<(NodeId, NodeId)> =
-        motion.q.iter().filter_map(|&q| component_of_one(places, q).map(|variable| (q, variable))).collect();
-    let variables: Vec<NodeId> = places.iter().flat_map(|place| place.variables.iter().copied()).collect();
-    let values: Vec<(NodeId, NodeId)> = places
-        .iter()
-        .flat_map(|place| place.variables.iter().copied().zip(place.position.iter().copied()))
-        .collect();
+    let standing = Standing::of(places, &motion.q);
+    let Standing { components, variables, values, .. } = &standing;
     let moving: Vec<(NodeId, NodeId)> = places
         .iter()
         .flat_map(|place| place.rates.iter().copied().zip(place.position.iter().copied()))
@@ -50,7 +45,7 @@ pub(super) fn forces(
                     let mut at_place: Vec<NodeId> = named.by_ref().take(place.rates.len()).collect();
                     at_place.resize(place.variables.len(), graph.zero());
                     for (force, variable) in at_place.iter_mut().zip(&place.variables) {
-                        let coordinate = coordinates.iter().find(|(_, of)| of == variable);
+                        let coordinate = components.iter().find(|(_, of)| of == variable);
                         if let Some(i) =
                             coordinate.and_then(|&(q, _)| motion.q.iter().position(|&other| other == q))
                         {
@@ -61,11 +56,11 @@ pub(super) fn forces(
                 }
                 flat
             }
-            Some(_) => forces_at(graph, constraint, places, &motion.q).concat(),
+            Some(_) => standing.forces(graph, constraint),
             // A force on velocities: what they are the velocities of.
             None => {
                 let slope = |&variable: &NodeId| {
-                    let coordinate = coordinates.iter().find(|&&(_, of)| of == variable)?.0;
+                    let coordinate = components.iter().find(|&&(_, of)| of == variable)?.0;
                     let place = motion.q.iter().position(|&q| q == coordinate)?;
                     Some(gradient[place])
                 };
@@ -73,12 +68,7 @@ pub(super) fn forces(
                 variables.iter().map(|variable| slope(variable).unwrap_or(zero)).collect()
             }
         };
-        let mut rest = flat.into_iter();
-        let split = places
-            .iter()
-            .map(|place| rest.by_ref().take(place.variables.len()).collect::<Vec<_>>())
-            .collect();
-        forces.push(split);
+        forces.push(standing.by_place(flat));
     }
     forces
 }

@@ -70,11 +70,31 @@ pub enum Law {
         kinetic: NodeId,
         /// The same while sticking.
         fixed: NodeId,
-        /// The row whose reaction limits it, among all constraints and then all contacts.
-        normal: Option<usize>,
+        /// What limits it beside its coefficients.
+        normal: Option<Normal>,
         /// The other component of a slip in two directions, likewise.
         pair: Option<usize>,
     },
+}
+
+/// What the coefficient of a friction multiplies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Normal {
+    /// The reaction of a row, among all constraints and then all contacts.
+    Row(usize),
+    /// One of [`Model::loads`](super::Model::loads).
+    Load(usize),
+}
+
+/// The size of the force that several constraints exert on one place.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// The friction that it limits.
+    pub friction: String,
+    /// The components of the force: constraints by their rows, and the component of the force of a unit multiplier.
+    pub force: Vec<Vec<(usize, NodeId)>>,
+    /// The friction's name in the source.
+    pub origin: Origin,
 }
 
 /// A particle or a body as a place where forces act.

@@ -12,11 +12,14 @@ pub use kinks::Corner;
 use crate::diagnostics::Diagnostics;
 use crate::expr::{Exponent, Graph, NodeId, Variable};
 use crate::jets::{self, Jets};
-use crate::mechanics::{self, Equations};
-use crate::model::{Contact, Law, Model, Parameter};
+use crate::mechanics::{self, Equations, LoadRow};
+use crate::model::{Constraint, ConstraintKind, Contact, Law, Model, Normal, Parameter};
 use crate::number::Number;
 use crate::orders::Expansions;
 use crate::structure::{Facts, Solution};
+
+/// What the names of rows begin with that are no constraints.
+pub const LOAD: &str = "__load_of_";
 
 /// A system whose equations switch.
 #[derive(Debug)]
@@ -53,11 +56,16 @@ pub struct Regimes {
     pub jets: Option<Jets>,
     /// The operations of these recurrences, an order at a time.
     pub orders: Option<Expansions>,
-    /// What each row stands for.
+    /// What each row stands for, but for the last ones, which are no constraints.
     pub laws_of: Vec<Option<Law>>,
 }
 
 impl Regimes {
+    /// The number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows_in.len()
+    }
+
     /// Whether there are rows that hold at times.
     pub fn has_contacts(&self) -> bool {
         self.laws_of.iter().any(Option::is_some)
@@ -79,11 +87,11 @@ pub fn derive(
     }
     let mut rows = model.clone();
     let held = rows.constraints.len();
-    let contacts = as_rows(&mut rows);
+    let (contacts, loads) = as_rows(&mut rows);
     // Rows hold at times: there may be more of them than coordinates, and a slip may be the rate of a function.
     // Of all else the system by itself was asked.
     let permits = |_: &str| true;
-    let laws = mechanics::derive(&mut rows, &permits, diagnostics)?;
+    let mut laws = mechanics::derive(&mut rows, &permits, diagnostics)?;
     let kinks = kinks::of(&mut rows, &laws);
     if contacts.is_empty() && kinks.is_empty() {
         return None;
@@ -96,23 +104,30 @@ pub fn derive(
     let switches = Switches::new(&mut regime, count, kinks.len());
     let kinks_in = kinks::replace(&mut regime, &kinks, &switches.kinks);
     let mut equations = mechanics::derive(&mut regime, &permits, diagnostics)?;
+    laws.conditions.add_rows(&mut rows.graph, loads.len());
+    for model in [&mut rows, &mut regime] {
+        name_loads(model, &loads);
+    }
     let conditions = &equations.conditions;
     let zero = regime.graph.zero();
+    let others = std::iter::repeat_n(zero, loads.len());
     let rows_in = (0..count)
         .map(|row| match row.checked_sub(held).map(|contact| &contacts[contact].law) {
             None => zero,
             Some(Law::Unilateral { .. }) => conditions.positions[row],
             Some(Law::Friction { .. }) => conditions.rates[row],
         })
+        .chain(others.clone())
         .collect();
     let fixed_in = (0..count)
         .map(|row| match row.checked_sub(held).map(|contact| &contacts[contact].law) {
             Some(Law::Friction { fixed, .. }) => *fixed,
             _ => zero,
         })
+        .chain(others)
         .collect();
     if !contacts.is_empty() {
-        hold(&mut regime.graph, &mut equations, &switches, held, &contacts);
+        hold(&mut regime.graph, &mut equations, &switches, held, &contacts, loads);
     }
     let turned = described.and_then(|described| turned(described, &mut regime, &switches, &kinks));
     let equations = equations.simplified(&mut regime);
@@ -149,12 +164,59 @@ pub fn derive(
     })
 }
 
-/// Takes the contacts of a model as constraints that always hold.
-fn as_rows(model: &mut Model) -> Vec<Contact> {
-    let contacts = std::mem::take(&mut model.contacts);
+/// Takes the contacts of a model as constraints that always hold, and gives its loads rows behind them.
+fn as_rows(model: &mut Model) -> (Vec<Contact>, Vec<LoadRow>) {
+    let mut contacts = std::mem::take(&mut model.contacts);
     model.at_times = contacts.len();
     model.constraints.extend(contacts.iter().map(|contact| contact.constraint.clone()));
-    contacts
+    let first = model.constraints.len();
+    let (mut rows, mut places) = (Vec::new(), Vec::new());
+    for load in &model.loads {
+        let mut parts = Vec::with_capacity(load.force.len());
+        for terms in &load.force {
+            parts.push(match terms.as_slice() {
+                // A size does not depend on signs.
+                &[(row, factor)] if model.graph.as_constant(factor).map(Number::abs) == Some(Number::ONE) => {
+                    row
+                }
+                terms => {
+                    rows.push(LoadRow::Sum(terms.to_vec()));
+                    first + rows.len() - 1
+                }
+            });
+        }
+        places.push(first + rows.len());
+        rows.push(LoadRow::Size(parts));
+    }
+    for contact in &mut contacts {
+        if let Law::Friction { normal: Some(normal), .. } = &mut contact.law
+            && let Normal::Load(load) = *normal
+        {
+            *normal = Normal::Row(places[load]);
+        }
+    }
+    (contacts, rows)
+}
+
+/// Names the rows of loads. Nobody else names them.
+fn name_loads(model: &mut Model, loads: &[LoadRow]) {
+    let mut owners = model.loads.iter();
+    let mut index = 0;
+    for row in loads {
+        let Some(load) = owners.as_slice().first() else { return };
+        model.constraints.push(Constraint {
+            name: format!("{LOAD}{}", load.friction),
+            index: Some(index),
+            value: model.graph.zero(),
+            through: None,
+            kind: ConstraintKind::Nonholonomic { chetaev: false },
+            origin: load.origin,
+        });
+        index += 1;
+        if matches!(row, LoadRow::Size(_)) {
+            (index, _) = (0, owners.next());
+        }
+    }
 }
 
 /// The equations of one regime with angular velocities; `None` where a kink is not found again.
@@ -164,12 +226,12 @@ fn turned(described: &Model, regime: &mut Model, switches: &Switches, kinks: &[N
     (model.graph, model.hints) = (regime.graph.clone(), regime.hints.clone());
     model.parameters.clone_from(&regime.parameters);
     let held = model.constraints.len();
-    let contacts = as_rows(&mut model);
+    let (contacts, loads) = as_rows(&mut model);
     let kinks = kinks::described(&described.graph, &mut model, kinks)?;
     kinks::replace(&mut model, &kinks, &switches.kinks);
     let mut equations = mechanics::turning(&mut model)?;
     if !contacts.is_empty() {
-        hold(&mut model.graph, &mut equations, switches, held, &contacts);
+        hold(&mut model.graph, &mut equations, switches, held, &contacts, loads);
     }
     (regime.graph, regime.hints) = (model.graph, model.hints);
     Some(equations)
@@ -212,12 +274,14 @@ fn hold(
     switches: &Switches,
     held: usize,
     contacts: &[Contact],
+    loads: Vec<LoadRow>,
 ) {
     let count = equations.mass.len();
+    let rows = held + contacts.len();
     let slopes = equations.conditions.jacobian.clone();
     let speeds = equations.conditions.rates.clone();
     let zero = graph.zero();
-    let mut coupling = vec![vec![zero; count]; held + contacts.len()];
+    let mut coupling = vec![vec![zero; count]; rows + loads.len()];
     let mut given = vec![zero; count];
     for (row, contact) in (held..).zip(contacts) {
         let Law::Friction { kinetic, normal, pair, .. } = contact.law else { continue };
@@ -236,8 +300,13 @@ fn hold(
             }
         };
         let mut share = graph.mul(kinetic, direction);
-        if let Some(normal) = normal {
-            share = graph.mul(share, switches.side[normal]);
+        let normal = match normal {
+            Some(Normal::Row(row)) => Some(row),
+            Some(Normal::Load(_)) | None => None,
+        };
+        // A load is a size and has no sign.
+        if let Some(&side) = normal.and_then(|normal| switches.side.get(normal)) {
+            share = graph.mul(share, side);
         }
         for (i, &slope) in slopes[row].iter().enumerate() {
             let force = graph.mul(share, slope);
@@ -255,8 +324,8 @@ fn hold(
     }
     let one = graph.one();
     let conditions = &mut equations.conditions;
-    let active: Vec<NodeId> =
-        (0..held + contacts.len()).map(|row| if row < held { one } else { switches.active[row] }).collect();
+    let mut active: Vec<NodeId> =
+        (0..rows).map(|row| if row < held { one } else { switches.active[row] }).collect();
     for (row, &active) in active.iter().enumerate() {
         let lists = [
             &mut conditions.positions,
@@ -272,9 +341,11 @@ fn hold(
             *entry = graph.mul(active, *entry);
         }
     }
+    conditions.add_rows(graph, loads.len());
+    active.resize(rows + loads.len(), zero);
     conditions.reactions = (0..count)
         .map(|i| {
-            let terms: Vec<(NodeId, Number)> = (0..held + contacts.len())
+            let terms: Vec<(NodeId, Number)> = (0..rows + loads.len())
                 .map(|row| {
                     let multiplier = graph.variable(Variable::Multiplier(row as u32));
                     let force = graph.add(conditions.jacobian[row][i], coupling[row][i]);
@@ -284,5 +355,5 @@ fn hold(
             graph.sum(Number::ZERO, &terms)
         })
         .collect();
-    conditions.switched = Some(mechanics::Switched { coupling, active });
+    conditions.switched = Some(mechanics::Switched { coupling, active, loads });
 }

@@ -8,6 +8,7 @@ use quote::{format_ident, quote};
 use super::args::LINTS;
 use super::body::{Block, Constant, Expr, Name, Pattern, Word};
 use super::constant;
+pub use super::friction::{Friction, Normal};
 use super::translate::bare;
 use super::types::{Type, TypeKind};
 use crate::diagnostics::Origin;
@@ -365,17 +366,6 @@ pub enum RoleKind {
     Friction(Box<Friction>),
     /// `#[event]`.
     Event,
-}
-
-/// What limits a friction.
-#[derive(Clone, Debug)]
-pub struct Friction {
-    /// The coefficient, or the force where its size is given.
-    pub kinetic: Expr,
-    /// The same while it sticks, where that differs.
-    pub fixed: Option<Expr>,
-    /// The constraint whose reaction limits it.
-    pub normal: Option<(Word, Option<Expr>)>,
 }
 
 /// The coordinates that a constraint is solved for.

@@ -5,6 +5,7 @@
 
 pub mod body;
 pub mod constant;
+pub mod friction;
 pub mod hygiene;
 pub mod integers;
 pub mod item;

@@ -8,7 +8,7 @@ use syn::{Attribute, Expr, Ident, Meta, Token};
 
 use super::body::{ExprKind, Owner, Word};
 use super::hygiene;
-use super::item::{Eliminate, Friction, Role, RoleKind, Target};
+use super::item::{Eliminate, Friction, Normal, Role, RoleKind, Target};
 use super::place;
 use super::suggest::nearest;
 use super::translate::{Translator, bare};
@@ -239,7 +239,7 @@ fn kind(
             let kinetic = required(size, translator);
             let fixed = take(fixed).map(|expr| translator.expression(expr));
             let normal = match take("normal") {
-                Some(normal) => Some(target(normal, "normal", translator)?),
+                Some(normal) => Some(limiting(normal, translator)?),
                 None if size == "limit" || kinetic.is_none() => None,
                 None => {
                     let span = place::span(attribute.path());
@@ -336,6 +336,16 @@ fn arguments(
         }
     }
     valid.then_some(given)
+}
+
+/// What limits a friction: one name, or a list of several.
+fn limiting(expr: &Expr, translator: &mut Translator) -> Option<Normal> {
+    let Expr::Array(list) = expr else {
+        return target(expr, "normal", translator).map(|(word, element)| Normal::One(word, element));
+    };
+    let origin = translator.origin(place::expression(expr));
+    let names: Vec<_> = list.elems.iter().map(|name| target(name, "normal", translator)).collect();
+    names.into_iter().collect::<Option<Vec<_>>>().map(|names| Normal::Together(names, origin))
 }
 
 /// `name` or `name[index]`.

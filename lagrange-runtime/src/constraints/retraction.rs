@@ -137,7 +137,7 @@ where
         // One row depends on no other.
         if C > 1 && !FAR && !self.nearness().is_clear() {
             self.settle(system, level);
-            if level == Level::Velocities && self.saddle.rank() == C && self.is_blurred(system) {
+            if level == Level::Velocities && self.saddle.is_independent() && self.is_blurred(system) {
                 return Ok(());
             }
         }
@@ -204,12 +204,12 @@ where
             return violated;
         };
         // One row contradicts no other.
-        if C == 1 || self.saddle.rank() == C || self.corrects(level) {
+        if C == 1 || self.saddle.is_independent() || self.corrects(level) {
             return violated;
         }
         let depend_beside = [false, true].into_iter().all(|alternate| {
             let State { t, q, v } = self.beside(alternate);
-            system.saddle_at(t, &q, &v).0.rank() < C
+            !system.saddle_at(t, &q, &v).0.is_independent()
         });
         if depend_beside {
             Cause::Contradictory { constraint, name }
@@ -247,7 +247,7 @@ where
     /// Whether dependent rows leave no more than a start may violate.
     fn agrees(&self, level: Level, begun: S::Scalar) -> bool {
         let part = S::Scalar::from_f64(SHARE) * S::Scalar::epsilon().sqrt();
-        self.saddle.rank() == C || self.is_within(level, begun, part)
+        self.saddle.is_independent() || self.is_within(level, begun, part)
     }
 
     /// Takes factors that belong to the constraints, where rows depend on each other on them but not beside

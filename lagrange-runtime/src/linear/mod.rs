@@ -34,7 +34,7 @@ pub use ldlt::Ldlt;
 pub use lu::Lu;
 pub(crate) use rows::{COLUMNS, FEW, Rows};
 pub(crate) use saddle::TangentSpace;
-pub use saddle::{Defect, Diagonal, Saddle, SaddlePoint, Sparse, Switched};
+pub use saddle::{Defect, Diagonal, Load, Saddle, SaddlePoint, Sparse, Switched};
 pub use schur::Schur;
 pub(crate) use singular_values::SingularValues;
 pub(crate) use symmetric::diagonalise;

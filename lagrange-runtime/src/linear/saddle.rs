@@ -31,6 +31,7 @@ use super::gradients::Gradients;
 use crate::number::real::Real;
 
 mod diagonal;
+mod loads;
 mod partition;
 pub(super) mod range;
 mod reduced;
@@ -42,6 +43,7 @@ mod tangent_space;
 pub(super) mod vectors;
 
 pub use diagonal::Diagonal;
+pub use loads::Load;
 pub use sparse::Sparse;
 pub use switched::Switched;
 pub(crate) use tangent_space::TangentSpace;
@@ -87,6 +89,12 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// The number of independent rows of A.
     fn rank(&self) -> usize {
         self.independence().rank
+    }
+
+    /// Whether no row of A depends on others. Those that do not hold at present are none.
+    fn is_independent(&self) -> bool {
+        let independence = self.independence();
+        independence.rank == independence.rows
     }
 
     /// Why there is no solution; `None` where there is one.

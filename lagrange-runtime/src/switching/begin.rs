@@ -65,11 +65,10 @@ where
         for (row, kind) in S::ROWS.iter().enumerate() {
             let (e, kinetic, fixed) = (laws.restitution[row], laws.kinetic[row], laws.fixed[row]);
             let is_good = match kind {
-                Row::Bilateral => true,
+                Row::Bilateral | Row::Load => true,
                 Row::Unilateral => e >= zero && e <= one,
-                Row::Friction { .. } => {
-                    kinetic >= zero && fixed >= kinetic && kinetic.is_finite() && fixed.is_finite()
-                }
+                // Limits are compared by their squares.
+                Row::Friction { .. } => kinetic >= zero && fixed >= kinetic && (fixed * fixed).is_finite(),
             };
             if !is_good {
                 return Err(Cause::InvalidContact { constraint: row, name: S::NAMES.constraint(row) });

@@ -75,7 +75,12 @@ where
                 {
                     return false;
                 }
-                let Some(trial) = self.trial(trial) else { return false };
+                let Some(trial) = self.trial(trial) else {
+                    if let (Cause::NotFinite, Some(constraint)) = (cause, jammed(&S::ROWS, &trial)) {
+                        cause = Cause::NoReaction { constraint, name: S::NAMES.constraint(constraint) };
+                    }
+                    return false;
+                };
                 match self.judge(parts, &trial, part, decided) {
                     Ok(()) => match &chosen {
                         None => chosen = Some(trial),
@@ -114,7 +119,7 @@ where
                 }
                 (Row::Unilateral, _) if decided == Some(row) => Options::new(&[Part::Off]),
                 (Row::Bilateral, _) if is_limit(&S::ROWS, row) => Options::new(&[Part::On, Part::Against]),
-                (Row::Bilateral, _) => Options::new(&[Part::On]),
+                (Row::Bilateral | Row::Load, _) => Options::new(&[Part::On]),
                 (Row::Unilateral, Status::Touches | Status::Meets) => Options::new(&[Part::On, Part::Off]),
                 (Row::Friction { pair: Some(other), .. }, _) if other < row => Options::new(&[Part::Off]),
                 (Row::Friction { pair: Some(_), .. }, Status::Rests) => {
@@ -314,6 +319,17 @@ fn parts_at<R: Real, const C: usize, const W: usize>(
 pub(super) struct Sizes<R, const N: usize> {
     pub(super) forces: [R; N],
     pub(super) accelerations: [R; N],
+}
+
+/// The first friction that slips and is driven by a load.
+fn jammed<R: Real, const C: usize, const W: usize>(
+    rows: &[Row; C],
+    regime: &Regime<R, C, W>,
+) -> Option<usize> {
+    rows.iter().enumerate().position(|(row, kind)| {
+        let slips = regime.slip[row] != R::zero();
+        matches!(kind, Row::Friction { normal: Some(normal), .. } if slips && rows[*normal] == Row::Load)
+    })
 }
 
 /// Whether the reaction of a row limits a friction.

@@ -57,7 +57,7 @@ where
         let zero = num_traits::Zero::zero();
         let slips = |row: usize| regime.slip.get(row).is_some_and(|&slip| slip != zero);
         core::array::from_fn(|row| match S::ROWS[row] {
-            Row::Bilateral => Contact::Holds,
+            Row::Bilateral | Row::Load => Contact::Holds,
             Row::Unilateral if is_active(row) => Contact::Closed,
             Row::Unilateral => Contact::Open,
             Row::Friction { .. } if is_active(row) => Contact::Sticks,

@@ -116,7 +116,8 @@ where
         let mut turns = false;
         for (row, kind) in S::ROWS.iter().enumerate() {
             (watch.rows[row], watch.reactions) = match kind {
-                Row::Bilateral => {
+                // Beyond its zero the series of a load has the other sign.
+                Row::Bilateral | Row::Load => {
                     let drives = S::ROWS.iter().enumerate().any(|(other, kind)| {
                         matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row)
                             && slips(other)
@@ -155,7 +156,7 @@ where
 
     /// Whether the guard of a row is made of reactions.
     pub(super) fn is_reaction(&self, row: usize) -> bool {
-        S::ROWS[row] == Row::Bilateral || self.regime.active[row]
+        matches!(S::ROWS[row], Row::Bilateral | Row::Load) || self.regime.active[row]
     }
 
     /// The guards that are polynomials where the motion is one.
@@ -188,7 +189,7 @@ where
         }
         for row in (0..C).filter(|&row| self.watch.rows[row]) {
             match S::ROWS[row] {
-                Row::Bilateral => {
+                Row::Bilateral | Row::Load => {
                     rows[row] = reactions[row];
                     turn(self.regime.side[row], &mut rows[row]);
                 }
@@ -351,7 +352,7 @@ where
         let is_active = self.regime.active[row];
         match S::ROWS[row] {
             Row::Unilateral if !is_active => scales.gaps[row],
-            Row::Bilateral | Row::Unilateral => scales.reactions[row],
+            Row::Bilateral | Row::Unilateral | Row::Load => scales.reactions[row],
             Row::Friction { .. } if is_active => scales.reactions[row] * scales.reactions[row],
             Row::Friction { pair: None, .. } => scales.speeds[row],
             Row::Friction { pair: Some(other), .. } => {

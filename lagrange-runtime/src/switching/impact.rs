@@ -156,7 +156,7 @@ where
         let is_limit = super::choice::is_limit(&S::ROWS, row);
         match (S::ROWS[row], self.status[row]) {
             (Row::Bilateral, _) if is_limit => Options::new(&[Part::On, Part::Against]),
-            (Row::Bilateral, _) => Options::new(&[Part::On]),
+            (Row::Bilateral | Row::Load, _) => Options::new(&[Part::On]),
             // One that opens may be closed by the impulses at others.
             (Row::Unilateral, Status::Apart) if self.is_closed[row] => Options::new(&[Part::Off, Part::On]),
             (Row::Unilateral, Status::Meets | Status::Touches) => Options::new(&[Part::On, Part::Off]),
@@ -182,7 +182,7 @@ where
     fn wanted(&self, row: usize, restitution: &[S::Scalar; C]) -> S::Scalar {
         let rate = self.laws.rows.rates[row];
         match S::ROWS[row] {
-            Row::Bilateral => num_traits::Zero::zero(),
+            Row::Bilateral | Row::Load => num_traits::Zero::zero(),
             Row::Unilateral if self.status[row] == Status::Meets => -(rate + restitution[row] * rate),
             Row::Unilateral | Row::Friction { .. } => -rate,
         }

@@ -48,11 +48,14 @@ pub enum Row {
     Unilateral,
     /// A slip velocity that is zero while the friction sticks, and its multiplier the friction force.
     Friction {
-        /// The row whose reaction limits it; without one the limit is given.
+        /// The row whose reaction, or the load, that limits it; without one the limit is given.
         normal: Option<usize>,
         /// The other component of a slip in two directions. The first of the two carries the direction.
         pair: Option<usize>,
     },
+    /// No constraint: the size of a force that several reactions make together, which limits friction, or what
+    /// it is made of. Its multiplier follows from those of the others.
+    Load,
 }
 
 /// A mode: one piece of the equations.

@@ -103,7 +103,9 @@ where
         let Balance { multipliers, .. } = equations.balance();
         let levers = Levers::new(&equations);
         let forces = core::array::from_fn(|i| (equations.forces[i] * levers.units[i]).abs());
-        [multipliers, levers.sizes(&levers.reach(), &multipliers, &forces)]
+        let mut sizes = levers.sizes(&levers.reach(), &multipliers, &forces);
+        equations.saddle.bound_loads(&mut sizes);
+        [multipliers, sizes]
     }
 
     /// What is borne along a step.
@@ -151,6 +153,7 @@ where
             power *= terms.length.abs();
             order += num_traits::One::one();
         }
+        equations.saddle.bound_loads(&mut sizes);
         let [before, last] = last;
         let share = relative.sqrt();
         borne.is_known = (0..C).all(|row| before[row] + last[row] <= share * sizes[row]);

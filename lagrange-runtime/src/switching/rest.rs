@@ -66,7 +66,7 @@ where
         let mut wanted = [zero; C];
         for (row, kind) in S::ROWS.iter().enumerate() {
             let holds = match kind {
-                Row::Bilateral => false,
+                Row::Bilateral | Row::Load => false,
                 Row::Unilateral => slow[row] || self.status[row] == Status::Touches,
                 // What sticks at one of them goes on to stick.
                 Row::Friction { normal: Some(_), .. } => self.status[row] == Status::Rests,

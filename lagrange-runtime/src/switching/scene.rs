@@ -199,7 +199,7 @@ where
         let rows = &self.laws.rows;
         let fired = known.fired == Some(row);
         match S::ROWS[row] {
-            Row::Bilateral => Status::Holds,
+            Row::Bilateral | Row::Load => Status::Holds,
             Row::Unilateral => {
                 let rate = rows.rates[row];
                 if !self.is_closed[row] {

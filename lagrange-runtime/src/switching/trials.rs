@@ -31,7 +31,7 @@ impl Part {
         let (slip, side) = (regime.slip[row], regime.side[row]);
         match kind {
             Row::Bilateral if (-side).is_positive() => Self::Against,
-            Row::Bilateral => Self::On,
+            Row::Bilateral | Row::Load => Self::On,
             _ if regime.active[row] => Self::On,
             _ if slip.is_positive() => Self::Forward,
             _ if (-slip).is_positive() => Self::Backward,
@@ -138,7 +138,7 @@ pub(super) fn regime<R: Real, const C: usize, const W: usize>(
                     Part::Off => {}
                 }
             }
-            (Row::Bilateral, _) => {}
+            (Row::Bilateral | Row::Load, _) => {}
         }
     }
     Some(regime)

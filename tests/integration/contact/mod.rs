@@ -1,6 +1,7 @@
 //! Contacts, dry friction and kinks: published cases (N01 to N14) and what their laws imply.
 
 mod balls;
+mod bearings;
 mod corners;
 mod friction;
 mod kinks;

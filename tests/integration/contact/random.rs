@@ -393,5 +393,5 @@ fn random_balls_in_a_corner_obey_their_laws() {
 #[ignore = "does not hold yet: `EndlessSwitching` or `StepTooSmall`"]
 fn balls_in_a_corner_that_do_not_end_well() {
     let mut tally = Tally::default();
-    [103, 248].into_iter().for_each(|number| follow_in_corner(number, &mut tally));
+    [103, 248, 383, 406, 475, 688].into_iter().for_each(|number| follow_in_corner(number, &mut tally));
 }

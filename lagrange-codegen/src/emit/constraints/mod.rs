@@ -21,6 +21,7 @@ pub(super) use record::{Held, declared, held, record, record_ident};
 pub(super) use surface::{implementations, system};
 
 use super::{Emission, scalar};
+use crate::mechanics::{LoadRow, Switched};
 use crate::structure::{Saddle, Sparsity};
 use crate::syntax::Scalar;
 
@@ -111,24 +112,56 @@ pub(super) fn constructor(method: Saddle) -> &'static str {
     }
 }
 
-/// Statements that fill `coupling` and `active` from the values of `Conditions::switches`.
-pub(super) fn filled_switches(scalar: &Scalar, count: usize, held: usize, values: &[String]) -> String {
-    if values.is_empty() {
-        return String::new();
-    }
-    let (coupling, active) = values.split_at(count * held);
+/// Statements that fill `coupling`, `active` and `shares` from the values of `Conditions::switches`.
+pub(super) fn filled_switches(emission: &Emission<'_>, values: &[String]) -> String {
+    let conditions = &emission.equations.conditions;
+    let Some(switched) = &conditions.switched else { return String::new() };
+    let (scalar, count, held) = (&emission.scalar, emission.count(), conditions.count());
+    let (coupling, rest) = values.split_at(count * held);
+    let (active, factors) = rest.split_at(held);
     let coupling: Vec<Vec<String>> = coupling.chunks(count).map(<[String]>::to_vec).collect();
-    format!("{}let active = [{}];\n", rows(scalar, "coupling", count, &coupling), active.join(", "))
+    let mut text =
+        format!("{}let active = [{}];\n", rows(scalar, "coupling", count, &coupling), active.join(", "));
+    if conditions.has_loads() {
+        let zero = scalar::zero(scalar);
+        let mut shares = vec![vec![zero; held]; held];
+        let mut factors = factors.iter();
+        for (row, terms) in switched.sums() {
+            for (&(other, _), factor) in terms.iter().zip(&mut factors) {
+                shares[row][other].clone_from(factor);
+            }
+        }
+        text.push_str(&rows(scalar, "shares", held, &shares));
+    }
+    text
+}
+
+/// The rows that are no constraints.
+fn loads(switched: &Switched) -> String {
+    let first = switched.active.len() - switched.loads.len();
+    let each = switched.loads.iter().zip(first..).map(|(load, row)| match load {
+        LoadRow::Sum(_) => format!("lagrange::saddle::Load::Sum {{ row: {row} }}"),
+        LoadRow::Size(parts) => format!("lagrange::saddle::Load::Size {{ row: {row}, parts: &{parts:?} }}"),
+    });
+    format!("&[{}]", each.collect::<Vec<_>>().join(", "))
 }
 
 /// The expression that factors `mass` and `gradients`.
 pub(super) fn factored(emission: &Emission<'_>, method: Saddle) -> String {
+    let own = saddle_type(emission, method).replacen('<', "::<", 1);
+    if let (Saddle::Switched { definite }, Some(switched)) = (method, &emission.equations.conditions.switched)
+        && !switched.loads.is_empty()
+    {
+        return format!(
+            "{own}::factor_loaded::<{definite}>(&mass, &gradients, &coupling, &active, &shares, {})",
+            loads(switched)
+        );
+    }
     let arguments = match method {
         Saddle::Diagonal => "mass, &gradients",
         Saddle::Sparse => "mass, gradients",
         Saddle::Whole { .. } => "&mass, &gradients",
         Saddle::Switched { .. } => "&mass, &gradients, &coupling, &active",
     };
-    let own = saddle_type(emission, method).replacen('<', "::<", 1);
     format!("{own}::{}({arguments})", constructor(method))
 }

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::model::Constraint;
+use crate::regimes::LOAD;
 use crate::syntax::Item;
 
 /// `…Reactions`.
@@ -41,10 +42,12 @@ pub(in crate::emit) fn record(item: &Item, held: &[Held]) -> TokenStream {
     for (label, length) in held {
         let parts: Vec<_> = (0..length.unwrap_or(1)).map(|i| format_ident!("x{}", flat.len() + i)).collect();
         let ident = field(label);
+        let is_load = label.starts_with(LOAD);
         let field_doc = format!("`{label}`");
+        let hidden = is_load.then(|| quote!(#[doc(hidden)]));
         match length {
             Some(length) => {
-                fields.push(quote!(#[doc = #field_doc] pub #ident: [T; #length]));
+                fields.push(quote!(#hidden #[doc = #field_doc] pub #ident: [T; #length]));
                 patterns.push(quote!(#ident: [#(#parts),*]));
             }
             None => {
@@ -52,7 +55,9 @@ pub(in crate::emit) fn record(item: &Item, held: &[Held]) -> TokenStream {
                 patterns.push(quote!(#ident: #(#parts)*));
             }
         }
-        debug.push(quote!(.field(#label, &self.#ident)));
+        if !is_load {
+            debug.push(quote!(.field(#label, &self.#ident)));
+        }
         flat.extend(parts);
     }
     let count = flat.len();

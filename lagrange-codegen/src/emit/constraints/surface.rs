@@ -155,7 +155,7 @@ fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, St
     let mut take = |count: usize| outputs.by_ref().take(count).collect::<Vec<_>>();
     text.push_str(&mass_and_gradients(emission, method, take(mass.len()), take(count * held)));
     let (gamma, forces) = (take(held), take(count));
-    text.push_str(&filled_switches(scalar, count, held, &take(extra.len())));
+    text.push_str(&filled_switches(emission, &take(extra.len())));
     text.push_str(&format!(
         "lagrange::Equations {{ saddle: {}, gradients, forces: [{}], gamma: [{}] }}",
         factored(emission, method),
@@ -228,7 +228,7 @@ fn saddle(emission: &mut Emission<'_>, method: Saddle) -> String {
         let (mass, rest) = values.split_at(split);
         let (gradient, extra) = rest.split_at(count * held);
         let filled = mass_and_gradients(emission, method, mass.to_vec(), gradient.to_vec())
-            + &filled_switches(&emission.scalar, count, held, extra);
+            + &filled_switches(emission, extra);
         format!("{filled}({}, gradients)", factored(emission, method))
     })
 }

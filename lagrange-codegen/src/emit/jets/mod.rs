@@ -244,7 +244,7 @@ impl Pass<'_> {
         };
         writer.bind_always(&early);
         text.push_str(&lines(writer.part(&[&early[..], &outputs.order].concat(), names)));
-        text.push_str(&solvers::order(expansion, &solvers, writer, of));
+        text.push_str(&solvers::order(emission, expansion, &solvers, writer, of));
         text.push_str(&lines(writer.part(&outputs.solution, names)));
         if reacting(expansion).is_some() {
             text.push_str(&format!("reactions.set(order, [{}]);\n", of.multipliers.join(", ")));

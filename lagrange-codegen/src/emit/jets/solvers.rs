@@ -141,14 +141,20 @@ fn saddle_start(emission: &Emission<'_>, saddle: &SaddlePoint, writer: &Writer<'
         "{}let gradients = {gradients};\n{}let {SADDLE} = {};\n\
          if lagrange::constraints::is_singular(&{SADDLE}) {{ return false; }}\n{}",
         body::lower_triangle(scalar, count, &mass),
-        constraints::filled_switches(scalar, count, held, &writer.outputs(&saddle.switches)),
+        constraints::filled_switches(emission, &writer.outputs(&saddle.switches)),
         constraints::factored(emission, saddle.method),
         noted(format!("lagrange::constraints::independence(&{SADDLE})"))
     )
 }
 
 /// The statements that solve an order.
-pub(super) fn order(expansion: &Expansion, solvers: &[String], writer: &Writer<'_>, of: &Of) -> String {
+pub(super) fn order(
+    emission: &Emission<'_>,
+    expansion: &Expansion,
+    solvers: &[String],
+    writer: &Writer<'_>,
+    of: &Of,
+) -> String {
     let mut text = String::new();
     let listed = |slots: &[Slot]| writer.outputs(slots).join(", ");
     for (solver, name) in expansion.solvers.iter().zip(solvers) {
@@ -166,6 +172,11 @@ pub(super) fn order(expansion: &Expansion, solvers: &[String], writer: &Writer<'
             format!("let [{impulses}] = {SADDLE}.solve_order(order, &mass, [{conditions}]);\n")
         }
         Saddle::Sparse => format!("let [{impulses}] = {SADDLE}.solve_order(order, [{conditions}]);\n"),
+        Saddle::Switched { .. } if emission.solved.conditions.has_loads() => format!(
+            "let ([{}], [{impulses}]) = {SADDLE}.solve_order(order, rate, reactions.rows(), &[{}], &[{conditions}]);\n",
+            of.velocities.join(", "),
+            listed(&saddle.momenta)
+        ),
         Saddle::Whole { .. } | Saddle::Switched { .. } => format!(
             "let ([{}], [{impulses}]) = lagrange::saddle::SaddlePoint::{}(&{SADDLE}, &[{}], &[{conditions}]);\n",
             of.velocities.join(", "),

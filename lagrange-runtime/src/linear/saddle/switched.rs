@@ -8,7 +8,10 @@
 //! With the inverse of the symmetric system, v = P (r + Dᵀκ) + Y y and κ = −Yᵀ(r + Dᵀκ) + T y, so that
 //! (1 + Yᵀ Dᵀ) κ = −Yᵀ r + T y. Where that matrix is singular friction jams: no reaction, or any, keeps the
 //! contact closed (Painlevé).
+//!
+//! Rows of [`loads`](super::loads) are no constraints, but have multipliers that follow from the others.
 
+use super::loads::{Load, Loads};
 use super::vectors::{add_scaled, put};
 use super::{Defect, Saddle, SaddlePoint};
 use crate::linear::{Independence, Lu};
@@ -29,6 +32,8 @@ enum Jam<R, const C: usize> {
     /// No reaction drives friction.
     None,
     Regular(Lu<R, C>),
+    /// The same of given loads, which depend on reactions.
+    Loaded(Lu<R, C>, Loads<R, C>),
     Singular,
 }
 
@@ -38,7 +43,7 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
     /// Rows of `a` that are not active are not read.
     #[must_use]
     pub fn factor(mass: &[[R; N]; N], a: &[[R; N]; C], coupling: &[[R; N]; C], active: &[R; C]) -> Self {
-        Self::with::<true>(mass, a, coupling, active)
+        Self::with::<true>(mass, a, coupling, active, None)
     }
 
     /// The same of a symmetric matrix of any signature.
@@ -49,23 +54,40 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         coupling: &[[R; N]; C],
         active: &[R; C],
     ) -> Self {
-        Self::with::<false>(mass, a, coupling, active)
+        Self::with::<false>(mass, a, coupling, active, None)
     }
 
+    /// The same with rows that are loads, which are not active; `shares` has the factors of the sums.
+    #[must_use]
+    pub fn factor_loaded<const DEFINITE: bool>(
+        mass: &[[R; N]; N],
+        a: &[[R; N]; C],
+        coupling: &[[R; N]; C],
+        active: &[R; C],
+        shares: &[[R; C]; C],
+        loads: &'static [Load],
+    ) -> Self {
+        Self::with::<DEFINITE>(mass, a, coupling, active, Some((shares, loads)))
+    }
+
+    #[inline(always)]
     fn with<const DEFINITE: bool>(
         mass: &[[R; N]; N],
         a: &[[R; N]; C],
         coupling: &[[R; N]; C],
         active: &[R; C],
+        loaded: Option<(&[[R; C]; C], &'static [Load])>,
     ) -> Self {
         let active = active.map(|x| x.is_positive());
         let saddle = Saddle::with_active::<DEFINITE>(mass, a, &active);
         let mut this = Self { saddle, driven: [[R::zero(); N]; C], jam: Jam::None };
         let mut matrix = [[R::zero(); C]; C];
-        let mut is_coupled = false;
+        let mut is_coupled = loaded.is_some();
+        let is_load =
+            |row: usize| loaded.is_some_and(|(_, loads)| loads.iter().any(|load| load.row() == row));
         for (j, (row, &is_active)) in coupling.iter().zip(&active).enumerate() {
             put(&mut matrix[j], j, R::one());
-            if !is_active || row.iter().all(|&x| x == R::zero()) {
+            if !is_active && !is_load(j) || row.iter().all(|&x| x == R::zero()) {
                 continue;
             }
             is_coupled = true;
@@ -75,10 +97,60 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
                 entries[j] -= x;
             }
         }
+        if let Some((shares, _)) = loaded {
+            for (row, shares) in matrix.iter_mut().zip(shares) {
+                for (entry, &share) in row.iter_mut().zip(shares) {
+                    *entry -= share;
+                }
+            }
+        }
         if is_coupled {
-            this.jam = Lu::factor(matrix).map_or(Jam::Singular, Jam::Regular);
+            this.jam = Lu::factor(matrix).map_or(Jam::Singular, |lu| match loaded {
+                None => Jam::Regular(lu),
+                Some((shares, table)) => {
+                    Loads::new(table, shares, &lu).map_or(Jam::Singular, |loads| Jam::Loaded(lu, loads))
+                }
+            });
         }
         this
+    }
+
+    /// [`solve_motion`](SaddlePoint::solve_motion) of an order of a series, from 1 on. `known` are the multipliers
+    /// of the orders before, and κ is `rate` times those of this one. Of rows that are sums of others `y` is what
+    /// lacks of them.
+    #[must_use]
+    pub fn solve_order(
+        &self,
+        order: usize,
+        rate: R,
+        known: &[R],
+        r: &[R; N],
+        y: &[R; C],
+    ) -> ([R; N], [R; C]) {
+        let Jam::Loaded(lu, loads) = &self.jam else { return self.solve_motion(r, y) };
+        let (v, mut free) = self.saddle.solve(r, y);
+        for row in loads.sums() {
+            free[row] = -(rate * y[row]);
+        }
+        let known = known.as_chunks::<C>().0;
+        let known = known.get(..order - 1).unwrap_or(known);
+        self.driven(v, loads.solve_order(&lu.solve(free), rate, known))
+    }
+
+    /// What friction adds to v.
+    #[inline]
+    fn driven(&self, mut v: [R; N], kappa: [R; C]) -> ([R; N], [R; C]) {
+        for (driven, &x) in self.driven.iter().zip(&kappa) {
+            add_scaled(&mut v, driven, x);
+        }
+        (v, kappa)
+    }
+
+    /// Adds to bounds of multipliers those of the rows that follow from them.
+    pub(crate) fn bound_loads(&self, bounds: &mut [R; C]) {
+        if let Jam::Loaded(_, loads) = &self.jam {
+            loads.bound(bounds);
+        }
     }
 }
 
@@ -92,16 +164,11 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Switched<
 
     #[inline]
     fn solve_motion(&self, r: &[R; N], y: &[R; C]) -> ([R; N], [R; C]) {
-        let (mut v, kappa) = self.saddle.solve(r, y);
+        let (v, kappa) = self.saddle.solve(r, y);
         match &self.jam {
             Jam::None => (v, kappa),
-            Jam::Regular(lu) => {
-                let kappa = lu.solve(kappa);
-                for (driven, &x) in self.driven.iter().zip(&kappa) {
-                    add_scaled(&mut v, driven, x);
-                }
-                (v, kappa)
-            }
+            Jam::Regular(lu) => self.driven(v, lu.solve(kappa)),
+            Jam::Loaded(lu, loads) => self.driven(v, loads.solve(&lu.solve(kappa))),
             Jam::Singular => ([R::from_f64(f64::NAN); N], [R::from_f64(f64::NAN); C]),
         }
     }

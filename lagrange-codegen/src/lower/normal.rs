@@ -1,0 +1,209 @@
+//! What limits a friction: the force of a constraint, or the common size of the forces of several.
+
+use super::advice::{counted, valid_indices};
+use super::interpreter::Interpreter;
+use crate::diagnostics::catalogue;
+use crate::expr::NodeId;
+use crate::kinematics::acting::{Acting, acting};
+use crate::model::{Constraint, ConstraintKind, Load, Model, Normal};
+use crate::syntax::body::{Expr, Name, Word};
+use crate::syntax::item::{self, Function, RoleKind};
+
+/// What limits a friction.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limit {
+    pub normal: Normal,
+    /// The Cartesian size of the force of a unit multiplier, where its form tells that.
+    pub size: Option<NodeId>,
+}
+
+/// What constraints and gaps do at each particle and body.
+pub(super) struct Actions {
+    rows: Vec<Constraint>,
+    /// How many of them are constraints.
+    held: usize,
+    acting: Vec<Vec<Acting>>,
+}
+
+impl Actions {
+    pub fn of(model: &mut Model) -> Actions {
+        let gaps = model.contacts.iter().map(|contact| &contact.constraint);
+        let rows: Vec<Constraint> = model.constraints.iter().chain(gaps).cloned().collect();
+        let acting = acting(model, &rows);
+        Actions { rows, held: model.constraints.len(), acting }
+    }
+
+    /// What a row does at a place, where there may be a force.
+    fn at(&self, model: &Model, row: usize, place: usize) -> Option<&Acting> {
+        self.acting[row].get(place).filter(|acting| acting.is_any(&model.graph))
+    }
+
+    /// Whether a row is a holonomic constraint.
+    fn presses(&self, row: usize) -> bool {
+        row < self.held && self.rows[row].kind == ConstraintKind::Holonomic
+    }
+}
+
+impl<'a> Interpreter<'a> {
+    /// What a normal names, for each friction; `None` where that is a mistake, which is reported.
+    pub(super) fn limits(
+        &mut self,
+        function: &'a Function,
+        normal: &'a item::Normal,
+        count: Option<usize>,
+        actions: &Actions,
+    ) -> Option<Vec<Limit>> {
+        let wanted = count.unwrap_or(1);
+        let (word, element) = match normal {
+            item::Normal::One(word, element) => (word, element.as_ref()),
+            item::Normal::Together(names, origin) => {
+                let mut rows = Vec::new();
+                for (word, element) in names {
+                    for row in self.rows_named(word, element.as_ref(), actions)? {
+                        if !actions.presses(row) {
+                            self.report(word.origin, catalogue::friction_with_gap(&word.name));
+                            return None;
+                        }
+                        if rows.contains(&row) {
+                            let name = actions.rows[row].written();
+                            self.report(word.origin, catalogue::friction_named_twice(name));
+                            return None;
+                        }
+                        rows.push(row);
+                    }
+                }
+                if rows.is_empty() {
+                    self.report(*origin, catalogue::friction_without_normal());
+                    return None;
+                }
+                let places = 0..self.model.places.len();
+                let known = |row: usize, place: usize| {
+                    actions.at(&self.model, row, place).is_some_and(|acting| acting.is_whole)
+                };
+                let common = places.into_iter().find(|&place| rows.iter().all(|&row| known(row, place)));
+                let Some(place) = common else {
+                    self.report(*origin, catalogue::friction_apart());
+                    return None;
+                };
+                let limit = self.together(function, &rows, place, actions);
+                return Some(vec![limit; wanted]);
+            }
+        };
+        let is_place = |function: &&Function| {
+            let kind = function.role.as_ref().map(|role| &role.kind);
+            function.name == word.name && matches!(kind, Some(RoleKind::Point { .. } | RoleKind::Body { .. }))
+        };
+        if self.item.functions.iter().any(|function| is_place(&function)) {
+            let limit = self.reaction_on(function, word, element, actions)?;
+            return Some(vec![limit; wanted]);
+        }
+        let rows = self.rows_named(word, element, actions)?;
+        let rows = if let [row] = rows.as_slice() { vec![*row; wanted] } else { rows };
+        if rows.len() != wanted {
+            let (have, want) = (counted(wanted, "friction"), counted(rows.len(), "reaction"));
+            self.report(word.origin, catalogue::friction_count(&function.name, have, want));
+            return None;
+        }
+        Some(rows.into_iter().map(|row| self.single(row, actions)).collect())
+    }
+
+    /// The constraints and gaps with a name.
+    fn rows_named(
+        &mut self,
+        word: &'a Word,
+        element: Option<&'a Expr>,
+        actions: &Actions,
+    ) -> Option<Vec<usize>> {
+        let rows: Vec<usize> = (0..actions.rows.len())
+            .filter(|&row| actions.presses(row) || row >= actions.held)
+            .filter(|&row| *actions.rows[row].name == *word.name)
+            .collect();
+        if rows.is_empty() {
+            let functions = self.item.functions.iter().filter(|other| has_reaction(other));
+            let names: Vec<Name> = functions.map(|function| function.name.clone()).collect();
+            let near = self.near(&word.name, &names);
+            self.report(word.origin, catalogue::friction_on_unknown(&word.name, near));
+            return None;
+        }
+        let Some(element) = element else { return Some(rows) };
+        let index = self.length(element)?;
+        match rows.iter().find(|&&row| actions.rows[row].index == Some(index)) {
+            Some(&row) => Some(vec![row]),
+            None => {
+                let valid = valid_indices(rows.len());
+                self.report(element.origin, catalogue::index_out_of_range(index, valid));
+                None
+            }
+        }
+    }
+
+    /// The reaction on a particle or a body: all forces of constraints there together.
+    fn reaction_on(
+        &mut self,
+        function: &'a Function,
+        word: &'a Word,
+        element: Option<&'a Expr>,
+        actions: &Actions,
+    ) -> Option<Limit> {
+        let index = match element {
+            Some(element) => Some(self.length(element)?),
+            None => None,
+        };
+        let places = &self.model.places;
+        let place = places.iter().position(|place| *place.name == *word.name && place.index == index);
+        let Some(place) = place else {
+            self.report(word.origin, catalogue::friction_on_free_place(&word.name));
+            return None;
+        };
+        let acts = |&row: &usize| actions.at(&self.model, row, place).is_some();
+        let found: Vec<usize> = (0..actions.rows.len()).filter(acts).collect();
+        for &row in &found {
+            let name = actions.rows[row].written();
+            let is_whole = actions.at(&self.model, row, place).is_some_and(|acting| acting.is_whole);
+            let fault = match (actions.presses(row), is_whole) {
+                (false, _) => catalogue::friction_beside(name, &word.name),
+                (true, false) => catalogue::friction_by_form(name, &word.name),
+                (true, true) => continue,
+            };
+            self.report(word.origin, fault);
+            return None;
+        }
+        if found.is_empty() {
+            self.report(word.origin, catalogue::friction_on_free_place(&word.name));
+            return None;
+        }
+        Some(self.together(function, &found, place, actions))
+    }
+
+    /// The size of the force that constraints exert together on a place.
+    fn together(&mut self, function: &Function, rows: &[usize], place: usize, actions: &Actions) -> Limit {
+        if let [row] = *rows {
+            let size = actions.acting[row][place].size(&mut self.model.graph);
+            return Limit { normal: Normal::Row(row), size: Some(size) };
+        }
+        let graph = &self.model.graph;
+        let component = |i: usize| -> Vec<(usize, NodeId)> {
+            let factors = rows.iter().map(|&row| (row, actions.acting[row][place].force[i]));
+            factors.filter(|&(_, factor)| !graph.is_zero(factor)).collect()
+        };
+        let force: Vec<_> = (0..self.model.places[place].position.len())
+            .map(component)
+            .filter(|terms| !terms.is_empty())
+            .collect();
+        self.model.loads.push(Load { friction: function.name.to_string(), force, origin: function.origin });
+        Limit { normal: Normal::Load(self.model.loads.len() - 1), size: None }
+    }
+
+    /// The reaction of a row. Its Cartesian size is that of its force on the first place where that is known:
+    /// a reaction between two places has the same size on both.
+    fn single(&mut self, row: usize, actions: &Actions) -> Limit {
+        let graph = &mut self.model.graph;
+        let known = actions.acting[row].iter().find(|acting| acting.is_whole && acting.is_any(graph));
+        Limit { normal: Normal::Row(row), size: known.map(|acting| acting.size(graph)) }
+    }
+}
+
+fn has_reaction(function: &Function) -> bool {
+    let kind = function.role.as_ref().map(|role| &role.kind);
+    matches!(kind, Some(RoleKind::Unilateral { .. } | RoleKind::Holonomic { eliminate: None }))
+}

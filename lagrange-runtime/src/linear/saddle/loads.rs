@@ -1,0 +1,265 @@
+//! The common size of several reactions, which drives friction.
+//!
+//! A load N = |F| is an unknown like the reactions κ that its force F is a sum of. Friction adds to the
+//! reactions what is proportional to it, so that F = a + X N with forces a that are there without friction and a
+//! response X. That is one scalar equation for each load, convex in it, and Newton's method from N = 0 finds
+//! its solution. If |X| < 1 there is one; else there is none, or there are two: friction jams. Of several
+//! loads the matrix of all |X| has to be a contraction, which its pivots tell.
+//!
+//! Along a motion N² = F · F holds for the series as well. Of order zero that is the equation above. Of an
+//! order k above, N\[k] = n · F\[k] plus what lower orders give, with the direction n = F\[0] / N\[0]: a linear
+//! equation. Where a force begins to grow from zero, its first order that is not zero has the part of order zero.
+
+use crate::linear::Lu;
+use crate::number::real::Real;
+
+/// So often Newton's method is tried at most. It converges by squares, and from N = 0 without turning back.
+const ITERATIONS: usize = 64;
+
+/// Rounding errors of a force that a load is compared with.
+const ULPS: f64 = 16.0;
+
+/// A row that is no constraint: its multiplier follows from others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Load {
+    /// A sum of other multipliers with given factors: a component of a force, or loads of several places.
+    Sum {
+        /// Its row.
+        row: usize,
+    },
+    /// The size of a force.
+    Size {
+        /// Its row.
+        row: usize,
+        /// The rows of the components.
+        parts: &'static [usize],
+    },
+}
+
+impl Load {
+    /// Its row.
+    pub(super) fn row(&self) -> usize {
+        let (Self::Sum { row } | Self::Size { row, .. }) = self;
+        *row
+    }
+}
+
+/// Loads whose friction changes the forces that they are the sizes of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Loads<R, const C: usize> {
+    table: &'static [Load],
+    /// The factors of the sums.
+    shares: [[R; C]; C],
+    /// What a unit load does to all multipliers, in the place of its row.
+    response: [[R; C]; C],
+}
+
+/// What is known of the size of a force: N = n · F + rest.
+struct Tangent<R, const C: usize> {
+    /// The direction n by row; zero of rows that are no components.
+    direction: [R; C],
+    rest: R,
+}
+
+impl<R: Real, const C: usize> Loads<R, C> {
+    /// `linear` has multipliers as they follow from given loads; `None` where friction jams.
+    pub(super) fn new(table: &'static [Load], shares: &[[R; C]; C], linear: &Lu<R, C>) -> Option<Self> {
+        let mut response = [[R::zero(); C]; C];
+        for (row, _) in sizes(table) {
+            let unit = core::array::from_fn(|place| if place == row { R::one() } else { R::zero() });
+            *response.get_mut(row)? = linear.solve(unit);
+        }
+        let this = Self { table, shares: *shares, response };
+        this.is_contraction().then_some(this)
+    }
+
+    /// The rows of sums.
+    pub(super) fn sums(&self) -> impl Iterator<Item = usize> {
+        self.table.iter().filter(|load| matches!(load, Load::Sum { .. })).map(Load::row)
+    }
+
+    /// Gives loads bounds of their errors from those of what they are made of.
+    pub(super) fn bound(&self, bounds: &mut [R; C]) {
+        for load in self.table {
+            let bound = match *load {
+                Load::Sum { row } => {
+                    let shares = self.shares[row].iter().zip(&*bounds);
+                    shares.fold(R::zero(), |sum, (&share, &bound)| sum + share.abs() * bound)
+                }
+                Load::Size { parts, .. } => parts.iter().fold(R::zero(), |sum, &part| sum + bounds[part]),
+            };
+            bounds[load.row()] = bound;
+        }
+    }
+
+    /// Whether loads and the forces that they cause converge: the pivots of 1 − |X| are positive.
+    fn is_contraction(&self) -> bool {
+        let mut matrix = [[R::zero(); C]; C];
+        for (row, parts) in sizes(self.table) {
+            for (other, _) in sizes(self.table) {
+                let response = self.response[other];
+                let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(response[part]));
+                matrix[row][other] = if row == other { R::one() - size } else { -size };
+            }
+        }
+        for (pivot, _) in sizes(self.table) {
+            if !matrix[pivot][pivot].is_positive() {
+                return false;
+            }
+            for (row, _) in sizes(self.table).filter(|(row, _)| *row > pivot) {
+                let factor = matrix[row][pivot] / matrix[pivot][pivot];
+                for (column, _) in sizes(self.table) {
+                    let entry = matrix[pivot][column];
+                    matrix[row][column] -= factor * entry;
+                }
+            }
+        }
+        true
+    }
+
+    /// All multipliers from those without loads; NaN where there are none.
+    pub(super) fn solve(&self, free: &[R; C]) -> [R; C] {
+        self.settled(free, |_, _| None)
+    }
+
+    /// The same of an order of a series, whose lower ones are `known`, a row each, in units of `rate`.
+    pub(super) fn solve_order(&self, free: &[R; C], rate: R, known: &[[R; C]]) -> [R; C] {
+        self.settled(free, |row, parts| {
+            let first = known.iter().position(|known| known[row] != R::zero())?;
+            let (start, later) = known.get(first..)?.split_first()?;
+            let mut square = R::zero();
+            for (one, other) in later.iter().zip(later.iter().rev()) {
+                let force = parts.iter().fold(R::zero(), |sum, &part| one[part].mul_add(other[part], sum));
+                square += force - one[row] * other[row];
+            }
+            let mut direction = [R::zero(); C];
+            for &part in parts {
+                direction[part] = start[part] / start[row];
+            }
+            Some(Tangent { direction, rest: rate * square / (start[row] + start[row]) })
+        })
+    }
+
+    /// Newton's method, beside sizes whose tangents are given.
+    fn settled(&self, free: &[R; C], given: impl Fn(usize, &[usize]) -> Option<Tangent<R, C>>) -> [R; C] {
+        let mut multipliers = *free;
+        let mut has_converged = false;
+        for _ in 0..ITERATIONS {
+            let mut matrix = core::array::from_fn(|row| {
+                core::array::from_fn(|column| if row == column { R::one() } else { R::zero() })
+            });
+            let mut right = [R::zero(); C];
+            let mut is_linear = true;
+            for (row, parts) in sizes(self.table) {
+                let Tangent { direction, rest } = given(row, parts).unwrap_or_else(|| {
+                    is_linear = false;
+                    tangent(&multipliers, parts)
+                });
+                let along = |x: &[R; C]| {
+                    parts.iter().fold(R::zero(), |sum, &part| direction[part].mul_add(x[part], sum))
+                };
+                right[row] = along(free) + rest;
+                for (other, _) in sizes(self.table) {
+                    matrix[row][other] -= along(&self.response[other]);
+                }
+            }
+            let Ok(matrix) = Lu::factor(matrix) else { break };
+            let loads = matrix.solve(right);
+            let mut next = *free;
+            for (row, _) in sizes(self.table) {
+                for (next, &response) in next.iter_mut().zip(&self.response[row]) {
+                    *next = response.mul_add(loads[row], *next);
+                }
+            }
+            let agrees = sizes(self.table).all(|(row, parts)| {
+                let size = parts.iter().fold(next[row].abs(), |sum, &part| sum + free[part].abs());
+                let change = (next[row] - multipliers[row]).abs();
+                !(change - R::from_f64(ULPS) * R::epsilon() * size).is_positive()
+            });
+            multipliers = next;
+            // Once more after it has converged, for what numbers carry beside their values.
+            if is_linear || has_converged {
+                return multipliers;
+            }
+            has_converged = agrees;
+        }
+        [R::from_f64(f64::NAN); C]
+    }
+}
+
+/// The size of a force about its present value. Of a force that is zero nothing is known.
+fn tangent<R: Real, const C: usize>(multipliers: &[R; C], parts: &[usize]) -> Tangent<R, C> {
+    let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(multipliers[part]));
+    let mut direction = [R::zero(); C];
+    if size.is_positive() {
+        for &part in parts {
+            direction[part] = multipliers[part] / size;
+        }
+    }
+    Tangent { direction, rest: R::zero() }
+}
+
+/// The rows of sizes, and those of their components.
+fn sizes(table: &'static [Load]) -> impl Iterator<Item = (usize, &'static [usize])> {
+    table.iter().filter_map(|load| match *load {
+        Load::Size { row, parts } => Some((row, parts)),
+        Load::Sum { .. } => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two components and their size.
+    const TABLE: &[Load] = &[Load::Size { row: 2, parts: &[0, 1] }];
+
+    fn loads(response: [f64; 2]) -> Option<Loads<f64, 3>> {
+        let [x, y] = response;
+        let linear = Lu::factor([[1.0, 0.0, -x], [0.0, 1.0, -y], [0.0, 0.0, 1.0]]).unwrap();
+        Loads::new(TABLE, &[[0.0; 3]; 3], &linear)
+    }
+
+    #[test]
+    fn a_load_is_the_size_of_the_force_that_it_changes() {
+        let ([x, y], [a, b]) = ([0.6, -0.7], [-3.0, 0.5]);
+        let [p, q, load] = loads([x, y]).unwrap().solve(&[a, b, 0.0]);
+        // (1 − X²) N² − 2 a X N − a² = 0.
+        let (square, along, rest) = (1.0 - x * x - y * y, a * x + b * y, a * a + b * b);
+        let expected = (along + (along * along + square * rest).sqrt()) / square;
+        assert!((load - expected).abs() < 1e-14 * expected, "{load} {expected}");
+        assert!((p - a - x * load).abs() < 1e-15 && (q - b - y * load).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_load_that_exceeds_itself_jams() {
+        assert!(loads([0.6, 0.79]).is_some() && loads([0.6, 0.81]).is_none());
+    }
+
+    #[test]
+    fn without_a_force_there_is_no_load() {
+        assert_eq!(loads([0.3, 0.0]).unwrap().solve(&[0.0; 3]), [0.0; 3]);
+    }
+
+    /// N² = F · F for the series, also where the first order vanishes.
+    #[test]
+    fn orders_of_a_load_follow_from_those_of_its_force() {
+        for first in [[1.5, -0.25], [0.0, 0.0]] {
+            let loads = loads([0.2, 0.3]).unwrap();
+            let free = [first, [0.7, 0.4], [-0.3, 1.0], [0.9, -0.6], [0.1, 0.2], [0.5, 0.0]];
+            let mut known = [[0.0; 3]; 6];
+            for order in 0..6 {
+                let [x, y] = free[order];
+                let (before, _) = known.split_at(order);
+                known[order] = loads.solve_order(&[2.0 * x, 2.0 * y, 0.0], 2.0, before).map(|x| 0.5 * x);
+            }
+            for order in 0..6 {
+                let product = |row: usize| -> f64 {
+                    (0..=order).map(|place| known[place][row] * known[order - place][row]).sum()
+                };
+                let lack = product(0) + product(1) - product(2);
+                assert!(lack.abs() < 1e-14, "{order}: {lack}");
+            }
+        }
+    }
+}
