@@ -80,7 +80,7 @@ fn rate(graph: &mut Graph, id: NodeId, rates: &[Option<NodeId>]) -> Option<NodeI
             graph.mul(slope, rate)
         }
         Node::Binary(function, first, second) => {
-            let (by_first, by_second) = local::binary(graph, function, first, second, id);
+            let (by_first, by_second) = local::binary(graph, function, first, second);
             let mut terms = Vec::new();
             for (slope, operand) in [(by_first, first), (by_second, second)] {
                 if let Some(rate) = rates[operand.index()] {

@@ -80,14 +80,8 @@ pub fn unary(graph: &mut Graph, function: Unary, argument: NodeId, value: NodeId
     }
 }
 
-/// The two partial derivatives at `(first, second)`; `value` is the function's value.
-pub fn binary(
-    graph: &mut Graph,
-    function: Binary,
-    first: NodeId,
-    second: NodeId,
-    value: NodeId,
-) -> (NodeId, NodeId) {
+/// The two partial derivatives at `(first, second)`.
+pub fn binary(graph: &mut Graph, function: Binary, first: NodeId, second: NodeId) -> (NodeId, NodeId) {
     match function {
         Binary::Atan2 => {
             let (y2, x2) = (graph.powi(first, 2), graph.powi(second, 2));
@@ -100,8 +94,17 @@ pub fn binary(
             let lowered = graph.sum(Number::MINUS_ONE, &[(second, Number::ONE)]);
             let lowered = graph.powf(first, lowered);
             let by_base = graph.mul(second, lowered);
-            let logarithm = graph.unary(Unary::Ln, first);
-            (by_base, graph.mul(value, logarithm))
+            (by_base, graph.powf_ln(first, second))
+        }
+        Binary::PowfLn => {
+            let lowered = graph.sum(Number::MINUS_ONE, &[(second, Number::ONE)]);
+            let (power, slope) = (graph.powf(first, lowered), graph.powf_ln(first, lowered));
+            let slope = graph.mul(second, slope);
+            let by_base = graph.add(slope, power);
+            // xʸ ln² x is the square of a function that has the limit as well.
+            let half = graph.scale(second, Number::Ratio(1, 2));
+            let root = graph.powf_ln(first, half);
+            (by_base, graph.powi(root, 2))
         }
         Binary::Pivot => (graph.one(), graph.zero()),
     }

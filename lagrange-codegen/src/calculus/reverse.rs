@@ -103,7 +103,7 @@ fn distribute(
             }
         }
         Node::Binary(function, first, second) => {
-            let (by_first, by_second) = local::binary(graph, function, first, second, id);
+            let (by_first, by_second) = local::binary(graph, function, first, second);
             for (slope, operand) in [(by_first, first), (by_second, second)] {
                 if active[operand.index()] {
                     let share = graph.mul(adjoint, slope);

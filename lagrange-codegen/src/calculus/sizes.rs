@@ -47,7 +47,7 @@ fn size(graph: &mut Graph, id: NodeId, of: &dyn Fn(NodeId) -> NodeId) -> NodeId 
             passed(graph, id, &[(slope, of(argument))])
         }
         Node::Binary(function, first, second) => {
-            let (by_first, by_second) = local::binary(graph, function, first, second, id);
+            let (by_first, by_second) = local::binary(graph, function, first, second);
             passed(graph, id, &[(by_first, of(first)), (by_second, of(second))])
         }
     }

@@ -57,6 +57,8 @@ fn functions_of_two_arguments_and_powers() {
     check(&mut graph, root, x, [-0.7, 0.2, 0.8]);
     let root = graph.powf(shifted, x);
     check(&mut graph, root, x, [-0.7, 0.2, 0.8]);
+    let root = graph.powf_ln(shifted, x);
+    check(&mut graph, root, x, [-0.7, 0.2, 0.8]);
     let root = graph.product(&[(shifted, Exponent(-3)), (x, Exponent(4))]);
     check(&mut graph, root, x, [-0.7, 0.2, 0.8]);
 }
@@ -105,4 +107,19 @@ fn derivatives_exist_where_a_function_has_saturated() {
             }
         }
     }
+}
+
+#[test]
+fn a_power_of_zero_has_derivatives_by_its_exponent() {
+    let mut graph = Graph::new();
+    let (x, y) = (graph.variable(Variable::Coordinate(0)), graph.variable(Variable::Coordinate(1)));
+    let one = graph.one();
+    let power = graph.powf(x, y);
+    let by_exponent = pullback(&mut graph, &[(power, one)], &[y])[0];
+    let seconds = pullback(&mut graph, &[(by_exponent, one)], &[x, y]);
+    let at = |exponent: f64| {
+        move |variable: Variable| if variable == Variable::Coordinate(0) { 0.0 } else { exponent }
+    };
+    assert_eq!(graph.evaluate(&[by_exponent, seconds[0], seconds[1]], at(1.5)), [0.0; 3]);
+    assert_eq!(graph.evaluate(&[by_exponent], at(0.0)), [f64::NEG_INFINITY]);
 }

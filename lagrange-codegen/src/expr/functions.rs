@@ -57,6 +57,7 @@ impl Graph {
         match function {
             Binary::Atan2 => self.atan2(first, second),
             Binary::Powf => self.powf(first, second),
+            Binary::PowfLn => self.powf_ln(first, second),
             Binary::Pivot => self.pivot(first, second),
         }
     }
@@ -82,6 +83,11 @@ impl Graph {
             }
         }
         self.intern(Node::Binary(Binary::Powf, base, exponent))
+    }
+
+    /// `base` to a power, times the logarithm of `base`.
+    pub fn powf_ln(&mut self, base: NodeId, exponent: NodeId) -> NodeId {
+        self.intern(Node::Binary(Binary::PowfLn, base, exponent))
     }
 }
 

@@ -58,6 +58,9 @@ pub enum Binary {
     Atan2,
     /// A power with an exponent that is not a half-integer constant.
     Powf,
+    /// A power times the logarithm of its base, xʸ ln x: the derivative of a power by its exponent, with its
+    /// limit where the power is zero.
+    PowfLn,
     /// A pivot: the first argument, or NaN where it is below the rounding errors of the second.
     Pivot,
 }
@@ -205,6 +208,7 @@ impl Binary {
         match self {
             Binary::Atan2 => "atan2",
             Binary::Powf => "powf",
+            Binary::PowfLn => "powf_ln",
             Binary::Pivot => "pivot",
         }
     }
@@ -214,6 +218,10 @@ impl Binary {
         match self {
             Binary::Atan2 => x.atan2(y),
             Binary::Powf => x.powf(y),
+            Binary::PowfLn => {
+                let power = x.powf(y);
+                if power == 0.0 { 0.0 } else { power * x.ln() }
+            }
             Binary::Pivot => {
                 if x > 8.0 * f64::EPSILON * y {
                     x

@@ -235,19 +235,21 @@ impl<'g> Rewriter<'g> {
         self.images.insert(id, variable);
         let slopes = match function {
             Binary::Pivot => return Err(NotSmooth),
-            Binary::Powf if self.rests_at_zero(first) => return Err(NotSmooth),
+            Binary::Powf | Binary::PowfLn if self.rests_at_zero(first) => return Err(NotSmooth),
             Binary::Atan2 => {
-                let (by_first, by_second) = partial_derivatives(self.graph, function, first, second, id);
+                let (by_first, by_second) = partial_derivatives(self.graph, function, first, second);
                 [(self.polynomial(by_first)?, first), (self.polynomial(by_second)?, second)]
             }
-            Binary::Powf => {
+            Binary::Powf | Binary::PowfLn => {
                 let reciprocal = self.power_of(self.of(first), Exponent(-2));
                 let exponent = self.of(second);
-                let by_base = self.graph.product(&[
-                    (variable, Exponent(2)),
-                    (exponent, Exponent(2)),
-                    (reciprocal, Exponent(2)),
-                ]);
+                let mut grown = self.graph.mul(variable, exponent);
+                if function == Binary::PowfLn {
+                    let power = self.graph.powf(first, second);
+                    let power = self.polynomial(power)?;
+                    grown = self.graph.add(grown, power);
+                }
+                let by_base = self.graph.mul(grown, reciprocal);
                 let logarithm = self.graph.unary(Unary::Ln, first);
                 let moving = !self.is_held(second);
                 let by_exponent = if moving {

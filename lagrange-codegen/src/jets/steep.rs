@@ -16,7 +16,7 @@ pub(super) fn is_steep(graph: &Graph, roots: &[NodeId]) -> bool {
             && match graph.node(id) {
                 Node::Unary(function, _) => hides(*function),
                 Node::Binary(function, ..) => match function {
-                    Binary::Powf | Binary::Atan2 => true,
+                    Binary::Powf | Binary::PowfLn | Binary::Atan2 => true,
                     Binary::Pivot => false,
                 },
                 Node::Product(factors) => {

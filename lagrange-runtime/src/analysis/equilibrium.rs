@@ -218,6 +218,7 @@ where
         return Err(not_finite);
     }
     let statics = Statics::new(system, &guess, u);
+    statics.masses(guess.q).map_err(EquilibriumError::Constraints)?;
     let rest = statics.rest(statics.feasible(guess.q)?);
     has_gradients(&rest)?;
     if rest.norm.is_finite() { Ok((statics, rest)) } else { Err(not_finite) }

@@ -4,11 +4,15 @@
 //! here are what they are made of.
 
 use nalgebra::SMatrix;
+use num_traits::{One, Zero};
 
-use crate::linear::Lu;
+use crate::linear::stored::Stored;
+use crate::linear::{Ldlt, Lu};
 use crate::number::real::Real;
+use crate::system::System;
 use crate::system::error::{Cause, MotionError};
 use crate::system::name::Name;
+use crate::system::state::State;
 
 /// Generalized inertia forces −(d/dt ∂T/∂v − ∂T/∂q), by their origin: T = T₂ + T₁ + T₀ with T₂ = ½ vᵀM
 /// v and T₁ = g·v.
@@ -33,6 +37,34 @@ impl<R: Real, const N: usize> InertiaForces<R, N> {
     pub fn total(&self) -> [R; N] {
         core::array::from_fn(|i| self.relative[i] + self.coriolis[i] + self.gyroscopic[i] + self.transport[i])
     }
+}
+
+/// Refuses masses below zero in what needs no accelerations: statics, where masses of zero do no harm.
+///
+/// A mass matrix that the equations of motion solve with may have any signature. Of one that they refuse,
+/// M + √ε diag M tells a negative mass from one that is missing.
+///
+/// # Errors
+/// [`Cause::SingularMassMatrix`] with the coordinate.
+pub(super) fn refuse_negative<S: System<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &State<S::Scalar, N>,
+    mass: impl FnOnce() -> Stored<[[S::Scalar; N]; N]>,
+) -> Result<(), Cause> {
+    let State { t, q, v } = state;
+    let Err(Cause::SingularMassMatrix { name, .. }) = system.check_at(constants, *t, q, v) else {
+        return Ok(());
+    };
+    let mass = mass();
+    let diagonal =
+        |x: S::Scalar| if x.is_zero() { S::Scalar::one() } else { S::Scalar::epsilon().sqrt() * x };
+    let mut shifted = *mass;
+    for (i, row) in shifted.iter_mut().enumerate() {
+        row[i] += diagonal(row[i]);
+    }
+    let found = Ldlt::<S::Scalar, N>::factor(shifted);
+    found.map(|_| ()).map_err(|pivot| Cause::SingularMassMatrix { pivot, name }.named(&S::NAMES))
 }
 
 /// Symbols symmetric in their last two indices, of which those with j ≤ i are given.

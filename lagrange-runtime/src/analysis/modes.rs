@@ -56,7 +56,8 @@ impl<const N: usize> Mode<N> {
     /// zero for λ = 0.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
-        if self.frequency() > 0.0 { -self.eigenvalue.re / self.frequency() } else { 0.0 }
+        // From zero, so that an undamped mode has no negative zero.
+        if self.frequency() > 0.0 { 0.0 - self.eigenvalue.re / self.frequency() } else { 0.0 }
     }
 }
 

@@ -6,6 +6,7 @@
 
 use super::Tangent;
 use super::response::{Factored, columns, factored};
+use crate::constraints::{Surface, settled_state};
 use crate::number::real::Real;
 use crate::system::linearized::Linearization;
 use crate::system::state::State;
@@ -25,7 +26,8 @@ where
     core::array::from_fn(|i| found[i] - a[i])
 }
 
-/// 1, ∂a/∂q and ∂a/∂v; NaN where there are no accelerations.
+/// 1, ∂a/∂q and ∂a/∂v; NaN where there are no accelerations. They are those of the state to which
+/// `accelerations_at` moves a stage beside the constraints: at the stage itself the derivatives have poles.
 pub fn reduced<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     constants: &S::Constants,
@@ -33,8 +35,9 @@ pub fn reduced<S, const N: usize, const K: usize, const C: usize>(
     u: &[S::Scalar; K],
 ) -> Linearization<S::Scalar, N>
 where
-    S: Tangent<N, K, C>,
+    S: Tangent<N, K, C> + Surface<N, K, C>,
 {
+    let state = &settled_state(system, constants, state, u);
     let number = S::Scalar::from_f64;
     let mut mass = [[number(0.0); N]; N];
     for (i, row) in mass.iter_mut().enumerate() {
@@ -60,8 +63,9 @@ pub fn reduced_by_inputs<S, const N: usize, const K: usize, const C: usize>(
     u: &[S::Scalar; K],
 ) -> [[S::Scalar; K]; N]
 where
-    S: Tangent<N, K, C>,
+    S: Tangent<N, K, C> + Surface<N, K, C>,
 {
+    let state = &settled_state(system, constants, state, u);
     let Ok(Factored { variation, saddle, .. }) = factored(system, constants, state, u) else {
         return [[S::Scalar::from_f64(f64::NAN); K]; N];
     };

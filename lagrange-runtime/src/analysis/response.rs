@@ -9,9 +9,9 @@ use crate::constraints::{Balance, is_singular};
 use crate::linear::stored::Stored;
 use crate::linear::{Saddle, SaddlePoint};
 use crate::number::real::Real;
-use crate::system::diagnose;
 use crate::system::error::MotionError;
 use crate::system::state::State;
+use crate::system::{check_masses, diagnose};
 
 /// Derivatives of accelerations a and multipliers λ; rows are accelerations or multipliers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +55,7 @@ where
 {
     let State { t, q, v } = state;
     let failed = || MotionError { cause: diagnose(system, constants, *t, q, v), t: *t };
+    check_masses(system, constants, state)?;
     let balance = system.balanced_at(constants, *t, q, v, u);
     if !balance.accelerations.iter().chain(&balance.multipliers).all(|x| x.is_finite()) {
         return Err(failed());

@@ -31,6 +31,7 @@ pub use residuals::Residuals;
 pub use retraction::project;
 pub use solution::{check, finite, forces, independence, is_singular, matrix, regular};
 pub use stages::accelerations;
+pub(crate) use stages::settled_state;
 pub use start::{begin, consistent, sound};
 pub use tangential::tangential;
 
@@ -116,7 +117,7 @@ impl<P: SaddlePoint<R, N, C>, R: Real, const N: usize, const C: usize> Equations
     #[inline(always)]
     pub fn balance(&self) -> Balance<R, N, C> {
         let (mut accelerations, multipliers) = self.saddle.solve_motion(&self.forces, &self.gamma);
-        if self.saddle.vanishing().is_some() {
+        if self.saddle.vanishing().is_some() || self.saddle.negative().is_some() {
             accelerations = [R::from_f64(f64::NAN); N];
         }
         Balance { accelerations, multipliers, independence: self.saddle.independence() }

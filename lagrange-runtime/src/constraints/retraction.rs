@@ -26,6 +26,7 @@
 mod project;
 
 use super::residuals::{Level, ULPS};
+use super::solution::regular_at;
 use super::start::SHARE;
 use super::{Factors, Residuals, Surface, moved};
 use crate::linear::{Gradients, Independence, SaddlePoint, determined};
@@ -109,6 +110,14 @@ where
         Self { is_fresh: false, ..Self::with(state, residuals, factors) }
     }
 
+    /// Checks the factors.
+    ///
+    /// # Errors
+    /// What is wrong with the masses or the constraints.
+    pub(super) fn regular(&self, system: &S) -> Result<(), Cause> {
+        regular_at(system, &self.state, (&self.saddle, &self.gradients))
+    }
+
     /// Replaces the factors. They may or may not be those of the state itself.
     fn take(&mut self, (saddle, gradients): Factors<S, N, K, C>, is_fresh: bool) {
         (self.saddle, self.gradients, self.is_fresh) = (saddle, gradients, is_fresh);
@@ -147,7 +156,7 @@ where
             }
             if FAR {
                 self.refresh(system);
-                super::regular(&self.saddle).map_err(|cause| cause.named(&S::NAMES))?;
+                self.regular(system)?;
             }
             let lack = self.residuals.values(level).map(|value| -value);
             let none = [num_traits::Zero::zero(); N];

@@ -1,6 +1,7 @@
 //! Queries of the factors of M and A. Only generated code calls them.
 
 use nalgebra::SMatrix;
+use num_traits::{One, Zero};
 
 use super::{Balance, Surface, sound, stages};
 use crate::linear::{Defect, Gradients, Independence, SaddlePoint};
@@ -42,10 +43,51 @@ pub fn regular<R: Real, const N: usize, const C: usize>(
     }
 }
 
+/// Checks the factors at a state, and whether the constraints have gradients there.
+///
+/// # Errors
+/// As [`regular`], with names. A gradient that has no value at the state, but beside it, is a
+/// [`Cause::VanishingGradient`].
+#[cold]
+pub(super) fn regular_at<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    factors: (&S::Saddle, &<S::Saddle as SaddlePoint<S::Scalar, N, C>>::Gradients),
+) -> Result<(), Cause>
+where
+    S: Surface<N, K, C>,
+{
+    let (saddle, gradients) = factors;
+    let found = regular(saddle).map_err(|cause| match cause {
+        Cause::NotFinite => without_value(system, state, gradients)
+            .map_or(cause, |constraint| Cause::VanishingGradient { constraint, name: Name::NONE }),
+        _ => cause,
+    });
+    found.map_err(|cause| cause.named(&S::NAMES))
+}
+
+/// The first constraint whose gradient has no value at a state, but beside it, as that of a distance has none
+/// at its centre.
+fn without_value<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    gradients: &impl Gradients<S::Scalar, N, C>,
+) -> Option<usize>
+where
+    S: Surface<N, K, C>,
+{
+    let has_value = |row: &[S::Scalar; N]| row.iter().all(|x| x.is_finite());
+    let size = state.q.iter().fold(S::Scalar::zero(), |most, q| most.max(q.abs()));
+    let way = if size.is_positive() { S::Scalar::epsilon().sqrt() * size } else { S::Scalar::one() };
+    let beside = state.q.map(|q| q + way);
+    let there = system.saddle_at(state.t, &beside, &state.v).1.rows();
+    gradients.rows().iter().zip(&there).position(|(here, there)| !has_value(here) && has_value(there))
+}
+
 /// Whether the equations have a solution at a state.
 ///
 /// # Errors
-/// As [`regular`]; [`Cause::Contradictory`] and [`Cause::Undetermined`] of several constraints.
+/// As [`regular_at`]; [`Cause::Contradictory`] and [`Cause::Undetermined`] of several constraints.
 #[cold]
 pub fn check<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
@@ -56,13 +98,13 @@ pub fn check<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    let factors = system.saddle_at(t, q, v);
-    let found = match regular(&factors.0) {
-        // One row depends on no other.
-        Ok(()) if C > 1 => stages::check(system, &State { t, q: *q, v: *v }, factors),
-        found => found,
-    };
-    found.map_err(|cause| cause.named(&S::NAMES))
+    let (state, factors) = (State { t, q: *q, v: *v }, system.saddle_at(t, q, v));
+    regular_at(system, &state, (&factors.0, &factors.1))?;
+    // One row depends on no other.
+    if C == 1 {
+        return Ok(());
+    }
+    stages::check(system, &state, factors).map_err(|cause| cause.named(&S::NAMES))
 }
 
 /// Whether accelerations and multipliers are finite, and the constraints as well.

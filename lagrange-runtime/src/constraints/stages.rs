@@ -78,11 +78,7 @@ fn settled<S, const N: usize, const K: usize, const C: usize>(
 where
     S: Surface<N, K, C>,
 {
-    let residuals = system.residuals_at(state.t, &state.q, &state.v);
-    let own = Retraction::<S, N, K, C>::with(state, residuals, (saddle, gradients));
-    let nearness = own.nearness();
-    // Where rows all but vanish together, the nearest state has another velocity.
-    if nearness.is_clear() || own.saddle.independence().is_clear() && !nearness.is_determined() {
+    if !is_beside(system, state, (saddle, gradients)) {
         return None;
     }
     let (near, equations) = nearest(system, constants, state, u)?;
@@ -98,6 +94,51 @@ where
         return Some(own);
     }
     Some(between(system, constants, &near, &here, time, u).unwrap_or(own))
+}
+
+/// Whether the nearest state on the constraints has better accelerations than the state of these factors.
+#[cold]
+fn is_beside<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    state: &State<S::Scalar, N>,
+    factors: Factors<S, N, K, C>,
+) -> bool
+where
+    S: Surface<N, K, C>,
+{
+    let residuals = system.residuals_at(state.t, &state.q, &state.v);
+    let own = Retraction::<S, N, K, C>::with(state, residuals, factors);
+    let nearness = own.nearness();
+    // Where rows all but vanish together, the nearest state has another velocity.
+    !nearness.is_clear() && (!own.saddle.independence().is_clear() || nearness.is_determined())
+}
+
+/// The state whose derivatives go with [`accelerations`]: the nearest one on the constraints where these are
+/// taken there.
+pub(crate) fn settled_state<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &State<S::Scalar, N>,
+    u: &[S::Scalar; K],
+) -> State<S::Scalar, N>
+where
+    S: Surface<N, K, C>,
+{
+    // One row depends on no other.
+    if C == 1 {
+        return *state;
+    }
+    let equations = system.equations_at(constants, state.t, &state.q, &state.v, u);
+    let is_clear = equations.saddle.independence().is_clear() && !may_vanish(&equations, &state.q, &state.v);
+    let mut near = *state;
+    // Motions by Baumgarte's method are not projected.
+    if !is_clear
+        && is_beside(system, state, (equations.saddle, equations.gradients))
+        && system.project_at(constants, &mut near, None).is_ok()
+    {
+        return near;
+    }
+    *state
 }
 
 /// A state on the constraints, and the equations there.

@@ -2,7 +2,7 @@
 
 use super::residuals::{Level, ULPS};
 use super::retraction::{From, Retraction, project, slopes};
-use super::solution::regular;
+use super::solution::check as solvable;
 use super::{Residuals, Surface};
 use crate::linear::SaddlePoint;
 use crate::number::real::Real;
@@ -34,7 +34,7 @@ where
     }
     let residuals = system.residuals_at(start.t, &start.q, &start.v);
     let mut retraction = Retraction::new(system, start, residuals);
-    regular(&retraction.saddle).map_err(|cause| cause.named(&S::NAMES))?;
+    retraction.regular(system)?;
     let last_digits = last_digits(system, start, &residuals);
     let ulps = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon();
     let is_off = |level| !residuals.is_within_apart(level, ulps, last_digits.sizes(level));
@@ -84,7 +84,7 @@ where
 /// Whether all constraints are numbers at a state, and do not contradict each other there.
 ///
 /// # Errors
-/// [`Cause::NotFinite`], [`Cause::Contradictory`].
+/// [`Cause::NotFinite`], [`Cause::VanishingGradient`], [`Cause::Contradictory`].
 #[inline]
 pub fn sound<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
@@ -101,7 +101,11 @@ where
         return Ok(());
     }
     let all = residuals.positions.iter().chain(&residuals.rates).all(|x| x.is_finite());
-    let found = if all || !state.is_finite() { contradiction(system, state) } else { Err(Cause::NotFinite) };
+    let found = if all || !state.is_finite() {
+        contradiction(system, state)
+    } else {
+        Err(solvable(system, state.t, &state.q, &state.v).err().unwrap_or(Cause::NotFinite))
+    };
     found.map_err(|cause| MotionError { cause, t: state.t })
 }
 
@@ -186,7 +190,7 @@ where
     }
     let residuals = system.residuals_at(start.t, &start.q, &start.v);
     let mut retraction = Retraction::new(system, &start, residuals);
-    regular(&retraction.saddle).map_err(|cause| failed(cause.named(&S::NAMES)))?;
+    retraction.regular(system).map_err(failed)?;
     let ulps = S::Scalar::from_f64(ULPS) * S::Scalar::epsilon();
     for level in [Level::Positions, Level::Velocities] {
         let Retraction { state, residuals, .. } = &retraction;

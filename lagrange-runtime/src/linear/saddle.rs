@@ -100,6 +100,12 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
     /// Why there is no solution; `None` where there is one.
     fn defect(&self) -> Option<Defect>;
 
+    /// The first coordinate whose mass is below zero, where accelerations would not show it.
+    #[inline(always)]
+    fn negative(&self) -> Option<usize> {
+        None
+    }
+
     /// The first row of A that is zero altogether: a constraint without a gradient.
     fn vanishing(&self) -> Option<usize>;
 

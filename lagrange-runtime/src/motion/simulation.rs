@@ -10,12 +10,12 @@
 use crate::constraints::{Constrained, Reactions};
 use crate::integrator::{Adaptive, Dop853};
 use crate::number::real::Ordered;
-use crate::system::System;
 pub use crate::system::control::{Control, Feedback, Held};
 use crate::system::error::{Cause, MotionError};
 use crate::system::limits::Limits;
 pub use crate::system::method::Steps;
 use crate::system::state::State;
+use crate::system::{System, check_masses};
 
 /// A motion of `system` by method `M`, with inputs from `C`.
 #[derive(Clone, Copy, Debug)]
@@ -263,16 +263,13 @@ where
         if S::READ && self.steps().evaluations == 0 {
             crate::system::reading::checked(self.system, &self.state, &self.control.inputs(&self.state))?;
         }
-        let State { t, q, v } = self.state;
+        let t = self.state.t;
         let failed = |cause| MotionError { cause, t };
         if !self.state.is_finite() {
             return Err(failed(Cause::NotFinite));
         }
-        if !S::CONSTRAINED {
-            // Accelerations of a negative mass are finite.
-            let found = self.system.check_at(&self.constants, t, &q, &v);
-            found.map_err(|cause| failed(cause.named(&S::NAMES)))?;
-        } else {
+        check_masses(self.system, &self.constants, &self.state)?;
+        if S::CONSTRAINED {
             self.system.begin_at(&self.constants, &mut self.state).map_err(failed)?;
             M::restart(&mut self.memory, self.state);
         }

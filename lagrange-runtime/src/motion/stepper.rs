@@ -8,12 +8,11 @@ mod energy;
 
 use crate::constraints::{Constrained, Reactions};
 use crate::number::real::Real;
-use crate::system::System;
 use crate::system::attitude;
-use crate::system::diagnose;
 use crate::system::error::{Cause, MotionError};
 use crate::system::method::FixedStep;
 use crate::system::state::State;
+use crate::system::{System, check_masses, diagnose};
 
 /// A motion of `system` in fixed steps by method `M`.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +43,7 @@ where
         // The start of a constrained motion is checked by the first step; there is no room to remember that
         // in the stepper of a system without constraints. Where masses are not positive no step has a
         // time.
-        let is_good = || system.check_at(&constants, start.t, &start.q, &start.v).is_ok();
+        let is_good = || check_masses(system, &constants, &start).is_ok();
         let residue =
             S::Scalar::from_f64(if S::CONSTRAINED || S::READ || !is_good() { f64::NAN } else { 0.0 });
         Self { system, constants, memory: M::begin(system), state: start, residue }
@@ -98,11 +97,7 @@ where
     #[cold]
     fn check_start(&mut self) -> Result<(), MotionError<S::Scalar>> {
         let mut start = self.state;
-        if !S::CONSTRAINED {
-            let State { t, q, v } = start;
-            let found = self.system.check_at(&self.constants, t, &q, &v);
-            found.map_err(|cause| MotionError { cause: cause.named(&S::NAMES), t })?;
-        }
+        check_masses(self.system, &self.constants, &start)?;
         self.system
             .begin_at(&self.constants, &mut start)
             .map_err(|cause| MotionError { cause, t: start.t })?;

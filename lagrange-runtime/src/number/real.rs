@@ -232,6 +232,14 @@ pub trait Real:
         (exponent * self.ln()).exp()
     }
 
+    /// `self` to a real power, times the natural logarithm of `self`: the derivative of the power by its
+    /// exponent. Where the power is zero, so is this: the limit.
+    #[inline]
+    fn powf_ln(self, exponent: Self) -> Self {
+        let power = self.powf(exponent);
+        if power == Self::zero() { power } else { power * self.ln() }
+    }
+
     /// Power with an integer exponent, by repeated squaring: the same bits on every target.
     #[inline]
     fn powi(self, exponent: i32) -> Self {

@@ -7,10 +7,9 @@ use nalgebra::SMatrix;
 
 use crate::linear::{COLUMNS, FEW, Lu, Rows};
 use crate::number::real::Real;
-use crate::system::System;
-use crate::system::diagnose;
 use crate::system::error::MotionError;
 use crate::system::state::State;
+use crate::system::{System, check_masses, diagnose};
 
 /// M, and the derivatives of r = f − M a; rows are equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,6 +91,7 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         let constants = self.constants();
         let State { t, q, v } = state;
         let failed = || MotionError { cause: diagnose(self, &constants, *t, q, v), t: *t };
+        check_masses(self, &constants, state)?;
         let a = self.accelerations_at(&constants, *t, q, v, u);
         if !a.iter().all(|a| a.is_finite()) {
             return Err(failed());

@@ -26,7 +26,7 @@ use crate::motion::stepper::Stepper;
 use crate::number::real::{Ordered, Real};
 use crate::system::attitude::BodyAxes;
 use control::Held;
-use error::Cause;
+use error::{Cause, MotionError};
 use footing::Footing;
 use method::{Adaptive, FixedStep};
 use metric::Metric;
@@ -243,6 +243,25 @@ pub trait System<const N: usize, const K: usize = 0> {
     {
         Stepper::new(self, start)
     }
+}
+
+/// Whether masses are positive where a system without constraints needs them. Accelerations of a negative mass
+/// are finite; with constraints the factors of M show it.
+///
+/// # Errors
+/// [`Cause::SingularMassMatrix`] with the coordinate.
+#[inline]
+pub(crate) fn check_masses<S: System<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &State<S::Scalar, N>,
+) -> Result<(), MotionError<S::Scalar>> {
+    let State { t, q, v } = state;
+    if S::CONSTRAINED {
+        return Ok(());
+    }
+    let found = system.check_at(constants, *t, q, v);
+    found.map_err(|cause| MotionError { cause: cause.named(&S::NAMES), t: *t })
 }
 
 /// Why the motion fails at a state.

@@ -8,11 +8,10 @@ use nalgebra::SMatrix;
 
 use crate::linear::{Ldlt, Lu};
 use crate::number::real::Real;
-use crate::system::System;
-use crate::system::diagnose;
 use crate::system::error::{Cause, MotionError};
 use crate::system::name::Name;
 use crate::system::state::State;
+use crate::system::{System, check_masses, diagnose};
 
 /// A pivot below this many ulps of its scale carries no digit.
 const ROUNDINGS: f64 = 8.0;
@@ -48,7 +47,7 @@ fn singular(finite: bool, coordinate: usize) -> Cause {
     if finite { Cause::SingularMassMatrix { pivot: coordinate, name: Name::NONE } } else { Cause::NotFinite }
 }
 
-/// The accelerations if they are finite.
+/// The accelerations if they are finite, and those of masses.
 ///
 /// # Errors
 /// What is wrong at the state.
@@ -60,7 +59,7 @@ pub fn finite<S: System<N, K>, const N: usize, const K: usize>(
     accelerations: [S::Scalar; N],
 ) -> Result<[S::Scalar; N], MotionError<S::Scalar>> {
     if accelerations.iter().all(|a| a.is_finite()) {
-        Ok(accelerations)
+        check_masses(system, constants, state).map(|()| accelerations)
     } else {
         Err(MotionError { cause: diagnose(system, constants, state.t, &state.q, &state.v), t: state.t })
     }

@@ -215,3 +215,54 @@ fn one_rod_in_three_forms_is_one_rod() {
         1e-12,
     );
 }
+
+/// A pendulum whose rod is demanded three times, once with a factor that varies: beside the constraints its
+/// rows are independent of each other.
+struct Thrice;
+
+#[lagrangian(coordinates = [x, y], jacobians, allow(redundant))]
+impl Thrice {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        G * q.y
+    }
+
+    #[holonomic]
+    fn rods(&self, q: &Coordinates) -> [f64; 3] {
+        let off = 0.5 * (q.x * q.x + q.y * q.y - 1.0);
+        [off, 3.0 * off, off * (2.0 + q.x)]
+    }
+}
+
+/// The same once.
+struct Once;
+
+#[lagrangian(coordinates = [angle], jacobians)]
+impl Once {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.angle.sin(), -q.angle.cos())
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        G * self.bob(q).y
+    }
+}
+
+#[test]
+fn collocation_takes_redundant_rows() {
+    let (angle, h) = (0.5_f64, 1.0 / 256.0);
+    let mut motion = Thrice.stepper::<Gauss8>(State::at_rest([angle.sin(), -angle.cos()]));
+    for _ in 0..256 {
+        motion.step(h, &[]).unwrap();
+    }
+    let mut expected = Once.simulate(State::at_rest([angle])).with_tolerance(TIGHT);
+    let angle = expected.advance_to(1.0).unwrap().q[0];
+    all_close(&motion.state().q, &[angle.sin(), -angle.cos()], 1e-12);
+}

@@ -94,3 +94,41 @@ fn vanishing_gradients_are_named_by_everything() {
     assert_eq!(Cross.equilibrium(state, &[]).unwrap_err(), EquilibriumError::Constraints(expected));
     assert_eq!(Cross.stationary_point(state, &[]).unwrap_err(), EquilibriumError::Constraints(expected));
 }
+
+/// A rod by the distance to its pivot, where that distance has no gradient.
+struct Rod;
+
+#[lagrangian(coordinates = [x, y], jacobians)]
+impl Rod {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    #[holonomic]
+    fn rod(&self, q: &Coordinates) -> f64 {
+        self.bob(q).norm() - 1.0
+    }
+}
+
+#[test]
+fn the_centre_of_a_distance_is_named_by_everything() {
+    let state = State::at_rest([0.0, 0.0]);
+    let expected = Cause::VanishingGradient { constraint: 0, name: Name::new(&"rod") };
+    assert_eq!(Rod.accelerations(&state).unwrap_err().cause, expected);
+    assert_eq!(Rod.reactions(&state).unwrap_err().cause, expected);
+    assert_eq!(Rod.consistent(state).unwrap_err().cause, expected);
+    assert_eq!(Rod.simulate(state).advance_to(1.0).unwrap_err().cause, expected);
+    assert_eq!(Rod.simulate_with::<Dop853>(state).advance_to(1.0).unwrap_err().cause, expected);
+    assert_eq!(Rod.stepper::<Rk4>(state).step(0.1, &[]).unwrap_err().cause, expected);
+    assert_eq!(Rod.linearize(&state, &[]).unwrap_err().cause, expected);
+    assert_eq!(Rod.equilibrium(state, &[]).unwrap_err(), EquilibriumError::Constraints(expected));
+    // Where a number of the state is none, that is what is wrong.
+    let bad = State::at_rest([f64::NAN, 0.0]);
+    assert_eq!(Rod.simulate(bad).advance_to(1.0).unwrap_err().cause, Cause::NotFinite);
+}

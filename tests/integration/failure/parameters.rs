@@ -1,7 +1,7 @@
 //! Bad numbers from outside: parameters, starts, inputs, times and tolerances.
 
-use lagrangian::Name;
 use lagrangian::prelude::*;
+use lagrangian::{EquilibriumError, Name};
 
 use crate::support::close::close;
 
@@ -11,7 +11,7 @@ struct Pendulum {
     g: f64,
 }
 
-#[lagrangian(coordinates = [theta], inputs = [motor])]
+#[lagrangian(coordinates = [theta], inputs = [motor], jacobians)]
 impl Pendulum {
     #[point(mass = self.m)]
     fn bob(&self, q: &Coordinates) -> Vector2<f64> {
@@ -75,6 +75,82 @@ fn a_negative_mass_names_its_coordinate() {
     let mut stepper = negative.stepper::<Rk4>(start());
     assert_eq!(stepper.step(0.01, &[0.0]).unwrap_err(), expected);
     assert_eq!(stepper.state(), &start());
+    // Nothing else calculates with it.
+    let (at, u) = (start(), [0.0]);
+    assert_eq!(negative.accelerations(&at, &u).unwrap_err(), expected);
+    assert_eq!(negative.jacobians(&at, &u).unwrap_err(), expected);
+    assert_eq!(negative.response(&at, &u).unwrap_err(), expected);
+    assert_eq!(negative.linearize(&at, &u).unwrap_err(), expected);
+    assert_eq!(negative.modes(&at, &u).unwrap_err(), expected);
+    let none = EquilibriumError::Constraints(expected.cause);
+    assert_eq!(negative.equilibrium(at, &u).unwrap_err(), none);
+    assert_eq!(negative.stationary_point(at, &u).unwrap_err(), none);
+    // Forces on what has no mass can be in balance.
+    assert!(Pendulum { m: 0.0, ..GOOD }.stationary_point(at, &u).is_ok());
+}
+
+/// A bead on a circle, where a mass that no constraint reaches is beside it.
+struct Beside {
+    m: [f64; 2],
+}
+
+#[lagrangian(coordinates = [x, y, z], jacobians)]
+impl Beside {
+    #[point(mass = self.m[0])]
+    fn bead(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[kinetic]
+    fn other(&self, v: &Velocities) -> f64 {
+        0.5 * self.m[1] * v.z.powi(2)
+    }
+
+    #[potential]
+    fn springs(&self, q: &Coordinates) -> f64 {
+        q.y + 0.5 * q.z.powi(2)
+    }
+
+    #[holonomic]
+    fn circle(&self, q: &Coordinates) -> f64 {
+        self.bead(q).norm() - 1.0
+    }
+}
+
+#[test]
+fn a_negative_mass_beside_constraints_is_named_as_well() {
+    let at = State::at_rest([0.6, -0.8, 0.1]);
+    assert!(Beside { m: [1.0; 2] }.simulate(at).advance_to(0.1).is_ok());
+    for (m, pivot) in [([-1.0, 1.0], 0), ([1.0, -1.0], 2)] {
+        let system = Beside { m };
+        let name = Name::new(&Beside::NAMES.coordinates[pivot]);
+        let expected = Cause::SingularMassMatrix { pivot, name };
+        assert_eq!(system.simulate(at).advance_to(0.1).unwrap_err().cause, expected);
+        assert_eq!(system.accelerations(&at).unwrap_err().cause, expected);
+        assert_eq!(system.consistent(at).unwrap_err().cause, expected);
+        assert_eq!(system.linearize(&at, &[]).unwrap_err().cause, expected);
+        let none = EquilibriumError::Constraints(expected);
+        assert_eq!(system.equilibrium(at, &[]).unwrap_err(), none);
+    }
+}
+
+#[test]
+fn a_lagrangian_of_any_signature_needs_no_positive_masses() {
+    let at = State::at_rest([0.3, 0.1]);
+    assert_eq!(Hyperbolic.accelerations(&at).unwrap(), [-0.3, -0.1]);
+    assert!(Hyperbolic.linearize(&at, &[]).is_ok());
+    assert_eq!(Hyperbolic.stationary_point(at, &[]).unwrap().state.q, [0.0; 2]);
+}
+
+/// L = ẋ ẏ − x y: two oscillators whose kinetic energy has both signs.
+struct Hyperbolic;
+
+#[lagrangian(coordinates = [x, y], jacobians)]
+impl Hyperbolic {
+    #[lagrangian]
+    fn difference(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        v.x * v.y - q.x * q.y
+    }
 }
 
 /// T that is negative for some parameters.

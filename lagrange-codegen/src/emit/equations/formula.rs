@@ -125,6 +125,11 @@ impl Writer<'_> {
                         self.grouped(&format!("{first}, {second}"))
                     )),
                     Binary::Pivot => Text::atom(first),
+                    Binary::PowfLn => {
+                        let base = self.grouped(&first);
+                        let text = format!("{} {}{base}", self.raised(&base, &second), self.word("ln"));
+                        Text { text, strength: Strength::Application, is_word: false }
+                    }
                 }
             }
         }

@@ -200,6 +200,8 @@ pub fn real(name: &str, arguments: &[f64]) -> Run<Value> {
         ("recip", [x]) => x.recip(),
         ("atan2", [y, x]) => y.atan2(*x),
         ("powf", [x, y]) => x.powf(*y),
+        ("powf_ln", [x, y]) if x.powf(*y) == 0.0 => 0.0,
+        ("powf_ln", [x, y]) => x.powf(*y) * x.ln(),
         ("mul_add", [a, b, c]) => a.mul_add(*b, *c),
         ("hypot", [x, y]) => x.hypot(*y),
         _ => return unknown(format!("Real::{name} of {} arguments", arguments.len())),

@@ -6,6 +6,7 @@
 use num_traits::{One, Zero};
 
 use super::EquilibriumError;
+use crate::analysis::inertia::refuse_negative;
 use crate::analysis::{Place, Tangent, Variation};
 use crate::constraints::{Level, Metric};
 use crate::linear::stored::Stored;
@@ -137,6 +138,12 @@ where
         this
     }
 
+    /// Refuses masses below zero, whose potential energy a place of rest does not minimise.
+    pub fn masses(&self, q: [S::Scalar; N]) -> Result<(), Cause> {
+        let mass = || self.variation(&q, &[S::Scalar::zero(); C]).mass;
+        refuse_negative(self.system, &self.constants, &State::at_rest(q).at_time(self.t), mass)
+    }
+
     fn put(&mut self, sizes: &[S::Scalar; N]) {
         for (i, &size) in sizes.iter().enumerate() {
             self.metric[i][i] = size;
@@ -220,7 +227,12 @@ where
             (q, residuals) = (moved, there);
         }
         let (saddle, gradients) = self.tangent(&q);
-        if let Some(constraint) = saddle.vanishing() {
+        let without_value = || {
+            let has_value = |row: &[S::Scalar; N]| row.iter().all(|x| x.is_finite());
+            let rows = gradients.iter();
+            residuals.positions.iter().zip(rows).position(|(f, row)| f.is_finite() && !has_value(row))
+        };
+        if let Some(constraint) = saddle.vanishing().or_else(without_value) {
             return Err(EquilibriumError::Constraints(Cause::VanishingGradient {
                 constraint,
                 name: Name::NONE,

@@ -21,8 +21,8 @@ pub struct Diagonal<R, const N: usize, const C: usize> {
 }
 
 impl<R: Real, const N: usize, const C: usize> Diagonal<R, N, C> {
-    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves; a negative one gives NaN
-    /// where it makes a row of A negative.
+    /// Factors. An inverse mass of zero is that of a coordinate that nothing moves; a negative one is a
+    /// [defect](SaddlePoint::negative).
     ///
     /// A row that reaches only coordinates that nothing moves counts as [vanishing](SaddlePoint::vanishing).
     #[inline]
@@ -61,7 +61,21 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
 
     fn defect(&self) -> Option<Defect> {
         let finite = self.inverse_masses.iter().all(|x| x.is_finite()) && self.schur.is_finite();
-        if finite { None } else { Some(Defect::NotFinite) }
+        match self.negative() {
+            Some(coordinate) => Some(Defect::Singular { coordinate }),
+            None => {
+                if finite {
+                    None
+                } else {
+                    Some(Defect::NotFinite)
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn negative(&self) -> Option<usize> {
+        self.inverse_masses.iter().position(|&x| (-x).is_positive())
     }
 
     #[inline]

@@ -231,7 +231,21 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sa
         let factors = || self.factor.iter().chain(&self.inverse).all(|x| x.is_finite());
         let finite = self.inverse_masses.iter().all(|x| x.is_finite())
             && self.careful.as_ref().map_or_else(factors, |schur| schur.is_finite());
-        if finite { None } else { Some(Defect::NotFinite) }
+        match self.negative() {
+            Some(coordinate) => Some(Defect::Singular { coordinate }),
+            None => {
+                if finite {
+                    None
+                } else {
+                    Some(Defect::NotFinite)
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn negative(&self) -> Option<usize> {
+        self.inverse_masses.iter().position(|&x| (-x).is_positive())
     }
 
     #[inline]

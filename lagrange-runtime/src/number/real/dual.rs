@@ -261,11 +261,19 @@ impl<R: Real, const D: usize> Real for Dual<R, D> {
     fn powf(self, exponent: Self) -> Self {
         let value = self.value.powf(exponent.value);
         let by_base = exponent.value * self.value.powf(exponent.value - R::one());
-        // What does not change has no share, and at a base of zero its slope would be no number.
+        // Most exponents do not vary, and need no logarithm.
         if exponent.slopes.iter().all(|&slope| slope == R::zero()) {
             return self.with(value, by_base);
         }
-        self.with_both(exponent, value, [by_base, self.value.ln() * value])
+        self.with_both(exponent, value, [by_base, self.value.powf_ln(exponent.value)])
+    }
+    #[inline]
+    fn powf_ln(self, exponent: Self) -> Self {
+        let lowered = exponent.value - R::one();
+        let by_base = exponent.value * self.value.powf_ln(lowered) + self.value.powf(lowered);
+        // xʸ ln² x is the square of a function that has a limit at a base of zero as well.
+        let root = self.value.powf_ln(R::from_f64(0.5) * exponent.value);
+        self.with_both(exponent, self.value.powf_ln(exponent.value), [by_base, root * root])
     }
     #[inline]
     fn powi(self, exponent: i32) -> Self {

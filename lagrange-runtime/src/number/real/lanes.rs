@@ -153,6 +153,14 @@ macro_rules! lanes {
                 Self(self.0.powf_simd(exponent.0))
             }
 
+            #[inline]
+            fn powf_ln(self, exponent: Self) -> Self {
+                let powers: [$lane; $count] = self.powf(exponent).0.into();
+                let logarithms: [$lane; $count] = self.0.ln().into();
+                let lane = |k: usize| if powers[k] == 0.0 { 0.0 } else { powers[k] * logarithms[k] };
+                Self($vector::from(core::array::from_fn::<$lane, $count, _>(lane)))
+            }
+
             lanes!(@forward exp ln sqrt abs asin acos atan sinh cosh tanh exp_m1 ln_1p cbrt);
         }
     )*};

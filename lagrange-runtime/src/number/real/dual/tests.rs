@@ -54,19 +54,48 @@ fn tanh_keeps_its_digits_far_away() {
 fn a_power_of_nothing_has_a_slope() {
     let power = D::variable(0.0, 0).powf(D::constant(2.5));
     assert_eq!((power.value, power.slopes), (0.0, [0.0; 2]));
+    // By its exponent as well, and by both in either order: xʸ ln x and its derivatives go to zero for y > 1.
+    type Second = Dual<D, 2>;
+    let vary = |x: f64, y: f64| {
+        let number = |x: f64, k: usize| Second {
+            value: D::variable(x, k),
+            slopes: core::array::from_fn(|i| D::constant(if i == k { 1.0 } else { 0.0 })),
+        };
+        number(x, 0).powf(number(y, 1))
+    };
+    let power = vary(0.0, 2.5);
+    assert!(power.is_finite(), "{power:?}");
+    assert_eq!(
+        (power.slopes[1].value, power.slopes[1].slopes, power.slopes[0].slopes),
+        (0.0, [0.0; 2], [0.0; 2])
+    );
+    // Below it the limit is no number, and at an exponent of zero that of the slope is none.
+    assert_eq!(vary(0.0, 1.0).slopes[1].slopes[0], f64::NEG_INFINITY);
+    assert_eq!(vary(0.0, 0.0).slopes[1].value, f64::NEG_INFINITY);
+    let beside = vary(1e-3, 2.5);
+    let (power, logarithm) = (1e-3_f64.powf(2.5), 1e-3_f64.ln());
+    for (found, expected) in [
+        (beside.slopes[1].value, power * logarithm),
+        (beside.slopes[1].slopes[1], power * logarithm * logarithm),
+        (beside.slopes[1].slopes[0], power * (2.5 * logarithm + 1.0) / 1e-3),
+        (beside.slopes[0].slopes[1], power * (2.5 * logarithm + 1.0) / 1e-3),
+    ] {
+        assert!((found / expected - 1.0).abs() < 1e-13, "{found} for {expected}");
+    }
 }
 
 #[test]
 fn derivatives_of_functions_of_two_numbers() {
     let points = [(0.3, 1.2), (1.2, 0.3), (2.0, -0.7), (0.4, 2.1)];
     type Of<R> = fn(R, R) -> R;
-    let functions: [(Of<f64>, Of<D>); 9] = [
+    let functions: [(Of<f64>, Of<D>); 10] = [
         (|x, y| x + y, |x, y| x + y),
         (|x, y| x - y, |x, y| x - y),
         (|x, y| x * y, |x, y| x * y),
         (|x, y| x / y, |x, y| x / y),
         (Real::atan2, Real::atan2),
         (Real::powf, Real::powf),
+        (Real::powf_ln, Real::powf_ln),
         (Real::hypot, Real::hypot),
         (Real::max, Real::max),
         (Real::min, Real::min),
