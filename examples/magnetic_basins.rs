@@ -1,5 +1,5 @@
-//! Over which of three magnets does a pendulum with friction come to rest? Its basins of attraction, one motion
-//! a pixel; options as for `flip_times`.
+//! Over which of three magnets does a pendulum with friction come to rest? Its basins of attraction, one
+//! motion a pixel; options as for `flip_times`.
 
 use std::error::Error;
 use std::f64::consts::TAU;

@@ -1,5 +1,5 @@
-//! A block on a belt, held by a spring: it sticks, slips and sticks again. Every motion that once sticks runs into
-//! the same cycle; a small one about the middle goes on by itself.
+//! A block on a belt, held by a spring: it sticks, slips and sticks again. Every motion that once sticks runs
+//! into the same cycle; a small one about the middle goes on by itself.
 
 use std::error::Error;
 

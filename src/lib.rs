@@ -134,8 +134,8 @@ pub mod prelude {
     };
 }
 
-/// The programs of the README and of the book are compiled and run as tests. `tests/book.rs` sees to it that no
-/// chapter is left out.
+/// The programs of the README and of the book are compiled and run as tests. `tests/book.rs` sees to it that
+/// no chapter is left out.
 #[cfg(doctest)]
 mod documents {
     macro_rules! tested {

@@ -1,11 +1,12 @@
-//! The README and the book: every link leads somewhere, every program runs as a test, every cause of an error is
-//! explained.
+//! The README and the book: every link leads somewhere, every program runs as a test, every cause of an error
+//! is explained.
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What a reader may come from. The pages of `benchmarks` are written by programs, which know the names of headings.
+/// What a reader may come from. The pages of `benchmarks` are written by programs, which know the names of
+/// headings.
 const DOCUMENTS: &[&str] = &[
     "README.md",
     "ARCHITECTURE.md",

@@ -1,7 +1,7 @@
 //! What a user is told about a mistake: `tests/ui/<area>_<mistake>.rs` with the compiler's output beside it.
 //!
-//! Here are the mistakes that the macro reports. Those that the compiler finds in types, errors with a code, need a
-//! build each: `ui_types.rs`.
+//! Here are the mistakes that the macro reports. Those that the compiler finds in types, errors with a code,
+//! need a build each: `ui_types.rs`.
 //!
 //! After an intended change of a message, `TRYBUILD=overwrite cargo test --test ui` writes the output anew;
 //! read the difference as prose before committing it.
@@ -88,8 +88,8 @@ fn report(names: &BTreeSet<String>) -> BTreeMap<String, String> {
     found
 }
 
-/// The library as this test was built with it: what was built last. Libraries of other features stand beside it,
-/// which are as new as their sources.
+/// The library as this test was built with it: what was built last. Libraries of other features stand beside
+/// it, which are as new as their sources.
 fn newest(folder: &Path, start: &str) -> PathBuf {
     let files = fs::read_dir(folder).expect("the folder of the test can be read");
     let files = files.map(|file| file.expect("it can be read to its end").path()).filter(|path| {

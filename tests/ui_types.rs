@@ -1,5 +1,5 @@
-//! Mistakes that the compiler finds in types and names, see `ui.rs`: each case is a crate. They take as long as all
-//! others together, so `cargo test` leaves them to `scripts/check.sh ui`.
+//! Mistakes that the compiler finds in types and names, see `ui.rs`: each case is a crate. They take as long
+//! as all others together, so `cargo test` leaves them to `scripts/check.sh ui`.
 //!
 //! `TRYBUILD=overwrite cargo test --test ui_types` writes the outputs anew.
 

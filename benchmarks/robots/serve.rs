@@ -1,8 +1,8 @@
 //! What the program of a robot does: it answers requests about its states, line by line.
 //!
-//! `names`; `evaluate accelerations`, `evaluate derivatives`, `evaluate motions`; `refer accelerations`, `refer
-//! derivatives`, the same in 31 digits; `time SUBJECT SECONDS`. The states stand in the file that the program is
-//! given: a count, then coordinates, velocities and inputs of each.
+//! `names`; `evaluate accelerations`, `evaluate derivatives`, `evaluate motions`; `refer accelerations`,
+//! `refer derivatives`, the same in 31 digits; `time SUBJECT SECONDS`. The states stand in the file that the
+//! program is given: a count, then coordinates, velocities and inputs of each.
 
 use std::hint::black_box;
 use std::io::Write as _;
@@ -98,7 +98,8 @@ where
     });
 }
 
-/// Half the length of differences. Of 31 digits of values they leave twenty, and what they lack is of its square.
+/// Half the length of differences. Of 31 digits of values they leave twenty, and what they lack is of its
+/// square.
 const APART: f64 = 1e-10;
 
 /// Accelerations or their derivatives at a state, rounded from 31 digits.

@@ -11,8 +11,8 @@ use std::process::{Command, exit};
 /// Set while the second build compiles; the value says what for.
 const BUILT_FOR: Option<&str> = option_env!("BENCHMARKS_BUILT_FOR");
 
-/// Returns in the right build, and in any other one builds and runs the right one and does not return. `peers` says
-/// whether it holds the integrators of other crates.
+/// Returns in the right build, and in any other one builds and runs the right one and does not return.
+/// `peers` says whether it holds the integrators of other crates.
 pub fn enter(portable: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     let wanted = if portable { "portable" } else { "native" };
     match BUILT_FOR {

@@ -1,5 +1,5 @@
-//! An arm of six joints, the motion that it shall make, and the torques of its motors: one text for the desk and for
-//! the firmware.
+//! An arm of six joints, the motion that it shall make, and the torques of its motors: one text for the desk
+//! and for the firmware.
 
 use lagrangian::prelude::*;
 

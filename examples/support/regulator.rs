@@ -31,8 +31,8 @@ pub fn cost(deviation: &SVector<f64, 12>, torque: &SVector<f64, 6>) -> f64 {
     angle * angles.norm_squared() + rate * rates.norm_squared() + effort * torque.norm_squared()
 }
 
-/// x\[k + 1] = Φ x\[k] + Γ u\[k] for a torque that is held for a sample: Φ = exp(A h), Γ = ∫ exp(A s) ds B, by
-/// their series.
+/// x\[k + 1] = Φ x\[k] + Γ u\[k] for a torque that is held for a sample: Φ = exp(A h), Γ = ∫ exp(A s) ds B,
+/// by their series.
 fn sampled(a: &Square, b: &Input) -> (Square, Input) {
     let h = 1.0 / f64::from(RATE);
     let (mut phi, mut integral, mut term) = (Square::identity(), Square::identity() * h, Square::identity());

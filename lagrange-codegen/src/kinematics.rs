@@ -3,9 +3,9 @@
 //!
 //! In body axes: ω = φ̇ e for a fixed axis e, φ̇ u + sin φ u̇ − (1 − cos φ) u × u̇ for a moving one, the
 //! imaginary part of 2 q* q̇ / |q|² for a quaternion, ω(AB) = Bᵀ ω(A) + ω(B), ω(A⁻¹) = −A ω(A), and for a
-//! rotation known by its entries alone the vector of the skew matrix Rᵀ Ṙ. In space axes: the
-//! same with + for u × u̇, 2 q̇ q* / |q|², ω(AB) = ω(A) + A ω(B), ω(A⁻¹) of the one is −ω(A) of the other, and Ṙ Rᵀ. Goldstein, *Classical
-//! Mechanics*, 3rd ed., section 4.9.
+//! rotation known by its entries alone the vector of the skew matrix Rᵀ Ṙ. In space axes: the same with + for
+//! u × u̇, 2 q̇ q* / |q|², ω(AB) = ω(A) + A ω(B), ω(A⁻¹) of the one is −ω(A) of the other, and Ṙ Rᵀ.
+//! Goldstein, *Classical Mechanics*, 3rd ed., section 4.9.
 
 pub(crate) mod acting;
 
@@ -41,8 +41,8 @@ pub(crate) fn turning_direction(
     direction
 }
 
-/// The slopes of Σ seed · output by the coordinates: by turns about body axes, δR = R \[δφ]ₓ, in the places of
-/// the numbers of an orientation whose matrix is a variable.
+/// The slopes of Σ seed · output by the coordinates: by turns about body axes, δR = R \[δφ]ₓ, in the places
+/// of the numbers of an orientation whose matrix is a variable.
 pub(crate) fn slopes(
     graph: &mut Graph,
     seeds: &[(NodeId, NodeId)],

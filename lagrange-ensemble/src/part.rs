@@ -27,7 +27,8 @@ struct Behind {
     failures: Vec<(u64, Failure)>,
 }
 
-/// Writes a part. The file is to be flushed, but need not be: what a failure of power takes from it, its end tells.
+/// Writes a part. The file is to be flushed, but need not be: what a failure of power takes from it, its end
+/// tells.
 pub(crate) fn write(path: &Path, study: &Fingerprint, layout: &Layout, block: Block) -> Result<File, Error> {
     let count = (block.rows.len() / layout.row().max(1)) as u64;
     let Block { number, rows, failures, .. } = block;

@@ -79,7 +79,8 @@ pub trait Record: Sized {
     /// Takes the values from a row, in the order in which they were stored.
     fn load(row: &mut Cells<'_>) -> Self;
 
-    /// The columns as parts of a larger record: those of a single number have this name, others begin with it.
+    /// The columns as parts of a larger record: those of a single number have this name, others begin with
+    /// it.
     fn named(name: &str) -> Vec<Column> {
         let columns = Self::columns();
         let single = columns.len() == 1;

@@ -88,9 +88,9 @@ impl Store {
     }
 }
 
-/// Flushing a part to the disk may take this part of the time of a run: it takes milliseconds, whatever is in it. Parts
-/// that are quickly made follow each other unflushed. What a failure of power takes from them, their ends tell, and they
-/// are computed again.
+/// Flushing a part to the disk may take this part of the time of a run: it takes milliseconds, whatever is in
+/// it. Parts that are quickly made follow each other unflushed. What a failure of power takes from them,
+/// their ends tell, and they are computed again.
 const FLUSHING: u32 = 100;
 
 /// Writes the parts of a run.

@@ -20,9 +20,9 @@ use crate::work::{self, Dispatch, InOrder};
 /// A study whose parts are files of a folder: `NAME.json`, the manifest, and `NAME.parts/`.
 ///
 /// A part is there whole or not at all, so a run may be killed at any moment. The next run of the same study
-/// reads the parts that are there, computes one motion of each again, and goes on. Where the power failed, parts of the
-/// last seconds may be damaged: they carry a checksum, and are computed again. Parts may be deleted when the table has
-/// been written.
+/// reads the parts that are there, computes one motion of each again, and goes on. Where the power failed,
+/// parts of the last seconds may be damaged: they carry a checksum, and are computed again. Parts may be
+/// deleted when the table has been written.
 #[derive(Clone, Debug)]
 pub struct StoredStudy<F, T> {
     study: Study<F, T>,
@@ -56,9 +56,9 @@ where
     /// Computes what is missing. The table if the study is complete, else `None`: other jobs are at work.
     ///
     /// # Errors
-    /// [`Error::Io`] for a full disk or missing permission, [`Error::Panicked`] with the index: finished parts
-    /// stay. [`Error::AnotherStudy`], [`Error::AnotherVersion`], [`Error::NotTheSame`] if the folder holds
-    /// something else; [`Error::InvalidName`], [`Error::InvalidColumns`], [`Error::Threads`].
+    /// [`Error::Io`] for a full disk or missing permission, [`Error::Panicked`] with the index: finished
+    /// parts stay. [`Error::AnotherStudy`], [`Error::AnotherVersion`], [`Error::NotTheSame`] if the folder
+    /// holds something else; [`Error::InvalidName`], [`Error::InvalidColumns`], [`Error::Threads`].
     pub fn run(&self) -> Result<Option<Table<T>>, Error> {
         let open = self.open()?;
         let missing = open.missing.clone();

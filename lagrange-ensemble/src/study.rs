@@ -54,8 +54,8 @@ where
     F: Fn(u64) -> Result<T, Failure> + Sync,
     T: Record,
 {
-    /// A study of `count` rows. `row` must be a function of the index and of nothing else: no clock, no random
-    /// numbers but those that the index seeds. The name is that of its files.
+    /// A study of `count` rows. `row` must be a function of the index and of nothing else: no clock, no
+    /// random numbers but those that the index seeds. The name is that of its files.
     pub fn new(name: impl Into<String>, count: u64, row: F) -> Self {
         Self::of_rows(name, count, row)
     }
@@ -84,8 +84,9 @@ impl<F: Row<T>, T: Record> Study<F, T> {
         self
     }
 
-    /// What the function of the index captures: parameters, ranges, the seed. A folder refuses parts of another
-    /// key. (It also computes a motion of each part again, which finds most changes that the key does not tell.)
+    /// What the function of the index captures: parameters, ranges, the seed. A folder refuses parts of
+    /// another key. (It also computes a motion of each part again, which finds most changes that the key does
+    /// not tell.)
     #[must_use]
     pub fn with_key(mut self, key: impl Into<String>) -> Self {
         self.key = key.into();
@@ -126,8 +127,8 @@ impl<F: Row<T>, T: Record> Study<F, T> {
         self
     }
 
-    /// Keeps the results in a folder, part by part: a run that is killed goes on where it was, and several jobs
-    /// share the work.
+    /// Keeps the results in a folder, part by part: a run that is killed goes on where it was, and several
+    /// jobs share the work.
     pub fn in_folder(self, folder: impl Into<PathBuf>) -> StoredStudy<F, T> {
         StoredStudy::new(self, folder.into())
     }
@@ -135,7 +136,8 @@ impl<F: Row<T>, T: Record> Study<F, T> {
     /// Computes all rows, in memory.
     ///
     /// # Errors
-    /// [`Error::Panicked`] with the index, if a function panics; [`Error::InvalidColumns`], [`Error::Threads`].
+    /// [`Error::Panicked`] with the index, if a function panics; [`Error::InvalidColumns`],
+    /// [`Error::Threads`].
     pub fn run(&self) -> Result<Table<T>, Error> {
         let layout = self.layout()?;
         let (parts, pool) = (self.parts(), self.pool()?);

@@ -2,8 +2,8 @@
 //!
 //! A thread takes the next few motions of the part that is open, and opens the next part when all of one are
 //! taken. So no thread waits for another, as many parts as threads are open at most, and the last thread that
-//! works on a part hands it on. Which thread does what is left to chance; a motion is a function of its index,
-//! so the parts do not show it.
+//! works on a part hands it on. Which thread does what is left to chance; a motion is a function of its
+//! index, so the parts do not show it.
 
 use std::any::Any;
 use std::cell::Cell;

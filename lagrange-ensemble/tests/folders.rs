@@ -252,8 +252,8 @@ fn a_disk_that_is_full_loses_nothing() {
     assert!(bytes(folder.path()) == expected());
 }
 
-/// A file system in memory that is too small for the parts, and then grows. Where nobody may mount one, the shell
-/// says so and the test above has to do.
+/// A file system in memory that is too small for the parts, and then grows. Where nobody may mount one, the
+/// shell says so and the test above has to do.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_file_system_that_is_full_loses_nothing() {

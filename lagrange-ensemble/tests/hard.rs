@@ -1,5 +1,5 @@
-//! Linkages, impacts and dry friction are motions like others: ends, samples, events and reductions of studies are those
-//! of the motions themselves.
+//! Linkages, impacts and dry friction are motions like others: ends, samples, events and reductions of
+//! studies are those of the motions themselves.
 
 use std::fmt::Debug;
 

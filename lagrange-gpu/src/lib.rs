@@ -25,7 +25,7 @@
 //!     }
 //! }
 //!
-//! /// Where the pendulum of an index is after some steps. All motions share the length and the number of steps.
+//! /// Where the pendulum of an index is after some steps, in a study of one length and one number of steps.
 //! pub fn ends(index: u64, &(h, steps): &(f64, u64)) -> Result<State<f64, 1>, MotionError<f64>> {
 //!     let pendulum = Pendulum { length: 0.5 + 0.001 * index as f64 };
 //!     let mut motion = pendulum.stepper::<Jet<6>>(State::at_rest([1.0]));

@@ -19,9 +19,9 @@
 //!   numbers of parts travel between ranks.
 //! * A rank has one thread, because there are as many ranks as cores by custom; `with_threads` gives it more.
 //! * The table has the same bytes for any number of ranks, and as `StoredStudy::run` leaves it.
-//! * A rank that dies loses the parts it works on. Open MPI then ends the other ranks, too, which lose theirs;
-//!   with `mpirun --enable-recovery` they need not. What is finished stays in any case, and the same command
-//!   goes on from there.
+//! * A rank that dies loses the parts it works on. Open MPI then ends the other ranks, too, which lose
+//!   theirs; with `mpirun --enable-recovery` they need not. What is finished stays in any case, and the same
+//!   command goes on from there.
 #![forbid(unsafe_code)]
 
 use std::collections::VecDeque;
@@ -36,7 +36,8 @@ use mpi::Threading;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, CommunicatorCollectives, Destination, Root, Source};
 
-/// How long a rank rests between looks for messages: far less than a part takes, and the core is free for motions.
+/// How long a rank rests between looks for messages: far less than a part takes, and the core is free for
+/// motions.
 const REST: Duration = Duration::from_micros(200);
 
 /// Messages to the first rank: a wish for a part, and the number of one that is finished.

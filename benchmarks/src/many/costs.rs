@@ -17,15 +17,15 @@ const MOTION: f64 = 20e-6;
 /// Times that each is measured, in turn.
 const TURNS: usize = 25;
 
-/// Processor time of a study beside that of its motions [ms], and as a part of that of short motions: in memory, in a
-/// folder.
+/// Processor time of a study beside that of its motions [ms], and as a part of that of short motions: in
+/// memory, in a folder.
 pub struct Overhead {
     pub memory: (f64, f64),
     pub folder: (f64, f64),
 }
 
-/// Studies whose rows take no time, so that all they take is the library's. (Beside rows that take as long as motions it
-/// is lost in the scatter of a machine that others use.)
+/// Studies whose rows take no time, so that all they take is the library's. (Beside rows that take as long as
+/// motions it is lost in the scatter of a machine that others use.)
 pub fn overhead() -> Result<Overhead, Box<dyn Error>> {
     let study = || Study::new("work", ROWS, |index| Ok(black_box(index) as f64)).with_threads(1);
     let folder = std::env::temp_dir().join(format!("lagrange-many-{}", std::process::id()));

@@ -57,8 +57,8 @@ const OURS: [&str; 3] = ["alone", "lanes4", "lanes8"];
 /// The coordinates and velocities at the end of each motion.
 type Ends = Vec<Vec<f64>>;
 
-/// A study of so many motions with one of our subjects, at a tolerance, on so many threads: processor time and time on
-/// the clock [s], and the ends.
+/// A study of so many motions with one of our subjects, at a tolerance, on so many threads: processor time
+/// and time on the clock [s], and the ends.
 type Run = Box<dyn Fn(&str, f64, u64, usize) -> Result<(f64, f64, Ends), String>>;
 
 /// A study.

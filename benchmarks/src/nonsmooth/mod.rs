@@ -1,7 +1,7 @@
 //! Contacts, dry friction and kinks: time against error, beside peers.
 //!
-//! Peers that take a contact as such step over events (Siconos, MuJoCo); heyoka and SciPy integrate modes that were
-//! written and switched by hand. References are closed forms, quadratures and series by mpmath.
+//! Peers that take a contact as such step over events (Siconos, MuJoCo); heyoka and SciPy integrate modes
+//! that were written and switched by hand. References are closed forms, quadratures and series by mpmath.
 
 mod page;
 mod systems;

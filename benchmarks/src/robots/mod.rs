@@ -1,7 +1,7 @@
 //! Robots from URDF files: generated accelerations and their derivatives beside those of Pinocchio.
 //!
-//! `peers/robots/robots.py` brings Pinocchio and the files, `cargo-lagrange import` makes a description of each,
-//! and `package.rs` a package of each description, built apart. All programs answer the same requests
+//! `peers/robots/robots.py` brings Pinocchio and the files, `cargo-lagrange import` makes a description of
+//! each, and `package.rs` a package of each description, built apart. All programs answer the same requests
 //! (`program.rs`), so that they can be compared on the same states and timed in turn.
 
 mod motions;
@@ -21,8 +21,8 @@ use package::{Built, Packages};
 use program::Program;
 use states::{Order, States};
 
-/// The largest error of ours, relative to the largest value of a state: beside Pinocchio or, of derivatives, beside
-/// ours in 31 digits.
+/// The largest error of ours, relative to the largest value of a state: beside Pinocchio or, of derivatives,
+/// beside ours in 31 digits.
 const AGREEMENT: f64 = 1e-13;
 /// How far Pinocchio's derivatives may be from those in 31 digits. Beyond that it would have another robot.
 const SAME: f64 = 1e-11;
@@ -66,8 +66,8 @@ struct Record {
     subject: String,
     /// Time of an evaluation.
     ns: f64,
-    /// Largest distance of ours from Pinocchio or, of derivatives, of either from ours in 31 digits, relative to
-    /// the largest value of a state.
+    /// Largest distance of ours from Pinocchio or, of derivatives, of either from ours in 31 digits, relative
+    /// to the largest value of a state.
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<f64>,
     /// What expansion and compilation took, if they were done in this run [s].

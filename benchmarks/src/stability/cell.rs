@@ -1,4 +1,5 @@
-//! [`Cell`]: what a method makes of a task, and [`Task`]: a motion with its measure, for every method that the system has.
+//! [`Cell`]: what a method makes of a task, and [`Task`]: a motion with its measure, for every method that
+//! the system has.
 
 use std::time::Instant;
 

@@ -1,7 +1,7 @@
 //! Chains by hand: dense, with cost N³, and as an expert writes them, with cost N.
 //!
-//! Links are described by absolute angles. Each has unit length and carries a unit mass at the far end; the first
-//! one hangs from the origin.
+//! Links are described by absolute angles. Each has unit length and carries a unit mass at the far end; the
+//! first one hangs from the origin.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 

@@ -1,4 +1,5 @@
-//! [`FirstOrder`]: a system as integrators of the peers take it, y' = f(t, y), possibly with algebraic equations.
+//! [`FirstOrder`]: a system as integrators of the peers take it, y' = f(t, y), possibly with algebraic
+//! equations.
 
 use super::hand::ByHand;
 use super::number::Number;

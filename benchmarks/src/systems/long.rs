@@ -1,5 +1,5 @@
-//! Long chains as a user describes them, for `f64`: with a type parameter for the scalar, a hundred rods do not
-//! compile in nine gigabytes.
+//! Long chains as a user describes them, for `f64`: with a type parameter for the scalar, a hundred rods do
+//! not compile in nine gigabytes.
 
 use lagrangian::prelude::*;
 

@@ -46,7 +46,8 @@ pub struct ImportArguments {
     /// Lets the root of a URDF move freely: the coordinate `base: Pose`.
     #[arg(long)]
     floating: bool,
-    /// Writes orientations as roll, pitch and yaw, singular at a pitch of ±90°, instead of `Pose` and `Rotation`.
+    /// Writes orientations as roll, pitch and yaw, singular at a pitch of ±90°, instead of `Pose` and
+    /// `Rotation`.
     #[arg(long)]
     euler: bool,
     /// Makes joint limits stops (#[unilateral]); without it motions are smooth and know no limits.
@@ -61,7 +62,8 @@ pub struct ImportArguments {
     /// What to do with joints that follow others.
     #[arg(long, value_enum, default_value = "eliminate")]
     mimic: MimicArgument,
-    /// Makes these numbers fields of the struct instead of literals (which are faster); all kinds if none is named.
+    /// Makes these numbers fields of the struct instead of literals (which are faster); all kinds if none is
+    /// named.
     #[arg(long, value_enum, value_delimiter = ',', num_args = 0.., require_equals = true)]
     parameters: Option<Vec<ParametersArgument>>,
     /// Further arguments of the attribute, such as jacobians,analysis.

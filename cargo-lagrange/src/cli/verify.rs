@@ -1,4 +1,5 @@
-//! `verify`: the certificate of a model, computed by a program that is written, run and kept out of the package.
+//! `verify`: the certificate of a model, computed by a program that is written, run and kept out of the
+//! package.
 
 use std::fs;
 use std::path::Path;

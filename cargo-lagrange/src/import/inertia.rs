@@ -25,7 +25,8 @@ impl Inertial {
         Inertial { mass: self.mass, centre, tensor: pose.turn.turn_tensor(&self.tensor) }
     }
 
-    /// Several masses as one: of one alone the very numbers, of several the common centre and the parallel axes.
+    /// Several masses as one: of one alone the very numbers, of several the common centre and the parallel
+    /// axes.
     pub fn together(parts: &[Inertial]) -> Option<Self> {
         let parts: Vec<&Inertial> = parts.iter().filter(|part| !part.is_nothing()).collect();
         if let [only] = parts.as_slice() {
@@ -51,7 +52,8 @@ impl Inertial {
         Some(Inertial { mass, centre, tensor })
     }
 
-    /// Looks for what no body can have. Roundings of the moments about the origin of the frame are allowed for.
+    /// Looks for what no body can have. Roundings of the moments about the origin of the frame are allowed
+    /// for.
     pub fn flaw(&self) -> Option<Flaw> {
         let [least, middle, largest] = principal_moments(&self.tensor);
         let about_origin = self.mass * dot(self.centre, self.centre);

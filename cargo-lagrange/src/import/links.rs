@@ -24,8 +24,8 @@ pub fn angle(reader: &mut Reader<'_>, node: Node<'_, '_>, radians: f64, options:
     angle
 }
 
-/// Reports what no body can have. What is fixed to others may have any inertia, as long as all of them together
-/// have a good one: what is doubtful is given back.
+/// Reports what no body can have. What is fixed to others may have any inertia, as long as all of them
+/// together have a good one: what is doubtful is given back.
 pub fn check_inertia(
     reader: &mut Reader<'_>,
     (mass, attribute): (Node<'_, '_>, &str),
@@ -60,8 +60,8 @@ pub fn near<'n>(written: &str, names: impl Iterator<Item = &'n str>) -> String {
         .unwrap_or_default()
 }
 
-/// The number of characters to change, insert, remove, and of neighbours to exchange (the optimal string alignment
-/// distance).
+/// The number of characters to change, insert, remove, and of neighbours to exchange (the optimal string
+/// alignment distance).
 fn distance(a: &str, b: &str) -> usize {
     let [a, b]: [Vec<char>; 2] = [a, b].map(|text| text.chars().collect());
     let mut rows = vec![(0..=b.len()).collect::<Vec<usize>>()];

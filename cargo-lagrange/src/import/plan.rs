@@ -224,7 +224,8 @@ impl Plan {
         matches!(self.motions[joint], Motion::Follows { .. })
     }
 
-    /// Reports inertias that are not physical, if the lumped body that they are part of is not physical either.
+    /// Reports inertias that are not physical, if the lumped body that they are part of is not physical
+    /// either.
     fn check_inertias(&self, options: &Options, file: &str, sink: &mut Sink) {
         for (link, frame) in self.robot.links.iter().zip(&self.frames).filter(|(_, frame)| frame.moves) {
             let Some(Doubtful { mark, moment }) = &link.doubtful else { continue };

@@ -1,5 +1,5 @@
-//! The elements and attributes that the formats have. What is misspelled would be passed over otherwise, as if
-//! it were not there.
+//! The elements and attributes that the formats have. What is misspelled would be passed over otherwise, as
+//! if it were not there.
 
 pub mod mjcf;
 pub mod urdf;

@@ -50,7 +50,8 @@ fn potential(plan: &Plan, coordinates: &[Vec<f64>]) -> (f64, f64) {
     total
 }
 
-/// The pose that the numbers of a joint give. Orientations are angles here: any three numbers that turn will do.
+/// The pose that the numbers of a joint give. Orientations are angles here: any three numbers that turn will
+/// do.
 fn moved(kind: Kind, own: &[f64], reference: f64) -> Pose {
     let turn = |axis: Vector, angle: f64| Rotation::about(axis, Angle::Radians(angle));
     match kind {

@@ -1,8 +1,8 @@
-//! An arm of six joints under control at 1 kHz in `f32`: by computed torque, and by a linear-quadratic regulator about a
-//! motion.
+//! An arm of six joints under control at 1 kHz in `f32`: by computed torque, and by a linear-quadratic
+//! regulator about a motion.
 //!
-//! The description, the motion and the controllers are those of `examples/arm_control.rs`. `build.rs` designs the
-//! regulator where the firmware is built.
+//! The description, the motion and the controllers are those of `examples/arm_control.rs`. `build.rs` designs
+//! the regulator where the firmware is built.
 #![no_std]
 
 use lagrangian::prelude::*;

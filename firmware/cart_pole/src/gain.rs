@@ -25,7 +25,8 @@ fn linearized() -> (Matrix, Column) {
     (a, b)
 }
 
-/// x[k + 1] = Φ x[k] + Γ u[k] for an input held for `h` \[s]: Φ = exp(A h), Γ = ∫ exp(A s) ds B, by their series.
+/// x[k + 1] = Φ x[k] + Γ u[k] for an input held for `h` \[s]: Φ = exp(A h), Γ = ∫ exp(A s) ds B, by their
+/// series.
 fn sampled(a: &Matrix, b: &Column, h: f64) -> (Matrix, Column) {
     let (mut phi, mut integral, mut term) = (Matrix::identity(), Matrix::identity() * h, Matrix::identity());
     for k in 1..20 {
@@ -36,8 +37,9 @@ fn sampled(a: &Matrix, b: &Column, h: f64) -> (Matrix, Column) {
     (phi, integral * b)
 }
 
-/// The gains K of u = K x that minimise Σ xᵀ Q x + r u²: the Riccati equation by structure-preserving doubling (Chu, Fan,
-/// Lin, Wang, "Structure-preserving algorithms for periodic discrete-time algebraic Riccati equations", 2004).
+/// The gains K of u = K x that minimise Σ xᵀ Q x + r u²: the Riccati equation by structure-preserving
+/// doubling (Chu, Fan, Lin, Wang, "Structure-preserving algorithms for periodic discrete-time algebraic
+/// Riccati equations", 2004).
 fn regulator(phi: &Matrix, gamma: &Column, weights: &Matrix, r: f64) -> [f64; 4] {
     let (mut a, mut g, mut h) = (*phi, gamma * gamma.transpose() / r, *weights);
     for _ in 0..30 {

@@ -1,8 +1,8 @@
-//! A cart-pole: the plant and its regulator, for the target in `f32` and for the design on the developer's machine in
-//! `f64`, from one description.
+//! A cart-pole: the plant and its regulator, for the target in `f32` and for the design on the developer's
+//! machine in `f64`, from one description.
 //!
-//! `gain.rs`, a test, computes the gains from the derivatives of the equations of motion and compares them with those
-//! that the target uses.
+//! `gain.rs`, a test, computes the gains from the derivatives of the equations of motion and compares them
+//! with those that the target uses.
 #![no_std]
 
 use lagrangian::prelude::*;
@@ -68,7 +68,8 @@ pub const RATE: u16 = 1000;
 /// The motor can do no more \[N].
 pub const STRONGEST: f32 = 6.0;
 
-/// The linear-quadratic regulator of the upright pole: force per metre, radian, metre a second and radian a second.
+/// The linear-quadratic regulator of the upright pole: force per metre, radian, metre a second and radian a
+/// second.
 pub const GAINS: [f32; 4] = [3.136_759_8, 24.866_923, 3.534_815_6, 4.640_286_4];
 
 /// The force of the motor \[N].

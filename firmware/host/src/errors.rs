@@ -6,7 +6,8 @@ use lagrangian::prelude::*;
 use lagrangian::{Adaptive, FixedStep, Held};
 use systems::{Bits, CartPole, DoublePendulum, Experiment, Rod, Visitor, each, run};
 
-/// The error of a method after one second: the largest of those of coordinates and velocities, in m, rad, m/s and rad/s.
+/// The error of a method after one second: the largest of those of coordinates and velocities, in m, rad, m/s
+/// and rad/s.
 #[derive(Clone, Copy, Debug)]
 pub struct Record {
     pub system: &'static str,

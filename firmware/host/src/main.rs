@@ -1,4 +1,5 @@
-//! The developer's machine: the bits to compare those of the targets with, and tables of what was measured on these.
+//! The developer's machine: the bits to compare those of the targets with, and tables of what was measured on
+//! these.
 
 mod errors;
 mod table;

@@ -90,8 +90,8 @@ impl fmt::Display for Hash {
     }
 }
 
-/// Writes the bits of the motions of all systems by all methods: a line for each printed state, and a line with the hash of
-/// all states for each motion.
+/// Writes the bits of the motions of all systems by all methods: a line for each printed state, and a line
+/// with the hash of all states for each motion.
 ///
 /// # Errors
 /// Where the text cannot be written.
@@ -119,7 +119,8 @@ struct Lines<'a>(&'a mut dyn Write);
 impl<R: Bits> Visitor<R> for Lines<'_> {
     type Error = fmt::Error;
 
-    // A function of its own for each motion: the stacks of all motions together are too large for a small target.
+    // A function of its own for each motion: the stacks of all motions together are too large for a small
+    // target.
     #[inline(never)]
     fn visit<S, M, const K: usize>(&mut self, method: &'static str) -> fmt::Result
     where

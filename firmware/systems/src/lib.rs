@@ -1,8 +1,8 @@
 //! The mechanical systems that run on every target, and how they run.
 //!
-//! One description serves `f32` and `f64`, the host, Cortex-M, RISC-V and WebAssembly: what differs between targets is
-//! how a line of text leaves the machine, and nothing else. All parameters are numbers that `f32` holds exactly, so
-//! that the motions of both scalars are of the same system.
+//! One description serves `f32` and `f64`, the host, Cortex-M, RISC-V and WebAssembly: what differs between
+//! targets is how a line of text leaves the machine, and nothing else. All parameters are numbers that `f32`
+//! holds exactly, so that the motions of both scalars are of the same system.
 #![no_std]
 
 pub mod bits;

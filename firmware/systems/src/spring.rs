@@ -1,4 +1,5 @@
-//! A mass on an elastic spring: separable, for the splitting methods, and with jacobians, for the Gauss methods.
+//! A mass on an elastic spring: separable, for the splitting methods, and with jacobians, for the Gauss
+//! methods.
 
 use lagrangian::prelude::*;
 

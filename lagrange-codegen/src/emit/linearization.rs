@@ -1,5 +1,5 @@
-//! The implementations of the runtime's `Linearized`, `Tangent` and `Parametric`, where the attribute asks for
-//! them.
+//! The implementations of the runtime's `Linearized`, `Tangent` and `Parametric`, where the attribute asks
+//! for them.
 
 use super::body::{self, Source};
 use super::names::{Names, name_accelerations};

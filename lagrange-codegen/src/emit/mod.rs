@@ -3,6 +3,7 @@
 mod analysis;
 mod block;
 mod body;
+mod companion;
 mod constraints;
 mod docs;
 mod eliminated;

@@ -1,4 +1,5 @@
-//! What a step computes for each block of the mass matrix, as lists: nodes to plan, slots to store, texts to print.
+//! What a step computes for each block of the mass matrix, as lists: nodes to plan, slots to store, texts to
+//! print.
 
 use super::Emission;
 use crate::expr::NodeId;

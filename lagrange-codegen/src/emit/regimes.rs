@@ -7,7 +7,7 @@ use quote::format_ident;
 use super::body::{self, Source};
 use super::constraints::record_ident;
 use super::tokens::placeholder;
-use super::{Emission, names, names_of_parts, over};
+use super::{Emission, companion, names, names_of_parts};
 use crate::calculus::sizes;
 use crate::expr::{Dependence, NodeId};
 use crate::model::{Law, Normal};
@@ -86,7 +86,7 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
         orders: switching.orders.as_ref(),
         method: None,
     };
-    let companion = over::numbers(&mut companion, NAME, None, |_| String::new());
+    let companion = companion::companion(&mut companion, NAME, None, |_| String::new());
     Items { companion, switching: items, constrained, rows, kinks }
 }
 
@@ -106,7 +106,7 @@ pub(super) fn switching(emission: &Emission<'_>, switching: &mut Regimes) -> Str
 
 /// The scalar of the system of one regime: any where motions have derivatives.
 fn companion_scalar(emission: &Emission<'_>) -> Scalar {
-    if emission.item.jacobians { over::any(&emission.scalar) } else { emission.scalar.clone() }
+    if emission.item.jacobians { companion::any(&emission.scalar) } else { emission.scalar.clone() }
 }
 
 /// The items of `System` of a system with contacts, whose accelerations are those of its regime.

@@ -52,7 +52,8 @@ impl Restrictions {
         Restrictions { rates, gradients, reactions }
     }
 
-    /// With what sums of multipliers lack of those that they are: coefficients of these follow as those of rates do.
+    /// With what sums of multipliers lack of those that they are: coefficients of these follow as those of
+    /// rates do.
     fn with_sums(mut self, graph: &mut Graph, switched: &Switched) -> Restrictions {
         for (row, terms) in switched.sums() {
             let mut multiplier = |row: usize| graph.variable(Variable::Multiplier(row as u32));

@@ -138,7 +138,8 @@ pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<A
     all
 }
 
-/// Of a constraint on velocities that names these nodes its force is not asked for, but whether there may be one.
+/// Of a constraint on velocities that names these nodes its force is not asked for, but whether there may be
+/// one.
 fn on_velocities(
     places: &[Place],
     movers: &[Option<Vec<NodeId>>],
@@ -178,8 +179,8 @@ fn movers(
     Some(movers)
 }
 
-/// ∂f/∂r where f and r are functions of as many coordinates as r has components, by Cramer's rule; `None` where
-/// the coordinates do not move r in all directions.
+/// ∂f/∂r where f and r are functions of as many coordinates as r has components, by Cramer's rule; `None`
+/// where the coordinates do not move r in all directions.
 fn inverse_slopes(
     graph: &mut Graph,
     value: NodeId,

@@ -1,8 +1,8 @@
 //! Motions in the axes of the rotations that carry them, at a = 0.
 //!
-//! A body of a chain of rotations turns with ω(LR) = Rᵀ ω(L) + ω(R), in its own axes, and a place p = base + R arm
-//! moves with ṗ = v(base) + ω × arm. Written like this, velocities and accelerations cost in proportion to the
-//! links, and each is linear in those of the link before. In space axes, where R is a product of
+//! A body of a chain of rotations turns with ω(LR) = Rᵀ ω(L) + ω(R), in its own axes, and a place p = base +
+//! R arm moves with ṗ = v(base) + ω × arm. Written like this, velocities and accelerations cost in proportion
+//! to the links, and each is linear in those of the link before. In space axes, where R is a product of
 //! matrices, every link differentiates nine entries twice (Featherstone, *Rigid Body Dynamics Algorithms*,
 //! chapter 5; Luh, Walker and Paul, 1980).
 

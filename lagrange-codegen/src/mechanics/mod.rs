@@ -116,8 +116,8 @@ pub fn derive(
     (!diagnostics.has_errors()).then_some(equations)
 }
 
-/// What is derived in the axes in which its roots take fewer operations: a single top is written best in space axes,
-/// where its spin does not appear, and an arm in those of its links.
+/// What is derived in the axes in which its roots take fewer operations: a single top is written best in
+/// space axes, where its spin does not appear, and an arm in those of its links.
 fn cheapest<T>(
     model: &mut Model,
     derived: impl Fn(&mut Model, Axes) -> T,

@@ -1,9 +1,9 @@
 //! The kinetic energy as a quadratic form of velocities that are linear in others.
 //!
-//! T₂ = ½ Σ Q\[a, b] x\[a] x\[b] over the velocities v and over sums of them that stand in the graph as the user
-//! nested them, each with its definition w = Σ c x. Substituting all definitions gives ½ v·M v; kept as unknowns
-//! they keep Q sparse. Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapters 9 and 10, call this
-//! the extended system.
+//! T₂ = ½ Σ Q\[a, b] x\[a] x\[b] over the velocities v and over sums of them that stand in the graph as the
+//! user nested them, each with its definition w = Σ c x. Substituting all definitions gives ½ v·M v; kept as
+//! unknowns they keep Q sparse. Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapters 9 and 10,
+//! call this the extended system.
 
 use std::collections::BTreeMap;
 

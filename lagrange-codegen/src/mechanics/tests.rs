@@ -7,8 +7,8 @@ use crate::lower::tests::{lowered, value};
 
 #[test]
 fn axes_leave_the_equations_what_they_are() {
-    // A base that moves and turns, a telescope on it, a body whose place another rotation carries, a particle,
-    // and forces that act through places, orientations and time.
+    // A base that moves and turns, a telescope on it, a body whose place another rotation carries, a
+    // particle, and forces that act through places, orientations and time.
     let model = lowered(
         quote!(coordinates = [x, yaw, pitch, reach, roll], inputs = [f]),
         quote! {

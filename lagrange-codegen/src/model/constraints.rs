@@ -91,7 +91,8 @@ pub enum Normal {
 pub struct Load {
     /// The friction that it limits.
     pub friction: String,
-    /// The components of the force: constraints by their rows, and the component of the force of a unit multiplier.
+    /// The components of the force: constraints by their rows, and the component of the force of a unit
+    /// multiplier.
     pub force: Vec<Vec<(usize, NodeId)>>,
     /// The friction's name in the source.
     pub origin: Origin,

@@ -2,8 +2,8 @@
 //!
 //! They have no singular position within a full turn; the runtime changes to the other triple of the same
 //! orientation at half a turn. The map is conformal: |ω| = |ρ′|/(1 + |ρ|²/16), so that no direction is
-//! weighed more than another. Schaub and Junkins, *Analytical Mechanics of Space Systems*, 4th ed., section 3.5
-//! (there σ = ρ/4); ρ is near the rotation vector, and ρ′ near the angular velocity.
+//! weighed more than another. Schaub and Junkins, *Analytical Mechanics of Space Systems*, 4th ed., section
+//! 3.5 (there σ = ρ/4); ρ is near the rotation vector, and ρ′ near the angular velocity.
 //!
 //! A description is read as one of rotation matrices R, whose entries are variables of their own, and of
 //! angular velocities ω in body axes in the places of the velocities: R′ = R \[ω]ₓ. In these the motion is

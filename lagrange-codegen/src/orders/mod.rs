@@ -1,8 +1,9 @@
 //! One order of a Taylor series as a program.
 //!
-//! The recurrences of [`Jets`] say which coefficients follow from which. Here they become instructions: values
-//! at the point of expansion, convolutions with what they lack, sums in the order in which their operands are
-//! known, the solution for the new velocities, and what goes on to the next order. Emission prints them.
+//! The recurrences of [`Jets`] say which coefficients follow from which. Here they become instructions:
+//! values at the point of expansion, convolutions with what they lack, sums in the order in which their
+//! operands are known, the solution for the new velocities, and what goes on to the next order. Emission
+//! prints them.
 //!
 //! | file | what it plans |
 //! | --- | --- |

@@ -1,5 +1,5 @@
-//! The solution of an order, block by block: by factorisations, or by the factors of a mass matrix that is not
-//! formed.
+//! The solution of an order, block by block: by factorisations, or by the factors of a mass matrix that is
+//! not formed.
 
 use super::Numbers;
 use super::order::Order;

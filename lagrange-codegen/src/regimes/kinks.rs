@@ -62,8 +62,8 @@ fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
     }
 }
 
-/// What the energy gains where the argument of each kink passes zero upwards: nothing, unless a function of the
-/// energy jumps.
+/// What the energy gains where the argument of each kink passes zero upwards: nothing, unless a function of
+/// the energy jumps.
 pub(super) fn jumps(model: &mut Model, equations: &Equations, kinks: &[NodeId]) -> Vec<NodeId> {
     kinks.iter().map(|&argument| across(&mut model.graph, argument, &[equations.energy])[0]).collect()
 }
@@ -79,8 +79,8 @@ pub struct Corner {
     pub function: NodeId,
 }
 
-/// The corners at each kink. Velocities go through a kink as they are, which momenta and constraints permit where
-/// they are continuous.
+/// The corners at each kink. Velocities go through a kink as they are, which momenta and constraints permit
+/// where they are continuous.
 pub(super) fn corners(
     model: &mut Model,
     equations: &Equations,
@@ -140,8 +140,8 @@ pub(super) fn names(model: &mut Model, kinks: &[NodeId]) -> Vec<String> {
     kinks.iter().map(owner).collect()
 }
 
-/// Replaces these functions by what they are on the side that each switch names. Returns the arguments with those
-/// replaced that stand in them.
+/// Replaces these functions by what they are on the side that each switch names. Returns the arguments with
+/// those replaced that stand in them.
 pub(super) fn replace(model: &mut Model, kinks: &[NodeId], sides: &[NodeId]) -> Vec<NodeId> {
     let mut arguments = kinks.to_vec();
     // Outer ones first: the argument of one may hold another.

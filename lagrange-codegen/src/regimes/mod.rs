@@ -88,8 +88,8 @@ pub fn derive(
     let mut rows = model.clone();
     let held = rows.constraints.len();
     let (contacts, loads) = as_rows(&mut rows);
-    // Rows hold at times: there may be more of them than coordinates, and a slip may be the rate of a function.
-    // Of all else the system by itself was asked.
+    // Rows hold at times: there may be more of them than coordinates, and a slip may be the rate of a
+    // function. Of all else the system by itself was asked.
     let permits = |_: &str| true;
     let mut laws = mechanics::derive(&mut rows, &permits, diagnostics)?;
     let kinks = kinks::of(&mut rows, &laws);

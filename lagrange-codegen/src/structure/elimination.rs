@@ -35,7 +35,8 @@ pub(super) fn order(
         let touched = |place: usize| order.iter().any(|&earlier: &usize| linked[earlier][place]);
         let fixed =
             |place: usize| !touched(place) && graph.dependence(entry(block[place], block[place])).is_fixed();
-        // Whether a pivot has a numeric factor. Quotients by one without need no multiplication by its inverse.
+        // Whether a pivot has a numeric factor. Quotients by one without need no multiplication by its
+        // inverse.
         let scaled = |place: usize| {
             let pivot = entry(block[place], block[place]);
             !graph.as_constant(pivot).unwrap_or(graph.scaled(pivot).0).is_one()

@@ -1,7 +1,7 @@
 //! M a = f solved on the extended system of the kinetic energy: recursion as a matter of order.
 //!
-//! The definitions of [`Quadratic`] are taken from the last to the first and substituted, and each velocity is
-//! eliminated as soon as no definition that is left names it: its pivot is then positive, an articulated
+//! The definitions of [`Quadratic`] are taken from the last to the first and substituted, and each velocity
+//! is eliminated as soon as no definition that is left names it: its pivot is then positive, an articulated
 //! inertia. For a chain or a tree of bodies that is the articulated-body recursion (Featherstone, *Rigid Body
 //! Dynamics Algorithms*, chapter 7), and nothing here knows of joints. M is never formed.
 
@@ -58,7 +58,8 @@ struct Elimination {
     matrix: Symmetric,
     /// How many definitions that are left name an unknown.
     users: Vec<usize>,
-    /// The diagonal with nothing subtracted, up to a factor that counts terms: what roundings are measured by.
+    /// The diagonal with nothing subtracted, up to a factor that counts terms: what roundings are measured
+    /// by.
     sizes: Vec<Option<NodeId>>,
     /// How many eliminations in a row have reached an unknown.
     depths: Vec<u32>,

@@ -60,7 +60,7 @@ const RINGS: [&str; 12] = [
     "lower::coordinates, lower::interpreter, lower::parameter, lower::quaternion, lower::scalar, lower::scope, \
      lower::shape, lower::value",
     "mechanics::equations, mechanics::forces",
-    "syntax::args, syntax::body, syntax::constant, syntax::hygiene, syntax::item, syntax::translate, syntax::types",
+    "syntax::args, syntax::body, syntax::constant, syntax::friction, syntax::hygiene, syntax::item, syntax::translate, syntax::types",
     "analysis::sensitive, analysis::variational",
     "analysis::modes::spectrum, analysis::modes::vectors",
     "constraints::retraction, constraints::solution, constraints::stages, constraints::start",
@@ -86,6 +86,23 @@ const TOKEN_FREE: [&str; 14] = [
     "jets",
     "orders",
     "regimes",
+];
+
+/// Folders of what is read from the start to the end of a file.
+const LIBRARIES: [&str; 13] = [
+    "cargo-lagrange/src",
+    "lagrange-codegen/src",
+    "lagrange-macros/src",
+    "lagrange-runtime/src",
+    "src",
+    "examples",
+    "firmware",
+    "gallery/src",
+    "lagrange-ensemble/src",
+    "lagrange-gpu/src",
+    "lagrange-gpu/kernels",
+    "lagrange-mpi/src",
+    "lagrange-pictures/src",
 ];
 
 /// The Rust files in a folder and those below it, what was built left out.
@@ -187,26 +204,25 @@ fn the_mathematical_core_knows_no_tokens() {
 
 #[test]
 fn files_are_read_in_one_sitting() {
-    let root = root();
-    let folders = [
-        "cargo-lagrange/src",
-        "lagrange-codegen/src",
-        "lagrange-macros/src",
-        "lagrange-runtime/src",
-        "src",
-        "examples",
-        "firmware",
-        "gallery/src",
-        "lagrange-ensemble/src",
-        "lagrange-gpu/src",
-        "lagrange-gpu/kernels",
-        "lagrange-mpi/src",
-        "lagrange-pictures/src",
-    ];
-    for path in folders.iter().flat_map(|folder| rust_files(&root.join(folder))) {
+    for path in LIBRARIES.iter().flat_map(|folder| rust_files(&root().join(folder))) {
         let text = fs::read_to_string(&path).expect("the file is text");
         assert!(text.lines().count() <= 400, "{} has more than 400 lines", path.display());
         assert!(text.starts_with("//!"), "{} does not say what it is for", path.display());
+    }
+}
+
+/// Columns of a line, as `rustfmt.toml` has it for code. Tables and links are as wide as they are.
+const COLUMNS: usize = 110;
+
+#[test]
+fn comments_are_no_wider_than_code() {
+    for path in LIBRARIES.iter().flat_map(|folder| rust_files(&root().join(folder))) {
+        let text = fs::read_to_string(&path).expect("the file is text");
+        for (line, number) in text.lines().zip(1..) {
+            let is_wide = line.trim_start().starts_with("//") && line.chars().count() > COLUMNS;
+            let is_fixed = line.contains("](http") || line.contains('|');
+            assert!(!is_wide || is_fixed, "{}:{number} is wider than {COLUMNS} columns", path.display());
+        }
     }
 }
 

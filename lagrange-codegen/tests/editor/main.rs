@@ -4,7 +4,8 @@
 //! Not owed is what only the missing token says: items named after a name that is gone, and what follows from
 //! a role or a key that is gone. All else is owed, in every case.
 //!
-//! `CASES=100000 cargo test --release -p lagrange-codegen --test editor -- --nocapture` tries more and prints shares.
+//! `CASES=100000 cargo test --release -p lagrange-codegen --test editor -- --nocapture` tries more and prints
+//! shares.
 
 // Its changes are coarser.
 #[allow(dead_code)]

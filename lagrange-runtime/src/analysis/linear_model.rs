@@ -297,8 +297,8 @@ where
     deviations(system, state, u, false)
 }
 
-/// The same with `turning` axes: the rates of deviations are those seen in axes that turn with the bodies, in which
-/// equations about a steady spin do not change. The components themselves stay those of the moment.
+/// The same with `turning` axes: the rates of deviations are those seen in axes that turn with the bodies, in
+/// which equations about a steady spin do not change. The components themselves stay those of the moment.
 #[cfg(feature = "std")]
 pub(super) fn linearize_turning<S, const N: usize, const K: usize, const C: usize>(
     system: &S,

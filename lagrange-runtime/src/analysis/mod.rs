@@ -280,9 +280,9 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
     /// that moment. In general they are not frequencies of a motion. For example, a bead at rest in a
     /// whirling hoop has other eigenvalues in Cartesian coordinates than by its angle in the turning frame:
     /// describe such a state by coordinates in which it is at rest. The same holds without constraints where
-    /// the linear equations change along the motion. Deviations of an orientation are seen in axes that turn with
-    /// the body, where a steady spin of a body about an axis of symmetry, or a free one about a principal axis, has
-    /// equations that do not change.
+    /// the linear equations change along the motion. Deviations of an orientation are seen in axes that turn
+    /// with the body, where a steady spin of a body about an axis of symmetry, or a free one about a
+    /// principal axis, has equations that do not change.
     ///
     /// Golub and Van Loan, *Matrix Computations*, 4th ed., chapters 7 and 8.
     ///

@@ -78,8 +78,8 @@ where
         return Err(Cause::NotFinite);
     }
     let equations = SecondOrder::new(model, &mass);
-    // Of equations that are of the first order, as about a spin, the symmetry is not known: an eigenvalue that
-    // rounding could have moved off an axis is on it.
+    // Of equations that are of the first order, as about a spin, the symmetry is not known: an eigenvalue
+    // that rounding could have moved off an axis is on it.
     let is_reversible = equations.as_ref().is_none_or(|equations| equations.is_reversible(unit));
     let mut modes = match equations.and_then(|equations| equations.modes(&mass, unit)) {
         Some(modes) => modes,

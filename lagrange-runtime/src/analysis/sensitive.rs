@@ -47,7 +47,8 @@ pub struct Sensitivities<R, const N: usize, const C: usize, const P: usize> {
 }
 
 /// A system whose motions have derivatives by the start and by the `P` parameters that its attribute lists as
-/// `sensitivities` (`P` may be zero), in `D` directions at once; `C` counts constraints, contacts and frictions.
+/// `sensitivities` (`P` may be zero), in `D` directions at once; `C` counts constraints, contacts and
+/// frictions.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the motions of `{Self}` are not generated",
     label = "this needs `jacobians`, and `sensitivities = […]` for derivatives by parameters",
@@ -85,7 +86,8 @@ pub trait Sensitive<
     }
 }
 
-/// A system whose equations have derivatives by the `P` parameters that its attribute lists as `sensitivities`.
+/// A system whose equations have derivatives by the `P` parameters that its attribute lists as
+/// `sensitivities`.
 #[diagnostic::on_unimplemented(
     message = "the derivatives of the equations of `{Self}` by parameters are not generated",
     label = "this needs `sensitivities = […]`",

@@ -7,7 +7,8 @@
 //! multipliers, of projections. Steps follow the errors of the derivatives as they follow those of the
 //! motion.
 //!
-//! Through impacts, dry friction and kinks the time of each switch is differentiated as well (`switching/saltation.rs`).
+//! Through impacts, dry friction and kinks the time of each switch is differentiated as well
+//! (`switching/saltation.rs`).
 //!
 //! A few directions are carried at once, and the motion is repeated for the others. So the memory is that of
 //! a few motions, whatever the size of the system.
@@ -207,8 +208,8 @@ where
     }
 
     /// A motion from a state, with inputs at zero. Of a constrained system the derivatives at the start are
-    /// those of the nearest consistent state, so that every column obeys the constraints; likewise of a system with
-    /// contacts on those that are closed.
+    /// those of the nearest consistent state, so that every column obeys the constraints; likewise of a
+    /// system with contacts on those that are closed.
     ///
     /// # Errors
     /// What is wrong with the constraints at the start.

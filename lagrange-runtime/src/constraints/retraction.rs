@@ -138,8 +138,8 @@ where
         }
     }
 
-    /// The same; with `FAR` from anywhere. Two functions, so that a program without rough starts does not hold
-    /// what they need.
+    /// The same; with `FAR` from anywhere. Two functions, so that a program without rough starts does not
+    /// hold what they need.
     fn corrections<const FAR: bool>(&mut self, system: &S, level: Level) -> Result<(), Cause> {
         let begun = self.extent(level);
         self.is_stuck = false;
@@ -295,8 +295,8 @@ where
     }
 
     /// The change of the velocities where the coordinates move by what a rounding of each constraint function
-    /// makes of them. The signs of the roundings are those to which the multipliers respond, as in an estimate
-    /// of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
+    /// makes of them. The signs of the roundings are those to which the multipliers respond, as in an
+    /// estimate of a condition number (Higham, "Accuracy and Stability of Numerical Algorithms", ch. 15).
     #[cold]
     #[inline(never)]
     pub(super) fn turned(&self, system: &S) -> [S::Scalar; N] {

@@ -2,7 +2,7 @@
 
 use super::residuals::{Level, ULPS};
 use super::retraction::{From, Retraction, project, slopes};
-use super::solution::check as solvable;
+use super::solution::regular_at;
 use super::{Residuals, Surface};
 use crate::linear::SaddlePoint;
 use crate::number::real::Real;
@@ -104,7 +104,8 @@ where
     let found = if all || !state.is_finite() {
         contradiction(system, state)
     } else {
-        Err(solvable(system, state.t, &state.q, &state.v).err().unwrap_or(Cause::NotFinite))
+        let (saddle, gradients) = system.saddle_at(state.t, &state.q, &state.v);
+        Err(regular_at(system, state, (&saddle, &gradients)).err().unwrap_or(Cause::NotFinite))
     };
     found.map_err(|cause| MotionError { cause, t: state.t })
 }

@@ -56,8 +56,6 @@ pub struct Dop853Memory<R, const N: usize> {
     pub(crate) counts: Steps,
     /// Where a constrained motion stands; `None` before the first step.
     pub(crate) ground: Option<Ground<R>>,
-    /// The largest number that the motion has had.
-    most: R,
 }
 
 /// Compensated x + d (Kahan).
@@ -81,14 +79,12 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             dense: None,
             counts: Steps::default(),
             ground: None,
-            most: R::splat(step_size::extent(&state, 0)),
         }
     }
 
     /// Goes on from `state`, as after a change of the accelerations. The length of the next step is kept.
     pub(crate) fn restart(&mut self, state: State<R, N>) {
-        let most = larger(self.most, R::splat(step_size::extent(&state, 0)));
-        *self = Self { length: self.length, counts: self.counts, most, ..Self::new(state) };
+        *self = Self { length: self.length, counts: self.counts, ..Self::new(state) };
     }
 
     /// Replaces the end of the step by a state beside it.
@@ -276,7 +272,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         let mut error = R::zero();
         for part in 0..R::PARTS {
             let of = |x: R| x.part(part).largest();
-            let scale = limits.scale().of_part(part, [from, &end.state], self.most);
+            let scale = limits.scale().of_part(part, [from, &end.state]);
             let (mut sum5, mut sum3) = (R::Lane::zero(), R::Lane::zero());
             for n in 0..N {
                 let weight_q = scale.weight(of(from.q[n]), of(end.state.q[n]));
@@ -302,7 +298,6 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
                 return Err(f.cause(from.t + h, q, v));
             }
             self.slope = Some(Slope { q: *v, v: a });
-            self.most = larger(self.most, R::splat(step_size::extent(&end.state, 0)));
             self.end = end;
         }
         Ok(error)
@@ -362,7 +357,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         // The norm of a state or of its slope, for the values or one of their derivatives.
         let norm = |part: usize, q: &[R; N], v: &[R; N]| {
             let of = |x: R| x.part(part).largest();
-            let scale = limits.scale().of_part(part, [from, from], self.most);
+            let scale = limits.scale().of_part(part, [from, from]);
             let mut sum = R::Lane::zero();
             for n in 0..N {
                 let q = of(q[n]) * scale.weight(of(from.q[n]), of(from.q[n]));

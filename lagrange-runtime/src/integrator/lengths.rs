@@ -93,8 +93,8 @@ impl<R: Ordered> Lengths<R> {
         }
     }
 
-    /// The same for a motion that is to go so far. A polynomial in time bounds no step, and where numbers have grown
-    /// beyond what rounding knows of them, constraints seem to depend on each other.
+    /// The same for a motion that is to go so far. A polynomial in time bounds no step, and where numbers
+    /// have grown beyond what rounding knows of them, constraints seem to depend on each other.
     pub(crate) fn on_the_way(mut self, left: R) -> Self {
         self.left = Some(left);
         self

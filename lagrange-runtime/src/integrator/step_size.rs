@@ -14,9 +14,7 @@ use crate::system::state::State;
 
 impl<R: Ordered> Limits<R> {
     /// Weights of the error norm. Neither part may vanish: a relative error below rounding cannot be met, and
-    /// an absolute one of zero would divide by it where a component passes through zero. So without an absolute
-    /// tolerance the relative one is taken for it, of 1 or of the largest number that the motion has had if
-    /// that is less: the units of the user make no number wrong.
+    /// an absolute one of zero would divide by it where a component passes through zero.
     #[inline]
     pub(crate) fn scale(&self) -> Scale<R> {
         let ulp = R::epsilon();
@@ -24,8 +22,7 @@ impl<R: Ordered> Limits<R> {
         // The norm squares its inverse, which in single precision is no number.
         let tiny = smallest::<R>();
         let least = if (tiny * tiny).recip().is_finite() { tiny } else { ulp * ulp };
-        let own = self.absolute.is_none();
-        Scale { relative: larger(self.relative, ulp), absolute: larger(absolute, least), least, own }
+        Scale { relative: larger(self.relative, ulp), absolute: larger(absolute, least) }
     }
 }
 
@@ -46,35 +43,21 @@ pub(crate) fn smallest<R: Ordered>() -> R {
 pub(crate) struct Scale<R> {
     relative: R,
     absolute: R,
-    /// The smallest absolute error that can be weighed with.
-    least: R,
-    /// Whether `absolute` is not the caller's.
-    own: bool,
 }
 
 impl<R: Ordered> Scale<R> {
-    /// The weights of the values, or of one of their derivatives, on the way from one state to another of a
-    /// motion whose largest value so far was `most`. Linear equations have no scale: an absolute error of a
-    /// derivative is one beside the whole of its column.
+    /// The weights of the values, or of one of their derivatives on the way from one state to another. Linear
+    /// equations have no scale: an absolute error of a derivative is one beside the whole of its column.
     #[inline]
-    pub(crate) fn of_part<const N: usize>(
-        &self,
-        part: usize,
-        states: [&State<R, N>; 2],
-        most: R,
-    ) -> Scale<R::Lane> {
-        let Self { own, .. } = *self;
-        let [relative, absolute, least] = [self.relative, self.absolute, self.least].map(Real::largest);
+    pub(crate) fn of_part<const N: usize>(&self, part: usize, states: [&State<R, N>; 2]) -> Scale<R::Lane> {
+        let (relative, absolute) = (self.relative.largest(), self.absolute.largest());
+        if part == 0 {
+            return Scale { relative, absolute };
+        }
+        let column = states.into_iter().flat_map(|state| state.iter());
         let whole =
-            || states.into_iter().fold(num_traits::Zero::zero(), |most, x| larger(most, extent(x, part)));
-        let absolute = match part {
-            0 if own => {
-                larger(absolute * smaller(larger(most.largest(), whole()), num_traits::One::one()), least)
-            }
-            0 => absolute,
-            _ => larger(absolute * whole(), smallest::<R::Lane>()),
-        };
-        Scale { relative, absolute, least, own }
+            column.fold(num_traits::Zero::zero(), |most, x| larger(most, x.part(part).largest().abs()));
+        Scale { relative, absolute: larger(absolute * whole, smallest::<R::Lane>()) }
     }
 
     /// 1 / tolerated error of a component that goes from `a` to `b`.
@@ -82,11 +65,6 @@ impl<R: Ordered> Scale<R> {
     pub(crate) fn weight(&self, a: R, b: R) -> R {
         (self.absolute + self.relative * larger(a.abs(), b.abs())).recip()
     }
-}
-
-/// The largest number of a state, or of one of the derivatives, without sign.
-pub(crate) fn extent<R: Ordered, const N: usize>(state: &State<R, N>, part: usize) -> R::Lane {
-    state.iter().fold(num_traits::Zero::zero(), |most, x| larger(most, x.part(part).largest().abs()))
 }
 
 /// Error over tolerance of a step of length `h`, from the sums of squared weighted estimates over `n`

@@ -1,7 +1,7 @@
 //! The inverse of a mass matrix that is not formed, by the recursion that solves with it.
 //!
-//! A recursion is a chain of operations that wait for each other. Made for all unit loads side by side it runs
-//! on vectors, and what then solves is a product, in which nothing waits.
+//! A recursion is a chain of operations that wait for each other. Made for all unit loads side by side it
+//! runs on vectors, and what then solves is a product, in which nothing waits.
 
 use crate::number::real::Real;
 

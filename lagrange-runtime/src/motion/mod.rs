@@ -1,4 +1,5 @@
-//! What a user holds: motions under error control, in fixed steps, several at once, and the events along them.
+//! What a user holds: motions under error control, in fixed steps, several at once, and the events along
+//! them.
 
 pub mod batch;
 pub mod events;

@@ -1,10 +1,10 @@
 //! The tables behind the recurrences of Taylor coefficients of systems with many products. Reached through
 //! generated code only.
 //!
-//! As in [`crate::series::tables`], one sweep sums the interiors of all products at once. Here each factor is stored
-//! once, as a column, and the sweep runs over rows from both ends at once: a\[j] b\[k − j] + a\[k − j] b\[j]
-//! for all products of a tile. A tile is a set of instances of one pattern of products (the links of a chain,
-//! the pairs of bodies), side by side: every vector of a column is loaded once for all products of the
+//! As in [`crate::series::tables`], one sweep sums the interiors of all products at once. Here each factor is
+//! stored once, as a column, and the sweep runs over rows from both ends at once: a\[j] b\[k − j] + a\[k − j]
+//! b\[j] for all products of a tile. A tile is a set of instances of one pattern of products (the links of a
+//! chain, the pairs of bodies), side by side: every vector of a column is loaded once for all products of the
 //! pattern, and squares need one term for two. Where a number is a vector itself, the instances of a tile
 //! come one after the other, each with all its rows: their sums stay in registers.
 

@@ -2,10 +2,10 @@
 //!
 //! In c\[k] = Σ a\[j] b\[k − j] only the two end terms know coefficients of order k. The interior needs lower
 //! orders alone, for every product of a system at once: each product is a lane of two tables, and one sweep
-//! over the rows sums all lanes. No lane waits for another, so the sweep runs on vectors of any width. Numbers
-//! that are vectors themselves leave nothing to put side by side: there each factor is stored once, and the
-//! sweep takes two rows at a time, so that a coefficient is loaded once for all products that it is a factor
-//! of. For systems of few products; [`crate::series::columns`] serves those of many.
+//! over the rows sums all lanes. No lane waits for another, so the sweep runs on vectors of any width.
+//! Numbers that are vectors themselves leave nothing to put side by side: there each factor is stored once,
+//! and the sweep takes two rows at a time, so that a coefficient is loaded once for all products that it is a
+//! factor of. For systems of few products; [`crate::series::columns`] serves those of many.
 
 use crate::number::real::Real;
 
@@ -20,8 +20,8 @@ const fn is_wide<R: Real>() -> bool {
     size_of::<R>() > size_of::<R::Lane>()
 }
 
-/// The factors of `L` products. Row k − 1 holds their coefficients of order k, for orders 1 to `P`. Where each
-/// factor is stored once, the first `L` of them stand in `left` and the others in `right`.
+/// The factors of `L` products. Row k − 1 holds their coefficients of order k, for orders 1 to `P`. Where
+/// each factor is stored once, the first `L` of them stand in `left` and the others in `right`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Tables<R, const L: usize, const P: usize> {
@@ -240,8 +240,8 @@ pub fn time<R: Real>(h: R, order: usize) -> R {
     if order == 1 { h } else { R::zero() }
 }
 
-/// The convolutions of `L` products of `F` factors. Their outermost terms, with coefficients of the first and of
-/// the last order, are kept out of the tables: a sweep over a row that was just written would wait for it.
+/// The convolutions of `L` products of `F` factors. Their outermost terms, with coefficients of the first and
+/// of the last order, are kept out of the tables: a sweep over a row that was just written would wait for it.
 #[derive(Debug)]
 pub struct Convolutions<'a, R, const F: usize, const L: usize, const W: usize, const P: usize> {
     tables: &'a mut Tables<R, W, P>,

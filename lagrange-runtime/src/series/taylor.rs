@@ -1,12 +1,14 @@
-//! [`Taylor`]: numbers that are polynomials in the part of a step that has passed, with the bound of their roundings.
+//! [`Taylor`]: numbers that are polynomials in the part of a step that has passed, with the bound of their
+//! roundings.
 //!
-//! Along the polynomial of a step every smooth function of the state is one again, and the same code that gives its
-//! value gives its coefficients. The recurrences are those of Knuth, *The Art of Computer Programming* 2, 4.7, and
-//! Griewank and Walther, *Evaluating Derivatives*, 13.2.
+//! Along the polynomial of a step every smooth function of the state is one again, and the same code that
+//! gives its value gives its coefficients. The recurrences are those of Knuth, *The Art of Computer
+//! Programming* 2, 4.7, and Griewank and Walther, *Evaluating Derivatives*, 13.2.
 //!
-//! With θ from 0 to 1 the sum of the magnitudes of all coefficients bounds a polynomial on the whole of its interval.
-//! In that norm roundings are followed from operation to operation, to first order (Higham, *Accuracy and Stability of
-//! Numerical Algorithms*, 3.3); in products to second, since a factor may be nothing but roundings.
+//! With θ from 0 to 1 the sum of the magnitudes of all coefficients bounds a polynomial on the whole of its
+//! interval. In that norm roundings are followed from operation to operation, to first order (Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 3.3); in products to second, since a factor may be
+//! nothing but roundings.
 
 mod functions;
 
@@ -21,8 +23,8 @@ use crate::number::real::{Ordered, Real};
 /// The number of coefficients.
 pub(crate) const TERMS: usize = HIGHEST + 1;
 
-/// The number of coefficients of a first look. What it leaves out of a variable counts as roundings do; at the end of
-/// a step it is small beside the rest, as a rule.
+/// The number of coefficients of a first look. What it leaves out of a variable counts as roundings do; at
+/// the end of a step it is small beside the rest, as a rule.
 pub(crate) const FEW: usize = HIGHEST / 4 + 1;
 
 /// A number known by its value alone, and the bound of its roundings.
@@ -53,8 +55,8 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         Self { coefficients, degree: 0, orders: T.saturating_sub(1), error: R::zero(), is_whole: true }
     }
 
-    /// A number that changes by these terms, the first of order one, in a unit with these powers. It and they are
-    /// rounded; terms beyond the last coefficient count as roundings.
+    /// A number that changes by these terms, the first of order one, in a unit with these powers. It and they
+    /// are rounded; terms beyond the last coefficient count as roundings.
     #[inline]
     pub(crate) fn along(value: R, terms: impl Iterator<Item = R>, powers: &[R; TERMS]) -> Self {
         let mut variable = Self::constant(value);
@@ -143,8 +145,8 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         short
     }
 
-    /// A variable on the interval from `from` that is `width` long, in units of the present one. Roundings are those
-    /// of that interval: what its end does not reach has no part in them.
+    /// A variable on the interval from `from` that is `width` long, in units of the present one. Roundings
+    /// are those of that interval: what its end does not reach has no part in them.
     pub(crate) fn on(mut self, from: R, width: R) -> Self {
         let (mut power, mut added) = (R::one(), R::one());
         self.error = R::zero();
@@ -239,8 +241,8 @@ fn sum<R: Real>(terms: &[R], part: impl Fn(R) -> R) -> R {
     (a + c) + (b + d) + rest
 }
 
-/// The coefficients of a polynomial on the interval from `from` that is `width` long: by Horner's rule, in which those
-/// of one power of the argument do not wait for each other.
+/// The coefficients of a polynomial on the interval from `from` that is `width` long: by Horner's rule, in
+/// which those of one power of the argument do not wait for each other.
 pub(crate) fn shift<R: Real>(coefficients: &mut [R], from: R, width: R) {
     if !from.is_zero() {
         for first in (0..coefficients.len().saturating_sub(1)).rev() {

@@ -1,8 +1,8 @@
 //! Guards along the polynomial of a step: polynomials themselves.
 //!
-//! In one regime guards are smooth, so each has a Taylor series along the motion. What is affine in the state is as
-//! exact as the polynomial of the step; of other guards the series reaches only as far as it converges to rounding, and
-//! is taken anew from there.
+//! In one regime guards are smooth, so each has a Taylor series along the motion. What is affine in the state
+//! is as exact as the polynomial of the step; of other guards the series reaches only as far as it converges
+//! to rounding, and is taken anew from there.
 
 use super::guards::{Guard, Guards};
 use super::reactions::Borne;
@@ -17,8 +17,8 @@ use crate::system::state::State;
 /// A part of the step is halved so often at most where a guard has no series on it.
 const HALVINGS: i32 = 40;
 
-/// A part of the step is halved so often at most for the sake of roundings alone: what starts near zero and slowly
-/// has few where it starts.
+/// A part of the step is halved so often at most for the sake of roundings alone: what starts near zero and
+/// slowly has few where it starts.
 const CLEAREST: i32 = 20;
 
 /// A part on which a series does not converge becomes shorter by factors between these.
@@ -88,9 +88,9 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
-    /// The first guard that falls through zero along a step, and the part of the step that has passed then, to the
-    /// roundings of its polynomial. That of `fired` is zero where the step starts; `glances`
-    /// tells whether a glance has bounded guards so far.
+    /// The first guard that falls through zero along a step, and the part of the step that has passed then,
+    /// to the roundings of its polynomial. That of `fired` is zero where the step starts; `glances` tells
+    /// whether a glance has bounded guards so far.
     pub(super) fn first_along(
         &mut self,
         start: &State<S::Scalar, N>,
@@ -191,9 +191,10 @@ where
         }
     }
 
-    /// The part of the step where a guard itself is zero beside a fall of its polynomial, which has the roundings of
-    /// the whole part of the step that it is taken on. Where the guard is within those of its own value already, or
-    /// does not change its sign as the polynomial does, the place as it is. `sizes` bound the summands of the state there.
+    /// The part of the step where a guard itself is zero beside a fall of its polynomial, which has the
+    /// roundings of the whole part of the step that it is taken on. Where the guard is within those of its
+    /// own value already, or does not change its sign as the polynomial does, the place as it is. `sizes`
+    /// bound the summands of the state there.
     pub(super) fn at_zero(
         &self,
         guard: Guard,
@@ -218,8 +219,8 @@ where
         zero.polish(|place| value(place).start())
     }
 
-    /// Whether no guard comes near zero on the whole of the step, as far as polynomials of low order bound that; `None`
-    /// where a guard is no sum of what they bound.
+    /// Whether no guard comes near zero on the whole of the step, as far as polynomials of low order bound
+    /// that; `None` where a guard is no sum of what they bound.
     fn glance(&self, path: &Path<S::Scalar, N, C, FEW>) -> Option<bool> {
         let functions = self.along_part(path);
         let are_whole = self.along().all(|guard| functions.get(guard).is_whole);
@@ -253,7 +254,8 @@ where
         functions.plain()
     }
 
-    /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its zero.
+    /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its
+    /// zero.
     fn agrees(&self, part: &Path<S::Scalar, N, C>, guarded: &Functions<Taylor<S::Scalar>, C, W>) -> bool {
         if self.along().all(|guard| guarded.get(guard).is_whole) {
             return true;
@@ -269,8 +271,8 @@ where
         })
     }
 
-    /// The end of a part too short to matter, on which a guard has no series, as the distance from a centre has none
-    /// there; `None` where a guard may be zero in it.
+    /// The end of a part too short to matter, on which a guard has no series, as the distance from a centre
+    /// has none there; `None` where a guard may be zero in it.
     fn beyond(&self, path: &Path<S::Scalar, N, C>, from: S::Scalar, length: S::Scalar) -> Option<S::Scalar> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut to = from;

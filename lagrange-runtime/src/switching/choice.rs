@@ -1,9 +1,10 @@
 //! The regime that goes on from a state: complementarity on the level of accelerations.
 //!
-//! Of the rows that are at their limit each does one of two or three things, and what it does has to agree with
-//! the accelerations and reactions that follow: a closed contact pushes, an open one opens, what sticks stays
-//! within its limit, what begins to slip slips against its friction. Combinations are tried, those first that
-//! change least. With friction that reactions drive there may be none, or several (Painlevé's paradox).
+//! Of the rows that are at their limit each does one of two or three things, and what it does has to agree
+//! with the accelerations and reactions that follow: a closed contact pushes, an open one opens, what sticks
+//! stays within its limit, what begins to slip slips against its friction. Combinations are tried, those
+//! first that change least. With friction that reactions drive there may be none, or several (Painlevé's
+//! paradox).
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
@@ -34,9 +35,9 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
-    /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that again
-    /// only if nothing else is possible. A reaction that has fallen through zero is one that the polynomial has
-    /// decided about, where accelerations and reactions tie.
+    /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that
+    /// again only if nothing else is possible. A reaction that has fallen through zero is one that the
+    /// polynomial has decided about, where accelerations and reactions tie.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,
@@ -203,7 +204,8 @@ where
         Sizes { forces, accelerations: sizes }
     }
 
-    /// Whether what a combination demands agrees with what follows from it; if not, the row where it does not.
+    /// Whether what a combination demands agrees with what follows from it; if not, the row where it does
+    /// not.
     fn judge(
         &self,
         parts: &[Part; C],

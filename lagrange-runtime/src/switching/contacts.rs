@@ -67,12 +67,12 @@ where
         .into()
     }
 
-    /// The impulses \[N s] of the last change of the regime, by name: `motion.impulses().floor`, in the units and
-    /// directions of the reactions. All are zero where it was no impact; of infinitely many impacts that are taken
-    /// together they are the sum.
+    /// The impulses \[N s] of the last change of the regime, by name: `motion.impulses().floor`, in the units
+    /// and directions of the reactions. All are zero where it was no impact; of infinitely many impacts that
+    /// are taken together they are the sum.
     ///
-    /// Ask after [`Simulation::advance_to_switch`]: as the contacts they belong to the end of the integrator's
-    /// last step.
+    /// Ask after [`Simulation::advance_to_switch`]: as the contacts they belong to the end of the
+    /// integrator's last step.
     pub fn impulses(&self) -> S::Rows<S::Scalar> {
         (*self.memory.impulses()).into()
     }

@@ -14,8 +14,9 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
-    /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through it as
-    /// they are. At the kink itself a function may be no more than roundings: its size is that along the piece.
+    /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through
+    /// it as they are. At the kink itself a function may be no more than roundings: its size is that along
+    /// the piece.
     pub(super) fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
         let part = S::Scalar::epsilon().sqrt();
         let mut middle = None;

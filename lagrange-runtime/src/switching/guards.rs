@@ -28,8 +28,8 @@ pub(super) struct Watch<R, const C: usize> {
     rows: [bool; C],
     /// Whether reactions are among them.
     reactions: bool,
-    /// Slip velocities in two directions where the step starts: while the slip has a part in the same direction
-    /// it has not turned back.
+    /// Slip velocities in two directions where the step starts: while the slip has a part in the same
+    /// direction it has not turned back.
     directions: [R; C],
 }
 
@@ -171,7 +171,8 @@ where
         (0..C).filter(|&row| self.is_sampled(row)).map(Guard::Row).chain((0..kinks).map(Guard::Kink))
     }
 
-    /// Puts in the places of functions the guards that they and reactions make: where a row or a kink has one.
+    /// Puts in the places of functions the guards that they and reactions make: where a row or a kink has
+    /// one.
     pub(super) fn guard<T: Real>(
         &self,
         functions: &mut Functions<T, C, W>,
@@ -272,8 +273,8 @@ where
         values
     }
 
-    /// The first guard looked at by samples that falls through zero on a step between two times, before a part of it
-    /// has passed, and the part that has passed then. `at` gives the state after a part.
+    /// The first guard looked at by samples that falls through zero on a step between two times, before a
+    /// part of it has passed, and the part that has passed then. `at` gives the state after a part.
     pub(super) fn first(
         &self,
         scales: &Scales<S::Scalar, C>,
@@ -338,8 +339,8 @@ where
         }
     }
 
-    /// How long after the zero of a guard a time is that rounding has made of it, from its values there and a little
-    /// earlier.
+    /// How long after the zero of a guard a time is that rounding has made of it, from its values there and a
+    /// little earlier.
     pub(super) fn late(&self, guard: Guard, [earlier, there]: [&State<S::Scalar, N>; 2]) -> S::Scalar {
         let [before, value] = [earlier, there].map(|state| self.values(state).get(guard).0);
         let late = value / (value - before) * (there.t - earlier.t);

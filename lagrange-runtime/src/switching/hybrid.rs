@@ -5,8 +5,8 @@
 //! at the first zero, and the regime that goes on from there is chosen. What is left of a step behind the cut
 //! is never seen.
 //!
-//! A motion in one regime is a *piece*. Its start and end are limits from inside: at the end of a piece an impact
-//! has not happened yet. [`Adaptive::sample`] and [`Adaptive::advance`] give the state after it.
+//! A motion in one regime is a *piece*. Its start and end are limits from inside: at the end of a piece an
+//! impact has not happened yet. [`Adaptive::sample`] and [`Adaptive::advance`] give the state after it.
 
 use core::marker::PhantomData;
 

@@ -8,8 +8,8 @@
 //! Mechanics*, 4.3).
 //!
 //! With Poisson's law the impulses of a plastic impact, that of the compression, are followed by those of an
-//! expansion, of which each contact gives at least e times what it took; friction obeys its law in either phase
-//! (Pfeiffer and Glocker, 8.3). Where one of the contacts follows it, all that touch do.
+//! expansion, of which each contact gives at least e times what it took; friction obeys its law in either
+//! phase (Pfeiffer and Glocker, 8.3). Where one of the contacts follows it, all that touch do.
 //!
 //! With friction, or with several contacts of different coefficients, such laws can create energy, or have
 //! no solution. Where that is so, the impulses are (1 + e) times those of a plastic impact instead, e the
@@ -247,8 +247,8 @@ where
         None
     }
 
-    /// What impulses that contacts give by themselves do, with the friction that they drive where it slips; the
-    /// directions of slips in two directions are those of these velocities.
+    /// What impulses that contacts give by themselves do, with the friction that they drive where it slips;
+    /// the directions of slips in two directions are those of these velocities.
     fn given(
         &self,
         regime: &Regime<S::Scalar, C, W>,
@@ -289,7 +289,8 @@ where
         Some(equations.saddle.solve(&given, &wanted).0)
     }
 
-    /// The impulses of frictions that slip, which follow from those of their contacts and what these are `given`.
+    /// The impulses of frictions that slip, which follow from those of their contacts and what these are
+    /// `given`.
     fn with_friction(
         &self,
         regime: &Regime<S::Scalar, C, W>,

@@ -8,16 +8,16 @@ use crate::linear::SaddlePoint;
 use crate::number::real::Real;
 use crate::system::state::State;
 
-/// A slip in two directions begins with so many times what is lost in the errors of velocities, so that they turn
-/// it by no more than the inverse of that.
+/// A slip in two directions begins with so many times what is lost in the errors of velocities, so that they
+/// turn it by no more than the inverse of that.
 const LAUNCHED: f64 = 16.0;
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
 {
-    /// Velocities with the smallest slip that has a direction for the motion, in the directions in which slips
-    /// begin: that of their accelerations, which friction against these directions leaves.
+    /// Velocities with the smallest slip that has a direction for the motion, in the directions in which
+    /// slips begin: that of their accelerations, which friction against these directions leaves.
     #[cold]
     pub(super) fn begun(
         &self,
@@ -79,8 +79,8 @@ where
         Some(velocities)
     }
 
-    /// The time that slips need which begin, until they have grown to those of `velocities`. Where that is so long
-    /// that accelerations are others by then than they are now, it is not known.
+    /// The time that slips need which begin, until they have grown to those of `velocities`. Where that is so
+    /// long that accelerations are others by then than they are now, it is not known.
     #[cold]
     pub(super) fn later(
         &self,

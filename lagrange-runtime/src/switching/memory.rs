@@ -10,8 +10,8 @@ use crate::system::error::Cause;
 use crate::system::method::Steps;
 use crate::system::state::State;
 
-/// What [`Hybrid`](super::Hybrid) remembers between steps: `I` the system of a regime with constants `X`, `J` the
-/// memory of the method that runs in it.
+/// What [`Hybrid`](super::Hybrid) remembers between steps: `I` the system of a regime with constants `X`, `J`
+/// the memory of the method that runs in it.
 #[derive(Clone, Copy)]
 pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usize> {
     /// The regime of the last piece and of what `inner` knows.
@@ -22,8 +22,8 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     /// The last piece.
     pub(super) start: State<R, N>,
     pub(super) end: State<R, N>,
-    /// The regime and the state that follow the piece; `None` where it ended without an event. The state may be a
-    /// little later than the end of the piece.
+    /// The regime and the state that follow the piece; `None` where it ended without an event. The state may
+    /// be a little later than the end of the piece.
     pub(super) next: Option<(Regime<R, C, W>, State<R, N>)>,
     /// The impulses of the last change of regime, zero where it was no impact.
     pub(super) impulses: [R; C],
@@ -69,8 +69,8 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
         State { t, ..state }
     }
 
-    /// Makes the way to the state that follows a piece of its own. Where that state is not later than the piece
-    /// there is none.
+    /// Makes the way to the state that follows a piece of its own. Where that state is not later than the
+    /// piece there is none.
     pub(super) fn go_on_way(&mut self) -> bool {
         let from = self.end.t;
         self.is_way = self.after().t != from;

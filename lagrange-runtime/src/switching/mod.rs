@@ -1,9 +1,9 @@
 //! Systems whose equations switch: kinks in a description, unilateral contacts, dry friction.
 //!
-//! In one *mode* the equations are smooth. A mode says which rows are constraints at present (a closed contact, a
-//! sticking friction), in which direction a friction slips, and on which side of each kink the motion is.
-//! Rows that are not active stay in the saddle-point system and have no say in it, so one piece of generated
-//! code serves all modes: code for each would be exponential.
+//! In one *mode* the equations are smooth. A mode says which rows are constraints at present (a closed
+//! contact, a sticking friction), in which direction a friction slips, and on which side of each kink the
+//! motion is. Rows that are not active stay in the saddle-point system and have no say in it, so one piece of
+//! generated code serves all modes: code for each would be exponential.
 //!
 //! Brogliato, *Nonsmooth Mechanics*, 3rd ed.; Glocker, *Set-Valued Force Laws*; Acary and Brogliato,
 //! *Numerical Methods for Nonsmooth Dynamical Systems*.
@@ -53,8 +53,8 @@ pub enum Row {
         /// The other component of a slip in two directions. The first of the two carries the direction.
         pair: Option<usize>,
     },
-    /// No constraint: the size of a force that several reactions make together, which limits friction, or what
-    /// it is made of. Its multiplier follows from those of the others.
+    /// No constraint: the size of a force that several reactions make together, which limits friction, or
+    /// what it is made of. Its multiplier follows from those of the others.
     Load,
 }
 
@@ -138,7 +138,8 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         v: &[T; N],
     ) -> Functions<T, C, W>;
 
-    /// What the energy gains where each switching function passes zero upwards, and Σ |summands| of the energy.
+    /// What the energy gains where each switching function passes zero upwards, and Σ |summands| of the
+    /// energy.
     fn jumps_at(
         &self,
         _t: Self::Scalar,
@@ -148,8 +149,9 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         [[num_traits::Zero::zero(); W]; 2]
     }
 
-    /// Visits momenta and rates of constraints that have two values where a switching function is zero: the number
-    /// of the function, what is gained where it passes zero upwards, and Σ |summands| of the momentum or rate.
+    /// Visits momenta and rates of constraints that have two values where a switching function is zero: the
+    /// number of the function, what is gained where it passes zero upwards, and Σ |summands| of the momentum
+    /// or rate.
     fn corners_at(
         &self,
         _t: Self::Scalar,

@@ -29,8 +29,9 @@ where
         Cause::ImpactsAccumulate { constraint, name: S::NAMES.constraint(constraint) }
     }
 
-    /// The velocities with those contacts closed that an impact would open for a negligible time only, and the impulses
-    /// that close them; `None` where no contact is of this kind. The scene is one without an impact.
+    /// The velocities with those contacts closed that an impact would open for a negligible time only, and
+    /// the impulses that close them; `None` where no contact is of this kind. The scene is one without an
+    /// impact.
     pub(super) fn gathered(
         &self,
         present: &Regime<S::Scalar, C, W>,

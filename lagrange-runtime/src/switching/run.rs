@@ -60,8 +60,9 @@ where
         memory.is_way = false;
     }
 
-    /// What follows a state: its impact, the regime that goes on, and the state projected onto that, so much later
-    /// as the time of the state is rounded. Where a slip in two directions begins it may be a little later yet.
+    /// What follows a state: its impact, the regime that goes on, and the state projected onto that, so much
+    /// later as the time of the state is rounded. Where a slip in two directions begins it may be a little
+    /// later yet.
     pub(super) fn settle(
         &mut self,
         state: &mut State<S::Scalar, N>,

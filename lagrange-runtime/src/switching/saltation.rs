@@ -1,12 +1,12 @@
 //! Derivatives through switches.
 //!
-//! Where the start and parameters vary, a guard g is zero at another time: by −δg/ġ later, with ġ its rate along the
-//! motion. That is a time without value, of slopes alone. Varied states go on by so much in the equations that end,
-//! are switched where the guard is zero for each, and come back to the common time in the equations that begin. Of a
-//! switch x ↦ R(x, t) between ẋ = f⁻ and ẋ = f⁺ this is the saltation matrix
-//! ∂R + (f⁺ − ∂R f⁻ − ∂R/∂t) ∇gᵀ / (∇g · f⁻ + ∂g/∂t)
-//! (Aizerman and Gantmakher 1958; Filippov, *Differential Equations with Discontinuous Righthand Sides*; Leine and Nijmeijer, *Dynamics
-//! and Bifurcations of Non-Smooth Mechanical Systems*, chapter 7), which is never written down.
+//! Where the start and parameters vary, a guard g is zero at another time: by −δg/ġ later, with ġ its rate
+//! along the motion. That is a time without value, of slopes alone. Varied states go on by so much in the
+//! equations that end, are switched where the guard is zero for each, and come back to the common time in the
+//! equations that begin. Of a switch x ↦ R(x, t) between ẋ = f⁻ and ẋ = f⁺ this is the saltation matrix ∂R +
+//! (f⁺ − ∂R f⁻ − ∂R/∂t) ∇gᵀ / (∇g · f⁻ + ∂g/∂t) (Aizerman and Gantmakher 1958; Filippov, *Differential
+//! Equations with Discontinuous Righthand Sides*; Leine and Nijmeijer, *Dynamics and Bifurcations of
+//! Non-Smooth Mechanical Systems*, chapter 7), which is never written down.
 //!
 //! There are no derivatives where ġ is zero, and where two guards are zero at once. A motion known to its
 //! tolerance is there if the time of the zero is not known to any digit of ġ, or not which of two is first.
@@ -85,8 +85,8 @@ where
         if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
     }
 
-    /// Where a slip in two directions ends it has lost its direction, and friction with it: accelerations are those that the
-    /// motion comes with.
+    /// Where a slip in two directions ends it has lost its direction, and friction with it: accelerations are
+    /// those that the motion comes with.
     pub(super) fn complete(&self, guard: Guard, a: &mut [S::Scalar; N], t: S::Scalar) {
         let turns = |row: usize| {
             matches!(S::ROWS[row], Row::Friction { pair: Some(_), .. }) && !self.memory.regime.active[row]
@@ -196,8 +196,8 @@ where
     }
 }
 
-/// The rate of a guard along the motion: its derivative in the direction of velocities and accelerations. Parameters
-/// may have derivatives in that direction as well, and what these give is taken off again.
+/// The rate of a guard along the motion: its derivative in the direction of velocities and accelerations.
+/// Parameters may have derivatives in that direction as well, and what these give is taken off again.
 fn rate<S, const N: usize, const K: usize, const C: usize, const W: usize>(
     guards: &Guards<'_, S, N, K, C, W>,
     guard: Guard,

@@ -40,8 +40,9 @@ where
         !above(slip, scales.lost() * size)
     }
 
-    /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there, and
-    /// steps, which end before, become shorter and shorter. From within the tolerance the rest is a straight line.
+    /// Ends a slip in two directions that is about to come to rest: its direction turns ever faster there,
+    /// and steps, which end before, become shorter and shorter. From within the tolerance the rest is a
+    /// straight line.
     pub(super) fn come_to_rest(&mut self) -> Result<(), Cause> {
         for (row, kind) in S::ROWS.iter().enumerate() {
             let Row::Friction { pair: Some(other), .. } = *kind else { continue };

@@ -1,9 +1,10 @@
 //! Directions of slips in two directions.
 //!
-//! Friction points against the slip, and the slip follows from friction: x = F(x / |x|) with the slip x, or its
-//! rate where it begins. That is a monotone equation, but plain iteration overshoots where friction is strong
-//! and the slip is slow. Steps of the length that the last change suggests (J. Barzilai, J. M. Borwein,
-//! "Two-point step size gradient methods", IMA J. Numer. Anal. 8, 1988) are secants along one direction.
+//! Friction points against the slip, and the slip follows from friction: x = F(x / |x|) with the slip x, or
+//! its rate where it begins. That is a monotone equation, but plain iteration overshoots where friction is
+//! strong and the slip is slow. Steps of the length that the last change suggests (J. Barzilai, J. M.
+//! Borwein, "Two-point step size gradient methods", IMA J. Numer. Anal. 8, 1988) are secants along one
+//! direction.
 
 use super::Row;
 use super::scene::{above, most};

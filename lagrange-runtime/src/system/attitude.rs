@@ -1,7 +1,7 @@
 //! Orientations in space: three numbers of a state, by name a unit quaternion and an angular velocity.
 //!
-//! A state holds modified Rodrigues parameters ρ = 4 tan(θ/4) n of a turn by θ \[rad] about the unit vector n,
-//! and their rates ρ′. For small turns ρ is the rotation vector \[rad] and ρ′ the angular velocity
+//! A state holds modified Rodrigues parameters ρ = 4 tan(θ/4) n of a turn by θ \[rad] about the unit vector
+//! n, and their rates ρ′. For small turns ρ is the rotation vector \[rad] and ρ′ the angular velocity
 //! \[rad/s]. Two triples describe each orientation, ρ by θ and −16ρ/|ρ|² by θ − 2π; the shorter one has
 //! |ρ| ≤ 4 and is never singular. A motion changes to it at the end of a step that went beyond half a turn
 //! ([`settle`]).
@@ -62,8 +62,8 @@ pub fn rotation<R: Real>(rho: [R; 3]) -> UnitQuaternion<R> {
     Unit::new_unchecked(Quaternion::from_vector(nalgebra::Vector4::new(x, y, z, (R::one() - s) * reciprocal)))
 }
 
-/// The parameters of an orientation, those of the turn by half a turn at most. A quaternion of any length is the
-/// orientation of the unit one in its direction; zero has none, and gives no numbers.
+/// The parameters of an orientation, those of the turn by half a turn at most. A quaternion of any length is
+/// the orientation of the unit one in its direction; zero has none, and gives no numbers.
 #[must_use]
 pub fn parameters<R: Real>(rotation: &UnitQuaternion<R>) -> [R; 3] {
     let [x, y, z, w]: [R; 4] = rotation.as_ref().coords.into();
@@ -159,8 +159,8 @@ pub(crate) fn share<R: Real, const N: usize>(sizes: &mut [R; N], first: usize, l
     }
 }
 
-/// The other triple of an orientation, and its rates. Triples of less than half a turn, which stay, give finite
-/// numbers.
+/// The other triple of an orientation, and its rates. Triples of less than half a turn, which stay, give
+/// finite numbers.
 fn other<R: Real>(rho: [R; 3], rates: [R; 3]) -> ([R; 3], [R; 3]) {
     let square = square(rho).max(R::from_f64(HALF_A_TURN));
     let scale = -(R::from_f64(HALF_A_TURN) / square);

@@ -58,8 +58,8 @@ pub enum Cause {
         /// Its name.
         name: Name,
     },
-    /// The gradient of a constraint or of a gap vanishes or has no value, as that of a distance has none at its
-    /// centre: it restricts nothing and has no reaction.
+    /// The gradient of a constraint or of a gap vanishes or has no value, as that of a distance has none at
+    /// its centre: it restricts nothing and has no reaction.
     VanishingGradient {
         /// Index of the constraint.
         constraint: usize,
@@ -136,29 +136,32 @@ pub enum Cause {
         /// The function that it stands in.
         name: Name,
     },
-    /// A momentum, or the rate of a constraint, has two values where a switching function is zero, so that no force
-    /// of finite size leads across: a corner in a position or a constraint, or a mass that jumps.
+    /// A momentum, or the rate of a constraint, has two values where a switching function is zero, so that no
+    /// force of finite size leads across: a corner in a position or a constraint, or a mass that jumps.
     MomentumJumps {
         /// Index of the kink, in the order of the description.
         kink: usize,
         /// The function that it stands in.
         name: Name,
     },
-    /// A motion with derivatives meets a switch without speed, so that it has none: a start beside this one passes by.
+    /// A motion with derivatives meets a switch without speed, so that it has none: a start beside this one
+    /// passes by.
     Grazes {
         /// Index of the constraint or kink.
         switch: usize,
         /// Its name: that of the contact, the friction or the function with the kink.
         name: Name,
     },
-    /// A motion with derivatives meets two switches at once, so that it has none: which is first depends on the start.
+    /// A motion with derivatives meets two switches at once, so that it has none: which is first depends on
+    /// the start.
     SwitchesCoincide {
         /// The name of one of them.
         name: Name,
         /// That of the other one; empty where the motion begins in an impact.
         other: Name,
     },
-    /// A motion with derivatives comes to infinitely many impacts in finite time, through which none are computed.
+    /// A motion with derivatives comes to infinitely many impacts in finite time, through which none are
+    /// computed.
     ImpactsAccumulate {
         /// Index of the contact.
         constraint: usize,

@@ -116,8 +116,8 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// What the motion has cost.
     fn counts(memory: &Self::Memory) -> Steps;
 
-    /// The memory of a motion that goes on from a state by the equations of another system of the same kind, which
-    /// knows about how long its steps are.
+    /// The memory of a motion that goes on from a state by the equations of another system of the same kind,
+    /// which knows about how long its steps are.
     fn go_on(memory: &mut Self::Memory, system: &S, state: State<S::Scalar, N>)
     where
         S::Scalar: Ordered,

@@ -52,8 +52,8 @@ pub trait System<const N: usize, const K: usize = 0> {
     /// [`attitude`].
     const ORIENTATIONS: &'static [usize] = &[];
 
-    /// The body axes of a state, by which accelerations, forces, momenta and the mass matrix belong to angular
-    /// velocities.
+    /// The body axes of a state, by which accelerations, forces, momenta and the mass matrix belong to
+    /// angular velocities.
     #[inline]
     fn body_axes(&self, state: &State<Self::Scalar, N>) -> BodyAxes<Self::Scalar, N> {
         BodyAxes::new(Self::ORIENTATIONS, state)
@@ -245,8 +245,8 @@ pub trait System<const N: usize, const K: usize = 0> {
     }
 }
 
-/// Whether masses are positive where a system without constraints needs them. Accelerations of a negative mass
-/// are finite; with constraints the factors of M show it.
+/// Whether masses are positive where a system without constraints needs them. Accelerations of a negative
+/// mass are finite; with constraints the factors of M show it.
 ///
 /// # Errors
 /// [`Cause::SingularMassMatrix`] with the coordinate.

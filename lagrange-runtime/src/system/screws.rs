@@ -9,10 +9,10 @@
 //!
 //! I, B and F add up over all bodies that a coordinate moves. So a pair of coordinates takes a few dot
 //! products, and nothing is carried from link to link (Carpentier and Mansard, RSS 2018; Singh, Russell and
-//! Wensing, IEEE Robotics and Automation Letters 7, 2022). B asks for the angular part of x alone: B x = 2
-//! (G x, −P × x), with the momentum P. All vectors are in space axes. What a group moves is added up about a point
-//! of its own, at one of its bodies: about a point at a distance d, a small moment of inertia would be a
-//! difference of numbers of size m d². Only coordinates of different groups meet about a common point.
+//! Wensing, IEEE Robotics and Automation Letters 7, 2022). B asks for the angular part of x alone: B x = 2 (G
+//! x, −P × x), with the momentum P. All vectors are in space axes. What a group moves is added up about a
+//! point of its own, at one of its bodies: about a point at a distance d, a small moment of inertia would be
+//! a difference of numbers of size m d². Only coordinates of different groups meet about a common point.
 
 mod composite;
 #[cfg(test)]

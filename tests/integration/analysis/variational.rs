@@ -76,7 +76,7 @@ fn a_slow_coordinate_does_not_hide_a_fast_one_at_rest() {
     close_on(0.05, found.q_by_p[1], -10.0 * 1000.0_f64.sin() / 200.0, 1e-12);
 }
 
-/// A spring with a kink that the motion stays away from.
+/// A spring with a kink.
 struct Kinked;
 
 #[lagrangian(coordinates = [x], jacobians)]
@@ -93,7 +93,7 @@ impl Kinked {
 }
 
 #[test]
-fn dormand_prince_follows_the_derivatives_too() {
+fn derivatives_go_through_a_kink() {
     let varied = Kinked.variational();
     for (tolerance, error) in [(1e-6, 1e-4), (1e-10, 1e-8), (1e-13, 1e-11)] {
         let mut motion = varied.motion(State::at_rest([0.0])).unwrap().with_tolerance(tolerance);
@@ -102,7 +102,6 @@ fn dormand_prince_follows_the_derivatives_too() {
         {
             close_on(1.0, *found, *expected, error);
         }
-        assert!(motion.steps().evaluations > 12 * motion.steps().accepted, "not Dormand and Prince");
     }
     // Across the kink the force changes from −x to 2 + x.
     let mut motion = varied.motion(State::new([-0.5], [-0.4])).unwrap().with_tolerance(1e-13);

@@ -4,8 +4,9 @@ use lagrangian::prelude::*;
 
 use crate::support::close::close;
 
-/// A four-bar with a base of 2, cranks of 1 and a coupler of 2, by the angles of its cranks. Where both lie along the base, its
-/// two forms meet: the parallelogram, ψ = θ, and the antiparallelogram, tan ψ/2 = −3 tan θ/2.
+/// A four-bar with a base of 2, cranks of 1 and a coupler of 2, by the angles of its cranks. Where both lie
+/// along the base, its two forms meet: the parallelogram, ψ = θ, and the antiparallelogram, tan ψ/2 = −3 tan
+/// θ/2.
 struct FourBar;
 
 #[lagrangian(coordinates = [theta, psi])]
@@ -26,7 +27,8 @@ impl FourBar {
     }
 }
 
-/// A slider-crank with links of 1. Where the slider is at the crank's bearing, it could also stay there: x = 2 cos θ, or x = 0.
+/// A slider-crank with links of 1. Where the slider is at the crank's bearing, it could also stay there: x =
+/// 2 cos θ, or x = 0.
 struct Isosceles;
 
 #[lagrangian(coordinates = [theta, x])]

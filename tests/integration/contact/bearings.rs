@@ -1,4 +1,5 @@
-//! Friction whose normal force is the common size of several reactions: bearings, and beads on curves in space.
+//! Friction whose normal force is the common size of several reactions: bearings, and beads on curves in
+//! space.
 
 use lagrangian::Contact;
 use lagrangian::prelude::*;
@@ -6,8 +7,8 @@ use lagrangian::prelude::*;
 use super::TIGHT;
 use crate::support::close::{all_close, close, close_on};
 
-/// A pendulum on a journal bearing: a pin of radius r turns in a hole, held by two constraints. A stop may be in
-/// its way.
+/// A pendulum on a journal bearing: a pin of radius r turns in a hole, held by two constraints. A stop may be
+/// in its way.
 struct Journal {
     friction: f64,
     restitution: f64,
@@ -59,8 +60,8 @@ fn hanging(phi: f64) -> State<f64, 3> {
     State::at_rest([LENGTH * phi.sin(), -LENGTH * phi.cos(), phi])
 }
 
-/// Times and angles of the first turning points from 2 rad. The digits are those of the quadratic equation for the
-/// reaction, solved by hand, and extrapolated midpoint steps with 22 digits in mpmath.
+/// Times and angles of the first turning points from 2 rad. The digits are those of the quadratic equation
+/// for the reaction, solved by hand, and extrapolated midpoint steps with 22 digits in mpmath.
 const TURNS: [[f64; 2]; 3] = [
     [0.979423936047065455, -1.59211395426396536],
     [1.87426546735961819, 1.30600428654000977],

@@ -41,8 +41,8 @@ fn an_expansion_gives_a_part_of_the_impulse_of_the_compression() {
     let mut motion = rod.simulate(thrown(0.5)).with_tolerance(TIGHT);
     let impact = motion.advance_to_switch(1.0).unwrap().unwrap();
     close(impact.state.t, 0.1, 1e-14);
-    // In the directions of the contact the inverse of the mass is (5, −3; −3, 5) / 2. The compression stops both velocities
-    // by (7, 1) / 16; half of the first follows, and what it takes to stick meanwhile.
+    // In the directions of the contact the inverse of the mass is (5, −3; −3, 5) / 2. The compression stops
+    // both velocities by (7, 1) / 16; half of the first follows, and what it takes to stick meanwhile.
     let [normal, tangential] = [7.0 / 16.0 * 1.5, 1.0 / 16.0 + 0.6 * 7.0 / 32.0];
     let impulses = motion.impulses();
     all_close([impulses.floor, impulses.slip], [normal, tangential], 1e-12);
@@ -86,7 +86,8 @@ impl Balls {
 fn a_pair_that_touches_gives_back_what_it_has_taken() {
     let mut motion = Balls.simulate(State::new([-0.1, 0.0, 0.0], [1.0, 0.0, 0.0])).with_tolerance(TIGHT);
     let impact = motion.advance_to_switch(1.0).unwrap().unwrap();
-    // The compression leaves 1/3 each by impulses 2/3 and 1/3. The second is given back, and presses the first pair once more.
+    // The compression leaves 1/3 each by impulses 2/3 and 1/3. The second is given back, and presses the
+    // first pair once more.
     all_close(impact.state.v, [1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0], 1e-13);
     let impulses = motion.impulses();
     all_close([impulses.left, impulses.right], [5.0 / 6.0, 2.0 / 3.0], 1e-13);

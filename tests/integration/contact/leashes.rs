@@ -68,8 +68,8 @@ fn a_rope_goes_slack_above_and_taut_again() {
     let speed = (0.5 * 9.81_f64).sqrt();
     all_close(slack.v, [speed * cos, speed * sin], 1e-9);
     assert_eq!(motion.contacts().rope, Contact::Open);
-    // The parabola touches the circle there in three points that coincide. The angles from the horizontal of all four points
-    // that a circle shares with a parabola of vertical axis add up to a multiple of 2 π.
+    // The parabola touches the circle there in three points that coincide. The angles from the horizontal of
+    // all four points that a circle shares with a parabola of vertical axis add up to a multiple of 2 π.
     let phi = 0.5_f64.asin();
     let taut = motion.advance_to_switch(3.0).unwrap().unwrap();
     for (found, exact) in taut.before.q.iter().zip([(3.0 * phi).cos(), -(3.0 * phi).sin()]) {
@@ -77,8 +77,8 @@ fn a_rope_goes_slack_above_and_taut_again() {
     }
 }
 
-/// A homogeneous ball on a rough table that turns with Ω about the origin: the turns a and b of the ball about the
-/// axes of x and y; its spin does not matter.
+/// A homogeneous ball on a rough table that turns with Ω about the origin: the turns a and b of the ball
+/// about the axes of x and y; its spin does not matter.
 struct Turntable {
     rate: f64,
 }

@@ -1,4 +1,5 @@
-//! The normal force is that on the particle, in whatever coordinates and units a constraint or gap is written.
+//! The normal force is that on the particle, in whatever coordinates and units a constraint or gap is
+//! written.
 
 use lagrangian::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Random systems with several contacts and friction: what the laws of contact promise of every motion.
 //!
-//! No impact adds kinetic energy, no motion adds energy, nothing penetrates, and what ends a motion is a paradox of
-//! rigid bodies, never a failure of numbers.
+//! No impact adds kinetic energy, no motion adds energy, nothing penetrates, and what ends a motion is a
+//! paradox of rigid bodies, never a failure of numbers.
 
 use lagrangian::prelude::*;
 
@@ -189,8 +189,8 @@ pub struct Tally {
 /// Switches that are followed of a motion.
 const MOST: usize = 1000;
 
-/// Follows motions of one kind for a second from switch to switch. `gap` is the smallest gap, `energy` and `kinetic`
-/// those of a state; energies are conserved between impacts but for friction.
+/// Follows motions of one kind for a second from switch to switch. `gap` is the smallest gap, `energy` and
+/// `kinetic` those of a state; energies are conserved between impacts but for friction.
 macro_rules! follow {
     ($tally:expr, $number:expr, $system:expr, $start:expr, $gap:expr, $conserves:expr) => {{
         let (system, gap) = (&$system, $gap);
@@ -371,7 +371,8 @@ fn ten_thousand_random_contacts_obey_their_laws() {
     assert!(tally.switches > 5 * tally.motions && 20 * tally.paradoxes < tally.motions, "{tally:?}");
 }
 
-/// Discs that slip on the floor and on each other with forces that do not change: a polynomial in time, which bounds no step.
+/// Discs that slip on the floor and on each other with forces that do not change: a polynomial in time, which
+/// bounds no step.
 #[test]
 fn discs_with_constant_accelerations_obey_their_laws() {
     let mut tally = Tally::default();

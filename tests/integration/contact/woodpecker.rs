@@ -1,8 +1,8 @@
 //! The woodpecker toy: a sleeve that slides and jams on a pole, a bird on a spring, a beak that strikes.
 //!
-//! Parameters of C. Glocker, *Dynamik von Starrkörpersystemen mit Reibung und Stößen* (VDI, 1995), as in R. I. Leine,
-//! D. H. van Campen, C. Glocker, "Nonlinear dynamics and modeling of various wooden toys with impact and friction",
-//! J. Vib. Control 9 (2003).
+//! Parameters of C. Glocker, *Dynamik von Starrkörpersystemen mit Reibung und Stößen* (VDI, 1995), as in R.
+//! I. Leine, D. H. van Campen, C. Glocker, "Nonlinear dynamics and modeling of various wooden toys with
+//! impact and friction", J. Vib. Control 9 (2003).
 
 use lagrangian::Contact;
 use lagrangian::prelude::*;

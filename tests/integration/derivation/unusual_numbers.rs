@@ -1,5 +1,5 @@
-//! Parameters that are not what their type promises: matrices of inertia that are not symmetric, axes that are not of
-//! unit length. Components of arrays by each of their names.
+//! Parameters that are not what their type promises: matrices of inertia that are not symmetric, axes that
+//! are not of unit length. Components of arrays by each of their names.
 
 use lagrangian::prelude::*;
 

@@ -1,4 +1,5 @@
-//! What a system can have beside orientations: other methods, derivatives, lanes of numbers, contacts, forces.
+//! What a system can have beside orientations: other methods, derivatives, lanes of numbers, contacts,
+//! forces.
 
 use lagrangian::prelude::*;
 
@@ -136,7 +137,8 @@ fn a_pendulum_of_orientations_hangs_and_swings() {
     for link in links {
         close_on(1.0, (link * Vector3::z()).z, 1.0, 1e-14);
     }
-    // A uniform planar double pendulum of rods 1 m: M ω² = K, each frequency in two planes, and two free spins.
+    // A uniform planar double pendulum of rods 1 m: M ω² = K, each frequency in two planes, and two free
+    // spins.
     let modes = Pendulum.modes(&rest.state, &[]).unwrap();
     let mut found: Vec<f64> = modes.iter().map(|mode| mode.eigenvalue.im).filter(|im| *im > 1e-6).collect();
     found.sort_by(f64::total_cmp);
@@ -240,7 +242,8 @@ fn a_die_falls_on_its_corners() {
     }
 }
 
-/// It has come to rest on four corners, two of which on a diagonal bear all of the weight as well as any others do.
+/// It has come to rest on four corners, two of which on a diagonal bear all of the weight as well as any
+/// others do.
 #[test]
 fn a_die_comes_to_lie_flat_and_slides_on() {
     let start = Die.state(

@@ -1,4 +1,5 @@
-//! Bennett's loop: four bars in space, each a pose, with four hinges whose axes are neither parallel nor meet.
+//! Bennett's loop: four bars in space, each a pose, with four hinges whose axes are neither parallel nor
+//! meet.
 
 use lagrangian::prelude::*;
 
@@ -71,8 +72,8 @@ fn about_z(angle: f64) -> Isometry3<f64> {
     )
 }
 
-/// The angle of the second hinge over that of the first: tan(θ₁/2) tan(θ₂/2) = sin((β + α)/2) / sin((β − α)/2).
-/// (Bennett, *The skew isogram mechanism*, Proc. London Math. Soc. 13, 1914.)
+/// The angle of the second hinge over that of the first: tan(θ₁/2) tan(θ₂/2) = sin((β + α)/2) / sin((β −
+/// α)/2). (Bennett, *The skew isogram mechanism*, Proc. London Math. Soc. 13, 1914.)
 fn second_angle(loop_: &Bennett, first: f64) -> f64 {
     let [alpha, beta] = loop_.twists;
     2.0 * ((0.5 * (beta + alpha)).sin() / ((0.5 * (beta - alpha)).sin() * (0.5 * first).tan())).atan()

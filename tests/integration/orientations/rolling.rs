@@ -62,7 +62,8 @@ fn a_ball_rolls_down_a_slope_on_a_parabola() {
     between(20.0, motion.steps().accepted as f64, 120.0);
 }
 
-/// A rattleback: half an ellipsoid that rolls, with principal axes that are turned against those of the ellipsoid.
+/// A rattleback: half an ellipsoid that rolls, with principal axes that are turned against those of the
+/// ellipsoid.
 struct Rattleback {
     axes: [f64; 3],
     skew: f64,

@@ -30,8 +30,8 @@ fn spinning(turn: UnitQuaternion<f64>, angular: Vector3<f64>) -> State<f64, 3> {
     Top { gravity: 9.81 }.state(TopCoordinates { attitude: turn }, TopVelocities { attitude: angular })
 }
 
-/// A sleeping top: with z = x + i y of its tilt, A z″ − i C ω z′ − m g l z = 0 in space, and frequencies less by ω in
-/// the body (Goldstein, *Classical Mechanics*, 3rd ed., § 5.7).
+/// A sleeping top: with z = x + i y of its tilt, A z″ − i C ω z′ − m g l z = 0 in space, and frequencies less
+/// by ω in the body (Goldstein, *Classical Mechanics*, 3rd ed., § 5.7).
 #[test]
 fn a_sleeping_top_has_the_same_modes_however_it_stands() {
     let (spin, moment) = (150.0, 2.0 * 9.81 * 0.3);
@@ -76,8 +76,8 @@ impl Free {
     }
 }
 
-/// A free body that spins about a principal axis: stable about the first and the last, not about the middle one
-/// (Landau and Lifshitz, *Mechanics*, § 37), in every attitude.
+/// A free body that spins about a principal axis: stable about the first and the last, not about the middle
+/// one (Landau and Lifshitz, *Mechanics*, § 37), in every attitude.
 #[test]
 fn a_free_body_spins_about_its_principal_axes() {
     let inertia = [1.0, 2.0, 2.5_f64];

@@ -133,8 +133,8 @@ impl Heavy {
     }
 }
 
-/// cos θ of a top released with a spin alone: of (cos θ)′² = β (u₀ − u)(u − u₁)(u₃ − u). (Goldstein, *Classical
-/// Mechanics*, 3rd ed., section 5.7.)
+/// cos θ of a top released with a spin alone: of (cos θ)′² = β (u₀ − u)(u − u₁)(u₃ − u). (Goldstein,
+/// *Classical Mechanics*, 3rd ed., section 5.7.)
 fn height(top: &Heavy, u0: f64, spin: f64, t: f64) -> f64 {
     let (beta, b) = (2.0 * top.weight / top.a, top.c * spin / top.a);
     let root = (b.powi(4) - 4.0 * beta * (b * b * u0 - beta)).sqrt();

@@ -1,4 +1,5 @@
-//! [`Run`]: a start beside a singular position, the true motion where it is known, and what a method makes of it.
+//! [`Run`]: a start beside a singular position, the true motion where it is known, and what a method makes of
+//! it.
 
 use std::time::Instant;
 

@@ -157,8 +157,8 @@ impl<'p> Writer<'p> {
         self.out.empty();
     }
 
-    /// One force function for each driven coordinate. Descriptions with orientations do not take a force on all
-    /// coordinates at once.
+    /// One force function for each driven coordinate. Descriptions with orientations do not take a force on
+    /// all coordinates at once.
     fn motors_apart(&mut self, forces: &[Vec<(f64, String)>]) {
         for (coordinate, terms) in self.plan.coordinates.iter().zip(forces) {
             if terms.is_empty() {

@@ -37,7 +37,7 @@ pub(in crate::emit) fn stubs(item: &Item, scalar: &TokenStream, count: usize, in
         ("verify", TokenStream::new(), certificate.clone()),
         ("verify_at", states, certificate),
     ];
-    let unconstrained = !item.functions.iter().any(|function| item.is_kept_constraint(function));
+    let unconstrained = !item.functions.iter().any(|function| item.has_multiplier(function));
     let rate = unconstrained.then(|| ("energy_rate", quote!(#state #given), result(scalar)));
     let is_free = |name: &str| item.functions.iter().all(|function| *function.name != *name);
     let methods = methods.into_iter().chain(rate).filter(|(name, ..)| is_free(name)).map(

@@ -1,13 +1,13 @@
 //! Integrals of the motion by Noether's theorem, found by search.
 //!
-//! A shift q → q + ε ξ with ξ = S q + s, or with a turn of an orientation, takes I = p·ξ along: dI/dt = f·ξ + p·ξ′ with f = ∂L/∂q + Q − ∂D/∂v,
-//! plus λᵀ A ξ where there are constraints. Both must vanish for all q, v, t, u and all values of the
-//! parameters (Arnold, *Mathematical Methods of Classical Mechanics*, section 20). They are linear in S and
-//! s: random samples give a linear system, its null space the candidates, and each candidate is then
-//! confirmed at points of its own, near and far, to within the rounding errors of the evaluation: a small
-//! force is a force. A kink far from all samples would look like no force at all. So each sample takes one
-//! side of every kink at random, whatever the arguments are. Integrals that are not linear in the momenta, or
-//! whose ξ depends on parameters, are not found.
+//! A shift q → q + ε ξ with ξ = S q + s, or with a turn of an orientation, takes I = p·ξ along: dI/dt = f·ξ +
+//! p·ξ′ with f = ∂L/∂q + Q − ∂D/∂v, plus λᵀ A ξ where there are constraints. Both must vanish for all q, v,
+//! t, u and all values of the parameters (Arnold, *Mathematical Methods of Classical Mechanics*, section 20).
+//! They are linear in S and s: random samples give a linear system, its null space the candidates, and each
+//! candidate is then confirmed at points of its own, near and far, to within the rounding errors of the
+//! evaluation: a small force is a force. A kink far from all samples would look like no force at all. So each
+//! sample takes one side of every kink at random, whatever the arguments are. Integrals that are not linear
+//! in the momenta, or whose ξ depends on parameters, are not found.
 
 use super::nullspace::{Noise, null_space};
 use super::turns::{Shift, Turn};

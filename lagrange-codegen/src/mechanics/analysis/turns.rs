@@ -1,5 +1,5 @@
-//! Turns of one orientation as generators: ρ moves along a column of N, δρ = N δφ with the turn δφ in body axes,
-//! or of Nᵀ with the turn in space axes.
+//! Turns of one orientation as generators: ρ moves along a column of N, δρ = N δφ with the turn δφ in body
+//! axes, or of Nᵀ with the turn in space axes.
 //!
 //! N = (1 − s) + ½ \[ρ]ₓ + ⅛ ρ ρᵀ with s = |ρ|²/16, see [`orientation`](crate::model::orientation).
 

@@ -15,8 +15,8 @@ const RATES: usize = 132;
 const COORDINATE: usize = 306;
 /// A coordinate with one of its group.
 const WITHIN: usize = 33;
-/// What a coordinate does, about the common point, and with those that move more bodies, [`LANES`] of them in one
-/// operation on vectors.
+/// What a coordinate does, about the common point, and with those that move more bodies, [`LANES`] of them in
+/// one operation on vectors.
 const ABOVE: usize = 42;
 const BLOCK: usize = 72;
 const LANES: usize = 4;

@@ -1,5 +1,5 @@
-//! Inertia forces of bodies and their derivatives from screws, body by body as they are defined, all about one
-//! point: nothing is added up over bodies before a pair of coordinates asks.
+//! Inertia forces of bodies and their derivatives from screws, body by body as they are defined, all about
+//! one point: nothing is added up over bodies before a pair of coordinates asks.
 
 use super::value::unknown;
 use super::{Run, Value};

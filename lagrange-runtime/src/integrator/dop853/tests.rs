@@ -56,39 +56,6 @@ fn the_dense_output_is_of_seventh_order() {
     assert!((7.3..8.7).contains(&order), "measured order {order}");
 }
 
-/// q″ = −q.
-struct Oscillator;
-
-impl Field<f64, 1> for Oscillator {
-    fn accelerations(&self, _: f64, q: &[f64; 1], _: &[f64; 1]) -> [f64; 1] {
-        [-q[0]]
-    }
-
-    fn cause(&self, _: f64, _: &[f64; 1], _: &[f64; 1]) -> Cause {
-        Cause::NotFinite
-    }
-}
-
-#[test]
-fn numbers_far_below_one_are_as_accurate_as_others() {
-    let mut steps = [0, 0];
-    for (amplitude, steps) in [1.0, 1e-12].into_iter().zip(&mut steps) {
-        let mut motion = Dop853Memory::new(State { t: 0.0, q: [amplitude], v: [0.0] });
-        while motion.end.state.t < 20.0 {
-            motion.step(&Oscillator, &Limits::new(), 20.0, true, &mut 1000).unwrap();
-        }
-        let error = motion.end.state.q[0] / amplitude - 20.0_f64.cos();
-        assert!(error.abs() < 1e-8, "{error:e} at {amplitude:e}");
-        *steps = motion.counts.accepted;
-    }
-    assert_eq!(steps[0], steps[1]);
-    // An absolute tolerance of the caller is one.
-    let mut motion = Dop853Memory::new(State { t: 0.0, q: [1e-12], v: [0.0] });
-    let limits = Limits { absolute: Some(1e-10), ..Limits::new() };
-    motion.step(&Oscillator, &limits, 20.0, true, &mut 1000).unwrap();
-    assert!(motion.end.state.t > 0.5, "{}", motion.end.state.t);
-}
-
 #[test]
 fn samples_at_the_ends_are_the_ends_and_cost_nothing() {
     let mut motion = Dop853Memory::new(driven(0.3));

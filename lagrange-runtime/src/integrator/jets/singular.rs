@@ -1,5 +1,5 @@
-//! A step that starts in a configuration in which constraints depend on each other, or close to one: the first
-//! of a motion, or one that has no end before that configuration where the state is determined.
+//! A step that starts in a configuration in which constraints depend on each other, or close to one: the
+//! first of a motion, or one that has no end before that configuration where the state is determined.
 //!
 //! There the equations do not give the multipliers, and beside it they give them with few digits. But the
 //! motion is smooth, and a little later it is well determined. So the step is expanded about its **end**: a

@@ -63,13 +63,8 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
         let finite = self.inverse_masses.iter().all(|x| x.is_finite()) && self.schur.is_finite();
         match self.negative() {
             Some(coordinate) => Some(Defect::Singular { coordinate }),
-            None => {
-                if finite {
-                    None
-                } else {
-                    Some(Defect::NotFinite)
-                }
-            }
+            None if finite => None,
+            None => Some(Defect::NotFinite),
         }
     }
 

@@ -1,14 +1,15 @@
 //! The common size of several reactions, which drives friction.
 //!
 //! A load N = |F| is an unknown like the reactions κ that its force F is a sum of. Friction adds to the
-//! reactions what is proportional to it, so that F = a + X N with forces a that are there without friction and a
-//! response X. That is one scalar equation for each load, convex in it, and Newton's method from N = 0 finds
-//! its solution. If |X| < 1 there is one; else there is none, or there are two: friction jams. Of several
-//! loads the matrix of all |X| has to be a contraction, which its pivots tell.
+//! reactions what is proportional to it, so that F = a + X N with forces a that are there without friction
+//! and a response X. That is one scalar equation for each load, convex in it, and Newton's method from N = 0
+//! finds its solution. If |X| < 1 there is one; else there is none, or there are two: friction jams. Of
+//! several loads the matrix of all |X| has to be a contraction, which its pivots tell.
 //!
 //! Along a motion N² = F · F holds for the series as well. Of order zero that is the equation above. Of an
-//! order k above, N\[k] = n · F\[k] plus what lower orders give, with the direction n = F\[0] / N\[0]: a linear
-//! equation. Where a force begins to grow from zero, its first order that is not zero has the part of order zero.
+//! order k above, N\[k] = n · F\[k] plus what lower orders give, with the direction n = F\[0] / N\[0]: a
+//! linear equation. Where a force begins to grow from zero, its first order that is not zero has the part of
+//! order zero.
 
 use crate::linear::Lu;
 use crate::number::real::Real;

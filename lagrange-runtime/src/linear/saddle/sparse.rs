@@ -233,13 +233,8 @@ impl<R: Real, const N: usize, const C: usize, const A: usize, const L: usize> Sa
             && self.careful.as_ref().map_or_else(factors, |schur| schur.is_finite());
         match self.negative() {
             Some(coordinate) => Some(Defect::Singular { coordinate }),
-            None => {
-                if finite {
-                    None
-                } else {
-                    Some(Defect::NotFinite)
-                }
-            }
+            None if finite => None,
+            None => Some(Defect::NotFinite),
         }
     }
 

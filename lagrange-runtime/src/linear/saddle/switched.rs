@@ -115,9 +115,9 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         this
     }
 
-    /// [`solve_motion`](SaddlePoint::solve_motion) of an order of a series, from 1 on. `known` are the multipliers
-    /// of the orders before, and κ is `rate` times those of this one. Of rows that are sums of others `y` is what
-    /// lacks of them.
+    /// [`solve_motion`](SaddlePoint::solve_motion) of an order of a series, from 1 on. `known` are the
+    /// multipliers of the orders before, and κ is `rate` times those of this one. Of rows that are sums of
+    /// others `y` is what lacks of them.
     #[must_use]
     pub fn solve_order(
         &self,

@@ -69,8 +69,8 @@ impl<R: Ordered> Track<R> {
         Self { memory: unknown, beyond: (None, zero), noise: zero, zeros: None, pending: None }
     }
 
-    /// The state has got other numbers for the same orientations, with which a guard may have the other sign, as
-    /// components of a quaternion have. That is no zero.
+    /// The state has got other numbers for the same orientations, with which a guard may have the other sign,
+    /// as components of a quaternion have. That is no zero.
     pub fn renamed(&mut self, before: R, after: R) {
         if (after + before).abs() < (after - before).abs() {
             self.memory = self.memory.opposite();

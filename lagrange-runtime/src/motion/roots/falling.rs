@@ -1,12 +1,12 @@
 //! Where a polynomial with known roundings falls through zero.
 //!
-//! A guard has fallen where it is below zero by more than its roundings; it was zero where the polynomial was zero
-//! last. So what touches zero within roundings has not fallen, and nothing falls twice.
+//! A guard has fallen where it is below zero by more than its roundings; it was zero where the polynomial was
+//! zero last. So what touches zero within roundings has not fallen, and nothing falls twice.
 //!
-//! Coefficients of Bernstein bound a polynomial by their least and largest, and it has no more roots on its interval
-//! than they have changes of sign. Those of a part of the interval follow from those of powers without loss: their sum
-//! of magnitudes bounds all that is added on the way (R. T. Farouki, "The Bernstein polynomial basis: a centennial
-//! retrospective", Computer Aided Geometric Design 29, 2012).
+//! Coefficients of Bernstein bound a polynomial by their least and largest, and it has no more roots on its
+//! interval than they have changes of sign. Those of a part of the interval follow from those of powers
+//! without loss: their sum of magnitudes bounds all that is added on the way (R. T. Farouki, "The Bernstein
+//! polynomial basis: a centennial retrospective", Computer Aided Geometric Design 29, 2012).
 
 use crate::number::real::{Ordered, Real, larger};
 use crate::series::taylor::{TERMS, Taylor, shift};
@@ -17,8 +17,8 @@ const LEVELS: usize = 26;
 /// Rounds that find the reach of a series; what they leave is found by the next series.
 const AGREED: usize = 6;
 
-/// A guard may have so many times the size that it has where it starts: what is far away, as the end of a long free
-/// fall, must not hide what is near.
+/// A guard may have so many times the size that it has where it starts: what is far away, as the end of a
+/// long free fall, must not hide what is near.
 const DROWNED: f64 = 16.0;
 
 /// What is known of a guard where the polynomial starts.
@@ -70,8 +70,8 @@ pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fal
     Some(Fall { place, fallen: high })
 }
 
-/// An interval at whose start a polynomial is above −`noise` and at whose end it is below, and whose start is the last
-/// such place that halving knows.
+/// An interval at whose start a polynomial is above −`noise` and at whose end it is below, and whose start is
+/// the last such place that halving knows.
 fn isolated<R: Ordered>(polynomial: &[R], noise: R) -> Option<[R; 2]> {
     let (zero, half) = (R::zero(), R::from_f64(0.5));
     let (mut level, mut number) = (0_usize, 0_u64);
@@ -112,7 +112,8 @@ enum Changes {
     Several,
 }
 
-/// Coefficients of Bernstein from those of powers: divided by binomial coefficients, then summed as differences are.
+/// Coefficients of Bernstein from those of powers: divided by binomial coefficients, then summed as
+/// differences are.
 fn to_bernstein<R: Ordered>(powers: &mut [R]) {
     let two = R::one() + R::one();
     let degree = R::from_f64(powers.len() as f64 - 1.0);

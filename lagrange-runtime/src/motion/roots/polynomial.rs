@@ -191,8 +191,8 @@ impl<R: Ordered> Polynomial<R> {
             if n < DEGREE || !unexpected {
                 return Err(Unresolved::Degree);
             }
-            // At a kink coefficients fall like 1/k²: what lies beyond the last is up to n of them, and interpolation
-            // doubles that.
+            // At a kink coefficients fall like 1/k²: what lies beyond the last is up to n of them, and
+            // interpolation doubles that.
             noise += R::from_f64(2.0 * DEGREE as f64) * level;
         }
         // What is left away is a small part of the noise.

@@ -24,8 +24,8 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         rates
     }
 
-    /// Adds what coefficient `known` of one factor gives to the sums Σ factorⱼ knownₖ₋ⱼ of all higher orders k. None of
-    /// these waits for another, as terms of one sum would.
+    /// Adds what coefficient `known` of one factor gives to the sums Σ factorⱼ knownₖ₋ⱼ of all higher orders
+    /// k. None of these waits for another, as terms of one sum would.
     #[inline]
     fn push(&self, sums: &mut [R; T], factor: &[R; T], order: usize, known: R) {
         let sums = sums.get_mut(order + 1..=self.orders).unwrap_or_default();
@@ -34,8 +34,8 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         }
     }
 
-    /// The bound of the roundings of a function of this number whose slope is no more than that: those of the number
-    /// carried on, of sums with as many terms as the order, and of the function itself.
+    /// The bound of the roundings of a function of this number whose slope is no more than that: those of the
+    /// number carried on, of sums with as many terms as the order, and of the function itself.
     fn following(&self, mut series: Self, slope: R) -> Self {
         let summed = R::from_f64(series.degree as f64 + 1.0) * R::epsilon();
         let moved = self.extent() - self.start().abs();
@@ -92,7 +92,8 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         (self.following(first, by_first), self.following(second, by_second))
     }
 
-    /// The square root of what leaves zero with a fixed acceleration: the polynomial divided by θ², its root times θ.
+    /// The square root of what leaves zero with a fixed acceleration: the polynomial divided by θ², its root
+    /// times θ.
     fn root_from_zero(&self) -> Self {
         let mut rest = *self;
         rest.coefficients.rotate_left(2.min(T));

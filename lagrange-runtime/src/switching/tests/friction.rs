@@ -167,7 +167,8 @@ fn a_plate_falls_on_its_foot_slips_and_sticks() {
     let mut motion = plate.start([0.0, 0.0, 0.2, 0.0], start);
     let fall = (2.0_f64 * 0.2 / 9.81).sqrt();
     let after = *motion.advance_to(fall + 1e-12).unwrap();
-    // All impulses of friction together are the coefficient times that of the floor, against the slip after it.
+    // All impulses of friction together are the coefficient times that of the floor, against the slip after
+    // it.
     let (x, y) = (after.v[0] - start[0], after.v[1] - start[1]);
     assert!((x.hypot(y) - 0.3 * 9.81 * fall).abs() < 1e-10, "{after:?}");
     let slip = [after.v[0] - 0.2 * after.v[3], after.v[1] + 0.1 * after.v[3]];

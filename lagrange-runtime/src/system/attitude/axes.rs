@@ -1,5 +1,5 @@
-//! Momenta, forces and accelerations by named velocities: angular ones in body axes, where a state holds rates of
-//! parameters.
+//! Momenta, forces and accelerations by named velocities: angular ones in body axes, where a state holds
+//! rates of parameters.
 //!
 //! With ρ′ = J(ρ) ω, what is conjugate to ω is Jᵀ p, and the mass matrix Jᵀ M J.
 
@@ -105,8 +105,8 @@ pub(super) fn columns<R: Real>(rho: [R; 3]) -> [[R; 3]; 3] {
     [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(|axis| rates(rho, &axis.into()))
 }
 
-/// The angular velocity in body axes. J has columns of the length 1 + |ρ|²/16 =: c that are orthogonal, so that its
-/// inverse is Jᵀ/c².
+/// The angular velocity in body axes. J has columns of the length 1 + |ρ|²/16 =: c that are orthogonal, so
+/// that its inverse is Jᵀ/c².
 pub(super) fn angular<R: Real>(rho: [R; 3], rates: [R; 3]) -> [R; 3] {
     let c = R::one() + super::square(rho) * R::from_f64(1.0 / 16.0);
     columns(rho).map(|column| (column[0] * rates[0] + column[1] * rates[1] + column[2] * rates[2]) / (c * c))

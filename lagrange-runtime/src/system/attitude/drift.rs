@@ -5,9 +5,9 @@ use crate::number::real::{Dual, Real};
 
 type Matrix<R> = [[R; 3]; 3];
 
-/// What small deviations x = (δρ, δρ′) from a motion gain by being written in axes that turn with the body: the two
-/// blocks D and E of T⁻¹ T′ = \[D 0; E D], where (δφ, δω) = T x are the turn and the change of the angular
-/// velocity in body axes,
+/// What small deviations x = (δρ, δρ′) from a motion gain by being written in axes that turn with the body:
+/// the two blocks D and E of T⁻¹ T′ = \[D 0; E D], where (δφ, δω) = T x are the turn and the change of the
+/// angular velocity in body axes,
 ///
 /// δφ = J⁻¹ δρ,  δω = J⁻¹ δρ′ + B δρ,  B = ∂(J⁻¹ρ′)/∂ρ,
 ///

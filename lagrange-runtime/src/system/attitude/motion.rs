@@ -75,7 +75,8 @@ fn put<R: Copy, const N: usize>(numbers: &mut [R; N], first: usize, triple: [R; 
     }
 }
 
-/// The coefficients of ρ and ρ′ in a series that has those of ω in the places of ρ′; those of order 0 are given.
+/// The coefficients of ρ and ρ′ in a series that has those of ω in the places of ρ′; those of order 0 are
+/// given.
 #[inline]
 pub fn complete<R: Real, const N: usize, const P: usize, const O: usize>(
     series: &mut Series<R, N, P>,

@@ -90,7 +90,8 @@ fn impacts_without_end_have_no_derivatives() {
         matches!(error.cause, Cause::ImpactsAccumulate { name, .. } if name.as_str() == "floor"),
         "{error}"
     );
-    // 4.0637127687715781 s is when the impacts accumulate; flights below the rounding of heights are not followed.
+    // 4.0637127687715781 s is when the impacts accumulate; flights below the rounding of heights are not
+    // followed.
     close_on(1.0, error.t, 4.063_712_768_771_578, 1e-6);
     assert_eq!(motion.transition().state.t, 0.0);
     // On the floor it has derivatives again, along the floor.

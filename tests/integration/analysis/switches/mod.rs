@@ -1,5 +1,5 @@
-//! Derivatives of motions through impacts, dry friction and kinks: closed forms over dual numbers, differences, and
-//! where there are none.
+//! Derivatives of motions through impacts, dry friction and kinks: closed forms over dual numbers,
+//! differences, and where there are none.
 
 mod friction;
 mod impacts;

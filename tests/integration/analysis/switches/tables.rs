@@ -35,8 +35,8 @@ impl Table {
 
 #[test]
 fn the_multipliers_of_a_ball_on_a_vibrating_table_are_those_of_its_impact() {
-    // Period one: thrown upwards with g T / 2 it comes back after T with the same speed downwards. The impact is
-    // v⁺ = −e v⁻ + (1 + e) ẇ, so the table has the speed ẇ = g T (1 − e) / (2 (1 + e)).
+    // Period one: thrown upwards with g T / 2 it comes back after T with the same speed downwards. The impact
+    // is v⁺ = −e v⁻ + (1 + e) ẇ, so the table has the speed ẇ = g T (1 − e) / (2 (1 + e)).
     let (e, g) = (0.6, 9.81);
     let period = std::f64::consts::TAU / RATE;
     let rise = g * period * (1.0 - e) / (2.0 * (1.0 + e));

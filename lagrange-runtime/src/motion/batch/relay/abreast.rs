@@ -1,4 +1,5 @@
-//! Steps of lanes that all go on: computed on whole vectors, so that no number is taken out of its lane and put back.
+//! Steps of lanes that all go on: computed on whole vectors, so that no number is taken out of its lane and
+//! put back.
 
 use super::{Lane, NEAR, Relay, Standing};
 use crate::number::real::{Real, Vector};
