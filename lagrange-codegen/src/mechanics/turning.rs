@@ -1,9 +1,9 @@
 //! The equations of motion with angular velocities: Euler–Poincaré equations.
 //!
-//! With turns about body axes, δR = R \[δφ]ₓ, and ω in the same axes, the momentum p = ∂L/∂ω obeys p′ = p × ω
-//! + ∂L/∂φ + torque. That is simpler than in parameters of the orientation and their rates: the inertia of a
-//! body is constant there. (Marsden and Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., section
-//! 13.5.)
+//! With turns about body axes, δR = R \[δφ]ₓ, and ω in the same axes, the momentum p = ∂L/∂ω obeys
+//! p′ = p × ω + ∂L/∂φ + torque. That is simpler than in parameters of the orientation and their rates: the
+//! inertia of a body is constant there. (Marsden and Ratiu, *Introduction to Mechanics and Symmetry*, 2nd
+//! ed., section 13.5.)
 
 use super::{Conditions, Equations, cheapest};
 use crate::model::Model;
