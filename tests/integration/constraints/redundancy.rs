@@ -264,5 +264,5 @@ fn collocation_takes_redundant_rows() {
     }
     let mut expected = Once.simulate(State::at_rest([angle])).with_tolerance(TIGHT);
     let angle = expected.advance_to(1.0).unwrap().q[0];
-    all_close(&motion.state().q, &[angle.sin(), -angle.cos()], 1e-12);
+    all_close(motion.state().q, [angle.sin(), -angle.cos()], 1e-12);
 }

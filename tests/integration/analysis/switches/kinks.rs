@@ -35,7 +35,7 @@ fn swung<R: Ordered>(x: R, right: R, left: R, t: R) -> [R; 2] {
     loop {
         let rate = stiffness[0].sqrt();
         let quarter = half * R::pi() / rate;
-        if t < from + quarter || t == from + quarter {
+        if t <= from + quarter {
             let (sin, cos) = (rate * (t - from)).sin_cos();
             return [sign * place * cos, -(sign * place * rate * sin)];
         }
