@@ -97,7 +97,7 @@ drift() { cargo test --release --test long constrained:: -- --nocapture; }
 
 roots() { cargo test --release -p lagrange-runtime --lib motion::roots -- --ignored; }
 
-contacts() { cargo test --release --test integration contact::random::ten_thousand -- --ignored --nocapture; }
+contacts() { cargo test --release --test motions contact::random::ten_thousand -- --ignored --nocapture; }
 
 stack() { cargo test --test stack; }
 

@@ -35,6 +35,12 @@ fn message(text: &str) -> String {
 fn every_mistake_of_urdf_has_its_place() {
     for (from, to, expected) in [
         (
+            "</robot>",
+            "<transmission name=\"t\"><joint name=\"turn\"/><mechanicalReduction>50</mechanicalReduction></transmission></robot>",
+            "warning: r.urdf:14:48: <mechanicalReduction> of <transmission name=\"t\">: the reduction is left out: inputs are \
+             torques and forces at the joints",
+        ),
+        (
             "<axis xyz=\"1 0 0\"/>",
             "<axis/>",
             "error: r.urdf:12:5: <axis> of <joint name=\"turn\">: it has no `xyz`; write xyz=\"0 0 1\"",

@@ -233,6 +233,13 @@ impl Urdf<'_, '_> {
     /// Where a file has transmissions, other joints are passive.
     fn transmissions(&mut self, root: Node<'_, '_>, names: &BTreeMap<String, usize>, joints: &mut [Joint]) {
         let mut driven = vec![false; joints.len()];
+        for node in children(root, "transmission").flat_map(|node| node.descendants()) {
+            let reduction = node.text().filter(|_| node.has_tag_name("mechanicalReduction")).map(str::trim);
+            if reduction.is_some_and(|text| text.parse() != Ok(1.0)) {
+                let text = "the reduction is left out: inputs are torques and forces at the joints";
+                self.reader.warning(node, text);
+            }
+        }
         for node in children(root, "transmission").flat_map(|node| node.children()) {
             if !node.has_tag_name("joint") && !node.has_tag_name("actuatedJoint") {
                 continue;

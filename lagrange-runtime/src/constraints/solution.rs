@@ -87,7 +87,7 @@ where
 /// Whether the equations have a solution at a state.
 ///
 /// # Errors
-/// As [`regular_at`]; [`Cause::Contradictory`] and [`Cause::Undetermined`] of several constraints.
+/// As [`regular`], with names; [`Cause::Contradictory`] and [`Cause::Undetermined`] of several constraints.
 #[cold]
 pub fn check<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
