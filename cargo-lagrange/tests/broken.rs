@@ -37,7 +37,7 @@ fn every_mistake_of_urdf_has_its_place() {
         (
             "</robot>",
             "<transmission name=\"t\"><joint name=\"turn\"/><mechanicalReduction>50</mechanicalReduction></transmission></robot>",
-            "warning: r.urdf:14:48: <mechanicalReduction> of <transmission name=\"t\">: the reduction is left out: inputs are \
+            "warning: r.urdf:14:44: <mechanicalReduction> of <transmission name=\"t\">: the reduction is left out: inputs are \
              torques and forces at the joints",
         ),
         (
