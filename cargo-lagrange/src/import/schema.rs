@@ -13,7 +13,8 @@ use super::xml::Reader;
 
 /// What an element of a format may hold.
 pub struct Element {
-    tag: &'static str,
+    /// The names of elements that hold this.
+    tags: &'static [&'static str],
     /// Attributes, whether they are read or not.
     attributes: &'static [&'static str],
     /// Elements that stand in it once at most.
@@ -26,8 +27,8 @@ pub struct Element {
 
 impl Element {
     /// One that holds attributes alone.
-    const fn leaf(tag: &'static str, attributes: &'static [&'static str]) -> Self {
-        Element { tag, attributes, once: &[], many: &[], passed: &[] }
+    const fn leaf(tags: &'static [&'static str], attributes: &'static [&'static str]) -> Self {
+        Element { tags, attributes, once: &[], many: &[], passed: &[] }
     }
 
     fn described(&self) -> impl Iterator<Item = &'static Element> {
@@ -35,14 +36,14 @@ impl Element {
     }
 
     fn children(&self) -> impl Iterator<Item = &'static str> {
-        self.described().map(|element| element.tag).chain(self.passed.iter().copied())
+        self.described().flat_map(|element| element.tags).chain(self.passed).copied()
     }
 }
 
 /// Reports what an element and those in it hold and the format does not have: as a problem what is nearly a
 /// name of the format, as a warning what may be an extension. Names of other namespaces are extensions.
 pub fn check(reader: &mut Reader<'_>, node: Node<'_, '_>, element: &Element) {
-    let tag = element.tag;
+    let tag = node.tag_name().name().to_owned();
     for attribute in node.attributes().filter(|attribute| attribute.namespace().is_none()) {
         let name = attribute.name();
         if !element.attributes.contains(&name) {
@@ -55,8 +56,8 @@ pub fn check(reader: &mut Reader<'_>, node: Node<'_, '_>, element: &Element) {
     {
         let name = child.tag_name().name();
         let is_first = seen.insert(name);
-        if let Some(described) = element.described().find(|described| described.tag == name) {
-            if !is_first && element.once.iter().any(|once| once.tag == name) {
+        if let Some(described) = element.described().find(|described| described.tags.contains(&name)) {
+            if !is_first && element.once.iter().any(|once| once.tags.contains(&name)) {
                 reader.problem(child, format!("<{tag}> has another <{name}> already; remove one of them"));
             }
             check(reader, child, described);

@@ -285,34 +285,9 @@ fn drift_of<R: Real, const N: usize>(
     blocks
 }
 
+/// With `turning` axes the rates of deviations are those seen in axes that turn with the bodies, in which equations
+/// about a steady spin do not change. The components themselves stay those of the moment.
 pub(super) fn linearize<S, const N: usize, const K: usize, const C: usize>(
-    system: &S,
-    state: &State<S::Scalar, N>,
-    u: &[S::Scalar; K],
-) -> Result<LinearModel<S::Scalar, N, K>, MotionError<S::Scalar>>
-where
-    S: Tangent<N, K, C>,
-    S::Scalar: Ordered,
-{
-    deviations(system, state, u, false)
-}
-
-/// The same with `turning` axes: the rates of deviations are those seen in axes that turn with the bodies, in
-/// which equations about a steady spin do not change. The components themselves stay those of the moment.
-#[cfg(feature = "std")]
-pub(super) fn linearize_turning<S, const N: usize, const K: usize, const C: usize>(
-    system: &S,
-    state: &State<S::Scalar, N>,
-    u: &[S::Scalar; K],
-) -> Result<LinearModel<S::Scalar, N, K>, MotionError<S::Scalar>>
-where
-    S: Tangent<N, K, C>,
-    S::Scalar: Ordered,
-{
-    deviations(system, state, u, true)
-}
-
-fn deviations<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,
     u: &[S::Scalar; K],

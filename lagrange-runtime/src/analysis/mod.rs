@@ -259,7 +259,7 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         Self: Sized,
         Self::Scalar: Ordered,
     {
-        linear_model::linearize(self, state, u)
+        linear_model::linearize(self, state, u, false)
     }
 
     /// Natural frequencies, damping ratios and shapes of small oscillations about a state, in the order of
@@ -300,7 +300,7 @@ pub trait Tangent<const N: usize, const K: usize = 0, const C: usize = 0>: Linea
         Self: Sized,
         Self::Scalar: Ordered + Into<f64>,
     {
-        let model = linear_model::linearize_turning(self, state, u)?;
+        let model = linear_model::linearize(self, state, u, true)?;
         modes::modes(&model).map_err(|cause| MotionError { cause, t: state.t })
     }
 

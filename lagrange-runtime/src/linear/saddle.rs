@@ -91,7 +91,7 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
         self.independence().rank
     }
 
-    /// Whether no row of A depends on others. Those that do not hold at present are none.
+    /// Whether the rows of A that hold at present are independent.
     fn is_independent(&self) -> bool {
         let independence = self.independence();
         independence.rank == independence.rows

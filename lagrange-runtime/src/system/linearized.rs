@@ -91,44 +91,55 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         let constants = self.constants();
         let State { t, q, v } = state;
         let failed = || MotionError { cause: diagnose(self, &constants, *t, q, v), t: *t };
-        check_masses(self, &constants, state)?;
         let a = self.accelerations_at(&constants, *t, q, v, u);
         if !a.iter().all(|a| a.is_finite()) {
             return Err(failed());
         }
         let linearization = self.linearization_at(&constants, *t, q, v, &a, u);
         let by_u = self.by_inputs_at(&constants, *t, q, v, u);
-        let jacobians = solved(&linearization, &by_u).ok_or_else(failed)?;
+        let jacobians = match Rows::factor(&linearization.mass) {
+            Some(factors) => solved(&factors, &linearization, &by_u),
+            None => {
+                check_masses(self, &constants, state)?;
+                pivoted(&linearization, &by_u).ok_or_else(failed)?
+            }
+        };
         let finite =
             jacobians.by_q.iter().chain(&jacobians.by_v).chain(&jacobians.by_u).all(|x| x.is_finite());
         if finite { Ok(jacobians) } else { Err(failed()) }
     }
 }
 
-/// M⁻¹ times the columns of three matrices. An M that is not positive definite takes pivots.
+/// M⁻¹ times the columns of three matrices, which stand beside each other.
 #[inline(never)]
 fn solved<R: Real, const N: usize, const K: usize>(
+    factors: &Rows<R, N>,
     linearization: &Linearization<R, N>,
     by_u: &[[R; K]; N],
-) -> Option<Jacobians<R, N, K>> {
-    let Linearization { mass, by_q, by_v } = linearization;
+) -> Jacobians<R, N, K> {
     let mut jacobians = Jacobians { by_q: SMatrix::zeros(), by_v: SMatrix::zeros(), by_u: SMatrix::zeros() };
-    let Some(factors) = Rows::factor(mass) else {
-        let factors = Lu::factor(*mass).ok()?;
-        by_column(&factors, by_q, &mut jacobians.by_q);
-        by_column(&factors, by_v, &mut jacobians.by_v);
-        by_column(&factors, by_u, &mut jacobians.by_u);
-        return Some(jacobians);
-    };
-    // All columns of the three stand beside each other.
     let (mut first, count) = (0, N + N + K);
     while first < count {
         first = if count - first > FEW {
-            side_by_side::<R, N, K, COLUMNS>(&factors, linearization, by_u, first, &mut jacobians)
+            side_by_side::<R, N, K, COLUMNS>(factors, linearization, by_u, first, &mut jacobians)
         } else {
-            side_by_side::<R, N, K, FEW>(&factors, linearization, by_u, first, &mut jacobians)
+            side_by_side::<R, N, K, FEW>(factors, linearization, by_u, first, &mut jacobians)
         };
     }
+    jacobians
+}
+
+/// The same by pivots, of an M that is not positive definite.
+#[cold]
+fn pivoted<R: Real, const N: usize, const K: usize>(
+    Linearization { mass, by_q, by_v }: &Linearization<R, N>,
+    by_u: &[[R; K]; N],
+) -> Option<Jacobians<R, N, K>> {
+    let factors = Lu::factor(*mass).ok()?;
+    let mut jacobians = Jacobians { by_q: SMatrix::zeros(), by_v: SMatrix::zeros(), by_u: SMatrix::zeros() };
+    by_column(&factors, by_q, &mut jacobians.by_q);
+    by_column(&factors, by_v, &mut jacobians.by_v);
+    by_column(&factors, by_u, &mut jacobians.by_u);
     Some(jacobians)
 }
 

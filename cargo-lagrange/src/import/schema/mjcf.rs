@@ -4,7 +4,7 @@ use super::Element;
 
 /// The element around all others.
 pub static MUJOCO: Element = Element {
-    tag: "mujoco",
+    tags: &["mujoco"],
     attributes: &["model"],
     once: &[],
     many: &[&COMPILER, &OPTION, &DEFAULT, &WORLDBODY, &ACTUATOR, &EQUALITY],
@@ -25,7 +25,7 @@ pub static MUJOCO: Element = Element {
 };
 
 static COMPILER: Element = Element {
-    tag: "compiler",
+    tags: &["compiler"],
     attributes: &[
         "autolimits",
         "boundmass",
@@ -56,7 +56,7 @@ static COMPILER: Element = Element {
 };
 
 static OPTION: Element = Element {
-    tag: "option",
+    tags: &["option"],
     attributes: &[
         "timestep",
         "apirate",
@@ -96,7 +96,7 @@ static OPTION: Element = Element {
 };
 
 static FLAG: Element = Element::leaf(
-    "flag",
+    &["flag"],
     &[
         "constraint",
         "equality",
@@ -128,23 +128,10 @@ static FLAG: Element = Element::leaf(
 );
 
 static DEFAULT: Element = Element {
-    tag: "default",
+    tags: &["default"],
     attributes: &["class"],
     once: &[],
-    many: &[
-        &DEFAULT,
-        &JOINT,
-        &GEOM,
-        &GENERAL,
-        &MOTOR,
-        &POSITION,
-        &VELOCITY,
-        &INTVELOCITY,
-        &DAMPER,
-        &CYLINDER,
-        &MUSCLE,
-        &ADHESION,
-    ],
+    many: &[&DEFAULT, &JOINT, &GEOM, &DRIVE],
     passed: &[
         "mesh", "material", "site", "camera", "light", "pair", "equality", "tendon", "plugin", "flex",
         "include",
@@ -152,7 +139,7 @@ static DEFAULT: Element = Element {
 };
 
 static WORLDBODY: Element = Element {
-    tag: "worldbody",
+    tags: &["worldbody"],
     attributes: &["name", "childclass", "pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"],
     once: &[],
     many: &[&BODY, &GEOM],
@@ -171,7 +158,7 @@ static WORLDBODY: Element = Element {
 };
 
 static BODY: Element = Element {
-    tag: "body",
+    tags: &["body"],
     attributes: &[
         "name",
         "childclass",
@@ -203,14 +190,14 @@ static BODY: Element = Element {
 };
 
 static INERTIAL: Element = Element::leaf(
-    "inertial",
+    &["inertial"],
     &["pos", "quat", "axisangle", "xyaxes", "zaxis", "euler", "mass", "diaginertia", "fullinertia"],
 );
 
-static FREEJOINT: Element = Element::leaf("freejoint", &["name", "group", "align"]);
+static FREEJOINT: Element = Element::leaf(&["freejoint"], &["name", "group", "align"]);
 
 static JOINT: Element = Element::leaf(
-    "joint",
+    &["joint"],
     &[
         "name",
         "class",
@@ -240,7 +227,7 @@ static JOINT: Element = Element::leaf(
 );
 
 static GEOM: Element = Element {
-    tag: "geom",
+    tags: &["geom"],
     attributes: &[
         "name",
         "class",
@@ -282,92 +269,79 @@ static GEOM: Element = Element {
 };
 
 static ACTUATOR: Element = Element {
-    tag: "actuator",
+    tags: &["actuator"],
     attributes: &[],
     once: &[],
-    many: &[&GENERAL, &MOTOR, &POSITION, &VELOCITY, &INTVELOCITY, &DAMPER, &CYLINDER, &MUSCLE, &ADHESION],
+    many: &[&DRIVE],
     passed: &["plugin", "include"],
 };
 
-/// Attributes of the kinds of actuators, together.
-const DRIVES: &[&str] = &[
-    "name",
-    "class",
-    "group",
-    "nsample",
-    "interp",
-    "delay",
-    "ctrllimited",
-    "forcelimited",
-    "actlimited",
-    "ctrlrange",
-    "forcerange",
-    "actrange",
-    "lengthrange",
-    "gear",
-    "cranklength",
-    "joint",
-    "jointinparent",
-    "tendon",
-    "refsite",
-    "site",
-    "body",
-    "cranksite",
-    "slidersite",
-    "user",
-    "actdim",
-    "dyntype",
-    "gaintype",
-    "biastype",
-    "dynprm",
-    "gainprm",
-    "biasprm",
-    "actearly",
-    "inheritrange",
-    "kp",
-    "kv",
-    "dampratio",
-    "timeconst",
-    "area",
-    "diameter",
-    "bias",
-    "tausmooth",
-    "range",
-    "force",
-    "scale",
-    "lmin",
-    "lmax",
-    "vmax",
-    "fpmax",
-    "fvmax",
-    "gain",
-];
-
-static GENERAL: Element = Element::leaf("general", DRIVES);
-
-static MOTOR: Element = Element::leaf("motor", DRIVES);
-
-static POSITION: Element = Element::leaf("position", DRIVES);
-
-static VELOCITY: Element = Element::leaf("velocity", DRIVES);
-
-static INTVELOCITY: Element = Element::leaf("intvelocity", DRIVES);
-
-static DAMPER: Element = Element::leaf("damper", DRIVES);
-
-static CYLINDER: Element = Element::leaf("cylinder", DRIVES);
-
-static MUSCLE: Element = Element::leaf("muscle", DRIVES);
-
-static ADHESION: Element = Element::leaf("adhesion", DRIVES);
+/// All kinds of actuators, whose attributes stand together.
+static DRIVE: Element = Element::leaf(
+    &["general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion"],
+    &[
+        "name",
+        "class",
+        "group",
+        "nsample",
+        "interp",
+        "delay",
+        "ctrllimited",
+        "forcelimited",
+        "actlimited",
+        "ctrlrange",
+        "forcerange",
+        "actrange",
+        "lengthrange",
+        "gear",
+        "cranklength",
+        "joint",
+        "jointinparent",
+        "tendon",
+        "refsite",
+        "site",
+        "body",
+        "cranksite",
+        "slidersite",
+        "user",
+        "actdim",
+        "dyntype",
+        "gaintype",
+        "biastype",
+        "dynprm",
+        "gainprm",
+        "biasprm",
+        "actearly",
+        "inheritrange",
+        "kp",
+        "kv",
+        "dampratio",
+        "timeconst",
+        "area",
+        "diameter",
+        "bias",
+        "tausmooth",
+        "range",
+        "force",
+        "scale",
+        "lmin",
+        "lmax",
+        "vmax",
+        "fpmax",
+        "fvmax",
+        "gain",
+    ],
+);
 
 static EQUALITY: Element = Element {
-    tag: "equality",
+    tags: &["equality"],
     attributes: &[],
     once: &[],
     many: &[&TIE],
     passed: &["connect", "weld", "tendon", "flex", "flexvert", "flexstrain", "distance", "plugin", "include"],
 };
 
-static TIE: Element =
-    Element::leaf("joint", &["name", "class", "active", "solref", "solimp", "joint1", "joint2", "polycoef"]);
+static TIE: Element = Element::leaf(
+    &["joint"],
+    &["name", "class", "active", "solref", "solimp", "joint1", "joint2", "polycoef"],
+);

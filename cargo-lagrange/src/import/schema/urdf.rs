@@ -4,7 +4,7 @@ use super::Element;
 
 /// The element around all others.
 pub static ROBOT: Element = Element {
-    tag: "robot",
+    tags: &["robot"],
     attributes: &["name", "version"],
     once: &[],
     many: &[&LINK, &JOINT],
@@ -12,39 +12,46 @@ pub static ROBOT: Element = Element {
 };
 
 static LINK: Element = Element {
-    tag: "link",
+    tags: &["link"],
     attributes: &["name", "type"],
     once: &[&INERTIAL],
     many: &[],
     passed: &["visual", "collision", "sensor", "contact"],
 };
 
-static INERTIAL: Element =
-    Element { tag: "inertial", attributes: &[], once: &[&ORIGIN, &MASS, &INERTIA], many: &[], passed: &[] };
+static INERTIAL: Element = Element {
+    tags: &["inertial"],
+    attributes: &[],
+    once: &[&ORIGIN, &MASS, &INERTIA],
+    many: &[],
+    passed: &[],
+};
 
-static ORIGIN: Element = Element::leaf("origin", &["xyz", "rpy"]);
+static ORIGIN: Element = Element::leaf(&["origin"], &["xyz", "rpy"]);
 
-static MASS: Element = Element::leaf("mass", &["value"]);
+static MASS: Element = Element::leaf(&["mass"], &["value"]);
 
-static INERTIA: Element = Element::leaf("inertia", &["ixx", "ixy", "ixz", "iyy", "iyz", "izz"]);
+static INERTIA: Element = Element::leaf(&["inertia"], &["ixx", "ixy", "ixz", "iyy", "iyz", "izz"]);
 
 static JOINT: Element = Element {
-    tag: "joint",
+    tags: &["joint"],
     attributes: &["name", "type"],
     once: &[&PARENT, &CHILD, &ORIGIN, &AXIS, &DYNAMICS, &LIMIT, &MIMIC],
     many: &[],
     passed: &["calibration", "safety_controller"],
 };
 
-static PARENT: Element = Element::leaf("parent", &["link"]);
+static PARENT: Element = Element::leaf(&["parent"], &["link"]);
 
-static CHILD: Element = Element::leaf("child", &["link"]);
+static CHILD: Element = Element::leaf(&["child"], &["link"]);
 
-static AXIS: Element = Element::leaf("axis", &["xyz"]);
+static AXIS: Element = Element::leaf(&["axis"], &["xyz"]);
 
-static DYNAMICS: Element = Element::leaf("dynamics", &["damping", "friction"]);
+static DYNAMICS: Element = Element::leaf(&["dynamics"], &["damping", "friction"]);
 
-static LIMIT: Element =
-    Element::leaf("limit", &["lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"]);
+static LIMIT: Element = Element::leaf(
+    &["limit"],
+    &["lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"],
+);
 
-static MIMIC: Element = Element::leaf("mimic", &["joint", "multiplier", "offset"]);
+static MIMIC: Element = Element::leaf(&["mimic"], &["joint", "multiplier", "offset"]);

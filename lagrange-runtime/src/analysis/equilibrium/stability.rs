@@ -119,7 +119,7 @@ where
         use crate::analysis::{linear_model, modes};
         use crate::system::state::State;
         let state = State::at_rest(rest.q).at_time(self.t);
-        let Ok(model) = linear_model::linearize(self.system, &state, self.u) else {
+        let Ok(model) = linear_model::linearize(self.system, &state, self.u, false) else {
             return Stability::Undecided;
         };
         let found = modes::growth(&model.map(modes::double), modes::double(S::Scalar::epsilon()));

@@ -1,10 +1,11 @@
 //! The common size of several reactions, which drives friction.
 //!
 //! A load N = |F| is an unknown like the reactions κ that its force F is a sum of. Friction adds to the
-//! reactions what is proportional to it, so that F = a + X N with forces a that are there without friction
-//! and a response X. That is one scalar equation for each load, convex in it, and Newton's method from N = 0
-//! finds its solution. If |X| < 1 there is one; else there is none, or there are two: friction jams. Of
-//! several loads the matrix of all |X| has to be a contraction, which its pivots tell.
+//! reactions what is proportional to N, so that F = a + X N. Here a is the force without friction and X the
+//! response to a load of one. Each load gives one scalar equation |a + X N| = N, which is convex. Newton's
+//! method from N = 0 finds its solution, which exists and is unique where |X| < 1. Otherwise the equation has
+//! no solution or two, and friction jams. Several loads have one solution where the matrix of all |X| is a
+//! contraction, which its pivots tell.
 //!
 //! Along a motion N² = F · F holds for the series as well. Of order zero that is the equation above. Of an
 //! order k above, N\[k] = n · F\[k] plus what lower orders give, with the direction n = F\[0] / N\[0]: a
@@ -118,7 +119,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
         true
     }
 
-    /// All multipliers from those without loads; NaN where there are none.
+    /// All multipliers, from those that there would be without loads. NaN where Newton's method fails.
     pub(super) fn solve(&self, free: &[R; C]) -> [R; C] {
         self.settled(free, |_, _| None)
     }

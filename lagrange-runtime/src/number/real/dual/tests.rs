@@ -69,7 +69,7 @@ fn a_power_of_nothing_has_a_slope() {
         (power.slopes[1].value, power.slopes[1].slopes, power.slopes[0].slopes),
         (0.0, [0.0; 2], [0.0; 2])
     );
-    // Below it the limit is no number, and at an exponent of zero that of the slope is none.
+    // At an exponent of one the mixed derivative is infinite, and at zero the derivative by the exponent.
     assert_eq!(vary(0.0, 1.0).slopes[1].slopes[0], f64::NEG_INFINITY);
     assert_eq!(vary(0.0, 0.0).slopes[1].value, f64::NEG_INFINITY);
     let beside = vary(1e-3, 2.5);
