@@ -31,13 +31,13 @@ where
 
     /// The velocities with those contacts closed that an impact would open for a negligible time only, and
     /// the impulses that close them; `None` where no contact is of this kind. The scene is one without an
-    /// impact.
+    /// impact, which goes on with these accelerations.
     pub(super) fn gathered(
         &self,
-        present: &Regime<S::Scalar, C, W>,
+        accelerations: &[S::Scalar; N],
         scales: &Scales<S::Scalar, C>,
         tolerance: S::Scalar,
-    ) -> Result<Option<Struck<S::Scalar, N, C>>, Cause> {
+    ) -> Option<Struck<S::Scalar, N, C>> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let ulp = S::Scalar::epsilon();
         let resolved = S::Scalar::from_f64(RESOLVED) * ulp;
@@ -46,11 +46,10 @@ where
         let opens: [bool; C] =
             core::array::from_fn(|row| self.is_closed[row] && self.status[row] == Status::Apart);
         if !opens.contains(&true) {
-            return Ok(None);
+            return None;
         }
-        let accelerations = self.choose(present, None)?.accelerations;
         let slow: [bool; C] = core::array::from_fn(|row| {
-            let (rate, pull) = (rates[row], -self.rate(row, &accelerations));
+            let (rate, pull) = (rates[row], -self.rate(row, accelerations));
             let struck = scales.impacts[row];
             let speed = if struck.is_positive() { struck } else { scales.speeds[row] };
             let size = self.laws.rows.position_sizes[row];
@@ -61,7 +60,7 @@ where
                     || !above(rate, pull * resolved * self.state.t.abs()))
         });
         if !slow.contains(&true) {
-            return Ok(None);
+            return None;
         }
         let mut closed = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
         let mut wanted = [zero; C];
@@ -80,8 +79,8 @@ where
         }
         let State { t, q, v } = &self.state;
         let in_regime = self.system.in_regime(&closed);
-        let Some(equations) = S::equations_in(&in_regime, *t, q, v, self.inputs) else { return Ok(None) };
+        let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
         let (change, impulses) = equations.saddle.solve(&[zero; N], &wanted);
-        Ok(Some((core::array::from_fn(|i| v[i] + change[i]), impulses)))
+        Some((core::array::from_fn(|i| v[i] + change[i]), impulses))
     }
 }

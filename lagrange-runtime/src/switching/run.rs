@@ -88,7 +88,8 @@ where
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
-            if let Some((v, more)) = scene.gathered(present, scales, self.limits.relative)? {
+            let mut choice = scene.choose(present, known.fired.filter(|_| avoid))?;
+            if let Some((v, more)) = scene.gathered(&choice.accelerations, scales, self.limits.relative) {
                 if S::Scalar::PARTS > 1 {
                     return Err(scene.accumulation());
                 }
@@ -96,9 +97,8 @@ where
                 *impulses = core::array::from_fn(|row| impulses[row] + more[row]);
                 (known.closed, known.settled) = (scene.is_closed, true);
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
-                scene = &later;
+                choice = later.choose(present, known.fired.filter(|_| avoid))?;
             }
-            let choice = scene.choose(present, known.fired.filter(|_| avoid))?;
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
@@ -242,8 +242,7 @@ where
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let mut fall = None;
         if let Some(terms) = terms {
-            let found =
-                guards.first_along(&start, &terms, memory.fired, &mut memory.glances, self.limits.relative);
+            let found = guards.first_along(&start, &terms, memory.fired, self.limits.relative);
             let found = found.map_err(Unresolved::cause)?;
             fall = found.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);
