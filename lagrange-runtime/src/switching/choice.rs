@@ -38,13 +38,17 @@ where
 {
     /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that
     /// again only if nothing else is possible. A reaction that has fallen through zero is one that the
-    /// polynomial has decided about, where accelerations and reactions tie.
+    /// polynomial has decided about, where accelerations and reactions tie. A gap may have touched zero alone.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,
         avoid: Option<usize>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
-        let decided = avoid.filter(|&row| !matches!(S::ROWS[row], Row::Friction { .. }));
+        let decided = avoid.filter(|&row| match S::ROWS[row] {
+            Row::Bilateral | Row::Load => true,
+            Row::Unilateral => present.active[row],
+            Row::Friction { .. } => false,
+        });
         if decided.is_some()
             && let Ok(choice) = self.choose_among(self.options(present, avoid, decided), decided)
         {

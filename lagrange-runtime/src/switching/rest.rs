@@ -21,6 +21,35 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
+    /// Takes away what is left of velocities at which contacts close that touch and stay open in a regime, in
+    /// the metric of the kinetic energy. It is rounding, but however small it is, it would close them at once
+    /// again.
+    pub(super) fn part(&self, regime: &Regime<S::Scalar, C, W>, state: &mut State<S::Scalar, N>) {
+        let touches = |row: usize| {
+            S::ROWS[row] == Row::Unilateral && self.status[row] == Status::Touches && !regime.active[row]
+        };
+        if !(0..C).any(touches) {
+            return;
+        }
+        let State { t, q, v } = state;
+        let rates = self.system.laws_at(*t, q, v).rows.rates;
+        let (mut closed, mut wanted) = (*regime, [num_traits::Zero::zero(); C]);
+        for row in (0..C).filter(|&row| touches(row) && (-rates[row]).is_positive()) {
+            closed.active[row] = true;
+            wanted[row] = -rates[row].part(0);
+        }
+        if closed.active == regime.active {
+            return;
+        }
+        let Some(equations) = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs) else {
+            return;
+        };
+        let (changes, _) = equations.saddle.solve(&[num_traits::Zero::zero(); N], &wanted);
+        for (v, change) in v.iter_mut().zip(changes).filter(|(_, change)| change.is_finite()) {
+            *v += change.part(0);
+        }
+    }
+
     /// Why a motion with derivatives ends where impacts are taken together.
     #[cold]
     pub(super) fn accumulation(&self) -> Cause {
