@@ -173,7 +173,7 @@ where
         &self,
         regime: &Regime<S::Scalar, C, W>,
         v: &[S::Scalar; N],
-    ) -> Option<(Balance<S::Scalar, N, C>, Sizes<S::Scalar, N>)> {
+    ) -> Option<Balanced<S::Scalar, N, C>> {
         let State { t, q, .. } = &self.state;
         let in_regime = self.system.in_regime(regime);
         let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
@@ -310,6 +310,9 @@ fn parts_at<R: Real, const C: usize, const W: usize>(
         .enumerate()
         .position(|(row, kind)| !matches!(kind, Row::Friction { .. }) && reacts(a, row) != reacts(b, row))
 }
+
+/// Accelerations and multipliers, and what they are made of.
+pub(super) type Balanced<R, const N: usize, const C: usize> = (Balance<R, N, C>, Sizes<R, N>);
 
 /// The magnitudes of what forces and accelerations are made of.
 #[derive(Clone, Copy, Debug)]
