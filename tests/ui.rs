@@ -81,11 +81,12 @@ fn messages_about(source: &Path, kind: &str) -> Vec<(String, String)> {
     let deps = std::env::current_exe().expect("the test is a file");
     let deps = deps.parent().expect("it stands in a folder");
     let mut compiler = Command::new(cases::compiler());
-    compiler.args(["--edition=2024", "--emit=metadata", "--error-format=json", "-Adead_code"]);
+    compiler.args(["--edition=2024", "--emit=metadata", "--error-format=json", "--verbose", "-Adead_code"]);
     compiler.arg(format!("--crate-type={kind}")).arg("--out-dir").arg(env!("CARGO_TARGET_TMPDIR"));
     compiler.arg("-L").arg(format!("dependency={}", deps.display()));
     compiler.arg("--extern").arg(format!("lagrangian={}", newest(deps, "liblagrangian-").display()));
-    let output = compiler.arg(source).output().expect("rustc runs");
+    // What a user of cargo is told.
+    let output = compiler.env("CARGO_CRATE_NAME", "case").arg(source).output().expect("rustc runs");
     let output = String::from_utf8(output.stderr).expect("rustc writes text");
     let place = format!("{}/", cases::directory());
     let mut messages = Vec::new();
@@ -96,20 +97,43 @@ fn messages_about(source: &Path, kind: &str) -> Vec<(String, String)> {
         let Some((_, name)) = text.split_once(&place) else { continue };
         let (name, _) = name.split_once(".rs:").expect("a place is a line of a file");
         let text = text.replace(&place, "tests/ui/");
-        let text: Vec<String> = text.trim_end().lines().map(portable).collect();
-        messages.push((name.to_owned(), text.join("\n") + "\n\n"));
+        messages.push((name.to_owned(), portable(text.trim_end()) + "\n\n"));
     }
     messages
 }
 
-/// A line that points into the sources of a dependency, without their place on this machine and the line there.
-fn portable(line: &str) -> String {
-    let Some((before, path)) = line.split_once("--> ") else { return line.to_owned() };
-    let Some((_, path)) = path.split_once("/registry/src/") else { return line.to_owned() };
-    let (path, _) = path.split_once(".rs:").expect("a place is a line of a file");
+/// A message that stays the same where other files become longer: their lines have no numbers, and the column of numbers
+/// is as wide as those of the case are.
+fn portable(message: &str) -> String {
+    let mut is_foreign = false;
+    let without_numbers = |line: &str| {
+        if let Some((before, place)) = line.split_once("--> ") {
+            is_foreign = !place.starts_with("tests/ui/");
+            return if is_foreign { format!("{before}--> {}", file(place)) } else { line.to_owned() };
+        }
+        is_foreign &= line.starts_with(|c: char| c == ' ' || c == '.' || c.is_ascii_digit());
+        match line.split_once(" |") {
+            Some((number, rest)) if is_foreign && number.chars().all(|c| c == ' ' || c.is_ascii_digit()) => {
+                format!("{:1$} |{rest}", "", number.len())
+            }
+            _ => line.to_owned(),
+        }
+    };
+    let lines: Vec<String> = message.lines().map(without_numbers).collect();
+    let is_indented = |line: &&String| line.starts_with(|c: char| c == ' ' || c.is_ascii_digit());
+    let indentation = |line: &String| line.len() - line.trim_start().len();
+    let spare = lines.iter().filter(is_indented).map(indentation).min().unwrap_or_default();
+    let shortened = |line: &String| if is_indented(&line) { line[spare..].to_owned() } else { line.clone() };
+    lines.iter().map(shortened).collect::<Vec<_>>().join("\n")
+}
+
+/// The file of a place, that of a dependency without its folder on this machine.
+fn file(place: &str) -> String {
+    let (path, _) = place.split_once(".rs:").expect("a place is a line of a file");
+    let Some((_, path)) = path.split_once("/registry/src/") else { return format!("{path}.rs") };
     let mut parts = path.split('/').skip(1);
     let package = parts.next().and_then(|part| part.rsplit_once('-')).expect("a package has a version").0;
-    format!("{before}--> $CARGO/{package}-$VERSION/{}.rs", parts.collect::<Vec<_>>().join("/"))
+    format!("$CARGO/{package}-$VERSION/{}.rs", parts.collect::<Vec<_>>().join("/"))
 }
 
 /// The library as this test was built with it: what was built last. Libraries of other features stand beside
