@@ -33,7 +33,6 @@ where
         if !matches!(error.cause, Cause::Undetermined { .. } | Cause::StepTooSmall) {
             return error;
         }
-        memory.retry(num_traits::Zero::zero());
         let kept = *memory;
         let cause = match self.reachable(memory, limits, target, natural) {
             Some(reachable) => Cause::ToleranceTooFine { reachable: magnitude(reachable.largest()) },
