@@ -1,5 +1,5 @@
-//! [`Footing`]: how well a state on the constraints is known; [`Apart`]: the same of lanes that decide nothing
-//! together.
+//! [`Footing`]: how well a state on the constraints is known; [`Apart`]: the same of lanes that decide
+//! nothing together.
 
 use super::metric::Metric;
 use crate::linear::Independence;

@@ -118,8 +118,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
     }
 }
 
-/// By how much a step from a state to another changes the energy, where it is conserved, beyond what errors of
-/// all numbers within the tolerance make of it.
+/// By how much a step from a state to another changes the energy, where it is conserved, beyond what errors
+/// of all numbers within the tolerance make of it.
 pub(super) fn lost<S: System<N, K>, const N: usize, const K: usize>(
     system: &S,
     constants: &S::Constants,

@@ -312,8 +312,8 @@ where
         Some(Step { length: direction * length, theta: length / unit, unit: direction * natural })
     }
 
-    /// Goes on by lengths \[s], which are `theta` units. False, and nothing has changed, where lanes would have
-    /// to decide together.
+    /// Goes on by lengths \[s], which are `theta` units. False, and nothing has changed, where lanes would
+    /// have to decide together.
     fn take(&mut self, length: S::Scalar, theta: S::Scalar) -> bool {
         let Some(landed) = self.landed(self.reached(length, theta), theta) else { return false };
         let (state, residue) = landed.at;

@@ -97,8 +97,8 @@ where
         Some(Landed { at: (end, residue), excess })
     }
 
-    /// States of some lanes at times within their last steps, by their series. In other lanes the numbers mean
-    /// nothing. A lane whose constraints need another look stops. `alone` as in
+    /// States of some lanes at times within their last steps, by their series. In other lanes the numbers
+    /// mean nothing. A lane whose constraints need another look stops. `alone` as in
     /// [`stop_unsolvable`](Self::stop_unsolvable).
     pub fn within(
         &mut self,
