@@ -135,8 +135,8 @@ impl Deriving {
         own.first().copied().or_else(any).unwrap_or_default()
     }
 
-    /// Ṡ and S̈ about a point at rest, which the base of the part passes. The rates of angular parts are taken
-    /// in the axes of the part and turned: there, what they are made of is simpler.
+    /// Ṡ and S̈ about a point at rest, which the base of the part passes. The rates of angular parts are
+    /// taken in the axes of the part and turned: there, what they are made of is simpler.
     fn rates(&self, graph: &mut Graph, part: &Part, slope: &Slope) -> [[NodeId; 6]; 2] {
         let Slope { turning, angular, linear } = slope;
         let dw = self.rate(graph, turning);

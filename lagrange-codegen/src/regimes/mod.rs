@@ -164,8 +164,8 @@ pub fn derive(
     })
 }
 
-/// Puts a model on the sides of kinks that switches name. Returns the switching functions there, and the contacts,
-/// whose coefficients may have kinks too: that of friction on a curved surface has its gradient.
+/// Puts a model on the sides of kinks that switches name. Returns the switching functions there, and the
+/// contacts, whose coefficients may have kinks too: that of friction on a curved surface has its gradient.
 fn on_sides(
     model: &mut Model,
     kinks: &[NodeId],

@@ -1,5 +1,7 @@
 //! Guards: what ends a regime where it falls through zero.
 
+mod values;
+
 use super::scene::{Scales, most, rounding};
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
@@ -7,6 +9,7 @@ use crate::number::real::{Ordered, Real};
 use crate::series::taylor::{Rounded, Taylor};
 use crate::system::error::Cause;
 use crate::system::state::State;
+use values::Values;
 
 /// Evaluations of all guards that are kept: those of a polynomial of degree 16, and what tests it.
 const KEPT: usize = 24;
@@ -55,29 +58,6 @@ impl<R: Ordered, const T: usize, const C: usize, const W: usize> Functions<Taylo
             fixed: self.fixed.each_ref().map(plain),
             kinks: self.kinks.each_ref().map(plain),
         }
-    }
-}
-
-/// Values of all guards and their sizes.
-#[derive(Clone, Copy, Debug)]
-struct Values<R, const C: usize, const W: usize> {
-    rows: [R; C],
-    row_sizes: [R; C],
-    kinks: [R; W],
-    kink_sizes: [R; W],
-}
-
-impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
-    const fn of(zero: R) -> Self {
-        Self { rows: [zero; C], row_sizes: [zero; C], kinks: [zero; W], kink_sizes: [zero; W] }
-    }
-
-    fn get(&self, guard: Guard) -> (R, R) {
-        let (value, size) = match guard {
-            Guard::Row(row) => (self.rows.get(row), self.row_sizes.get(row)),
-            Guard::Kink(kink) => (self.kinks.get(kink), self.kink_sizes.get(kink)),
-        };
-        (value.copied().unwrap_or(R::one()), size.copied().unwrap_or(R::zero()))
     }
 }
 

@@ -110,8 +110,8 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
     }
 }
 
-/// Whether all numbers are finite. A difference x − x is zero or is not a number; sums of them side by side ask
-/// no question until the end.
+/// Whether all numbers are finite. A difference x − x is zero or is not a number; sums of them side by side
+/// ask no question until the end.
 fn are_finite<R: Real>(numbers: &[R]) -> bool {
     let (chunks, rest) = numbers.as_chunks::<FEW>();
     let mut sums = [R::zero(); FEW];

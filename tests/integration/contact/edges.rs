@@ -1,5 +1,5 @@
-//! A ball that rolls over the edge of a table, slips and leaves it: contacts and friction with a kink in the gap,
-//! and friction whose coefficient has no Taylor series.
+//! A ball that rolls over the edge of a table, slips and leaves it: contacts and friction with a kink in the
+//! gap, and friction whose coefficient has no Taylor series.
 
 use lagrangian::prelude::*;
 
@@ -9,8 +9,8 @@ const RADIUS: f64 = 0.1;
 /// The speed with which the ball comes to the edge \[m/s].
 const SPEED: f64 = 0.05;
 const MU: f64 = 0.6;
-/// When the ball begins to slip, and when it leaves the edge, after it has come there \[s]: by quadrature of the rolling
-/// motion and Taylor's method of the sliding one, in 25 digits (mpmath).
+/// When the ball begins to slip, and when it leaves the edge, after it has come there \[s]: by quadrature of
+/// the rolling motion and Taylor's method of the sliding one, in 25 digits (mpmath).
 const SLIPS: f64 = 0.388_311_921_615_576_9;
 const LEAVES: f64 = 0.411_768_761_146_941_8;
 /// The spin with which it leaves \[rad/s].
@@ -76,8 +76,8 @@ impl Rough {
     }
 }
 
-/// The rest of the way of a ball that comes to the edge at a time: a hundred steps may each have an error of the
-/// tolerance.
+/// The rest of the way of a ball that comes to the edge at a time: a hundred steps may each have an error of
+/// the tolerance.
 macro_rules! leaves {
     ($motion:expr, $arrives:expr, $tolerance:expr) => {{
         let (motion, share) = (&mut $motion, 100.0 * $tolerance);
