@@ -129,6 +129,7 @@ pub mod __private {
     pub use crate::integrator::{Dop853, Jets};
     pub use crate::series::columns::Columns;
     pub use crate::series::tables::Tables;
+    pub use crate::system::footing::Apart;
     pub use crate::system::smooth::{Series, Smooth};
     pub use crate::system::state::State;
     pub mod saddle {

@@ -45,7 +45,8 @@ pub(crate) struct Taylor<R, const T: usize = TERMS> {
 }
 
 impl<R: Ordered, const T: usize> Taylor<R, T> {
-    /// Whether what is left away is bounded: of a first look. Others are taken where it is less than roundings.
+    /// Whether what is left away is bounded: of a first look. Others are taken where it is less than
+    /// roundings.
     const IS_BOUND: bool = T > 1 && T < TERMS;
 
     /// A number that does not change.

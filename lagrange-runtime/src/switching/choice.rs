@@ -38,7 +38,8 @@ where
 {
     /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that
     /// again only if nothing else is possible. A reaction that has fallen through zero is one that the
-    /// polynomial has decided about, where accelerations and reactions tie. A gap may have touched zero alone.
+    /// polynomial has decided about, where accelerations and reactions tie. A gap may have touched zero
+    /// alone.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,

@@ -1,13 +1,15 @@
 //! Guards: what ends a regime where it falls through zero.
 
+mod values;
+
 use super::scene::{Scales, most, rounding};
-use super::values::Values;
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
 use crate::number::real::{Ordered, Real};
 use crate::series::taylor::{Rounded, Taylor};
 use crate::system::error::Cause;
 use crate::system::state::State;
+use values::Values;
 
 /// Evaluations of all guards that are kept: those of a polynomial of degree 16, and what tests it.
 const KEPT: usize = 24;

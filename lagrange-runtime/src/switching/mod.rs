@@ -27,7 +27,6 @@ mod scene;
 mod standstill;
 mod trials;
 mod turning;
-mod values;
 
 use crate::constraints::{Equations, Residuals};
 use crate::linear::Switched;

@@ -3,6 +3,7 @@
 mod balls;
 mod bearings;
 mod corners;
+mod edges;
 mod friction;
 mod kinks;
 mod laws;

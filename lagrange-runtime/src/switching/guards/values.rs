@@ -1,23 +1,23 @@
-//! Values of guards where they are sampled.
+//! Numbers that guards have at a time.
 
-use super::guards::Guard;
+use super::Guard;
 use crate::number::real::Real;
 
 /// Values of all guards and their sizes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Values<R, const C: usize, const W: usize> {
-    pub(super) rows: [R; C],
-    pub(super) row_sizes: [R; C],
-    pub(super) kinks: [R; W],
-    pub(super) kink_sizes: [R; W],
+    pub rows: [R; C],
+    pub row_sizes: [R; C],
+    pub kinks: [R; W],
+    pub kink_sizes: [R; W],
 }
 
 impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
-    pub(super) const fn of(zero: R) -> Self {
+    pub const fn of(zero: R) -> Self {
         Self { rows: [zero; C], row_sizes: [zero; C], kinks: [zero; W], kink_sizes: [zero; W] }
     }
 
-    pub(super) fn get(&self, guard: Guard) -> (R, R) {
+    pub fn get(&self, guard: Guard) -> (R, R) {
         let (value, size) = match guard {
             Guard::Row(row) => (self.rows.get(row), self.row_sizes.get(row)),
             Guard::Kink(kink) => (self.kinks.get(kink), self.kink_sizes.get(kink)),
