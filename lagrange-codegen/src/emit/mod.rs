@@ -25,6 +25,7 @@ mod regimes;
 mod report;
 mod scalar;
 mod screws;
+mod steps;
 mod stubs;
 mod system;
 mod tokens;
@@ -135,6 +136,7 @@ pub(crate) fn emit(
     let events = events::events(&emission);
     methods.push_str(&events.methods);
     let regimes = switching.as_mut().map(|switching| regimes::regimes(&emission, switching));
+    let steps = switching.as_ref().and_then(|switching| steps::steps(&emission, switching));
     let report = report::report(&emission, switching.as_ref(), before, after);
     let smooth = emission.jets.zip(emission.orders);
     let smooth = smooth.map(|(jets, orders)| jets::jets(&mut emission, jets, orders));
@@ -224,6 +226,7 @@ pub(crate) fn emit(
 
             #constrained
             #named
+            #steps
         }
     });
     let by = emission.model.sensitivities.len();
