@@ -136,10 +136,12 @@ pub(crate) fn emit(
     let events = events::events(&emission);
     methods.push_str(&events.methods);
     let regimes = switching.as_mut().map(|switching| regimes::regimes(&emission, switching));
-    let steps = switching.as_ref().and_then(|switching| steps::steps(&emission, switching));
     let report = report::report(&emission, switching.as_ref(), before, after);
     let smooth = emission.jets.zip(emission.orders);
     let smooth = smooth.map(|(jets, orders)| jets::jets(&mut emission, jets, orders));
+    // Kinks that do not stand in the equations of motion leave a smooth system.
+    let steps = switching.as_ref().filter(|_| has_contacts || smooth.is_none());
+    let steps = steps.and_then(|switching| steps::steps(&emission, switching));
     let asked = emission.item.jacobians;
     let linearization = (asked && !has_contacts).then(|| linearization::linearization(&mut emission));
     let sensitive = asked.then(|| over::sensitive(&emission));

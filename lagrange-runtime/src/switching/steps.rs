@@ -47,13 +47,6 @@ type Motion<S, const N: usize, const K: usize, const C: usize, const W: usize, c
         W,
     >;
 
-impl<H, R, const K: usize> StepsMemory<H, R, K> {
-    /// The motion in pieces.
-    pub(super) fn motion(&self) -> &H {
-        &self.motion
-    }
-}
-
 impl<S, const ORDER: usize, const N: usize, const K: usize, const C: usize, const W: usize> FixedStep<S, N, K>
     for Hybrid<Jet<ORDER>, C, W>
 where

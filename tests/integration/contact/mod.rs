@@ -14,6 +14,7 @@ mod reactions;
 mod refused;
 mod rocking;
 mod slips;
+mod steps;
 mod woodpecker;
 
 /// Tolerance of the motions.
