@@ -221,11 +221,15 @@ where
             let squares = product(gradient, gradient);
             if squares.is_positive() { extent(gradient, &sizes.forces) / squares } else { zero }
         };
-        for (row, kind) in S::ROWS.iter().enumerate().filter(|(row, _)| decided != Some(*row)) {
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            if decided == Some(row) {
+                continue;
+            }
             let reaction = entry(&trial.multipliers, row);
             let slack = part * scale(row);
             let rate = self.rate(row, &trial.accelerations);
-            let play = part * (extent(&self.gradients[row], &sizes.accelerations) + self.gamma[row].abs());
+            let own = self.gradients.get(row).map_or(zero, |own| extent(own, &sizes.accelerations));
+            let play = part * (own + entry(&self.gamma, row).abs());
             // Rows that depend on each other may ask for what contradicts.
             let inexact = most(part, S::Scalar::epsilon().sqrt()) / part * play;
             if trial.regime.active[row] && *kind != Row::Bilateral && above(rate.abs(), inexact) {

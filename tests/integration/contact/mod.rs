@@ -13,6 +13,7 @@ mod random;
 mod reactions;
 mod refused;
 mod rocking;
+mod slider_crank;
 mod slips;
 mod steps;
 mod woodpecker;
