@@ -1,7 +1,7 @@
 //! When does a double pendulum first flip over? A map over all starts at rest, one motion a pixel.
 //!
 //! ```sh
-//! cargo run --release --example flip_times -- --width 1536 --height 1024 --out flips
+//! cargo run --release --features ensemble --example flip_times -- --width 1536 --height 1024 --out flips
 //! ```
 //!
 //! It shows its progress, takes all cores, goes on where it was if it is killed, and leaves

@@ -27,7 +27,7 @@ pictures() {
     local name
     mkdir -p book/src/pictures
     for name in "${pictures[@]}"; do
-        cargo run -q --release --example "${name%%.*}" >/dev/null
+        cargo run -q --release --features pictures --example "${name%%.*}" >/dev/null
         cp "target/$name.svg" book/src/pictures/
     done
 }

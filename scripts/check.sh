@@ -9,9 +9,13 @@ usage: scripts/check.sh NAME …
   fmt         formatting
   clippy      lints, warnings denied, with all features, and without the standard library
   docs        rustdoc, warnings denied
-  features    programs of the book and tests that need a feature: lanes of SIMD vectors, 31 digits
+  integration behaviour from a user's crate: hundreds of systems
+  engine      random, mutilated and unfinished systems through the engine
+  examples    every example runs
+  features    the book's programs and tests that need a feature: lanes of SIMD vectors, 31 digits
+  companions  tests of the command, of studies and of pictures
   book        its pictures are what the examples draw; where mdbook is there, it builds and its links resolve
-  ui          messages about mistakes that the compiler finds in types
+  ui          messages about mistakes, each beside its case
   random      10 000 random systems (or CASES of them) against dual numbers
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
   editor      rust-analyzer in a body that is being written: completion, hover, no false message (installs it by rustup)
@@ -49,17 +53,33 @@ clippy() {
 
 docs() { RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --exclude benchmarks --features lagrangian/double-double; }
 
-# One build with all features for everything that `cargo test` leaves out.
-features() {
-    local all=wide,double-double
-    cargo test --features $all --test batch --test digits
-    cargo test --features $all --doc book/src/
-    cargo test -p lagrange-runtime --features $all --lib -- double_double digits lanes
+# `cargo test` is quick from nothing. What it leaves out has one selection of packages and features here, so that each
+# crate is built once more at most. The engine runs at every expansion: optimised, it repays its compilation.
+tests() {
+    cargo --config profile.dev.package.lagrange-codegen.opt-level=1 test \
+        -p lagrangian -p lagrange-codegen -p lagrange-runtime \
+        --features lagrangian/wide,lagrangian/double-double,lagrangian/ensemble,lagrangian/pictures "$@"
 }
+
+integration() { tests --test integration --test motions; }
+
+engine() { tests --test random --test editor --test fuzz; }
+
+examples() { tests --test examples; }
+
+features() {
+    tests --test batch --test digits
+    tests --doc book/src/
+    # Beside those of features the slow ones; what takes minutes is `roots`.
+    tests --lib -p lagrange-runtime -- double_double digits lanes
+    tests --lib -p lagrange-runtime -- --ignored --skip a_million --skip many_steps
+}
+
+companions() { cargo test -p cargo-lagrange -p lagrange-ensemble -p lagrange-pictures; }
 
 book() { scripts/book.sh check; }
 
-ui() { cargo test --test ui_types; }
+ui() { tests --test ui; }
 
 random() { PROPTEST_CASES=${CASES:-10000} cargo test --release -p lagrange-codegen --test random; }
 
@@ -77,7 +97,7 @@ benchmarks() {
     cargo build --release -p benchmarks
 }
 
-# `cargo test` has the vectors of any processor; others have other instructions, such as fused multiplications.
+# `companions` has the vectors of any processor; others have other instructions, such as fused multiplications.
 lanes() {
     RUSTFLAGS="-C target-cpu=native" cargo test -p lagrange-ensemble --test lanes --target-dir "${CARGO_TARGET_DIR:-target}/present"
 }
@@ -99,7 +119,7 @@ roots() { cargo test --release -p lagrange-runtime --lib motion::roots -- --igno
 
 contacts() { cargo test --release --test motions contact::random::ten_thousand -- --ignored --nocapture; }
 
-stack() { cargo test --test stack; }
+stack() { tests --test stack; }
 
 stack-release() { cargo test --release --test stack; }
 
@@ -113,11 +133,11 @@ gpu() { scripts/gpu.sh all; }
 for name in "$@"; do
     case $name in
         command) command_line ;;
-        fmt | clippy | docs | features | book | ui | random | editor | packages | benchmarks | lanes | tables | mpi | digits | long | drift | roots | contacts | stack | stack-release | gallery | gpu | firmware)
+        fmt | clippy | docs | integration | engine | examples | features | companions | book | ui | random | editor | packages | benchmarks | lanes | tables | mpi | digits | long | drift | roots | contacts | stack | stack-release | gallery | gpu | firmware)
             "$name" ;;
-        all) fmt; clippy; docs; features; book; ui; stack; random; command_line; editor; packages; benchmarks; lanes; tables; mpi; digits; long; drift; roots; contacts; firmware; gallery; gpu ;;
+        all) fmt; clippy; docs; integration; engine; examples; features; companions; book; ui; stack; random; command_line; editor; packages; benchmarks; lanes; tables; mpi; digits; long; drift; roots; contacts; firmware; gallery; gpu ;;
         ci)
-            fmt; clippy; docs; features; ui; stack; command_line
+            fmt; clippy; docs; integration; engine; examples; features; companions; ui; stack; command_line
             FIRMWARE=ci firmware ;;
         *) usage; exit 2 ;;
     esac

@@ -11,9 +11,10 @@ usage: scripts/packages.sh COMMAND …
   oldest      they build with the oldest compiler and the oldest versions of dependencies that they say are enough (installs
               that compiler and a nightly one, which finds these versions)
   docs        pages as docs.rs builds them, with the feature that an item needs beside it (needs a nightly compiler)
-  all         everything above
-
-Promises of earlier versions are not compared (cargo semver-checks): none has been published.
+  semver [REV]
+              what the present version promises, held against that of a revision, the last tag if none is named (installs
+              cargo-semver-checks: minutes)
+  all         everything above; without a tag there is no promise yet, and semver says so
 END
 }
 
@@ -77,11 +78,30 @@ docs() {
     done
 }
 
+# Libraries whose interface is promised; `__private` is hidden from documentation, and so from the comparison. That of
+# the attribute is a grammar, which no tool compares.
+semver() {
+    local revision=${1:-$(git describe --tags --abbrev=0 2>/dev/null || true)} package
+    if [ -z "$revision" ]; then
+        echo "packages: there is no tag yet, so no promise; scripts/packages.sh semver REV compares with a revision"
+        return
+    fi
+    command -v cargo-semver-checks >/dev/null || cargo install --locked --quiet cargo-semver-checks
+    for package in lagrangian lagrange-{ensemble,pictures,runtime}; do
+        cargo semver-checks --baseline-rev "$revision" --package "$package"
+    done
+}
+
 [ $# -gt 0 ] || { usage; exit 2; }
+if [ "$1" = semver ]; then
+    [ $# -le 2 ] || { usage; exit 2; }
+    semver "${2:-}"
+    exit
+fi
 for name in "$@"; do
     case $name in
         build | deny | oldest | docs) "$name" ;;
-        all) build; deny; oldest; docs ;;
+        all) build; deny; oldest; docs; semver ;;
         *) usage; exit 2 ;;
     esac
 done

@@ -1,4 +1,4 @@
-//! Runs every example: `cargo test` alone only compiles them.
+//! Runs every example: `scripts/check.sh examples`.
 // Two examples include the same study.
 #![allow(clippy::duplicate_mod)]
 

@@ -1,9 +1,9 @@
 //! What a user is told about a mistake: `tests/ui/<area>_<mistake>.rs` with the compiler's output beside it.
 //!
-//! Here are the mistakes that the macro reports. Those that the compiler finds in types, errors with a code,
-//! need a build each: `ui_types.rs`.
+//! The mistakes that the macro reports are found in one crate. Those that the compiler finds in types, errors with a
+//! code, need a crate each, since it stops at the first kind of them.
 //!
-//! After an intended change of a message, `TRYBUILD=overwrite cargo test --test ui` writes the output anew;
+//! After an intended change of a message, `UPDATE_UI=1 cargo test --test ui` writes the output anew;
 //! read the difference as prose before committing it.
 
 #[path = "ui/cases/mod.rs"]
@@ -26,52 +26,70 @@ const OUT_OF_REACH: [(&str, &str); 2] = [
 ];
 
 #[test]
-fn every_mistake_is_reported_where_it_is() {
+fn the_macro_reports_mistakes_where_they_are() {
     if !cases::is_known_compiler() {
         return;
     }
-    let found = report(&cases::of_the_macro());
+    let names = cases::of_the_macro();
+    let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ui.rs");
+    let module = |name: &String| format!("#[path = \"{}/{name}.rs\"]\nmod {name};\n", cases::directory());
+    fs::write(&source, names.iter().map(module).collect::<String>()).expect("the crate can be written");
+    let mut found: BTreeMap<String, String> = names.into_iter().map(|name| (name, String::new())).collect();
+    for (name, text) in messages_about(&source, "lib") {
+        found.get_mut(&name).expect("it is a case").push_str(&text);
+    }
+    compare(found);
+}
+
+#[test]
+fn the_compiler_reports_mistakes_where_they_are() {
+    if !cases::is_known_compiler() {
+        return;
+    }
+    let own = &stems("rs") - &(&cases::of_the_macro() & &stems("stderr"));
+    assert!(own.len() > 30, "{own:?}");
+    let report = |name: String| {
+        let source = Path::new(&cases::directory()).join(format!("{name}.rs"));
+        let text = messages_about(&source, "bin").into_iter().map(|(_, text)| text).collect();
+        (name, text)
+    };
+    compare(own.into_iter().map(report).collect());
+}
+
+/// Compares the messages about each case with those beside it, or writes them.
+fn compare(found: BTreeMap<String, String>) {
     let mut wrong = Vec::new();
     for (name, found) in &found {
         let path = format!("{}/{name}.stderr", cases::directory());
         let expected = fs::read_to_string(&path).unwrap_or_default();
-        if *found == expected {
+        // Errors are one line apart.
+        let found = format!("{}\n", found.trim_end());
+        if found == expected {
             continue;
         }
-        if std::env::var("TRYBUILD").is_ok_and(|wish| wish == "overwrite") && !found.is_empty() {
+        if std::env::var_os("UPDATE_UI").is_some() && found.len() > 1 {
             fs::write(&path, found).expect("the output can be written");
         } else {
             wrong.push(format!("{name}, expected:\n{expected}\nfound:\n{found}"));
         }
     }
-    let help = "where nothing is found, the compiler reports it later: `cargo test --test ui_types`";
-    assert!(wrong.is_empty(), "{} of {} cases\n{}\n{help}", wrong.len(), found.len(), wrong.join("\n"));
+    assert!(wrong.is_empty(), "{} of {} cases\n{}", wrong.len(), found.len(), wrong.join("\n"));
 }
 
-/// What the compiler says of each case, all of them being modules of one crate. What it reports before it
-/// looks at types is the same as of a crate for each.
-fn report(names: &BTreeSet<String>) -> BTreeMap<String, String> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    let source = folder.join("ui.rs");
-    let module = |name: &String| format!("#[path = \"{}/{name}.rs\"]\nmod {name};\n", cases::directory());
-    fs::write(&source, names.iter().map(module).collect::<String>()).expect("the crate can be written");
+/// What the compiler says of a crate, each message with the name of the case that it is about.
+fn messages_about(source: &Path, kind: &str) -> Vec<(String, String)> {
     let deps = std::env::current_exe().expect("the test is a file");
     let deps = deps.parent().expect("it stands in a folder");
     let mut compiler = Command::new(cases::compiler());
-    compiler.args([
-        "--edition=2024",
-        "--crate-type=lib",
-        "--emit=metadata",
-        "--error-format=json",
-        "-Adead_code",
-    ]);
-    compiler.arg("--out-dir").arg(folder).arg("-L").arg(format!("dependency={}", deps.display()));
+    compiler.args(["--edition=2024", "--emit=metadata", "--error-format=json", "--verbose", "-Adead_code"]);
+    compiler.arg(format!("--crate-type={kind}")).arg("--out-dir").arg(env!("CARGO_TARGET_TMPDIR"));
+    compiler.arg("-L").arg(format!("dependency={}", deps.display()));
     compiler.arg("--extern").arg(format!("lagrangian={}", newest(deps, "liblagrangian-").display()));
-    let output = compiler.arg(&source).output().expect("rustc runs");
+    // What a user of cargo is told.
+    let output = compiler.env("CARGO_CRATE_NAME", "case").arg(source).output().expect("rustc runs");
     let output = String::from_utf8(output.stderr).expect("rustc writes text");
-    let mut found: BTreeMap<String, String> =
-        names.iter().map(|name| (name.clone(), String::new())).collect();
     let place = format!("{}/", cases::directory());
+    let mut messages = Vec::new();
     for line in output.lines() {
         let message: serde_json::Value = serde_json::from_str(line).expect("rustc writes JSON");
         let text = message["rendered"].as_str().expect("a message has a text");
@@ -79,13 +97,43 @@ fn report(names: &BTreeSet<String>) -> BTreeMap<String, String> {
         let Some((_, name)) = text.split_once(&place) else { continue };
         let (name, _) = name.split_once(".rs:").expect("a place is a line of a file");
         let text = text.replace(&place, "tests/ui/");
-        found.get_mut(name).expect("it is a case").push_str(&(text.trim_end().to_owned() + "\n\n"));
+        messages.push((name.to_owned(), portable(text.trim_end()) + "\n\n"));
     }
-    // As trybuild has it: errors are one line apart.
-    for text in found.values_mut() {
-        text.truncate(text.trim_end().len() + usize::from(!text.is_empty()));
-    }
-    found
+    messages
+}
+
+/// A message that stays the same where other files become longer: their lines have no numbers, and the column of numbers
+/// is as wide as those of the case are.
+fn portable(message: &str) -> String {
+    let mut is_foreign = false;
+    let without_numbers = |line: &str| {
+        if let Some((before, place)) = line.split_once("--> ") {
+            is_foreign = !place.starts_with("tests/ui/");
+            return if is_foreign { format!("{before}--> {}", file(place)) } else { line.to_owned() };
+        }
+        is_foreign &= line.starts_with(|c: char| c == ' ' || c == '.' || c.is_ascii_digit());
+        match line.split_once(" |") {
+            Some((number, rest)) if is_foreign && number.chars().all(|c| c == ' ' || c.is_ascii_digit()) => {
+                format!("{:1$} |{rest}", "", number.len())
+            }
+            _ => line.to_owned(),
+        }
+    };
+    let lines: Vec<String> = message.lines().map(without_numbers).collect();
+    let is_indented = |line: &&String| line.starts_with(|c: char| c == ' ' || c.is_ascii_digit());
+    let indentation = |line: &String| line.len() - line.trim_start().len();
+    let spare = lines.iter().filter(is_indented).map(indentation).min().unwrap_or_default();
+    let shortened = |line: &String| if is_indented(&line) { line[spare..].to_owned() } else { line.clone() };
+    lines.iter().map(shortened).collect::<Vec<_>>().join("\n")
+}
+
+/// The file of a place, that of a dependency without its folder on this machine.
+fn file(place: &str) -> String {
+    let (path, _) = place.split_once(".rs:").expect("a place is a line of a file");
+    let Some((_, path)) = path.split_once("/registry/src/") else { return format!("{path}.rs") };
+    let mut parts = path.split('/').skip(1);
+    let package = parts.next().and_then(|part| part.rsplit_once('-')).expect("a package has a version").0;
+    format!("$CARGO/{package}-$VERSION/{}.rs", parts.collect::<Vec<_>>().join("/"))
 }
 
 /// The library as this test was built with it: what was built last. Libraries of other features stand beside

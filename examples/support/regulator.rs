@@ -20,7 +20,7 @@ const WEIGHTS: [f64; 3] = [1e5, 1e2, 1e-1];
 pub struct Regulator {
     /// K\[k] of u = u* − K (x − x*).
     pub gains: Vec<Gains<f64>>,
-    /// The cost of what is left from a deviation x at the beginning: xᵀ P x.
+    /// P of xᵀ P x, the cost from the first sample to the last of a deviation x at the first.
     pub cost: Square,
 }
 

@@ -12,6 +12,12 @@ use std::time::Instant;
 use mutation::{ACCEPTED, Random, is_accepted, mutated};
 use proc_macro2::TokenStream;
 
+/// A line of counts after so many descriptions: of a run that ends early it tells how far it came.
+const REPORTED: u64 = 50_000;
+
+/// What the macro says of a panic of its own.
+const UNEXPLAINED: &str = "without knowing why";
+
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     let number = |place: usize, default: u64| {
@@ -19,23 +25,27 @@ fn main() {
     };
     let (count, first) = (number(1, 100_000), number(2, 0));
     let folder = arguments.get(3);
-    std::panic::set_hook(Box::new(|_| {}));
-    let (mut accepted, mut panics, mut longest, mut written) = (0_u64, 0_u64, 0.0_f64, 0);
+    let (mut accepted, mut panics, mut longest, mut slowest, mut written) = (0_u64, 0_u64, 0.0_f64, first, 0);
     for seed in first..first + count {
         let mut random = Random::new(seed);
         let (fields, args, item) = ACCEPTED[random.below(ACCEPTED.len())];
         let parse = |text: &str| text.parse::<TokenStream>().unwrap_or_default();
         let item = mutated(parse(item), &mut random);
         let (shown, start) = (item.to_string(), Instant::now());
-        let expansion = lagrange_codegen::expand(parse(args), item, "::lagrangian").to_string();
+        let expand = || lagrange_codegen::expand(parse(args), item, "::lagrangian").to_string();
+        let expansion = std::panic::catch_unwind(std::panic::AssertUnwindSafe(expand));
+        let expansion = expansion.unwrap_or_else(|_| UNEXPLAINED.to_string());
         let seconds = start.elapsed().as_secs_f64();
-        if expansion.contains("without knowing why") {
+        if expansion.contains(UNEXPLAINED) {
             panics += 1;
             println!("PANIC seed {seed}\n{shown}\n");
         }
         if seconds > longest {
-            longest = seconds;
+            (longest, slowest) = (seconds, seed);
             println!("longest so far {seconds:.2} s, seed {seed}");
+        }
+        if (seed + 1 - first).is_multiple_of(REPORTED) {
+            println!("{} descriptions, {accepted} accepted, {panics} panics", seed + 1 - first);
         }
         if is_accepted(&expansion) {
             accepted += 1;
@@ -48,5 +58,6 @@ fn main() {
             }
         }
     }
-    println!("{count} descriptions, {accepted} accepted, {panics} panics, the longest took {longest:.2} s");
+    println!("{count} descriptions, {accepted} accepted, {panics} panics");
+    println!("the longest took {longest:.2} s, seed {slowest}");
 }

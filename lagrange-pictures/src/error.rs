@@ -23,7 +23,7 @@ pub enum PictureError {
     },
     /// A film was asked of states whose times are not equally far apart.
     UnequalTimes {
-        /// The first time that is out of step \[s].
+        /// The first time at another distance from the one before \[s].
         at: f64,
     },
     /// The system has no coordinate of this name.

@@ -181,8 +181,8 @@ fn self_type(ty: &syn::Type) -> Option<&syn::PathSegment> {
     }
 }
 
-/// What generated types are named after: `Chain`, and `Chain3` for `Chain<3>`, so that there may be a
-/// description for each of several numbers.
+/// What generated types are named after: `Chain`, `Chain3` for `Chain<3>` and `ChainMinus3` for `Chain<-3>`, so
+/// that there may be a description for each of several numbers.
 fn name_of(segment: &syn::PathSegment) -> Ident {
     let mut name = segment.ident.clone();
     if let syn::PathArguments::AngleBracketed(arguments) = &segment.arguments {
@@ -190,7 +190,8 @@ fn name_of(segment: &syn::PathSegment) -> Ident {
             if let syn::GenericArgument::Const(syn::Expr::Lit(literal)) = argument
                 && let syn::Lit::Int(number) = &literal.lit
             {
-                name = format_ident!("{name}{}", number.base10_digits(), span = name.span());
+                let digits = number.base10_digits().replace('-', "Minus");
+                name = format_ident!("{name}{digits}", span = name.span());
             }
         }
     }

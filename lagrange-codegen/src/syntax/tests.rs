@@ -20,6 +20,19 @@ fn flat(tokens: TokenStream) -> String {
 }
 
 #[test]
+fn numbers_of_the_type_are_a_part_of_the_name() {
+    for (ty, expected) in
+        [(quote!(Chain), "Chain"), (quote!(Chain<3, f64>), "Chain3"), (quote!(Chain<-3>), "ChainMinus3")]
+    {
+        let item = parsed(
+            quote!(coordinates = [x]),
+            quote!(impl #ty { #[kinetic] fn energy(&self, v: &Velocities) -> f64 { v.x * v.x } }),
+        );
+        assert_eq!(item.name, expected);
+    }
+}
+
+#[test]
 fn the_attribute_is_read() {
     let item = parsed(
         quote! {

@@ -285,8 +285,8 @@ fn drift_of<R: Real, const N: usize>(
     blocks
 }
 
-/// With `turning` axes the rates of deviations are those seen in axes that turn with the bodies, in which equations
-/// about a steady spin do not change. The components themselves stay those of the moment.
+/// With `turning` axes the rates of deviations are those seen in axes that turn with the bodies, in which
+/// equations about a steady spin do not change. The components themselves stay those of the moment.
 pub(super) fn linearize<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     state: &State<S::Scalar, N>,

@@ -1,5 +1,6 @@
 //! [`Adaptive`]: methods that choose their own steps, and Dormand–Prince as one of them.
 
+mod passage;
 mod reach;
 
 use super::Field;
@@ -82,13 +83,13 @@ where
         system: &S,
         constants: &S::Constants,
         control: &C,
-        _limits: &Limits<S::Scalar>,
+        limits: &Limits<S::Scalar>,
         part: S::Scalar,
     ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
     where
         S::Scalar: Ordered,
     {
-        Driven { system, constants, control }.at_part(memory, part)
+        Driven { system, constants, control }.at_part(memory, limits, part)
     }
 
     #[inline]
@@ -111,13 +112,17 @@ where
     {
         let driven = Driven { system, constants, control };
         if memory.end.state.t != t && !memory.ahead(t) {
+            // Such a step does not end at any target.
+            if memory.passage.is_some() && memory.covers(t) {
+                return driven.inside(memory, limits, t);
+            }
             memory.rewind();
         }
         while memory.end.state.t != t {
             driven.step(memory, limits, t, true, attempts)?;
             // A step that could not end at the target went beyond it.
             if !memory.ahead(t) {
-                return driven.inside(memory, t);
+                return driven.inside(memory, limits, t);
             }
         }
         Ok(memory.end.state)
@@ -143,7 +148,7 @@ where
             }
             driven.step(memory, limits, t, false, attempts)?;
         }
-        driven.inside(memory, t)
+        driven.inside(memory, limits, t)
     }
 }
 
@@ -184,6 +189,11 @@ where
         let natural = memory.length();
         let landed = match memory.step(self, limits, target, exactly, attempts) {
             Ok(()) => self.land(memory, limits, target, (ground, natural), attempts),
+            Err(MotionError { cause: Cause::Undetermined { .. } | Cause::StepTooSmall, .. })
+                if self.passes(memory, limits, target, &ground.here, attempts) =>
+            {
+                Ok(())
+            }
             Err(error) => Err(error),
         };
         landed.map_err(|error| self.named(memory, limits, target, natural, error))
@@ -215,19 +225,30 @@ where
             S::Scalar::from_f64(4.0) * S::Scalar::epsilon() * from.t.abs() + step_size::smallest();
         let longest = larger(natural, length);
         let mut lengths = Lengths::new(determined, &here, limits.relative, [longest, longest, length]);
+        let mut is_first = true;
         loop {
-            match lengths.judge(&check, length, check.land(&memory.end.state, None)) {
+            let (next, cause) = match lengths.judge(&check, length, check.land(&memory.end.state, None)) {
                 Verdict::Take(landing, determined) => {
                     memory.ground = Some(Ground { here: landing.footing.independence, determined });
                     memory.correct(landing.end);
                     return Ok(());
                 }
-                Verdict::Try { length: next, .. } if !step_size::is_below(next, resolution) => length = next,
-                Verdict::Try { cause, .. } | Verdict::GiveUp(cause) => {
-                    memory.retry(num_traits::Zero::zero());
-                    return Err(failed(cause));
+                Verdict::Try { length, cause } => (Some(length), cause),
+                Verdict::GiveUp(cause) => (None, cause),
+            };
+            // Shorter steps would only come closer to where constraints depend on each other.
+            if is_first {
+                memory.rewind();
+                if self.passes(memory, limits, target, &here, attempts) {
+                    return Ok(());
                 }
             }
+            is_first = false;
+            let Some(next) = next.filter(|&next| !step_size::is_below(next, resolution)) else {
+                memory.retry(num_traits::Zero::zero());
+                return Err(failed(cause));
+            };
+            length = next;
             memory.retry(length);
             memory.step(self, limits, target, false, attempts)?;
         }
@@ -237,12 +258,13 @@ where
     fn inside(
         &self,
         memory: &mut Dop853Memory<S::Scalar, N>,
+        limits: &Limits<S::Scalar>,
         t: S::Scalar,
     ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
         let (start, end) = (memory.start.state.t, memory.end.state.t);
         let zero = num_traits::Zero::zero();
         let part = if start == end { zero } else { (t - start) / (end - start) };
-        let state = self.at_part(memory, if t == end { num_traits::One::one() } else { part })?;
+        let state = self.at_part(memory, limits, if t == end { num_traits::One::one() } else { part })?;
         Ok(state.at_time(t))
     }
 
@@ -250,8 +272,12 @@ where
     fn at_part(
         &self,
         memory: &mut Dop853Memory<S::Scalar, N>,
+        limits: &Limits<S::Scalar>,
         part: S::Scalar,
     ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
+        if let Some(target) = memory.passage {
+            return self.on_passage(memory, limits, target, part);
+        }
         let end = memory.end.state.t;
         let failed = |cause| MotionError { cause, t: end };
         let mut state = memory.sample(self, part).map_err(failed)?;

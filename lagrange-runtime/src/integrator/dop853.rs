@@ -56,6 +56,8 @@ pub struct Dop853Memory<R, const N: usize> {
     pub(crate) counts: Steps,
     /// Where a constrained motion stands; `None` before the first step.
     pub(crate) ground: Option<Ground<R>>,
+    /// The target of a step that series have taken.
+    pub(crate) passage: Option<R>,
 }
 
 /// Compensated x + d (Kahan).
@@ -79,6 +81,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             dense: None,
             counts: Steps::default(),
             ground: None,
+            passage: None,
         }
     }
 
@@ -105,9 +108,16 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
     pub(crate) fn rewind(&mut self) {
         if self.start.state.t != self.end.state.t {
             self.end = self.start;
-            self.slope = Some(self.slopes[0]);
+            self.slope = if self.passage.is_none() { Some(self.slopes[0]) } else { None };
             self.dense = None;
         }
+    }
+
+    /// Takes in a step from the `end` of the last one that series have taken towards a `target`.
+    pub(crate) fn pass(&mut self, end: State<R, N>, target: R) {
+        let Self { end: start, length, counts, .. } = *self;
+        *self = Self { start, length, counts, passage: Some(target), ..Self::new(end) };
+        self.counts.accepted += 1;
     }
 
     /// Returns to the start of the step, to take another of this `length` \[s].
@@ -162,7 +172,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         };
         self.start = self.end;
         self.slopes[0] = slope;
-        self.dense = None;
+        (self.dense, self.passage) = (None, None);
         let left = (target - t) - self.end.residue.t;
         let direction = left.signum();
         if self.length == R::zero() {
@@ -230,7 +240,8 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             Some(slope) => slope,
             None => self.slope_at_end(f).ok()?,
         };
-        (self.start, self.slopes[0], self.dense) = (self.end, slope, None);
+        (self.start, self.slopes[0]) = (self.end, slope);
+        (self.dense, self.passage) = (None, None);
         self.attempt(f, limits, h).ok().filter(|&error| error <= R::one())
     }
 

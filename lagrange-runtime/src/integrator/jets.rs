@@ -129,6 +129,8 @@ where
 {
     type Memory = JetsMemory<S::JetConstants, S::Tables<HIGHEST>, S::Scalar, N>;
 
+    const PASSES: bool = true;
+
     #[inline]
     fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
     where

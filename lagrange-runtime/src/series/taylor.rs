@@ -41,11 +41,14 @@ pub(crate) struct Taylor<R, const T: usize = TERMS> {
     orders: usize,
     /// The bound of the roundings on the interval.
     pub(crate) error: R,
-    /// Whether no term beyond these has been left away.
+    /// Whether no term beyond these has been left away, but for what the error bounds.
     pub(crate) is_whole: bool,
 }
 
 impl<R: Ordered, const T: usize> Taylor<R, T> {
+    /// Whether what is left away is bounded: of a first look. Others are taken where it is less than roundings.
+    const IS_BOUND: bool = T > 1 && T < TERMS;
+
     /// A number that does not change.
     #[inline]
     pub(crate) fn constant(value: R) -> Self {
@@ -192,6 +195,20 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         self
     }
 
+    /// A bound of the terms that a product leaves away: of each factor those with which a term of the other
+    /// one has too high an order.
+    fn left(&self, other: &Self) -> R {
+        let (mut left, mut beyond) = (R::zero(), R::zero());
+        let mut others = other.terms().iter().enumerate().rev().peekable();
+        for (order, &term) in self.terms().iter().enumerate() {
+            while let Some((_, &next)) = others.next_if(|(other, _)| order + other >= T) {
+                beyond += next.abs();
+            }
+            left += term.abs() * beyond;
+        }
+        left
+    }
+
     fn times(&self, other: &Self) -> Self {
         if other.degree == 0 {
             return self.scaled(other);
@@ -212,6 +229,10 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         let (a, b) = (self.extent(), other.extent());
         let summed = R::from_f64(self.degree.min(other.degree) as f64 + 1.0);
         product.error = self.error * b + (a + self.error) * other.error + R::epsilon() * summed * a * b;
+        if Self::IS_BOUND && !product.is_whole {
+            product.error += self.left(other);
+            product.is_whole = are_whole;
+        }
         product
     }
 }
@@ -219,12 +240,17 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
 /// The powers of a number, from that of order zero on.
 #[inline]
 pub(crate) fn powers<R: Real>(base: R) -> [R; TERMS] {
-    let mut next = R::one();
-    core::array::from_fn(|_| {
-        let power = next;
-        next *= base;
-        power
-    })
+    let mut powers = [R::one(); TERMS];
+    // Four at a time, of which none waits for another.
+    let square = base * base;
+    let mut group = [R::one(), base, square, square * base];
+    for to in powers.chunks_mut(4) {
+        for (to, power) in to.iter_mut().zip(&mut group) {
+            *to = *power;
+            *power *= square * square;
+        }
+    }
+    powers
 }
 
 /// A sum over terms, by four sums that do not wait for each other.

@@ -41,14 +41,18 @@ struct Path<R, const N: usize, const C: usize, const T: usize = TERMS> {
 type First<R> = (Fall<R>, Guard);
 
 impl<R: Ordered, const N: usize, const C: usize, const T: usize> Path<R, N, C, T> {
-    /// Along the whole step.
-    fn new(start: &State<R, N>, terms: &Terms<'_, R, N>, borne: &Borne<R, N, C>) -> Self {
-        let powers = powers(terms.length);
+    /// Along the whole step, whose length has these powers.
+    fn new(
+        start: &State<R, N>,
+        terms: &Terms<'_, R, N>,
+        powers: &[R; TERMS],
+        borne: &Borne<R, N, C>,
+    ) -> Self {
         let along = |numbers: &[R; N], rows: &[[R; N]]| {
-            core::array::from_fn(|i| Taylor::along(numbers[i], rows.iter().map(|row| row[i]), &powers))
+            core::array::from_fn(|i| Taylor::along(numbers[i], rows.iter().map(|row| row[i]), powers))
         };
         let mut whole = Self {
-            t: Taylor::along(start.t, core::iter::once(terms.unit), &powers),
+            t: Taylor::along(start.t, core::iter::once(terms.unit), powers),
             q: along(&start.q, terms.q),
             v: along(&start.v, terms.v),
             reactions: borne.reactions.each_ref().map(Taylor::shortened),
@@ -89,34 +93,35 @@ where
     S::Scalar: Ordered,
 {
     /// The first guard that falls through zero along a step, and the part of the step that has passed then,
-    /// to the roundings of its polynomial. That of `fired` is zero where the step starts; `glances` tells
-    /// whether a glance has bounded guards so far.
+    /// to the roundings of its polynomial. That of `fired` is zero where the step starts.
     pub(super) fn first_along(
         &mut self,
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
         fired: Option<Guard>,
-        glances: &mut bool,
         relative: S::Scalar,
     ) -> Result<Option<First<S::Scalar>>, Unresolved> {
-        let borne = self.borne(start, terms, relative);
+        let powers = powers(terms.length);
+        let mut borne = self.borne(start, terms, &powers, relative);
         self.reacts_along = borne.is_known;
         if self.along().next().is_none() {
             return Ok(None);
         }
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         // What has fired is zero where the step starts, and needs more than a glance.
-        if *glances && fired.is_none() {
-            let glance = self.glance(&Path::new(start, terms, &borne));
-            if glance == Some(true) {
+        if self.along().any(|guard| fired != Some(guard)) {
+            self.glance(&Path::new(start, terms, &powers, &borne));
+            if self.along().next().is_none() {
                 return Ok(None);
             }
-            *glances = glance.is_some();
+            if !self.has_reactions() {
+                borne.reactions = [Taylor::constant(num_traits::Zero::zero()); C];
+            }
         }
         let half = S::Scalar::from_f64(0.5);
         let shortest = half.powi(HALVINGS);
         let clearest = half.powi(CLEAREST);
-        let path = Path::new(start, terms, &borne);
+        let path = Path::new(start, terms, &powers, &borne);
         let (mut from, mut width) = (zero, one);
         loop {
             let cut;
@@ -219,12 +224,17 @@ where
         zero.polish(|place| value(place).start())
     }
 
-    /// Whether no guard comes near zero on the whole of the step, as far as polynomials of low order bound
-    /// that; `None` where a guard is no sum of what they bound.
-    fn glance(&self, path: &Path<S::Scalar, N, C, FEW>) -> Option<bool> {
+    /// Ends to look at guards that do not come near zero on the whole of the step, as far as polynomials of
+    /// low order bound that.
+    fn glance(&mut self, path: &Path<S::Scalar, N, C, FEW>) {
         let functions = self.along_part(path);
-        let are_whole = self.along().all(|guard| functions.get(guard).is_whole);
-        are_whole.then(|| self.along().all(|guard| stays_above(functions.get(guard))))
+        for guard in (0..C).map(Guard::Row).chain((0..W).map(Guard::Kink)) {
+            let bound = functions.get(guard);
+            let is_along = self.along().any(|other| other == guard);
+            if is_along && bound.is_whole && stays_above(bound) {
+                self.pass(guard);
+            }
+        }
     }
 
     /// The guards along a part of the step.

@@ -40,7 +40,7 @@ where
         }
         let closed = self.penetrating(&state, &laws)?;
         let known = Known { closed, fired: None, settled: false };
-        let regime = self.settle(&mut state, &present, known, false, num_traits::Zero::zero())?;
+        let regime = self.settle(&mut state, &present, known, num_traits::Zero::zero())?;
         if S::Scalar::PARTS > 1
             && let Some(row) =
                 self.memory.impulses.iter().position(|impulse| *impulse != num_traits::Zero::zero())

@@ -29,6 +29,7 @@ pub(super) struct Choice<R, const N: usize, const C: usize, const W: usize> {
     pub(super) multipliers: [R; C],
     /// Whether the motion determines each multiplier.
     pub(super) is_unique: bool,
+    sizes: Sizes<R, N>,
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
@@ -37,13 +38,17 @@ where
 {
     /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that
     /// again only if nothing else is possible. A reaction that has fallen through zero is one that the
-    /// polynomial has decided about, where accelerations and reactions tie.
+    /// polynomial has decided about, where accelerations and reactions tie. A gap may have touched zero alone.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,
         avoid: Option<usize>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
-        let decided = avoid.filter(|&row| !matches!(S::ROWS.get(row), Some(Row::Friction { .. })));
+        let decided = avoid.filter(|&row| match S::ROWS.get(row) {
+            Some(Row::Bilateral | Row::Load) => true,
+            Some(Row::Unilateral) => present.active.get(row) == Some(&true),
+            Some(Row::Friction { .. }) | None => false,
+        });
         if decided.is_some()
             && let Ok(choice) = self.choose_among(self.options(present, avoid, decided), decided)
         {
@@ -148,10 +153,10 @@ where
         };
         let has_begun = (0..C).any(begins);
         let velocities = if has_begun { self.begun(&regime, begins)? } else { self.state.v };
-        let balance = self.balance(&regime, &velocities)?;
+        let (balance, sizes) = self.balance(&regime, &velocities)?;
         let zero = num_traits::Zero::zero();
         let later =
-            if has_begun { self.later(&regime, begins, &velocities, &balance).unwrap_or(zero) } else { zero };
+            if has_begun { self.later(begins, &velocities, &balance, &sizes).unwrap_or(zero) } else { zero };
         Some(Choice {
             regime,
             velocities,
@@ -159,50 +164,40 @@ where
             accelerations: balance.accelerations,
             multipliers: balance.multipliers,
             is_unique: balance.independence.rank == balance.independence.rows,
+            sizes,
         })
     }
 
-    /// The accelerations and multipliers of a regime.
+    /// The accelerations and multipliers of a regime, and what they are made of.
     pub(super) fn balance(
         &self,
         regime: &Regime<S::Scalar, C, W>,
         v: &[S::Scalar; N],
-    ) -> Option<Balance<S::Scalar, N, C>> {
+    ) -> Option<Balanced<S::Scalar, N, C>> {
         let State { t, q, .. } = &self.state;
         let in_regime = self.system.in_regime(regime);
-        let balance = S::equations_in(&in_regime, *t, q, v, self.inputs)?.balance();
+        let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
+        let balance = equations.balance();
         let mut numbers = balance.accelerations.iter().chain(&balance.multipliers);
-        numbers.all(|x| x.is_finite()).then_some(balance)
+        if !numbers.all(|x| x.is_finite()) {
+            return None;
+        }
+        let mut forces = equations.forces.map(|force: S::Scalar| force.abs());
+        for (row, &multiplier) in self.gradients.iter().zip(&balance.multipliers) {
+            for (force, &entry) in forces.iter_mut().zip(row) {
+                *force += (entry * multiplier).abs();
+            }
+        }
+        let units = equations.saddle.units();
+        let accelerations =
+            core::array::from_fn(|i| balance.accelerations[i].abs() + forces[i] * units[i] * units[i]);
+        Some((balance, Sizes { forces, accelerations }))
     }
 
     /// The rate of the rate of a row.
     pub(super) fn rate(&self, row: usize, accelerations: &[S::Scalar; N]) -> S::Scalar {
         let along = |gradient| product(gradient, accelerations);
         self.gradients.get(row).map_or(num_traits::Zero::zero(), along) - entry(&self.gamma, row)
-    }
-
-    /// What forces and accelerations are made of.
-    pub(super) fn sizes(
-        &self,
-        regime: &Regime<S::Scalar, C, W>,
-        accelerations: &[S::Scalar; N],
-        multipliers: &[S::Scalar; C],
-    ) -> Sizes<S::Scalar, N> {
-        let State { t, q, v } = &self.state;
-        let mut forces = [num_traits::Zero::zero(); N];
-        let mut sizes = accelerations.map(|a: S::Scalar| a.abs());
-        let in_regime = self.system.in_regime(regime);
-        if let Some(equations) = S::equations_in(&in_regime, *t, q, v, self.inputs) {
-            let units = equations.saddle.units();
-            for (i, force) in forces.iter_mut().enumerate() {
-                *force = equations.forces[i].abs();
-                for (row, &multiplier) in self.gradients.iter().zip(multipliers) {
-                    *force += (row[i] * multiplier).abs();
-                }
-                sizes[i] += *force * units[i] * units[i];
-            }
-        }
-        Sizes { forces, accelerations: sizes }
     }
 
     /// Whether what a combination demands agrees with what follows from it; if not, the row where it does
@@ -215,7 +210,7 @@ where
         decided: Option<usize>,
     ) -> Result<(), usize> {
         let zero: S::Scalar = num_traits::Zero::zero();
-        let sizes = self.sizes(&trial.regime, &trial.accelerations, &trial.multipliers);
+        let sizes = &trial.sizes;
         let scale = |row: usize| {
             let Some(gradient) = self.gradients.get(row) else { return zero };
             let squares = product(gradient, gradient);
@@ -287,11 +282,10 @@ where
     /// The contact at which two regimes have other reactions, if the motion differs.
     fn differs(&self, a: &Choice<S::Scalar, N, C, W>, b: &Choice<S::Scalar, N, C, W>) -> Option<usize> {
         let row = parts_at(&S::ROWS, &a.regime, &b.regime)?;
-        let sizes = [a, b].map(|x| self.sizes(&x.regime, &x.accelerations, &x.multipliers).accelerations);
         let part = S::Scalar::epsilon().sqrt();
         let apart = (0..N).any(|i| {
             let difference = (a.accelerations[i] - b.accelerations[i]).abs();
-            above(difference, part * (sizes[0][i] + sizes[1][i]))
+            above(difference, part * (a.sizes.accelerations[i] + b.sizes.accelerations[i]))
         });
         (apart && self.are_certain(row, a) && self.are_certain(row, b)).then_some(row)
     }
@@ -299,7 +293,7 @@ where
     /// Whether a contact reacts or opens by more than what decides a tie.
     fn are_certain(&self, row: usize, choice: &Choice<S::Scalar, N, C, W>) -> bool {
         let part = S::Scalar::epsilon().sqrt();
-        let sizes = self.sizes(&choice.regime, &choice.accelerations, &choice.multipliers);
+        let sizes = &choice.sizes;
         let gradient = &self.gradients[row];
         if choice.regime.active[row] {
             let squares = product(gradient, gradient);
@@ -323,7 +317,11 @@ fn parts_at<R: Real, const C: usize, const W: usize>(
         .position(|(row, kind)| !matches!(kind, Row::Friction { .. }) && reacts(a, row) != reacts(b, row))
 }
 
+/// Accelerations and multipliers, and what they are made of.
+pub(super) type Balanced<R, const N: usize, const C: usize> = (Balance<R, N, C>, Sizes<R, N>);
+
 /// The magnitudes of what forces and accelerations are made of.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Sizes<R, const N: usize> {
     pub(super) forces: [R; N],
     pub(super) accelerations: [R; N],

@@ -23,44 +23,14 @@ pub(super) enum Guard {
 
 /// What each guard is, in a regime.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watch<R, const C: usize> {
+pub(super) struct Watch<R, const C: usize, const W: usize> {
     /// Rows that have a guard.
     rows: [bool; C],
-    /// Whether reactions are among them.
-    reactions: bool,
     /// Slip velocities in two directions where the step starts: while the slip has a part in the same
     /// direction it has not turned back.
     directions: [R; C],
-}
-
-impl<T, const C: usize, const W: usize> Functions<T, C, W> {
-    /// One of them.
-    pub(super) fn get(&self, guard: Guard) -> &T {
-        let found = match guard {
-            Guard::Row(row) => self.rows.get(row),
-            Guard::Kink(kink) => self.kinks.get(kink),
-        };
-        // Places are those of the arrays; that there is one tells the compiler so.
-        match found.or(self.rows.first()).or(self.kinks.first()) {
-            Some(function) => function,
-            None => unreachable!("a system that switches has rows or kinks"),
-        }
-    }
-}
-
-impl<R: Ordered, const T: usize, const C: usize, const W: usize> Functions<Taylor<R, T>, C, W> {
-    /// The same without derivatives of their numbers: where they are zero, values tell alone.
-    pub(super) fn plain(self) -> Self {
-        if R::PARTS == 1 {
-            return self;
-        }
-        let plain = |x: &Taylor<R, T>| x.plain();
-        Self {
-            rows: self.rows.each_ref().map(plain),
-            fixed: self.fixed.each_ref().map(plain),
-            kinks: self.kinks.each_ref().map(plain),
-        }
-    }
+    /// Kinks that are looked at.
+    kinks: [bool; W],
 }
 
 /// Values of all guards and their sizes.
@@ -94,7 +64,7 @@ where
     pub(super) in_regime: &'a S::InRegime,
     pub(super) regime: &'a Regime<S::Scalar, C, W>,
     pub(super) inputs: &'a [S::Scalar; K],
-    watch: Watch<S::Scalar, C>,
+    watch: Watch<S::Scalar, C, W>,
     /// Whether the motion is a polynomial.
     is_along: bool,
     /// Whether the reactions are polynomials.
@@ -117,24 +87,20 @@ where
     ) -> Self {
         let zero: S::Scalar = num_traits::Zero::zero();
         let slips = |row: usize| regime.slip[row] != zero;
-        let mut watch = Watch { rows: [false; C], reactions: false, directions: [zero; C] };
+        let mut watch = Watch { rows: [false; C], directions: [zero; C], kinks: [true; W] };
         let mut turns = false;
         for (row, kind) in S::ROWS.iter().enumerate() {
-            (watch.rows[row], watch.reactions) = match kind {
+            watch.rows[row] = match kind {
                 // Beyond its zero the series of a load has the other sign.
-                Row::Bilateral | Row::Load => {
-                    let drives = S::ROWS.iter().enumerate().any(|(other, kind)| {
-                        matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row)
-                            && slips(other)
-                    });
-                    (drives, watch.reactions || drives)
-                }
-                Row::Unilateral => (true, watch.reactions || regime.active[row]),
+                Row::Bilateral | Row::Load => S::ROWS.iter().enumerate().any(|(other, kind)| {
+                    matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row)
+                        && slips(other)
+                }),
+                Row::Unilateral => true,
                 Row::Friction { pair, .. } => {
                     let is_first = pair.is_none_or(|other| row < other);
                     turns = turns || pair.is_some() && slips(row);
-                    let is_active = regime.active[row] && is_first;
-                    (is_active || slips(row), watch.reactions || is_active)
+                    regime.active[row] && is_first || slips(row)
                 }
             };
         }
@@ -149,6 +115,17 @@ where
         W == 0 && !self.watch.rows.contains(&true)
     }
 
+    /// Ends to look at a guard.
+    pub(super) fn pass(&mut self, guard: Guard) {
+        let watched = match guard {
+            Guard::Row(row) => self.watch.rows.get_mut(row),
+            Guard::Kink(kink) => self.watch.kinks.get_mut(kink),
+        };
+        if let Some(is_watched) = watched {
+            *is_watched = false;
+        }
+    }
+
     /// The rows whose guards are reactions, or all of which a method without polynomials knows nothing else.
     fn is_sampled(&self, row: usize) -> bool {
         self.watch.rows[row] && (!self.is_along || self.is_reaction(row) && !self.reacts_along)
@@ -156,7 +133,7 @@ where
 
     /// Whether any guard is made of reactions.
     pub(super) fn has_reactions(&self) -> bool {
-        self.watch.reactions
+        (0..C).any(|row| self.watch.rows[row] && self.is_reaction(row))
     }
 
     /// Whether the guard of a row is made of reactions.
@@ -167,13 +144,17 @@ where
     /// The guards that are polynomials where the motion is one.
     pub(super) fn along(&self) -> impl Iterator<Item = Guard> + '_ {
         let rows = (0..C).filter(|&row| self.watch.rows[row] && !self.is_sampled(row)).map(Guard::Row);
-        rows.chain((0..W).map(Guard::Kink))
+        rows.chain(self.kinks())
+    }
+
+    fn kinks(&self) -> impl Iterator<Item = Guard> + '_ {
+        (0..W).filter(|&kink| self.watch.kinks[kink]).map(Guard::Kink)
     }
 
     /// The guards that are looked at by samples.
     fn sampled(&self) -> impl Iterator<Item = Guard> + '_ {
-        let kinks = if self.is_along { 0 } else { W };
-        (0..C).filter(|&row| self.is_sampled(row)).map(Guard::Row).chain((0..kinks).map(Guard::Kink))
+        let rows = (0..C).filter(|&row| self.is_sampled(row)).map(Guard::Row);
+        rows.chain(self.kinks().filter(|_| !self.is_along))
     }
 
     /// Puts in the places of functions the guards that they and reactions make: where a row or a kink has
@@ -230,7 +211,7 @@ where
         let t = Rounded::sum_of(state.t, sizes.t);
         let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v);
         let mut reactions = [Taylor::constant(num_traits::Zero::zero()); C];
-        if self.watch.reactions {
+        if self.has_reactions() {
             let [multipliers, sizes] = self.multipliers(state);
             reactions = core::array::from_fn(|row| Rounded::sum_of(multipliers[row], sizes[row]));
         }
@@ -243,14 +224,14 @@ where
         let State { t, q, v } = state;
         let mut functions = S::functions_in(self.in_regime, |x| x, *t, q, v);
         let reactions =
-            if self.watch.reactions { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
+            if self.has_reactions() { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
         self.guard(&mut functions, &reactions, |x| x);
         *functions.get(guard)
     }
 
     /// All guards that are looked at.
     pub(super) fn all(&self) -> impl Iterator<Item = Guard> + '_ {
-        (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row).chain((0..W).map(Guard::Kink))
+        (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row).chain(self.kinks())
     }
 
     /// One of the guards at a state, likewise.

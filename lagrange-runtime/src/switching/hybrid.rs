@@ -74,7 +74,6 @@ where
             is_fresh: true,
             stuck: None,
             fired: None,
-            glances: true,
             scales: Scales::new(),
             flips: [0; W],
             changes: 0,

@@ -1,5 +1,6 @@
 //! Slips in two directions that begin: their directions, and how they begin.
 
+use super::choice::Sizes;
 use super::scene::{Scene, above, extent, most, product, rounding};
 use super::turning::{TURNS, Turning, pairs};
 use super::{Regime, Switching};
@@ -51,8 +52,7 @@ where
             }
             let (change, _) = held.saddle.solve(&[zero; N], &lack);
             velocities = core::array::from_fn(|i| v[i] + change[i]);
-            let balance = self.balance(regime, &velocities)?;
-            let sizes = self.sizes(regime, &balance.accelerations, &balance.multipliers);
+            let (balance, sizes) = self.balance(regime, &velocities)?;
             let (mut lacks, mut is_done) = ([zero; C], true);
             for [row, other] in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
                 let rates = [row, other].map(|row| self.rate(row, &balance.accelerations));
@@ -84,12 +84,11 @@ where
     #[cold]
     pub(super) fn later(
         &self,
-        regime: &Regime<S::Scalar, C, W>,
         begins: impl Fn(usize) -> bool,
         velocities: &[S::Scalar; N],
         balance: &Balance<S::Scalar, N, C>,
+        sizes: &Sizes<S::Scalar, N>,
     ) -> Option<S::Scalar> {
-        let sizes = self.sizes(regime, &balance.accelerations, &balance.multipliers);
         let mut later = num_traits::Zero::zero();
         for rows in pairs(&S::ROWS).filter(|[row, _]| begins(*row)) {
             let [x, y] = rows.map(|row| self.laws.rows.rates[row] + self.change(row, velocities));

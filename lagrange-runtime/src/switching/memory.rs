@@ -38,8 +38,6 @@ pub struct HybridMemory<I, X, J, R, const N: usize, const C: usize, const W: usi
     pub(super) stuck: Option<Cause>,
     /// The guard that ended the piece before, which is zero where the next one starts.
     pub(super) fired: Option<Guard>,
-    /// Whether glances have bounded the guards in every step so far; after one that could not, none is tried.
-    pub(super) glances: bool,
     pub(super) scales: Scales<R, C>,
     /// Changes of each kink since time has passed.
     pub(super) flips: [usize; W],

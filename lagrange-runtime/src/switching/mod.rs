@@ -14,6 +14,7 @@ mod begin;
 mod choice;
 mod contacts;
 mod corners;
+mod functions;
 mod guards;
 mod hybrid;
 mod impact;

@@ -11,7 +11,7 @@ use super::scene::{most, product, rounding};
 use crate::constraints::{Balance, Equations};
 use crate::linear::{SaddlePoint, Switched};
 use crate::number::real::{Ordered, Real};
-use crate::series::taylor::{Taylor, powers};
+use crate::series::taylor::{TERMS, Taylor};
 use crate::system::method::Terms;
 use crate::system::state::State;
 
@@ -108,11 +108,12 @@ where
         [multipliers, sizes]
     }
 
-    /// What is borne along a step.
+    /// What is borne along a step, whose length has these powers.
     pub(super) fn borne(
         &self,
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
+        powers: &[S::Scalar; TERMS],
         relative: S::Scalar,
     ) -> Borne<S::Scalar, N, C> {
         let zero: S::Scalar = num_traits::Zero::zero();
@@ -134,33 +135,28 @@ where
             rounding * (gained + time * all[i] * levers.units[i])
         });
         let Some(first) = first.filter(|_| self.has_reactions()) else { return borne };
-        let reach = levers.reach();
-        let (mut sizes, mut last) = ([zero; C], [[zero; C]; 2]);
-        let (mut power, mut order): (S::Scalar, S::Scalar) = (num_traits::One::one(), num_traits::One::one());
-        for (row, speeds) in rows().zip(terms.v) {
+        let (mut sums, mut last) = ([zero; C], [[zero; C]; 2]);
+        let paces =
+            levers.units.map(|unit| if unit.is_positive() { (terms.unit * unit).recip() } else { zero });
+        let mut order: S::Scalar = num_traits::One::one();
+        for ((row, speeds), &power) in rows().zip(terms.v).zip(powers) {
+            let power = power.abs();
             // What accelerates is borne as well.
-            let rate = order / terms.unit;
-            for (force, (&speed, &unit)) in forces.iter_mut().zip(speeds.iter().zip(&levers.units)) {
-                if unit.is_positive() {
-                    *force += (rate * speed / unit).abs();
-                }
+            for (force, (&speed, &pace)) in forces.iter_mut().zip(speeds.iter().zip(&paces)) {
+                *force += power * (order * speed * pace).abs();
             }
-            for (sum, size) in sizes.iter_mut().zip(levers.sizes(&reach, row, &forces)) {
-                *sum += power * size;
-            }
-            last = [last[1], row.map(|term| (power * term).abs())];
-            forces = [zero; N];
-            power *= terms.length.abs();
+            last = [last[1], row.map(|term| power * term.abs())];
+            sums = core::array::from_fn(|row| sums[row] + last[1][row]);
             order += num_traits::One::one();
         }
+        let mut sizes = levers.sizes(&levers.reach(), &sums, &forces);
         equations.saddle.bound_loads(&mut sizes);
         let [before, last] = last;
         let share = relative.sqrt();
         borne.is_known = (0..C).all(|row| before[row] + last[row] <= share * sizes[row]);
-        let powers = powers(terms.length);
         borne.reactions = core::array::from_fn(|row| {
             let along = rows().skip(1).map(|terms| terms[row]);
-            let mut reaction = Taylor::along(first[row], along, &powers);
+            let mut reaction = Taylor::along(first[row], along, powers);
             reaction.error = rounding * sizes[row] + before[row] + last[row];
             reaction
         });

@@ -21,6 +21,35 @@ impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_
 where
     S: Switching<N, K, C, W>,
 {
+    /// Takes away what is left of velocities at which contacts close that touch and stay open in a regime, in
+    /// the metric of the kinetic energy. It is rounding, but however small it is, it would close them at once
+    /// again.
+    pub(super) fn part(&self, regime: &Regime<S::Scalar, C, W>, state: &mut State<S::Scalar, N>) {
+        let touches = |row: usize| {
+            S::ROWS[row] == Row::Unilateral && self.status[row] == Status::Touches && !regime.active[row]
+        };
+        if !(0..C).any(touches) {
+            return;
+        }
+        let State { t, q, v } = state;
+        let rates = self.system.laws_at(*t, q, v).rows.rates;
+        let (mut closed, mut wanted) = (*regime, [num_traits::Zero::zero(); C]);
+        for row in (0..C).filter(|&row| touches(row) && (-rates[row]).is_positive()) {
+            closed.active[row] = true;
+            wanted[row] = -rates[row].part(0);
+        }
+        if closed.active == regime.active {
+            return;
+        }
+        let Some(equations) = S::equations_in(&self.system.in_regime(&closed), *t, q, v, self.inputs) else {
+            return;
+        };
+        let (changes, _) = equations.saddle.solve(&[num_traits::Zero::zero(); N], &wanted);
+        for (v, change) in v.iter_mut().zip(changes).filter(|(_, change)| change.is_finite()) {
+            *v += change.part(0);
+        }
+    }
+
     /// Why a motion with derivatives ends where impacts are taken together.
     #[cold]
     pub(super) fn accumulation(&self) -> Cause {
@@ -31,13 +60,13 @@ where
 
     /// The velocities with those contacts closed that an impact would open for a negligible time only, and
     /// the impulses that close them; `None` where no contact is of this kind. The scene is one without an
-    /// impact.
+    /// impact, which goes on with these accelerations.
     pub(super) fn gathered(
         &self,
-        present: &Regime<S::Scalar, C, W>,
+        accelerations: &[S::Scalar; N],
         scales: &Scales<S::Scalar, C>,
         tolerance: S::Scalar,
-    ) -> Result<Option<Struck<S::Scalar, N, C>>, Cause> {
+    ) -> Option<Struck<S::Scalar, N, C>> {
         let zero: S::Scalar = num_traits::Zero::zero();
         let ulp = S::Scalar::epsilon();
         let resolved = S::Scalar::from_f64(RESOLVED) * ulp;
@@ -46,11 +75,10 @@ where
         let opens: [bool; C] =
             core::array::from_fn(|row| self.is_closed[row] && self.status[row] == Status::Apart);
         if !opens.contains(&true) {
-            return Ok(None);
+            return None;
         }
-        let accelerations = self.choose(present, None)?.accelerations;
         let slow: [bool; C] = core::array::from_fn(|row| {
-            let (rate, pull) = (rates[row], -self.rate(row, &accelerations));
+            let (rate, pull) = (rates[row], -self.rate(row, accelerations));
             let struck = scales.impacts[row];
             let speed = if struck.is_positive() { struck } else { scales.speeds[row] };
             let size = self.laws.rows.position_sizes[row];
@@ -61,7 +89,7 @@ where
                     || !above(rate, pull * resolved * self.state.t.abs()))
         });
         if !slow.contains(&true) {
-            return Ok(None);
+            return None;
         }
         let mut closed = Regime { kinks: self.kinks, ..Regime::open(&S::ROWS) };
         let mut wanted = [zero; C];
@@ -80,8 +108,8 @@ where
         }
         let State { t, q, v } = &self.state;
         let in_regime = self.system.in_regime(&closed);
-        let Some(equations) = S::equations_in(&in_regime, *t, q, v, self.inputs) else { return Ok(None) };
+        let equations = S::equations_in(&in_regime, *t, q, v, self.inputs)?;
         let (change, impulses) = equations.saddle.solve(&[zero; N], &wanted);
-        Ok(Some((core::array::from_fn(|i| v[i] + change[i]), impulses)))
+        Some((core::array::from_fn(|i| v[i] + change[i]), impulses))
     }
 }

@@ -68,7 +68,6 @@ where
         state: &mut State<S::Scalar, N>,
         present: &Regime<S::Scalar, C, W>,
         mut known: Known<C>,
-        avoid: bool,
         late: S::Scalar,
     ) -> Result<Regime<S::Scalar, C, W>, Cause> {
         self.memory.way = [num_traits::Zero::zero(); N];
@@ -79,7 +78,7 @@ where
             *impulses = [num_traits::Zero::zero(); C];
             scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
             let first = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
-            let mut later;
+            let (later, last);
             let mut scene = &first;
             if scene.has_impact() {
                 scales.strike(&scene.status, &scene.laws);
@@ -88,17 +87,18 @@ where
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;
             }
-            if let Some((v, more)) = scene.gathered(present, scales, self.limits.relative)? {
+            let mut choice = scene.choose(present, known.fired)?;
+            if let Some((v, more)) = scene.gathered(&choice.accelerations, scales, self.limits.relative) {
                 if S::Scalar::PARTS > 1 {
                     return Err(scene.accumulation());
                 }
                 state.v = v;
                 *impulses = core::array::from_fn(|row| impulses[row] + more[row]);
                 (known.closed, known.settled) = (scene.is_closed, true);
-                later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
-                scene = &later;
+                last = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
+                scene = &last;
+                choice = scene.choose(present, known.fired)?;
             }
-            let choice = scene.choose(present, known.fired.filter(|_| avoid))?;
             for (seen, &now) in scales.reactions.iter_mut().zip(&choice.multipliers) {
                 *seen = most(*seen, now.abs());
             }
@@ -115,6 +115,7 @@ where
             }
             let in_regime = self.system.in_regime(&choice.regime);
             in_regime.project_at(&in_regime.constants(), state, None)?;
+            scene.part(&choice.regime, state);
             first.still(&mut state.v);
             return Ok(choice.regime);
         }
@@ -242,8 +243,7 @@ where
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let mut fall = None;
         if let Some(terms) = terms {
-            let found =
-                guards.first_along(&start, &terms, memory.fired, &mut memory.glances, self.limits.relative);
+            let found = guards.first_along(&start, &terms, memory.fired, self.limits.relative);
             let found = found.map_err(Unresolved::cause)?;
             fall = found.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);
@@ -293,7 +293,7 @@ where
         let memory = &mut *self.memory;
         let (mut state, mut present) = (memory.end, memory.regime);
         memory.changes += 1;
-        let (mut fired, mut avoid) = (None, false);
+        let mut fired = None;
         match guard {
             Guard::Kink(kink) => self.cross(kink, &mut present.kinks, &state)?,
             Guard::Row(row) => {
@@ -301,7 +301,6 @@ where
                     return Err(Cause::EndlessSwitching { constraint: row, name: S::NAMES.constraint(row) });
                 }
                 fired = Some(row);
-                avoid = S::ROWS.get(row) != Some(&Row::Unilateral) || present.active.get(row) == Some(&true);
             }
         }
         // A slip in two directions has turned by a right angle: the step goes on from there.
@@ -311,7 +310,7 @@ where
             && present.active.get(row) == Some(&false)
             && !self.rests(row, other, &state)
         {
-            (fired, avoid, regime_ends) = (None, false, false);
+            (fired, regime_ends) = (None, false);
         }
         // Back to the event itself.
         let State { t, q, v } = state;
@@ -322,13 +321,13 @@ where
         }
         let known = Known { closed: present.active, fired, settled: false };
         let varied = if S::Scalar::PARTS > 1 && regime_ends {
-            self.varied(guard, &state, &a, |run, state| run.settle(state, &present, known, avoid, late))?
+            self.varied(guard, &state, &a, |run, state| run.settle(state, &present, known, late))?
         } else {
             num_traits::Zero::zero()
         };
         shift(&mut state, &a, varied - late);
         state.t += varied;
-        let regime = self.settle(&mut state, &present, known, avoid, late - varied)?;
+        let regime = self.settle(&mut state, &present, known, late - varied)?;
         self.memory.next = Some((regime, state));
         Ok(())
     }

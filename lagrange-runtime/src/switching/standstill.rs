@@ -70,7 +70,7 @@ where
             shift(&mut state, &a, left);
             let present = memory.regime;
             let known = Known { closed: present.active, fired: Some(row), settled: false };
-            let regime = self.settle(&mut state, &present, known, true, left.part(0) - left)?;
+            let regime = self.settle(&mut state, &present, known, left.part(0) - left)?;
             // Where another slip begins at once, that is the way.
             if state.t == t + left.part(0) {
                 self.memory.way = a;

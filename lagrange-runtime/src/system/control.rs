@@ -4,6 +4,9 @@ use super::state::State;
 
 /// Where the inputs of a system come from.
 pub trait Control<R, const N: usize, const K: usize> {
+    /// Whether the inputs are the same at all states.
+    const HELD: bool = K == 0;
+
     /// The inputs at a state. It is called several times per step, also at trial states, so the result must
     /// depend on the state alone.
     fn inputs(&self, state: &State<R, N>) -> [R; K];
@@ -14,6 +17,8 @@ pub trait Control<R, const N: usize, const K: usize> {
 pub struct Held<R, const K: usize>(pub [R; K]);
 
 impl<R: Copy, const N: usize, const K: usize> Control<R, N, K> for Held<R, K> {
+    const HELD: bool = true;
+
     #[inline]
     fn inputs(&self, _: &State<R, N>) -> [R; K] {
         self.0

@@ -85,6 +85,10 @@ pub trait Adaptive<S: System<N, K> + ?Sized, C, const N: usize, const K: usize> 
     /// What a motion by this method remembers between steps.
     type Memory: Copy + core::fmt::Debug;
 
+    /// Whether a step may begin and end anywhere beside a configuration in which constraints depend on each
+    /// other, since it evaluates nothing in between.
+    const PASSES: bool = false;
+
     /// The memory of a motion that begins at a state.
     fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
     where

@@ -18,8 +18,8 @@ where
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
 {
-    /// The error of a step, by its true name: where longer steps end well with a larger error, it is the
-    /// tolerance that keeps the motion where it is.
+    /// What really ended a motion whose step became too small: the tolerance, where longer steps with a larger
+    /// error end well, else the error as it is.
     #[cold]
     #[inline(never)]
     pub(super) fn named(
@@ -33,7 +33,6 @@ where
         if !matches!(error.cause, Cause::Undetermined { .. } | Cause::StepTooSmall) {
             return error;
         }
-        memory.retry(num_traits::Zero::zero());
         let kept = *memory;
         let cause = match self.reachable(memory, limits, target, natural) {
             Some(reachable) => Cause::ToleranceTooFine { reachable: magnitude(reachable.largest()) },

@@ -129,8 +129,8 @@ where
         falls(self.series, [known * metric.extent(&end.q), known * metric.extent(&end.v)], along)
     }
 
-    /// The end of a step by the series about that of its ends which is determined better, or else about the
-    /// other.
+    /// The end of a step by the series about its start or about its end: first about the one at which the
+    /// constraints are further from depending on each other, then about the other.
     fn about_either(&mut self, from: &State<S::Scalar, N>, h: S::Scalar) -> Option<State<S::Scalar, N>> {
         let here = self.land(&mut from.clone())?.independence;
         let there = self.land(&mut flown(from, h)).map(|there| there.independence);

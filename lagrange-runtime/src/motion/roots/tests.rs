@@ -183,6 +183,7 @@ fn check_many(count: usize) {
 }
 
 #[test]
+#[ignore = "seconds; `scripts/check.sh features`"]
 fn polynomials_have_the_zeros_they_were_built_from() {
     check_many(4_000);
 }

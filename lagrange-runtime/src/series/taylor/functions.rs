@@ -5,6 +5,9 @@ use num_traits::One;
 use super::Taylor;
 use crate::number::real::{Ordered, Real};
 
+/// Where majorants are looked at, in steps: the further, the less is left of high orders, if they converge.
+const WIDER: [f64; 2] = [3.0, 1.5];
+
 impl<R: Ordered, const T: usize> Taylor<R, T> {
     /// A constant to whose terms [`Self::push`] leads, if this number changes.
     fn begun(&self, value: R) -> Self {
@@ -40,7 +43,31 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         let summed = R::from_f64(series.degree as f64 + 1.0) * R::epsilon();
         let moved = self.extent() - self.start().abs();
         series.error = slope * (self.error + summed * moved) + summed * series.extent();
+        // An error that is no rounding may lead to where the slope is another.
+        series.is_whole = series.is_whole && (!Self::IS_BOUND || self.error.is_zero());
         series
+    }
+
+    /// The same of a function that changes from its value at the start by no more than `majorant` of what its
+    /// argument does: of a first look, with what the series leaves away. A majorant has a power series
+    /// without negative terms. With Σ |xₖ| sᵏ in it, s ≥ 1, its terms from order n on add up to no more than
+    /// the whole over sⁿ (Cauchy).
+    fn bounded(&self, series: Self, slope: R, majorant: impl Fn(R) -> R) -> Self {
+        if !Self::IS_BOUND {
+            return self.following(series, slope);
+        }
+        let exact = Self { error: R::zero(), ..*self };
+        let rounded = exact.following(series, slope).error;
+        let grown = |s: R| {
+            let terms = self.terms().iter().skip(1).rev();
+            terms.fold(R::zero(), |sum, term| R::mul_add(sum, s, term.abs())) * s
+        };
+        let moved = grown(R::one());
+        let by_error = majorant(moved + self.error) - majorant(moved);
+        let left = WIDER.map(|s| majorant(grown(R::from_f64(s))) * R::from_f64(s).powi(-(T as i32)));
+        let left = if left[0] < left[1] { left[0] } else { left[1] };
+        let error = rounded + by_error + left;
+        Self { error, is_whole: self.is_whole && error.is_finite(), ..series }
     }
 
     /// A function with this value at the start and this derivative: its coefficients are Σ j xⱼ sₖ₋ⱼ / k.
@@ -54,7 +81,16 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         for (order, (to, sum)) in places.skip(1).take(series.degree) {
             *to = sum / R::from_f64(order as f64);
         }
-        self.following(series, slope.extent())
+        if !Self::IS_BOUND {
+            return self.following(series, slope.extent());
+        }
+        let exact = Self { error: R::zero(), ..*self };
+        let (steepest, moved) = (slope.extent() + slope.error, self.extent() - self.start().abs());
+        let error = exact.following(series, slope.extent()).error
+            + self.error * steepest
+            + moved * slope.error
+            + self.left(slope);
+        Self { error, is_whole: self.is_whole && slope.is_whole && error.is_finite(), ..series }
     }
 
     /// The power with an exponent that does not change, from its value at the start.
@@ -76,6 +112,17 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         series
     }
 
+    /// The majorant of a power that is `value` at the start, with an exponent of this size: the coefficients of
+    /// (1 + u)ᵖ are no larger than those of (1 − u) to the power −|p|.
+    fn of_power(&self, value: R, exponent: R) -> impl Fn(R) -> R {
+        let base = self.start().abs();
+        move |moved: R| {
+            let left = R::one() - moved / base;
+            let grown = if left > R::zero() { left.powf(-exponent) } else { R::from_f64(f64::INFINITY) };
+            value.abs() * (grown - R::one())
+        }
+    }
+
     /// The value and the derivative of a function with f″ = ± f, together.
     fn pair(&self, value: R, slope: R, sign: R) -> (Self, Self) {
         let (mut first, mut second) = (self.begun(value), self.begun(slope));
@@ -89,7 +136,10 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
                 (sums[0][order] / k, sums[1][order] / k);
         }
         let (by_first, by_second) = (second.extent(), first.extent());
-        (self.following(first, by_first), self.following(second, by_second))
+        // Their derivatives at the start are these two.
+        let largest = if value.abs() > slope.abs() { value.abs() } else { slope.abs() };
+        let majorant = |moved: R| largest * moved.exp_m1();
+        (self.bounded(first, by_first, majorant), self.bounded(second, by_second, majorant))
     }
 
     /// The square root of what leaves zero with a fixed acceleration: the polynomial divided by θ², its root
@@ -141,12 +191,13 @@ impl<R: Ordered, const T: usize> Real for Taylor<R, T> {
     fn recip(self) -> Self {
         let reciprocal = self.power(self.start().recip(), -R::one());
         let slope = reciprocal.extent() * reciprocal.extent();
-        self.following(reciprocal, slope)
+        self.bounded(reciprocal, slope, self.of_power(reciprocal.start(), R::one()))
     }
     fn sqrt(self) -> Self {
         let zero = R::zero();
         let value = self.start();
-        if value == zero
+        if !Self::IS_BOUND
+            && value == zero
             && let [_, rate, bend, ..] = *self.terms()
             && rate == zero
             && bend > zero
@@ -155,29 +206,29 @@ impl<R: Ordered, const T: usize> Real for Taylor<R, T> {
         }
         let half = R::from_f64(0.5);
         let root = self.power(value.sqrt(), half);
-        if root.degree == 0 {
+        if root.degree == 0 && !Self::IS_BOUND {
             // A root of roundings is known no better than by their root.
             let by_slope = half * self.error / root.start();
             let error = if by_slope < self.error.sqrt() { by_slope } else { self.error.sqrt() };
             return Self { error: error + R::epsilon() * root.start(), ..root };
         }
         let slope = half * root.extent() / value;
-        self.following(root, slope)
+        self.bounded(root, slope, self.of_power(root.start(), half))
     }
     fn cbrt(self) -> Self {
         let third = R::one() / R::from_f64(3.0);
         let root = self.power(self.start().cbrt(), third);
         let slope = (third * root.extent() / self.start()).abs();
-        self.following(root, slope)
+        self.bounded(root, slope, self.of_power(root.start(), third))
     }
     fn powf(self, exponent: Self) -> Self {
-        if exponent.degree > 0 {
+        if exponent.degree > 0 || Self::IS_BOUND && !exponent.error.is_zero() {
             return (exponent * self.ln()).exp();
         }
         let exponent = exponent.start();
         let power = self.power(self.start().powf(exponent), exponent);
         let slope = (exponent * power.extent() / self.start()).abs();
-        self.following(power, slope)
+        self.bounded(power, slope, self.of_power(power.start(), exponent.abs()))
     }
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.start().sin_cos();
@@ -231,7 +282,7 @@ impl<R: Ordered, const T: usize> Real for Taylor<R, T> {
             self.push(&mut sums, &rates, order - 1, exp.coefficients[order - 1]);
             exp.coefficients[order] = sums[order] / R::from_f64(order as f64);
         }
-        self.following(exp, exp.extent())
+        self.bounded(exp, exp.extent(), |moved: R| exp.start() * moved.exp_m1())
     }
     fn exp_m1(self) -> Self {
         let slope = self.exp();

@@ -144,6 +144,7 @@ fn random_matrices() {
 }
 
 #[test]
+#[ignore = "seconds; `scripts/check.sh features`"]
 fn gyroscopic_systems() {
     for count in [2, 3, 6] {
         family(3, true, [1e-12; 2], |samples, _| gyroscopic(samples, count));
@@ -161,6 +162,7 @@ fn critical_and_free_coordinates() {
 }
 
 #[test]
+#[ignore = "seconds; `scripts/check.sh features`"]
 fn cyclic_permutations_have_the_roots_of_one() {
     for count in 1..=40 {
         for value in checked(&cyclic(count), false, [1e-12; 2]) {

@@ -27,6 +27,7 @@ fn sines<R: Ordered>(frequency: f64, tolerance: f64, value: impl Fn(R) -> f64) {
 }
 
 #[test]
+#[ignore = "seconds; `scripts/check.sh features`"]
 fn oscillations_in_double_precision() {
     sines(40.0, 4e-16, |theta: f64| theta);
 }

@@ -142,6 +142,7 @@ fn what_no_single_polynomial_resolves_is_halved() {
 }
 
 #[test]
+#[ignore = "seconds; `scripts/check.sh features`"]
 fn a_step_that_ends_before_its_polynomial() {
     let mut random = Random(17);
     let pi = core::f64::consts::PI;

@@ -1,0 +1,86 @@
+//! A step that the system's own method takes where this one cannot.
+//!
+//! A Runge–Kutta step evaluates accelerations at stages inside it and beside the constraints. Close to a
+//! configuration in which constraints depend on each other both make errors that no length removes: roundings
+//! grow with the reciprocal of the distance, and so does what a stage is off the constraints. Series evaluate
+//! at one end of a step alone. So where a smooth system has inputs that do not change within a step,
+//! such a step is one of its series.
+
+use super::super::dop853::Dop853Memory;
+use super::Driven;
+use crate::linear::Independence;
+use crate::number::real::Ordered;
+use crate::system::System;
+use crate::system::control::{Control, Held};
+use crate::system::error::{Cause, MotionError};
+use crate::system::limits::Limits;
+use crate::system::method::Adaptive;
+use crate::system::state::State;
+
+/// What the system's own method remembers.
+type Own<S, const N: usize, const K: usize> =
+    <<S as System<N, K>>::Method as Adaptive<S, Held<<S as System<N, K>>::Scalar, K>, N, K>>::Memory;
+
+impl<S, C, const N: usize, const K: usize> Driven<'_, S, C, N, K>
+where
+    S: System<N, K>,
+    S::Scalar: Ordered,
+    C: Control<S::Scalar, N, K>,
+{
+    /// Takes a step from where one has failed; constraints are so independent `here`. False where series
+    /// cannot help.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn passes(
+        &self,
+        memory: &mut Dop853Memory<S::Scalar, N>,
+        limits: &Limits<S::Scalar>,
+        target: S::Scalar,
+        here: &Independence<S::Scalar>,
+        attempts: &mut u64,
+    ) -> bool {
+        if here.are_far_apart() {
+            return false;
+        }
+        let start = memory.end.state;
+        let Some(own) = self.passage(&start, limits, target, attempts) else { return false };
+        memory.pass(*S::Method::end(&own), target);
+        true
+    }
+
+    /// The state at a part of such a step, which is taken once more: it is rare, and a memory for it would be
+    /// that of series.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn on_passage(
+        &self,
+        memory: &Dop853Memory<S::Scalar, N>,
+        limits: &Limits<S::Scalar>,
+        target: S::Scalar,
+        part: S::Scalar,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>> {
+        let start = memory.start.state;
+        let lost = MotionError { cause: Cause::StepTooSmall, t: start.t };
+        let mut attempts = u64::MAX;
+        let mut own = self.passage(&start, limits, target, &mut attempts).ok_or(lost)?;
+        let held = Held(self.control.inputs(&start));
+        S::Method::within(&mut own, self.system, self.constants, &held, limits, part)
+    }
+
+    /// One step of the system's own method.
+    fn passage(
+        &self,
+        start: &State<S::Scalar, N>,
+        limits: &Limits<S::Scalar>,
+        target: S::Scalar,
+        attempts: &mut u64,
+    ) -> Option<Own<S, N, K>> {
+        if !<S::Method as Adaptive<S, Held<S::Scalar, K>, N, K>>::PASSES || !C::HELD {
+            return None;
+        }
+        let held = Held(self.control.inputs(start));
+        let mut own = S::Method::begin(self.system, *start);
+        S::Method::step(&mut own, self.system, self.constants, &held, limits, target, attempts).ok()?;
+        Some(own)
+    }
+}
