@@ -36,31 +36,6 @@ pub(super) struct Watch<R, const C: usize, const W: usize> {
     kinks: [bool; W],
 }
 
-impl<T, const C: usize, const W: usize> Functions<T, C, W> {
-    /// One of them.
-    pub(super) fn get(&self, guard: Guard) -> &T {
-        match guard {
-            Guard::Row(row) => &self.rows[row],
-            Guard::Kink(kink) => &self.kinks[kink],
-        }
-    }
-}
-
-impl<R: Ordered, const T: usize, const C: usize, const W: usize> Functions<Taylor<R, T>, C, W> {
-    /// The same without derivatives of their numbers: where they are zero, values tell alone.
-    pub(super) fn plain(self) -> Self {
-        if R::PARTS == 1 {
-            return self;
-        }
-        let plain = |x: &Taylor<R, T>| x.plain();
-        Self {
-            rows: self.rows.each_ref().map(plain),
-            fixed: self.fixed.each_ref().map(plain),
-            kinks: self.kinks.each_ref().map(plain),
-        }
-    }
-}
-
 /// The guards of a regime.
 pub(super) struct Guards<'a, S, const N: usize, const K: usize, const C: usize, const W: usize>
 where
@@ -122,9 +97,12 @@ where
 
     /// Ends to look at a guard.
     pub(super) fn pass(&mut self, guard: Guard) {
-        match guard {
-            Guard::Row(row) => self.watch.rows[row] = false,
-            Guard::Kink(kink) => self.watch.kinks[kink] = false,
+        let watched = match guard {
+            Guard::Row(row) => self.watch.rows.get_mut(row),
+            Guard::Kink(kink) => self.watch.kinks.get_mut(kink),
+        };
+        if let Some(is_watched) = watched {
+            *is_watched = false;
         }
     }
 

@@ -14,7 +14,9 @@ mod random;
 mod reactions;
 mod refused;
 mod rocking;
+mod slider_crank;
 mod slips;
+mod steps;
 mod woodpecker;
 
 /// Tolerance of the motions.
