@@ -110,13 +110,13 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
     }
 }
 
-/// Whether all numbers are finite. A difference x − x is zero or is not a number; sums of them side by side
-/// ask no question until the end.
+/// Whether all numbers are finite. Zero times a number is zero, or else no number; sums of these side by
+/// side ask no question until the end.
 fn are_finite<R: Real>(numbers: &[R]) -> bool {
     let (chunks, rest) = numbers.as_chunks::<FEW>();
     let mut sums = [R::zero(); FEW];
     for numbers in chunks {
-        sums.iter_mut().zip(numbers).for_each(|(sum, &x)| *sum += x - x);
+        sums.iter_mut().zip(numbers).for_each(|(sum, &x)| *sum += R::zero() * x);
     }
     sums.iter().chain(rest).all(|x| x.is_finite())
 }

@@ -96,7 +96,8 @@ fn a_first_look_bounds_functions() {
                 assert!(error <= series.error, "{name}: {mine} {other} {}", series.error);
             }
         }
-        // Of `tanh` and `sech` no bound is known, nor of a path that comes near the end of where a function is.
+        // Of `tanh` and `sech` no bound is known, nor of a path that comes near the end of where a function
+        // is.
         let least = if size > 0.2 { 15 } else { 25 };
         assert!(bounded >= least, "{bounded} at {size}");
     }
