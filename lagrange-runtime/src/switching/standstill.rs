@@ -33,7 +33,7 @@ where
 
     /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
     pub(super) fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
-        let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
+        let rows = self.system.laws_at(state.t, &state.q, &state.v, &self.control.0).rows;
         let scales = &self.memory.scales;
         let size = most(scales.speeds[row], scales.speeds[other]);
         let slip = rows.rates[row].hypot(rows.rates[other]);

@@ -4,6 +4,7 @@ mod balls;
 mod bearings;
 mod corners;
 mod friction;
+mod inputs;
 mod kinks;
 mod laws;
 mod leashes;

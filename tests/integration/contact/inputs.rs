@@ -1,0 +1,144 @@
+//! Inputs in the laws of contacts and in what switches: a pedal, a clutch, a drive that saturates.
+
+use lagrangian::prelude::*;
+
+use super::TIGHT;
+use crate::support::close::close;
+
+struct Brake {
+    inertia: f64,
+}
+
+#[lagrangian(coordinates = [angle], inputs = [pedal, drive])]
+impl Brake {
+    #[kinetic]
+    fn rotation(&self, v: &Velocities) -> f64 {
+        0.5 * self.inertia * v.angle * v.angle
+    }
+
+    #[force(on = angle)]
+    fn engine(&self, u: &Inputs) -> f64 {
+        u.drive
+    }
+
+    fn grip(&self, u: &Inputs) -> f64 {
+        2.0 * u.pedal
+    }
+
+    fn hold(&self, u: &Inputs) -> f64 {
+        3.0 * u.pedal
+    }
+
+    #[friction(limit = grip, static_limit = hold)]
+    fn pads(&self, v: &Velocities) -> f64 {
+        v.angle
+    }
+}
+
+#[test]
+fn a_pedal_limits_a_brake() {
+    let brake = Brake { inertia: 2.0 };
+    let mut motion =
+        brake.simulate(State::new([0.0], [5.0])).with_tolerance(TIGHT).with_inputs([0.5, 0.0]);
+    // 2 v' = −1.
+    close(motion.advance_to(4.0).unwrap().v[0], 3.0, 1e-14);
+    close(motion.state().q[0], 16.0, 1e-14);
+    // 2 v' = −4: it stops after 1.5 s.
+    motion.set_inputs([2.0, 0.0]);
+    let stop = motion.advance_to_switch(10.0).unwrap().expect("it stops").state.t;
+    close(stop, 5.5, 1e-14);
+    close(motion.state().q[0], 18.25, 1e-14);
+    // The engine is held as long as its torque is less than 3 · 2.
+    motion.set_inputs([2.0, 5.0]);
+    close(motion.advance_to(7.0).unwrap().q[0], 18.25, 1e-14);
+    assert_eq!(motion.state().v[0], 0.0);
+    // 2 v' = 5 − 3: the static limit is 4.5.
+    motion.set_inputs([1.5, 5.0]);
+    close(motion.advance_to(9.0).unwrap().v[0], 2.0, 1e-14);
+    close(motion.state().q[0], 20.25, 1e-14);
+}
+
+#[test]
+fn a_limit_below_zero_is_refused_when_it_is_given() {
+    let brake = Brake { inertia: 2.0 };
+    let mut motion = brake.simulate(State::new([0.0], [5.0])).with_inputs([0.5, 0.0]);
+    motion.advance_to(1.0).unwrap();
+    motion.set_inputs([-0.5, 0.0]);
+    let Cause::InvalidContact { name, .. } = motion.advance_to(2.0).unwrap_err().cause else { panic!() };
+    assert_eq!(name.as_str(), "pads");
+}
+
+struct Puck;
+
+#[lagrangian(coordinates = [x, y], inputs = [stickiness, bounce])]
+impl Puck {
+    #[point(mass = 2.0)]
+    fn puck(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        20.0 * q.y
+    }
+
+    fn restitution(&self, u: &Inputs) -> f64 {
+        u.bounce
+    }
+
+    #[unilateral(restitution = restitution)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+
+    fn stickiness(&self, u: &Inputs) -> f64 {
+        u.stickiness
+    }
+
+    #[friction(coefficient = stickiness, normal = floor)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.x
+    }
+}
+
+#[test]
+fn coefficients_may_be_inputs() {
+    let mut motion = Puck.simulate(State::new([0.0; 2], [5.0, 0.0])).with_tolerance(TIGHT);
+    motion.set_inputs([0.2, 0.0]);
+    close(motion.advance_to(1.0).unwrap().v[0], 3.0, 1e-14);
+    motion.set_inputs([0.3, 0.0]);
+    close(motion.advance_to(5.0).unwrap().q[0], 5.5, 1e-14);
+    let mut motion = Puck.simulate(State::at_rest([0.0, 5.0])).with_tolerance(TIGHT);
+    motion.set_inputs([0.0, 0.5]);
+    motion.advance_to_switch(2.0).unwrap().expect("it lands");
+    close(motion.state().v[1], 5.0, 1e-14);
+}
+
+/// v' = 2 (demand − v), at most 1 in size.
+struct Saturated;
+
+#[lagrangian(coordinates = [x], inputs = [demand])]
+impl Saturated {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x
+    }
+
+    #[force(on = x)]
+    fn drive(&self, v: &Velocities, u: &Inputs) -> f64 {
+        (2.0 * (u.demand - v.x)).clamp(-1.0, 1.0)
+    }
+}
+
+#[test]
+fn a_drive_saturates() {
+    let mut motion = Saturated.simulate(State::at_rest([0.0])).with_tolerance(TIGHT).with_inputs([3.0]);
+    close(motion.advance_to(2.0).unwrap().v[0], 2.0, 1e-13);
+    // It is saturated until v = 2.5.
+    let fast = 3.0 - 0.5 * (-3.0_f64).exp();
+    close(motion.advance_to(4.0).unwrap().v[0], fast, 1e-13);
+    motion.set_inputs([0.0]);
+    // Until v = 0.5.
+    let slow = 0.5 * (-2.0 * (7.0 - (4.0 + fast - 0.5))).exp();
+    close(motion.advance_to(7.0).unwrap().v[0], slow, 1e-12);
+}
