@@ -230,6 +230,14 @@ pub fn negative_friction(function: &str) -> String {
     format!("a coefficient or limit of `{function}` is negative; friction takes energy")
 }
 
+/// A coefficient of friction that an input gives.
+pub fn input_in_coefficient(function: &str) -> String {
+    format!(
+        "the coefficient of `{function}` depends on an input, as only a `limit` may; read it from `self`, and where it changes \
+         begin a motion of a system with another value from the state"
+    )
+}
+
 /// Static friction below the kinetic one.
 pub fn static_below_kinetic(function: &str) -> String {
     format!(

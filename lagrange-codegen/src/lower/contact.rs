@@ -6,7 +6,7 @@ use super::places::nodes;
 use super::shape::Shape;
 use super::value::Value;
 use crate::diagnostics::physics;
-use crate::expr::NodeId;
+use crate::expr::{Dependence, NodeId};
 use crate::model::{Constraint, ConstraintKind, Contact, Law};
 use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Owner};
@@ -91,6 +91,15 @@ impl<'a> Interpreter<'a> {
                 fixed
             }
         };
+        if friction.normal.is_some() {
+            let exprs = [&friction.kinetic, friction.fixed.as_ref().unwrap_or(&friction.kinetic)];
+            for (expr, values) in exprs.into_iter().zip([&kinetic, &fixed]) {
+                let graph = &self.model.graph;
+                if values.iter().any(|&value| graph.dependence(value).meets(Dependence::INPUTS)) {
+                    self.diagnostics.at(expr.origin, physics::input_in_coefficient(&function.name));
+                }
+            }
+        }
         let normals = match &friction.normal {
             None => vec![None; size],
             Some(normal) => {

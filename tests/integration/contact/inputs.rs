@@ -38,8 +38,7 @@ impl Brake {
 #[test]
 fn a_pedal_limits_a_brake() {
     let brake = Brake { inertia: 2.0 };
-    let mut motion =
-        brake.simulate(State::new([0.0], [5.0])).with_tolerance(TIGHT).with_inputs([0.5, 0.0]);
+    let mut motion = brake.simulate(State::new([0.0], [5.0])).with_tolerance(TIGHT).with_inputs([0.5, 0.0]);
     // 2 v' = −1.
     close(motion.advance_to(4.0).unwrap().v[0], 3.0, 1e-14);
     close(motion.state().q[0], 16.0, 1e-14);
@@ -70,11 +69,11 @@ fn a_limit_below_zero_is_refused_when_it_is_given() {
 
 struct Puck;
 
-#[lagrangian(coordinates = [x, y], inputs = [stickiness, bounce])]
+#[lagrangian(coordinates = [y], inputs = [bounce])]
 impl Puck {
     #[point(mass = 2.0)]
     fn puck(&self, q: &Coordinates) -> Vector2<f64> {
-        Vector2::new(q.x, q.y)
+        Vector2::new(0.0, q.y)
     }
 
     #[potential]
@@ -90,34 +89,22 @@ impl Puck {
     fn floor(&self, q: &Coordinates) -> f64 {
         q.y
     }
-
-    fn stickiness(&self, u: &Inputs) -> f64 {
-        u.stickiness
-    }
-
-    #[friction(coefficient = stickiness, normal = floor)]
-    fn slip(&self, v: &Velocities) -> f64 {
-        v.x
-    }
 }
 
 #[test]
-fn coefficients_may_be_inputs() {
-    let mut motion = Puck.simulate(State::new([0.0; 2], [5.0, 0.0])).with_tolerance(TIGHT);
-    motion.set_inputs([0.2, 0.0]);
-    close(motion.advance_to(1.0).unwrap().v[0], 3.0, 1e-14);
-    motion.set_inputs([0.3, 0.0]);
-    close(motion.advance_to(5.0).unwrap().q[0], 5.5, 1e-14);
-    let mut motion = Puck.simulate(State::at_rest([0.0, 5.0])).with_tolerance(TIGHT);
-    motion.set_inputs([0.0, 0.5]);
-    motion.advance_to_switch(2.0).unwrap().expect("it lands");
-    close(motion.state().v[1], 5.0, 1e-14);
+fn an_input_gives_a_restitution() {
+    for bounce in [0.25, 0.5] {
+        let mut motion = Puck.simulate(State::at_rest([5.0])).with_tolerance(TIGHT).with_inputs([bounce]);
+        let impact = motion.advance_to_switch(2.0).unwrap().expect("it lands");
+        close(impact.before.v[0], -10.0, 1e-14);
+        close(impact.state.v[0], 10.0 * bounce, 1e-14);
+    }
 }
 
 /// v' = 2 (demand − v), at most 1 in size.
 struct Saturated;
 
-#[lagrangian(coordinates = [x], inputs = [demand])]
+#[lagrangian(coordinates = [x], inputs = [demand], jacobians)]
 impl Saturated {
     #[kinetic]
     fn translation(&self, v: &Velocities) -> f64 {
@@ -141,4 +128,14 @@ fn a_drive_saturates() {
     // Until v = 0.5.
     let slow = 0.5 * (-2.0 * (7.0 - (4.0 + fast - 0.5))).exp();
     close(motion.advance_to(7.0).unwrap().v[0], slow, 1e-12);
+}
+
+#[test]
+fn a_saturated_drive_has_derivatives() {
+    // Saturation ends at 2.5 − v₀, so that v(4) = 3 − exp(−2 (1.5 + v₀)) / 2.
+    let varied = Saturated.variational();
+    let mut motion = varied.motion(State::at_rest([0.0])).unwrap().with_tolerance(TIGHT).with_inputs([3.0]);
+    let end = motion.advance_to(4.0).unwrap();
+    close(end.state.v[0], 3.0 - 0.5 * (-3.0_f64).exp(), 1e-13);
+    close(end.v_by_v[0][0], (-3.0_f64).exp(), 1e-12);
 }
