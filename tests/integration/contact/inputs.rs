@@ -137,5 +137,15 @@ fn a_saturated_drive_has_derivatives() {
     let mut motion = varied.motion(State::at_rest([0.0])).unwrap().with_tolerance(TIGHT).with_inputs([3.0]);
     let end = motion.advance_to(4.0).unwrap();
     close(end.state.v[0], 3.0 - 0.5 * (-3.0_f64).exp(), 1e-13);
-    close(end.v_by_v[0][0], (-3.0_f64).exp(), 1e-12);
+    close(end.v_by_v[0], (-3.0_f64).exp(), 1e-12);
+}
+
+#[test]
+fn fixed_steps_take_the_inputs_too() {
+    let brake = Brake { inertia: 2.0 };
+    let mut motion = brake.stepper::<Jet<6>>(State::new([0.0], [5.0]));
+    (0..40).for_each(|_| motion.step(0.1, &[0.5, 0.0]).map(|_| ()).unwrap());
+    (0..20).for_each(|_| motion.step(0.1, &[2.0, 0.0]).map(|_| ()).unwrap());
+    close(motion.state().q[0], 18.25, 1e-13);
+    assert_eq!(motion.state().v[0], 0.0);
 }
