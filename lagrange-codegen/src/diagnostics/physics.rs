@@ -233,8 +233,8 @@ pub fn negative_friction(function: &str) -> String {
 /// A coefficient of friction that an input gives.
 pub fn input_in_coefficient(function: &str) -> String {
     format!(
-        "the coefficient of `{function}` depends on an input, as only a `limit` may; read it from `self`, and where it changes \
-         begin a motion of a system with another value from the state"
+        "the coefficient of `{function}` depends on an input, but only a `limit` and a restitution may; read it from `self`, and \
+         where it changes begin a new motion at the state, with the new value"
     )
 }
 

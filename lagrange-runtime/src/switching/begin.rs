@@ -113,7 +113,7 @@ where
             let most_of = state.q.iter().fold(num_traits::Zero::zero(), |size, &q| most(size, q.abs()));
             let own = laws.rows.position_sizes[row] == -gap;
             let size = if own { most(self.memory.scales.gaps[row], most_of + gap) } else { size };
-            // A state of another motion knows its time no better than that is rounded.
+            // The time of a state of another motion is rounded.
             if above(-gap, share * size + scene.by_time(row)) {
                 return Err(Cause::Penetrates {
                     constraint: row,

@@ -119,6 +119,8 @@ impl<I: System<N, K> + Copy, const N: usize, const K: usize> System<N, K> for In
     }
 }
 
+// Messages about systems without a series name those of users.
+#[diagnostic::do_not_recommend]
 impl<I: Smooth<N, K> + Copy, const N: usize, const K: usize> Smooth<N, K> for InRegimeSince<I, I::Scalar> {
     const STEEP: bool = I::STEEP;
     const SHARES_PIVOTS: bool = I::SHARES_PIVOTS;
