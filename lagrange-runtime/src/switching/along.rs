@@ -242,7 +242,8 @@ where
         &self,
         part: &Path<S::Scalar, N, C, T>,
     ) -> Functions<Taylor<S::Scalar, T>, C, W> {
-        let mut functions = S::functions_in(self.in_regime, Taylor::constant, part.t, &part.q, &part.v);
+        let (Path { t, q, v, .. }, u) = (part, self.inputs.map(Taylor::constant));
+        let mut functions = S::functions_in(self.in_regime, Taylor::constant, *t, q, v, &u);
         self.guard(&mut functions, &part.reactions, Taylor::constant);
         functions.plain()
     }
@@ -259,7 +260,8 @@ where
             known
         };
         let (q, v) = (part.q.each_ref().map(known), part.v.each_ref().map(known));
-        let mut functions = S::functions_in(self.in_regime, Taylor::constant, known(&part.t), &q, &v);
+        let (t, u) = (known(&part.t), self.inputs.map(Taylor::constant));
+        let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v, &u);
         self.guard(&mut functions, &part.reactions.each_ref().map(known), Taylor::constant);
         functions.plain()
     }

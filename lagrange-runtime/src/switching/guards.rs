@@ -85,7 +85,7 @@ where
             };
         }
         if turns {
-            watch.directions = system.laws_at(start.t, &start.q, &start.v).rows.rates;
+            watch.directions = system.laws_at(start.t, &start.q, &start.v, inputs).rows.rates;
         }
         Self { in_regime, regime, inputs, watch, is_along, reacts_along: false }
     }
@@ -194,7 +194,8 @@ where
         };
         let (q, v) = (rounded(&state.q, &sizes.q), rounded(&state.v, &sizes.v));
         let t = Rounded::sum_of(state.t, sizes.t);
-        let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v);
+        let u = self.inputs.map(Taylor::constant);
+        let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v, &u);
         let mut reactions = [Taylor::constant(num_traits::Zero::zero()); C];
         if self.has_reactions() {
             let [multipliers, sizes] = self.multipliers(state);
@@ -207,7 +208,7 @@ where
     /// One of the guards at a state with its derivatives.
     pub(super) fn varying(&self, guard: Guard, state: &State<S::Scalar, N>) -> S::Scalar {
         let State { t, q, v } = state;
-        let mut functions = S::functions_in(self.in_regime, |x| x, *t, q, v);
+        let mut functions = S::functions_in(self.in_regime, |x| x, *t, q, v, self.inputs);
         let reactions =
             if self.has_reactions() { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
         self.guard(&mut functions, &reactions, |x| x);

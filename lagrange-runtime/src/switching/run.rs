@@ -76,7 +76,7 @@ where
             let scales = &mut self.memory.scales;
             let impulses = &mut self.memory.impulses;
             *impulses = [num_traits::Zero::zero(); C];
-            scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
+            scales.see(&self.system.laws_at(state.t, &state.q, &state.v, inputs));
             let first = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
             let (later, last);
             let mut scene = &first;
@@ -176,7 +176,7 @@ where
             })?;
             self.memory.fired = found.as_ref().map(|event| event.guard);
             let Some(Event { state, guard, late }) = found else {
-                let laws = self.system.laws_at(end.t, &end.q, &end.v);
+                let laws = self.system.laws_at(end.t, &end.q, &end.v, &self.control.0);
                 self.memory.scales.see(&laws);
                 // Whatever a polynomial has not shown, no step ends behind a contact that is open.
                 if let Some(cause) = self.missed(&laws) {

@@ -5,6 +5,7 @@ mod bearings;
 mod corners;
 mod edges;
 mod friction;
+mod inputs;
 mod kinks;
 mod laws;
 mod leashes;
