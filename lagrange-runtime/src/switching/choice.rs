@@ -39,6 +39,8 @@ where
     /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that
     /// again only if nothing else is possible. A reaction that has fallen through zero is one that the
     /// polynomial has decided about, where accelerations and reactions tie. A gap may have touched zero alone.
+    /// A friction that has come to its limit may stick in another regime, but in the one that it has ended it
+    /// slips: its acceleration grows from zero there, and roundings or the slip that it begins with hide it.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,
@@ -54,7 +56,15 @@ where
         {
             return Ok(choice);
         }
-        self.choose_among(self.options(present, avoid, None), None)
+        let choice = self.choose_among(self.options(present, avoid, None), None)?;
+        let Some(row) = avoid.filter(|&row| choice.regime == *present && present.active[row]) else {
+            return Ok(choice);
+        };
+        let Row::Friction { pair, .. } = S::ROWS[row] else { return Ok(choice) };
+        let is_forward = pair.is_some() || (-choice.multipliers[row]).is_positive();
+        let mut options = self.options(present, None, None);
+        options[row] = Options::new(&[if is_forward { Part::Forward } else { Part::Backward }]);
+        Ok(self.choose_among(options, Some(row)).unwrap_or(choice))
     }
 
     /// The regime among these options; nothing is asked of a row that is decided.
@@ -183,9 +193,18 @@ where
             return None;
         }
         let mut forces = equations.forces.map(|force: S::Scalar| force.abs());
-        for (row, &multiplier) in self.gradients.iter().zip(&balance.multipliers) {
-            for (force, &entry) in forces.iter_mut().zip(row) {
-                *force += (entry * multiplier).abs();
+        for (row, gradient) in self.gradients.iter().enumerate() {
+            // A friction of given size is among the forces, and may balance the others.
+            let given = match S::ROWS[row] {
+                Row::Friction { normal: None, pair } => {
+                    let slips = regime.slip[pair.map_or(row, |other| row.min(other))];
+                    self.laws.kinetic[row] * slips.abs()
+                }
+                _ => num_traits::Zero::zero(),
+            };
+            let borne = balance.multipliers[row].abs() + given;
+            for (force, &entry) in forces.iter_mut().zip(gradient) {
+                *force += entry.abs() * borne;
             }
         }
         let units = equations.saddle.units();
