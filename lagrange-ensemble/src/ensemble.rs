@@ -155,9 +155,10 @@ impl<F> Ensemble<F> {
     /// runs in other lanes, on threads, parts or ranks. A motion that cannot go on in its lane is computed
     /// alone, from its start, and has the row of that.
     ///
-    /// Systems with constraints, with functions that hide from Taylor series (exponentials, high negative
-    /// powers) or with an indefinite mass matrix cannot be kept apart in lanes:
-    /// [`Error::NotInLanes`](crate::Error::NotInLanes). Those with contacts or friction have no series.
+    /// Systems with functions that hide from Taylor series (exponentials, high negative powers), with an
+    /// indefinite mass matrix, or with many constraints that are solved by lists of places, cannot be kept
+    /// apart in lanes: [`Error::NotInLanes`](crate::Error::NotInLanes). Those with contacts or friction have
+    /// no series.
     pub fn in_lanes<V: Vector>(self) -> InLanes<F, V> {
         InLanes::new(self)
     }

@@ -198,7 +198,7 @@ where
                     gathered::<S, V, N, K, C, P, D>(template, |_| of(lane).map(|job| &job.parameters[..]))
                 });
             }
-            self.sample(relay, &mut lanes);
+            self.sample(relay, &mut lanes, template);
             for (lane, place) in lanes.iter_mut().enumerate() {
                 let Some(job) = place else { continue };
                 let index = job.index;
@@ -249,8 +249,9 @@ where
         let (system, start) = (self.ensemble.start)(index).start()?;
         let end = (0..).map_while(|k| (self.time)(&start, k)).last();
         // What a motion checks where it begins: tolerances, masses, names of quantities.
-        let begins = self.ensemble.settings.motion(&system, start).advance_to(start.t).is_ok();
-        let Some(end) = end.filter(|end| begins && end.is_finite()) else { return Ok(None) };
+        let mut motion = self.ensemble.settings.motion(&system, start);
+        let begun = motion.advance_to(start.t).map(|begun| *begun);
+        let (Some(end), Ok(start)) = (end.filter(|end| end.is_finite()), begun) else { return Ok(None) };
         let mut parameters = Vec::new();
         system.over(|value, _| {
             parameters.push(value);
@@ -293,7 +294,12 @@ where
 
     /// Takes the states at times that the last step of a lane has passed, but for the last one, which is
     /// where it arrives.
-    fn sample(&self, relay: &Relay<S::Over<V>, N, K>, lanes: &mut [Option<Job<S::Scalar, N>>]) {
+    fn sample(
+        &self,
+        relay: &mut Relay<S::Over<V>, N, K>,
+        lanes: &mut [Option<Job<S::Scalar, N>>],
+        template: &S,
+    ) {
         loop {
             let mut times = relay.state().t;
             let mut passed = Vec::new();
@@ -313,9 +319,14 @@ where
             if passed.is_empty() {
                 return;
             }
-            let states = relay.within(times);
+            let states = relay.within(times, &passed, |lane| {
+                let job = lanes.get(lane).and_then(Option::as_ref);
+                gathered::<S, V, N, K, C, P, D>(template, |_| job.map(|job| &job.parameters[..]))
+            });
             for lane in passed {
-                if let Some(Some(job)) = lanes.get_mut(lane) {
+                if relay.standing(lane) != Standing::Stopped
+                    && let Some(Some(job)) = lanes.get_mut(lane)
+                {
                     job.states.push(get(&states, lane));
                 }
             }

@@ -67,8 +67,8 @@
 //! | [`Record`] | what a motion leaves: numbers, states, arrays, tuples, types of yours |
 //!
 //! Motions run one by one in each thread, systems with constraints and contacts like all others. Smooth
-//! systems without constraints run several at once in the lanes of a vector by [`Ensemble::in_lanes`]: a lane
-//! that has arrived takes the next motion.
+//! systems run several at once in the lanes of a vector by [`Ensemble::in_lanes`], most of those with
+//! constraints, too: a lane that has arrived takes the next motion.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 

@@ -85,6 +85,44 @@ impl Rod {
     }
 }
 
+/// A four-bar linkage: two constraints, whose gradients depend on each other where all bars lie on a line.
+struct Linkage {
+    ground: f64,
+    rocker: f64,
+}
+
+#[lagrangian(coordinates = [crank, coupler, arm], jacobians)]
+impl Linkage {
+    fn along(length: f64, angle: f64) -> Vector2<f64> {
+        Vector2::new(angle.cos(), angle.sin()) * length
+    }
+
+    #[point(mass = 1.0)]
+    fn pin(&self, q: &Coordinates) -> Vector2<f64> {
+        Self::along(1.0, q.crank)
+    }
+
+    #[body(mass = 2.0, inertia = 0.5)]
+    fn bar(&self, q: &Coordinates) -> (Vector2<f64>, f64) {
+        (self.pin(q) + Self::along(1.5, q.coupler), q.coupler)
+    }
+
+    #[point(mass = 1.0)]
+    fn end(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(self.ground, 0.0) + Self::along(self.rocker, q.arm)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        9.81 * (self.pin(q).y + 2.0 * self.bar(q).0.y + self.end(q).y)
+    }
+
+    #[holonomic]
+    fn closure(&self, q: &Coordinates) -> Vector2<f64> {
+        self.pin(q) + Self::along(3.0, q.coupler) - self.end(q)
+    }
+}
+
 /// A mass matrix that is indefinite in three coordinates.
 struct Saddle;
 
@@ -93,6 +131,22 @@ impl Saddle {
     #[lagrangian]
     fn action(&self, q: &Coordinates, v: &Velocities) -> f64 {
         v.x * v.y + v.y * v.z + 0.5 * (2.0 + q.x.sin()) * v.z.powi(2) - 0.5 * (q.x.powi(2) + q.y.powi(2))
+    }
+}
+
+/// The same with a constraint.
+struct Tied;
+
+#[lagrangian(coordinates = [x, y, z], jacobians)]
+impl Tied {
+    #[lagrangian]
+    fn action(&self, q: &Coordinates, v: &Velocities) -> f64 {
+        v.x * v.y + v.y * v.z + 0.5 * (2.0 + q.x.sin()) * v.z.powi(2) - 0.5 * (q.x.powi(2) + q.y.powi(2))
+    }
+
+    #[holonomic]
+    fn tie(&self, q: &Coordinates) -> f64 {
+        q.x + 0.5 * q.z.sin()
     }
 }
 
@@ -131,6 +185,27 @@ fn planets(index: u64) -> (Planet, State<f64, 2>) {
     let mu = [1.0, 1e-6, 50.0][(index % 3) as usize];
     let speed = if index % 7 == 4 { 0.0 } else { (mu * (1.0 - 0.7 * x)).sqrt() };
     (Planet { mu }, State::new([1.0, 0.0], [0.0, speed]))
+}
+
+/// Whirling, at rest, without numbers, and beside the constraint.
+fn rods(index: u64) -> (Rod, State<f64, 2>) {
+    let x = (index as f64 * 0.618_033_988_749_894_9).fract();
+    let length = if index % 7 == 6 { f64::NAN } else { 0.5 + x };
+    let speed = if index % 5 == 0 { 0.0 } else { 4.0 * x - 1.0 };
+    let beside = if index % 11 == 8 { 1.01 } else { 1.0 };
+    let (cos, sin) = (x.cos() * length * beside, x.sin() * length * beside);
+    (Rod { length }, State::new([cos, sin], [-sin * speed, cos * speed]))
+}
+
+/// Linkages that turn round and that swing; every fifth is a parallelogram, and passes positions where it is
+/// flat.
+fn linkages(index: u64) -> Result<(Linkage, State<f64, 3>), MotionError<f64>> {
+    let x = (index as f64 * 0.618_033_988_749_894_9).fract();
+    let flat = index % 5 == 4;
+    let linkage = Linkage { ground: 3.0, rocker: if flat { 1.0 } else { 1.5 + x } };
+    let near = if flat { [2.5, 0.0, 2.5] } else { [1.2, 0.35, 1.9] };
+    let start = linkage.consistent(State::new(near, [if flat { -3.0 } else { 9.0 * x - 3.0 }, 0.0, 0.0]))?;
+    Ok((linkage, start))
 }
 
 macro_rules! same_bits {
@@ -223,6 +298,16 @@ fn orientations_in_lanes_depend_on_their_index_alone() {
 }
 
 #[test]
+fn rods_in_lanes_depend_on_their_index_alone() {
+    same_bits!(rods, 1.5, 9, []);
+}
+
+#[test]
+fn linkages_in_lanes_depend_on_their_index_alone() {
+    same_bits!(linkages, 1.5, 4, []);
+}
+
+#[test]
 fn limits_of_steps_hold_in_lanes() {
     let ensemble = |count| Ensemble::new(count, planets).with_tolerances(1e-8, 1e-10);
     let few = ensemble(40).with_max_steps(3).in_lanes::<Lanes<f64x4>>().ends("ends", 6.0);
@@ -271,9 +356,8 @@ fn a_panic_in_lanes_names_its_index() {
 
 #[test]
 fn systems_that_lanes_cannot_keep_apart_are_refused() {
-    let start = |_| (Rod { length: 1.0 }, State::at_rest([1.0, 0.0]));
-    let study = Ensemble::new(10, start).in_lanes::<Lanes<f64x4>>().ends("rods", 1.0);
-    let error = study.run().map(|_| ()).expect_err("a constraint");
+    let study = Ensemble::new(10, |_| (Tied, State::at_rest([0.0, 0.0, 0.0])));
+    let error = study.in_lanes::<Lanes<f64x4>>().ends("ties", 1.0).run().map(|_| ()).expect_err("pivots");
     assert!(matches!(&error, Error::NotInLanes { why } if why.contains("constraints")), "{error}");
     let study = Ensemble::new(10, |_| (Saddle, State::at_rest([1.0, 0.0, 0.0])));
     let error = study.in_lanes::<Lanes<f64x4>>().ends("saddles", 1.0).run().map(|_| ()).expect_err("pivots");

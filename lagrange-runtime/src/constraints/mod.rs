@@ -7,6 +7,7 @@
 //! and g = 0): Hairer and Wanner, *Solving Ordinary Differential Equations II*, VII.2; Lubich et al., *MEXX*,
 //! 1992.
 
+mod apart;
 mod footing;
 mod residuals;
 mod retraction;
@@ -25,6 +26,7 @@ use crate::system::System;
 pub use crate::system::footing::Footing;
 pub use crate::system::metric::Metric;
 use crate::system::state::State;
+pub use apart::land_apart;
 pub use footing::land;
 pub(crate) use residuals::Level;
 pub use residuals::Residuals;

@@ -23,7 +23,7 @@ use crate::system::state::{State, difference};
 
 /// Largest corrections and defects, in tolerances. The last terms of a series are a fifth of the tolerance,
 /// and their derivative is larger by the order.
-const MARGIN: f64 = 16.0;
+pub(crate) const MARGIN: f64 = 16.0;
 
 /// Uncertainty of accelerations, in ulps of their largest term. No error is compared with a tolerance below
 /// that.

@@ -26,8 +26,8 @@
 //! where the scaled A and Zᵀ M Z are well conditioned. Unlike those of substitution, they grow with the
 //! condition number.
 
-use super::Independence;
 use super::gradients::Gradients;
+use super::{CLEAR, Independence};
 use crate::number::real::Real;
 
 mod diagonal;
@@ -37,6 +37,7 @@ pub(super) mod range;
 mod reduced;
 pub(super) mod redundant;
 pub(super) mod scaled;
+mod side_by_side;
 mod sparse;
 mod switched;
 mod tangent_space;
@@ -97,6 +98,13 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
         independence.rank == independence.rows
     }
 
+    /// How far each lane is from where all lanes of a vector would have to decide together: at one it is
+    /// there. `None` where they did, and rounding errors of a lane depend on the others.
+    #[inline(always)]
+    fn apart(&self) -> Option<R> {
+        None
+    }
+
     /// Why there is no solution; `None` where there is one.
     fn defect(&self) -> Option<Defect>;
 
@@ -116,9 +124,10 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
 
 /// The inverse of a saddle-point system with any symmetric M.
 ///
-/// With several lanes the order of the pivots and the rank are common to all of them. A lane with a smaller
-/// rank than another, with other dependent rows, or with a singular Zᵀ M Z where another lane has a regular
-/// one gives NaN; the other lanes are right. A defect of some lanes is [`Defect::NotFinite`].
+/// With several lanes Z comes from an orthogonal factorisation that decides nothing, where rows are clearly
+/// independent in all of them. Elsewhere the order of the pivots and the rank are common to all lanes: one
+/// with a smaller rank than another, with other dependent rows, or with a singular Zᵀ M Z where another lane
+/// has a regular one gives NaN; the other lanes are right. A defect of some lanes is [`Defect::NotFinite`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saddle<R, const N: usize, const C: usize> {
     /// P, symmetric up to rounding: the row of a component of r.
@@ -133,6 +142,8 @@ pub struct Saddle<R, const N: usize, const C: usize> {
     independence: Independence<R>,
     vanishing: Option<usize>,
     defect: Option<Defect>,
+    /// Whether lanes decided nothing together.
+    apart: bool,
 }
 
 impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
@@ -164,6 +175,9 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts
         // from the arguments again, so that nothing else need be in memory.
         let scaled = Scaled::new(mass, a);
+        if let Some(this) = Self::side_by_side::<DEFINITE>(&full, &scaled) {
+            return this;
+        }
         if let Some(independence) = partition(&scaled, &mut split, |_| true) {
             let mut reduced = Reduced::new(&full, &split.null, C);
             match reduced.factor::<DEFINITE>(C) {
@@ -287,7 +301,8 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             }
         }
         let transfer = transposed(&reaction);
-        Self { compliance, transfer, reaction, stiffness, units, independence, vanishing: None, defect: None }
+        let (vanishing, defect, apart) = (None, None, false);
+        Self { compliance, transfer, reaction, stiffness, units, independence, vanishing, defect, apart }
     }
 
     /// A system whose solutions are NaN.
@@ -304,6 +319,7 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
             independence: Independence { rank: 0, ..Independence::clear(C) },
             vanishing: None,
             defect: Some(defect),
+            apart: false,
         }
     }
 }
@@ -345,6 +361,11 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Saddle<R,
     #[inline]
     fn independence(&self) -> Independence<R> {
         self.independence
+    }
+
+    #[inline]
+    fn apart(&self) -> Option<R> {
+        self.apart.then(|| self.independence.least * R::from_f64(1.0 / CLEAR))
     }
 
     fn defect(&self) -> Option<Defect> {

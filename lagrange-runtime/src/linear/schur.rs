@@ -41,6 +41,8 @@ pub struct Schur<R, const C: usize> {
     inverted: bool,
     independence: Independence<R>,
     vanishing: Option<usize>,
+    /// Whether lanes decided nothing together.
+    apart: bool,
 }
 
 impl<R: Real, const C: usize> Schur<R, C> {
@@ -107,7 +109,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
             }
         }
         let independence = Independence { least: squares.least.sqrt(), ..squares };
-        Some(Self { factor, inverse, inverted: false, independence, vanishing: None })
+        Some(Self { factor, inverse, inverted: false, independence, vanishing: None, apart: true })
     }
 
     /// A single row whose square is not positive. One row cannot depend on others, so a program with one
@@ -126,6 +128,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
             inverted: true,
             independence: Independence { rank: usize::from(!is_zero), ..Independence::clear(C) },
             vanishing: is_zero.then_some(0),
+            apart: false,
         }
     }
 
@@ -157,6 +160,7 @@ impl<R: Real, const C: usize> Schur<R, C> {
             inverted: true,
             independence: range.independence(),
             vanishing: range.vanishing,
+            apart: false,
         }
     }
 
@@ -177,6 +181,12 @@ impl<R: Real, const C: usize> Schur<R, C> {
                 add_scaled(&mut rows[k], &known, -factor[i][k]);
             }
         }
+    }
+
+    /// As [`SaddlePoint::apart`](super::SaddlePoint::apart).
+    #[inline]
+    pub(super) fn apart(&self) -> Option<R> {
+        self.apart.then(|| self.independence.least * R::from_f64(LEAST).sqrt().recip())
     }
 
     /// κ with S κ = `y`. Where S is singular, it satisfies the independent rows and is the shortest of all

@@ -86,6 +86,13 @@ pub trait Real:
     /// Whether every lane is strictly above zero; false for NaN.
     fn is_positive(self) -> bool;
 
+    /// `self` in the lanes where `sign` is strictly above zero, `other` in the rest.
+    #[inline(always)]
+    #[must_use]
+    fn where_positive(self, sign: Self, other: Self) -> Self {
+        if sign.is_positive() { self } else { other }
+    }
+
     /// The number of parts that error control weighs separately: one, or a number and its derivatives.
     const PARTS: usize = 1;
 

@@ -1,4 +1,5 @@
-//! [`Footing`]: how well a state on the constraints is known.
+//! [`Footing`]: how well a state on the constraints is known; [`Apart`]: the same of lanes that decide
+//! nothing together.
 
 use super::metric::Metric;
 use crate::linear::Independence;
@@ -18,4 +19,17 @@ pub struct Footing<R, const N: usize> {
     pub ulps_v: [R; N],
     /// The kinetic metric.
     pub metric: Metric<R, N>,
+}
+
+/// How a state was brought onto the constraints in each lane, as a function of the numbers of that lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Apart<R, const N: usize> {
+    /// The accelerations at the state that was reached, before it was moved onto the constraints.
+    pub accelerations: [R; N],
+    /// The kinetic metric there.
+    pub metric: Metric<R, N>,
+    /// Positive in lanes that are not on the constraints yet.
+    pub left: R,
+    /// Positive in lanes that are close to where the constraints do not determine the state well.
+    pub close: R,
 }

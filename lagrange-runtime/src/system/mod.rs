@@ -27,7 +27,7 @@ use crate::number::real::{Ordered, Real};
 use crate::system::attitude::BodyAxes;
 use control::Held;
 use error::{Cause, MotionError};
-use footing::Footing;
+use footing::{Apart, Footing};
 use method::{Adaptive, FixedStep};
 use metric::Metric;
 use name::Names;
@@ -168,6 +168,23 @@ pub trait System<const N: usize, const K: usize = 0> {
         let none = [num_traits::Zero::zero(); N];
         let independence = Independence::clear(0);
         Ok(Footing { independence, accelerations: None, ulps_q: none, ulps_v: none, metric: Metric::none() })
+    }
+
+    /// Whether [`System::land_apart_at`] does anything.
+    #[doc(hidden)]
+    const LANDS_APART: bool = false;
+
+    /// As [`System::land_at`] with inputs, for each lane of a vector by its own numbers. `None` where lanes
+    /// would have to decide together; the state is then as it was.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn land_apart_at(
+        &self,
+        _constants: &Self::Constants,
+        _state: &mut State<Self::Scalar, N>,
+        _inputs: &[Self::Scalar; K],
+    ) -> Option<Apart<Self::Scalar, N>> {
+        None
     }
 
     /// The part of a change of coordinates or velocities along the constraints at a state.

@@ -84,6 +84,18 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
              {{\nlagrange::constraints::tangential::<Self, {count}, {given}, {held}>(self, state, change)\n}}\n"
         )
     };
+    let apart = if emission.model.baumgarte.is_none()
+        && [Some(method), emission.solution.saddle_of_series].into_iter().all(decides_apart)
+    {
+        format!(
+            "const LANDS_APART: bool = true;\n\
+             #[inline]\nfn land_apart_at(&self, constants: &Self::Constants, state: &mut lagrange::State<{scalar}, {count}>, \
+             inputs: &{inputs}) -> ::core::option::Option<lagrange::Apart<{scalar}, {count}>> \
+             {{\nlagrange::constraints::land_apart::<Self, {count}, {given}, {held}>(self, constants, state, inputs)\n}}\n"
+        )
+    } else {
+        String::new()
+    };
     let energy = format!(
         "#[inline]\nfn energy_at(&self, _constants: &Self::Constants, {place}) -> {scalar} \
          {{\nself.energy(&lagrange::State {{ t, q: *q, v: *v }})\n}}\n"
@@ -98,7 +110,12 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
         pattern(emission, method),
         gradients_type(emission, method)
     );
-    Implementations { system: system + &project + &energy, constants, surface, operations }
+    Implementations { system: system + &project + &apart + &energy, constants, surface, operations }
+}
+
+/// Whether lanes of a vector need decide nothing together where constraints are clearly independent.
+fn decides_apart(method: Option<Saddle>) -> bool {
+    matches!(method, Some(Saddle::Diagonal | Saddle::Whole { definite: true }))
 }
 
 /// Whether `energy_at` is proved to stay the same along each motion on the constraints. Motions by

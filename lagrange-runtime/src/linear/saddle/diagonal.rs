@@ -59,6 +59,11 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Diagonal<
         self.schur.independence()
     }
 
+    #[inline]
+    fn apart(&self) -> Option<R> {
+        self.schur.apart()
+    }
+
     fn defect(&self) -> Option<Defect> {
         let finite = self.inverse_masses.iter().all(|x| x.is_finite()) && self.schur.is_finite();
         match self.negative() {

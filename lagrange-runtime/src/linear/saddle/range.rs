@@ -12,7 +12,7 @@ use crate::number::real::Real;
 use super::Split;
 use super::scaled::Scaled;
 use super::vectors::{add_scaled, best, dot, multiply, pick, put, scale, unit, where_positive};
-use crate::linear::independence::{Independence, dependent};
+use crate::linear::independence::{CLEAR, Independence, dependent};
 
 /// The independent rows of A and the reflectors that make them triangular.
 pub(in crate::linear) struct Range<R, const N: usize, const C: usize> {
@@ -40,16 +40,10 @@ pub(in crate::linear) struct Range<R, const N: usize, const C: usize> {
 }
 
 impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
-    pub(in crate::linear) fn factor(scaled: &Scaled<R, N, C>) -> Self {
+    /// Nothing eliminated yet.
+    fn new(scaled: &Scaled<R, N, C>) -> Self {
         let zero = R::zero();
-        let mut rows = scaled.rows;
-        let mut vanishing = None;
-        for c in (0..C).rev() {
-            if scaled.sizes[c].largest() == zero.largest() {
-                (rows[c], vanishing) = ([zero; N], Some(c));
-            }
-        }
-        let mut this = Self {
+        Self {
             units: scaled.units,
             sizes: scaled.sizes,
             order: core::array::from_fn(|c| c),
@@ -61,8 +55,42 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             rank: C.min(N),
             least: R::one(),
             closest: 0,
-            vanishing,
-        };
+            vanishing: None,
+        }
+    }
+
+    /// The rows and the coordinates in the order given: a decision for lanes in common is none. `None` unless
+    /// all rows are clearly independent in every lane.
+    pub(in crate::linear) fn in_order(scaled: &Scaled<R, N, C>) -> Option<Self> {
+        if C > N {
+            return None;
+        }
+        let mut this = Self::new(scaled);
+        let mut rows = scaled.rows;
+        let whole: [R; C] = core::array::from_fn(|c| dot(&rows[c], &rows[c]));
+        let mut squares = whole;
+        for k in 0..C {
+            let square = squares[k];
+            let distance = (square / whole[k]).sqrt();
+            if !(distance - R::from_f64(CLEAR)).is_positive() {
+                return None;
+            }
+            this.least = this.least.min(distance);
+            this.reflect(&mut rows, &mut squares, square, (k, k));
+        }
+        Some(this)
+    }
+
+    pub(in crate::linear) fn factor(scaled: &Scaled<R, N, C>) -> Self {
+        let zero = R::zero();
+        let mut rows = scaled.rows;
+        let mut vanishing = None;
+        for c in (0..C).rev() {
+            if scaled.sizes[c].largest() == zero.largest() {
+                (rows[c], vanishing) = ([zero; N], Some(c));
+            }
+        }
+        let mut this = Self { vanishing, ..Self::new(scaled) };
         let mut squares: [R; C] = core::array::from_fn(|c| dot(&rows[c], &rows[c]));
         let least = dependent::<R>() * dependent();
         for k in 0..C.min(N) {
@@ -87,7 +115,13 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
             if k > 0 && (this.least - square.sqrt()).largest() > zero.largest() {
                 (this.least, this.closest) = (this.least.min(square.sqrt()), k);
             }
-            this.reflect(&mut rows, &mut squares, square, k);
+            let (mut lead, mut largest) = (0, zero.largest());
+            for (i, &x) in rows[k].iter().enumerate() {
+                if x.abs().largest() > largest {
+                    (lead, largest) = (i, x.abs().largest());
+                }
+            }
+            this.reflect(&mut rows, &mut squares, square, (k, lead));
         }
         this
     }
@@ -98,15 +132,17 @@ impl<R: Real, const N: usize, const C: usize> Range<R, N, C> {
         Independence { rows: C, rank: self.rank, least: self.least, weakest: weakest.copied().unwrap_or(0) }
     }
 
-    /// Step k: the reflector of row k, applied to the rows after it.
-    fn reflect(&mut self, rows: &mut [[R; N]; C], squares: &mut [R; C], square: R, k: usize) {
+    /// Step k: the reflector of row k, which maps it on the coordinate `lead`, applied to the rows after it.
+    #[inline(always)]
+    fn reflect(
+        &mut self,
+        rows: &mut [[R; N]; C],
+        squares: &mut [R; C],
+        square: R,
+        (k, lead): (usize, usize),
+    ) {
         let mut u = rows[k];
-        let (mut lead, mut largest) = (0, R::zero());
-        for (i, &x) in u.iter().enumerate() {
-            if x.abs().largest() > largest.abs().largest() {
-                (lead, largest) = (i, x);
-            }
-        }
+        let largest = pick(&u, lead);
         let norm = square.sqrt();
         let diagonal = -(largest.signum() * norm);
         put(&mut u, lead, largest - diagonal);

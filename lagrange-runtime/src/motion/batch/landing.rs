@@ -8,8 +8,9 @@ use crate::integrator::landing::energy::{blurred, energy};
 use crate::integrator::lengths::PARTS;
 use crate::linear::determined;
 use crate::number::real::Real;
+use crate::system::System;
 use crate::system::error::Cause;
-use crate::system::footing::Footing;
+use crate::system::metric::Metric;
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 
@@ -90,7 +91,8 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
         let least = footing.independence.least;
         // A step ends where constraints determine the state as well as where it began, or well.
         let closer = self.least.min(determined()) - least;
-        let excess = closer.max(self.lost(constants, &state, &footing));
+        let lost = lost(self.system, constants, [&self.state, &state], &footing.metric, self.tolerance);
+        let excess = closer.max(lost);
         if !excess.is_finite() {
             return Err(Cause::NotFinite);
         }
@@ -114,32 +116,33 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize> Batch<'_, S, N, K> {
         }
         if state.is_finite() { Ok((state, residue)) } else { Err(Cause::NotFinite) }
     }
+}
 
-    /// By how much a step to this end changes the energy, where it is conserved, beyond what errors of all
-    /// numbers within the tolerance make of it.
-    fn lost(
-        &self,
-        constants: &S::Constants,
-        end: &State<S::Scalar, N>,
-        footing: &Footing<S::Scalar, N>,
-    ) -> S::Scalar {
-        if !S::CONSERVES_ENERGY {
-            return -S::Scalar::epsilon();
-        }
-        let here = energy(self.system, constants, end);
-        let change = (here - energy(self.system, constants, &self.state)).abs();
-        let relative =
-            S::Scalar::splat(self.tolerance).max(S::Scalar::from_f64(NOISE) * S::Scalar::epsilon());
-        let speed = footing.metric.extent(&end.v);
-        let by_speed = change - relative * speed * speed;
-        if by_speed.largest() <= num_traits::Zero::zero() {
-            return by_speed;
-        }
-        let size = footing.metric.extent(&end.q).max(speed * (end.t - self.state.t).abs());
-        let [q, v] = [size, speed].map(|size| footing.metric.at_extent(relative * size));
-        let own = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon() * here.abs();
-        change - own - blurred(self.system, constants, end, [q, v])
+/// By how much a step from a state to another changes the energy, where it is conserved, beyond what errors
+/// of all numbers within the tolerance make of it.
+pub(super) fn lost<S: System<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    [from, end]: [&State<S::Scalar, N>; 2],
+    metric: &Metric<S::Scalar, N>,
+    tolerance: <S::Scalar as Real>::Lane,
+) -> S::Scalar {
+    if !S::CONSERVES_ENERGY {
+        return -S::Scalar::epsilon();
     }
+    let here = energy(system, constants, end);
+    let change = (here - energy(system, constants, from)).abs();
+    let relative = S::Scalar::splat(tolerance).max(S::Scalar::from_f64(NOISE) * S::Scalar::epsilon());
+    let speed = metric.extent(&end.v);
+    let by_speed = change - relative * speed * speed;
+    if by_speed.largest() <= num_traits::Zero::zero() {
+        return by_speed;
+    }
+    let size = metric.extent(&end.q).max(speed * (end.t - from.t).abs());
+    let [q, v] = [size, speed].map(|size| metric.at_extent(relative * size));
+    let own = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon() * here.abs();
+    // The lanes that need the second bound.
+    (change - own - blurred(system, constants, end, [q, v])).where_positive(by_speed, by_speed)
 }
 
 /// `bad` in lanes where `excess` is positive, else `good`.

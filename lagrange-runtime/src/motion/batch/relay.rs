@@ -5,10 +5,13 @@
 //! lane does follows from its own numbers: its steps, its unit of time, whether it stops. So the bits of a
 //! motion are the same in any lane, beside any others.
 //!
-//! That holds for systems without constraints, without functions that hide from series
-//! ([`Smooth::STEEP`]) and without shared pivots ([`Smooth::SHARES_PIVOTS`]): see [`Relay::unsuited`].
+//! That holds for systems without functions that hide from series ([`Smooth::STEEP`]) and without shared
+//! pivots ([`Smooth::SHARES_PIVOTS`]), and with constraints that need no decision for all lanes: see
+//! [`Relay::unsuited`].
 
 mod abreast;
+mod alone;
+mod landing;
 
 use num_traits::{One, Zero};
 
@@ -61,6 +64,8 @@ where
     standing: [Standing; MOST],
     /// Attempts that a lane may still make.
     attempts: [u64; MOST],
+    /// Whether a lane has begun, and its constraints have not been looked at.
+    fresh: [bool; MOST],
     /// Ends \[s].
     target: S::Scalar,
     /// Unit of time of the coefficients \[s], with the direction of the motion; zero if not known.
@@ -92,6 +97,7 @@ where
             limits,
             standing: [Standing::Idle; MOST],
             attempts: [0; MOST],
+            fresh: [false; MOST],
             target: start.t,
             unit: zero,
             state: start,
@@ -103,7 +109,7 @@ where
 
     /// Why the lanes of such a system would depend on each other, or would miss what a single motion sees.
     pub fn unsuited() -> Option<&'static str> {
-        if S::CONSTRAINED {
+        if S::CONSTRAINED && !S::LANDS_APART {
             Some("has constraints, whose pivots and corrections lanes would share")
         } else if S::STEEP {
             Some("has a function that hides from Taylor series, whose steps are compared with the equations")
@@ -170,6 +176,9 @@ where
             *standing = if start.t == end { Standing::Arrived } else { Standing::Running };
             *attempts = self.limits.attempts;
         }
+        if let Some(fresh) = self.fresh.get_mut(lane) {
+            *fresh = true;
+        }
     }
 
     /// Leaves a lane idle. It then has the numbers of another lane, `like`, whose parameters it must have,
@@ -186,7 +195,8 @@ where
     /// One step of each lane that is running, of the length that its own series allows. Lanes whose unit of
     /// time was far from the step stay where they are and have a better one for the next call.
     ///
-    /// False if the equations have no solution in some lane; nothing has moved then.
+    /// False if some lane needs a look of its own, because its equations have no solution or because lanes
+    /// would have to decide together about its constraints; nothing has moved then.
     /// [`Relay::stop_unsolvable`] finds these lanes.
     #[must_use]
     pub fn step(&mut self) -> bool {
@@ -197,7 +207,7 @@ where
                 self.unit.set_lane(lane, if left == Zero::zero() { One::one() } else { left });
             }
         }
-        if !self.expand() {
+        if !(self.begins() && self.expand()) {
             return false;
         }
         let mut tolerated = self.tolerated(one);
@@ -212,14 +222,13 @@ where
             }
         }
         self.before = (self.state, self.residue, self.unit);
-        if !self.go_abreast(tolerated) {
-            self.go_apart(tolerated);
-        }
-        true
+        self.go_abreast(tolerated) || self.go_apart(tolerated)
     }
 
-    /// Each lane as its own numbers say.
-    fn go_apart(&mut self, tolerated: S::Scalar) {
+    /// Each lane as its own numbers say. False, and nothing has changed, where lanes would have to decide
+    /// together.
+    fn go_apart(&mut self, tolerated: S::Scalar) -> bool {
+        let kept = (self.standing, self.attempts);
         let (mut length, mut theta): (S::Scalar, S::Scalar) = (Zero::zero(), Zero::zero());
         let mut next = self.unit;
         for lane in 0..S::Scalar::COUNT {
@@ -229,45 +238,12 @@ where
                 next.set_lane(lane, found.unit);
             }
         }
-        self.take(length, theta);
+        if !self.take(length, theta) {
+            (self.standing, self.attempts) = kept;
+            return false;
+        }
         self.unit = next;
-    }
-
-    /// Stops the lanes in which the equations have no solution, after [`Relay::step`] found that there are
-    /// any. `alone` gives a system with the parameters of a lane in all lanes, so that whether a lane stops
-    /// follows from its own numbers.
-    pub fn stop_unsolvable(&mut self, alone: impl Fn(usize) -> S) {
-        for lane in 0..S::Scalar::COUNT {
-            if self.standing(lane) != Standing::Running {
-                continue;
-            }
-            let kept = (self.constants, self.state, self.unit);
-            let system = core::mem::replace(&mut self.system, alone(lane));
-            self.constants = self.system.jet_constants();
-            let (state, unit) = (get(&self.state, lane), self.unit.lane(lane));
-            for other in 0..S::Scalar::COUNT {
-                set(&mut self.state, other, &state);
-                self.unit.set_lane(other, unit);
-            }
-            let goes_on = self.expand();
-            (self.system, (self.constants, self.state, self.unit)) = (system, kept);
-            if let (false, Some(standing)) = (goes_on, self.standing.get_mut(lane)) {
-                *standing = Standing::Stopped;
-            }
-        }
-    }
-
-    /// States at times within the last step of each lane, by its series. In other lanes the numbers mean
-    /// nothing.
-    pub fn within(&self, times: S::Scalar) -> State<S::Scalar, N> {
-        let (state, residue, unit) = &self.before;
-        let theta = ((times - state.t) - residue.t) / *unit;
-        let (gain_q, gain_v) = self.series.gain(theta, self.orders);
-        State {
-            t: times,
-            q: core::array::from_fn(|i| state.q[i] + (residue.q[i] + gain_q[i])),
-            v: core::array::from_fn(|i| state.v[i] + (residue.v[i] + gain_v[i])),
-        }
+        true
     }
 
     fn expand(&mut self) -> bool {
@@ -336,14 +312,20 @@ where
         Some(Step { length: direction * length, theta: length / unit, unit: direction * natural })
     }
 
-    /// Goes on by lengths \[s], which are `theta` units.
-    fn take(&mut self, length: S::Scalar, theta: S::Scalar) {
-        let (state, residue) = self.reached(length, theta);
+    /// Goes on by lengths \[s], which are `theta` units. False, and nothing has changed, where lanes would
+    /// have to decide together.
+    fn take(&mut self, length: S::Scalar, theta: S::Scalar) -> bool {
+        let Some(landed) = self.landed(self.reached(length, theta), theta) else { return false };
+        let (state, residue) = landed.at;
         let settled = attitude::settle(S::ORIENTATIONS, &state);
         for lane in 0..S::Scalar::COUNT {
             let moves = theta.lane(lane) > Zero::zero();
             let Some(standing) = self.standing.get_mut(lane) else { continue };
             if *standing != Standing::Running || !moves {
+                continue;
+            }
+            if !landed.is_right(lane) {
+                *standing = Standing::Stopped;
                 continue;
             }
             set(&mut self.state, lane, &get(&state, lane));
@@ -359,6 +341,7 @@ where
             }
             self.arrives(lane);
         }
+        true
     }
 
     /// States, and what rounding takes from them, after lengths \[s], which are `theta` units.

@@ -128,6 +128,13 @@ macro_rules! lanes {
                 lanes.into_iter().all(|lane| lane > 0.0)
             }
 
+            #[inline]
+            fn where_positive(self, sign: Self, other: Self) -> Self {
+                let [sign, this, other] = [sign, self, other].map(<[$lane; $count]>::from);
+                let lane = |k: usize| if sign[k] > 0.0 { this[k] } else { other[k] };
+                Self($vector::from(core::array::from_fn::<$lane, $count, _>(lane)))
+            }
+
             #[inline(always)]
             fn mul_add(self, factor: Self, summand: Self) -> Self {
                 Self(self.0.mul_add(factor.0, summand.0))
@@ -280,5 +287,14 @@ mod tests {
             ln_1p(); cbrt(); asinh(); acosh(); atanh(); signum(); recip();
             atan2(y); powf(y); max(y); min(y); hypot(y); add(y); mul(y); div(y);
         }
+    }
+
+    #[test]
+    fn each_lane_is_chosen_by_its_own_sign() {
+        let sign = Lanes::<f64x4>::from([1e-300, 0.0, -1.0, f64::NAN]);
+        let chosen = Lanes::<f64x4>::splat(-0.0).where_positive(sign, Lanes::splat(f64::INFINITY));
+        assert_eq!(<[f64; 4]>::from(chosen), [-0.0, f64::INFINITY, f64::INFINITY, f64::INFINITY]);
+        assert_eq!(2.0.where_positive(1.0, 3.0), 2.0);
+        assert_eq!(2.0.where_positive(f64::NAN, 3.0), 3.0);
     }
 }

@@ -41,7 +41,11 @@ where
         }
         // Exactly one, with the sign of the unit.
         let direction = self.unit / unit;
-        let (state, residue) = self.reached(direction * length, theta);
+        let Some(landed) = self.landed(self.reached(direction * length, theta), theta) else { return false };
+        if !(0..S::Scalar::COUNT).all(|lane| landed.is_right(lane)) {
+            return false;
+        }
+        let (state, residue) = landed.at;
         if !state.is_finite() || attitude::settle(S::ORIENTATIONS, &state).is_some() {
             return false;
         }

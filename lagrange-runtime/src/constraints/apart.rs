@@ -1,0 +1,83 @@
+//! The retraction onto the constraints in the lanes of a vector, each by its own numbers.
+//!
+//! Only what is regular is done here: lanes whose constraints are clearly independent, in a few corrections
+//! with the factors of the state that was reached. A lane with something else is told from the result, and a
+//! motion of its own then takes the careful ways.
+
+use super::Surface;
+use super::residuals::{Level, Residuals, ULPS};
+use crate::linear::{CLEAR, SaddlePoint};
+use crate::number::real::Real;
+use crate::system::footing::Apart;
+use crate::system::metric::Metric;
+use crate::system::state::State;
+
+/// How much further than necessary a lane stays from where lanes decide together: more than a retraction
+/// within the tolerance changes of the distance.
+const AWAY: f64 = 2.0;
+
+/// Corrections of a level. Each leaves the square of the first.
+const CORRECTIONS: usize = 8;
+
+/// Moves a state that a step has left beside the constraints onto them.
+#[inline]
+pub fn land_apart<S, const N: usize, const K: usize, const C: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &mut State<S::Scalar, N>,
+    inputs: &[S::Scalar; K],
+) -> Option<Apart<S::Scalar, N>>
+where
+    S: Surface<N, K, C>,
+{
+    let number = S::Scalar::from_f64;
+    let equations = system.equations_at(constants, state.t, &state.q, &state.v, inputs);
+    let saddle = &equations.saddle;
+    let mut close = number(AWAY) - saddle.apart()?;
+    let metric = Metric::of(saddle);
+    let slopes = metric.slopes(&equations.gradients);
+    let mut residuals = system.residuals_at(state.t, &state.q, &state.v);
+    // How close gradients are to vanishing: what the coordinates make of a constraint, as a part of its
+    // summands.
+    let extent = metric.extent(&state.q);
+    for (&slope, &summands) in slopes.iter().zip(&residuals.position_sizes) {
+        close = close.max(number(AWAY * CLEAR) * summands - slope * extent);
+    }
+    let mut left = -<S::Scalar as num_traits::One>::one();
+    for level in [Level::Positions, Level::Velocities] {
+        for correction in 0..=CORRECTIONS {
+            let excess = excess(&residuals, level);
+            if excess.largest() <= num_traits::Zero::zero() {
+                break;
+            }
+            let lack = residuals.values(level).map(|value| -value);
+            let (change, _) = saddle.solve(&[num_traits::Zero::zero(); N], &lack);
+            let numbers = if level == Level::Positions { &mut state.q } else { &mut state.v };
+            // A correction below an ulp is none.
+            let open = excess.min(metric.extent(&change) - S::Scalar::epsilon() * metric.extent(numbers));
+            if correction == CORRECTIONS {
+                left = left.max(open);
+            } else if open.largest() <= num_traits::Zero::zero() {
+                break;
+            } else {
+                for (number, change) in numbers.iter_mut().zip(change) {
+                    *number = (*number + change).where_positive(open, *number);
+                }
+                residuals = system.residuals_at(state.t, &state.q, &state.v);
+            }
+        }
+    }
+    // 0 · ∞ and 0 · NaN are NaN, which comparisons might lose.
+    let all: S::Scalar = residuals.positions.iter().chain(&residuals.rates).copied().sum();
+    left += all * num_traits::Zero::zero();
+    let accelerations = equations.balance().accelerations;
+    Some(Apart { accelerations, metric, left, close })
+}
+
+/// By how much residuals of a level are more than roundings of their summands.
+#[inline(always)]
+fn excess<R: Real, const C: usize>(residuals: &Residuals<R, C>, level: Level) -> R {
+    let ulps = R::from_f64(ULPS) * R::epsilon();
+    let pairs = residuals.values(level).iter().zip(residuals.sizes(level));
+    pairs.fold(-R::one(), |most, (&value, &size)| most.max(value.abs() - ulps * size))
+}
