@@ -200,14 +200,14 @@ where
         let mut forces = equations.forces.map(|force: S::Scalar| force.abs());
         for (row, gradient) in self.gradients.iter().enumerate() {
             // A friction of given size is among the forces, and may balance the others.
-            let given = match S::ROWS[row] {
-                Row::Friction { normal: None, pair } => {
-                    let slips = regime.slip[pair.map_or(row, |other| row.min(other))];
-                    self.laws.kinetic[row] * slips.abs()
+            let given = match S::ROWS.get(row) {
+                Some(Row::Friction { normal: None, pair }) => {
+                    let slips = entry(&regime.slip, pair.map_or(row, |other| row.min(other)));
+                    entry(&self.laws.kinetic, row) * slips.abs()
                 }
                 _ => num_traits::Zero::zero(),
             };
-            let borne = balance.multipliers[row].abs() + given;
+            let borne = entry(&balance.multipliers, row).abs() + given;
             for (force, &entry) in forces.iter_mut().zip(gradient) {
                 *force += entry.abs() * borne;
             }

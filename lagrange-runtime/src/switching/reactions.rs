@@ -6,7 +6,7 @@
 //! order.
 
 use super::guards::Guards;
-use super::scene::{most, product, rounding};
+use super::scene::{entry, most, product, rounding};
 use super::{Regime, Row, Switching};
 use crate::constraints::{Balance, Equations};
 use crate::linear::{SaddlePoint, Switched};
@@ -94,21 +94,25 @@ where
         State { t, q, v }: &State<S::Scalar, N>,
     ) -> [S::Scalar; N] {
         let mut given = [num_traits::Zero::zero(); N];
-        let slips = |row: usize| match S::ROWS[row] {
-            Row::Friction { normal: None, pair } => {
-                regime.slip[pair.map_or(row, |other| row.min(other))] != num_traits::Zero::zero()
+        let slips = |row: usize| match S::ROWS.get(row) {
+            Some(Row::Friction { normal: None, pair }) => {
+                entry(&regime.slip, pair.map_or(row, |other| row.min(other))) != num_traits::Zero::zero()
             }
             _ => false,
         };
-        let held = Regime { active: core::array::from_fn(|row| regime.active[row] || slips(row)), ..*regime };
+        let mut held = *regime;
+        for (row, active) in held.active.iter_mut().enumerate() {
+            *active |= slips(row);
+        }
         // Rows have gradients where they are active.
         if held.active != regime.active
             && let Some(equations) = S::equations_in(&system.in_regime(&held), *t, q, v, inputs)
         {
             let limits = system.laws_at(*t, q, v).kinetic;
-            for row in (0..C).filter(|&row| slips(row)) {
-                for (given, &entry) in given.iter_mut().zip(&equations.gradients[row]) {
-                    *given += (entry * limits[row]).abs();
+            let rows = equations.gradients.iter().zip(limits).enumerate();
+            for (_, (gradient, limit)) in rows.filter(|(row, _)| slips(*row)) {
+                for (given, &entry) in given.iter_mut().zip(gradient) {
+                    *given += (entry * limit).abs();
                 }
             }
         }
@@ -129,7 +133,7 @@ where
         equations: &Equations<Switched<S::Scalar, N, C>, S::Scalar, N, C>,
         coordinate: usize,
     ) -> S::Scalar {
-        equations.forces[coordinate].abs() + self.given[coordinate]
+        entry(&equations.forces, coordinate).abs() + entry(&self.given, coordinate)
     }
 
     /// The multipliers at a state, and the forces at their rows that they are differences of.
