@@ -44,6 +44,8 @@ where
     pub(super) in_regime: &'a S::InRegime,
     pub(super) regime: &'a Regime<S::Scalar, C, W>,
     pub(super) inputs: &'a [S::Scalar; K],
+    /// The sizes of frictions that slip and are given, which are among the forces and may balance the others.
+    pub(super) given: [S::Scalar; N],
     watch: Watch<S::Scalar, C, W>,
     /// Whether the motion is a polynomial.
     is_along: bool,
@@ -87,7 +89,8 @@ where
         if turns {
             watch.directions = system.laws_at(start.t, &start.q, &start.v, inputs).rows.rates;
         }
-        Self { in_regime, regime, inputs, watch, is_along, reacts_along: false }
+        let given = Self::given(system, regime, inputs, start);
+        Self { in_regime, regime, inputs, given, watch, is_along, reacts_along: false }
     }
 
     /// Whether there is nothing to look at.
@@ -241,12 +244,14 @@ where
     }
 
     /// The first guard looked at by samples that falls through zero on a step between two times, before a
-    /// part of it has passed, and the part that has passed then. `at` gives the state after a part.
+    /// part of it has passed, and the part that has passed then. `at` gives the state after a part. Each part
+    /// that is looked at by itself is one of the `attempts`.
     pub(super) fn first(
         &self,
         scales: &Scales<S::Scalar, C>,
         [start, end]: [S::Scalar; 2],
         until: S::Scalar,
+        attempts: &mut u64,
         mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
     ) -> Result<Option<(S::Scalar, Guard)>, Cause> {
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
@@ -303,6 +308,7 @@ where
                     (from, to) = (to, if next < until { next } else { until });
                 }
             }
+            *attempts = attempts.checked_sub(1).ok_or(Cause::TooManySteps)?;
         }
     }
 

@@ -6,7 +6,6 @@ use super::memory::shift;
 use super::scene::{Known, Scene, above, most};
 use super::standstill::is_at_rest;
 use super::{Regime, Row, Switching};
-use crate::motion::roots::Unresolved;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -169,7 +168,7 @@ where
             M::step(&mut memory.inner, in_regime, constants, self.control, self.limits, t, attempts)?;
             let (start, end) = (*M::start(&memory.inner), *M::end(&memory.inner));
             (memory.start, memory.end) = (start, end);
-            let found = self.event();
+            let found = self.event(attempts);
             let found = found.map_err(|cause| {
                 self.memory.end = start;
                 at(&start, cause)
@@ -230,7 +229,7 @@ where
     }
 
     /// The first event of the piece.
-    fn event(&mut self) -> Result<Option<Event<S::Scalar, N>>, Cause> {
+    fn event(&mut self, attempts: &mut u64) -> Result<Option<Event<S::Scalar, N>>, Cause> {
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
         let (in_regime, constants) = (&memory.in_regime, &memory.constants);
@@ -243,8 +242,7 @@ where
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let mut fall = None;
         if let Some(terms) = terms {
-            let found = guards.first_along(&start, &terms, memory.fired, self.limits.relative);
-            let found = found.map_err(Unresolved::cause)?;
+            let found = guards.first_along(&start, &terms, memory.fired, self.limits.relative, attempts)?;
             fall = found.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);
                 (found, sizes, terms.length * terms.unit, terms.residue)
@@ -264,7 +262,7 @@ where
         // The time since the start that a part of the step is, without the rounding of times.
         let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
         let until = first.map_or(one, |(part, _)| part);
-        let sampled = guards.first(&memory.scales, [start.t, end.t], until, &mut at)?;
+        let sampled = guards.first(&memory.scales, [start.t, end.t], until, attempts, &mut at)?;
         if sampled.is_some() {
             (first, passed) = (sampled, None);
         }

@@ -11,6 +11,7 @@ mod laws;
 mod leashes;
 mod nested;
 mod normals;
+mod onsets;
 mod random;
 mod reactions;
 mod refused;
