@@ -155,7 +155,8 @@ impl Ball {
     }
 }
 
-/// It falls for √(2h/g), and flies for twice e, e², … of that between its impacts. After all of them it rests.
+/// It falls for √(2h/g), and flies for twice e, e², … of that between its impacts. After all of them it
+/// rests.
 #[test]
 fn a_ball_bounces_in_time_and_comes_to_rest() {
     let ball = Ball { restitution: 0.8 };

@@ -1,7 +1,7 @@
 //! What a user is told about a mistake: `tests/ui/<area>_<mistake>.rs` with the compiler's output beside it.
 //!
-//! The mistakes that the macro reports are found in one crate. Those that the compiler finds in types, errors with a
-//! code, need a crate each, since it stops at the first kind of them.
+//! The mistakes that the macro reports are found in one crate. Those that the compiler finds in types, errors
+//! with a code, need a crate each, since it stops at the first kind of them.
 //!
 //! After an intended change of a message, `UPDATE_UI=1 cargo test --test ui` writes the output anew;
 //! read the difference as prose before committing it.
@@ -102,8 +102,8 @@ fn messages_about(source: &Path, kind: &str) -> Vec<(String, String)> {
     messages
 }
 
-/// A message that stays the same where other files become longer: their lines have no numbers, and the column of numbers
-/// is as wide as those of the case are.
+/// A message that stays the same where other files become longer: their lines have no numbers, and the column
+/// of numbers is as wide as those of the case are.
 fn portable(message: &str) -> String {
     let mut is_foreign = false;
     let without_numbers = |line: &str| {

@@ -102,7 +102,7 @@ pub mod __private {
     pub use crate::linear::algebra::{self, PrincipalMoments};
     pub use crate::linear::{Independence, Inverse, Ldlt, Lu, RecursionStep};
     pub use crate::motion::events::Guard;
-    pub use crate::number::real::Real;
+    pub use crate::number::real::{Ordered, Real};
     pub use crate::system::attitude;
     pub use crate::system::error::{Cause, Function, MotionError};
     pub use crate::system::linearized::{Linearization, Linearized};
@@ -126,7 +126,7 @@ pub mod __private {
     pub use crate::constraints::{
         self, Balance, Constrained, Equations, Footing, Reactions, Residuals, Surface,
     };
-    pub use crate::integrator::{Dop853, Jets};
+    pub use crate::integrator::{Dop853, FixedStep, Jet, Jets};
     pub use crate::series::columns::Columns;
     pub use crate::series::tables::Tables;
     pub use crate::system::footing::Apart;

@@ -14,6 +14,8 @@ type R = f64;
 type S = systems::DoublePendulum<R>;
 #[cfg(feature = "rod")]
 type S = systems::Rod<R>;
+#[cfg(feature = "puck")]
+type S = systems::Puck<R>;
 #[cfg(feature = "cart_pole")]
 type S = systems::CartPole<R>;
 

@@ -9,12 +9,14 @@ pub mod bits;
 mod cart_pole;
 mod double_pendulum;
 mod functions;
+mod puck;
 mod rod;
 mod spring;
 
 pub use bits::Bits;
 pub use cart_pole::CartPole;
 pub use double_pendulum::DoublePendulum;
+pub use puck::Puck;
 pub use rod::Rod;
 pub use spring::Spring;
 
@@ -25,7 +27,7 @@ use lagrangian::{FixedStep, Smooth};
 const G: f64 = 9.8125;
 
 /// A system with its parameters, where it starts and what drives it.
-pub trait Experiment<const K: usize>: Smooth<2, K> {
+pub trait Experiment<const K: usize>: System<2, K> {
     /// Its name in the results.
     const NAME: &'static str;
 
@@ -61,14 +63,17 @@ pub trait Visitor<R: Bits> {
 pub fn each<R: Bits, V: Visitor<R>>(visitor: &mut V) -> Result<(), V::Error> {
     methods::<DoublePendulum<R>, R, V, 0>(visitor)?;
     methods::<Rod<R>, R, V, 0>(visitor)?;
-    methods::<CartPole<R>, R, V, 1>(visitor)
+    methods::<CartPole<R>, R, V, 1>(visitor)?;
+    // Of fixed steps only jets follow contacts and friction.
+    visitor.visit::<Puck<R>, Jet<4>, 0>("jet4")?;
+    visitor.visit::<Puck<R>, Jet<6>, 0>("jet6")
 }
 
 fn methods<S, R, V, const K: usize>(visitor: &mut V) -> Result<(), V::Error>
 where
     R: Bits,
     V: Visitor<R>,
-    S: Experiment<K, Scalar = R>,
+    S: Experiment<K, Scalar = R> + Smooth<2, K>,
 {
     visitor.visit::<S, Rk4, K>("rk4")?;
     visitor.visit::<S, Jet<4>, K>("jet4")?;

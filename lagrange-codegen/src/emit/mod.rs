@@ -25,6 +25,7 @@ mod regimes;
 mod report;
 mod scalar;
 mod screws;
+mod steps;
 mod stubs;
 mod system;
 mod tokens;
@@ -140,6 +141,9 @@ pub(crate) fn emit(
     let report = report::report(&emission, switching.as_ref(), before, after);
     let smooth = emission.jets.zip(emission.orders);
     let smooth = smooth.map(|(jets, orders)| jets::jets(&mut emission, jets, orders));
+    // Kinks that do not stand in the equations of motion leave a smooth system.
+    let steps = switching.as_ref().filter(|_| has_contacts || smooth.is_none());
+    let steps = steps.and_then(|switching| steps::steps(&emission, switching));
     let asked = emission.item.jacobians;
     let linearization = (asked && !has_contacts).then(|| linearization::linearization(&mut emission));
     let sensitive = asked.then(|| over::sensitive(&emission));
@@ -226,6 +230,7 @@ pub(crate) fn emit(
 
             #constrained
             #named
+            #steps
         }
     });
     let by = emission.model.sensitivities.len();

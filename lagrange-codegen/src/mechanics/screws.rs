@@ -20,7 +20,7 @@ use crate::kinematics::{cross, times, turning_direction};
 use crate::model::Model;
 use crate::number::Number;
 pub use moved::Group;
-use moved::{Moved, Part, groups, parts, vanish};
+use moved::{Moved, Part, Slope, groups, parts, vanish};
 
 type Vector = [NodeId; 3];
 
@@ -95,23 +95,22 @@ impl Deriving {
         let mut screws = vec![[zero; 6]; self.sets.len()];
         let (mut points, mut inertias) = (Vec::new(), Vec::new());
         let (mut rates, mut changes) = (Vec::new(), Vec::new());
-        let origin = self.parts[self.follows(&groups[0], &own[0])].place;
+        let origin = self.parts[self.follows(&groups[0], &own[0])].base;
         for (group, own) in groups.iter_mut().zip(&own) {
             let part = &self.parts[self.follows(group, own)];
-            points.push(less(graph, &part.place, &[(origin, Number::ONE)]));
-            let slopes: Vec<[Vector; 2]> = group.coordinates.iter().map(|&j| part.slopes(graph, j)).collect();
-            for (&j, [angular, linear]) in group.coordinates.iter().zip(&slopes) {
-                screws[j] = joined(*angular, *linear);
+            points.push(plus(graph, &part.base, &[(origin, -1)]));
+            let slopes: Vec<Slope> = group.coordinates.iter().map(|&j| part.slope(graph, j)).collect();
+            for (&j, slope) in group.coordinates.iter().zip(&slopes) {
+                screws[j] = joined(slope.angular, slope.linear);
             }
-            let of_group = changes_of(graph, group, &slopes);
+            let of_group = changes_of(graph, group, part, &slopes);
             if group.coordinates.len() > 1 || !vanish(graph, &of_group) {
                 group.given = Some(rates.len());
-                let velocity = times(graph, &part.rotation.matrix, &part.velocity);
-                rates.extend(slopes.iter().map(|slopes| self.rates(graph, slopes, &velocity)));
+                rates.extend(slopes.iter().map(|slope| self.rates(graph, part, slope)));
                 changes.extend(of_group);
             }
             let parts = own.iter().map(|&part| &self.parts[part]);
-            inertias.push(inertia(graph, parts, &part.place));
+            inertias.push(inertia(graph, parts, &part.base));
         }
         let gravity = [zero; 3];
         Screws { groups, points, screws, rates, changes, inertias, gravity, rest: Vec::new() }
@@ -136,17 +135,31 @@ impl Deriving {
         own.first().copied().or_else(any).unwrap_or_default()
     }
 
-    /// Ṡ and S̈ about a point at rest, which a body passes with a velocity.
-    fn rates(&self, graph: &mut Graph, [w, u]: &[Vector; 2], velocity: &Vector) -> [[NodeId; 6]; 2] {
-        let [dw, du] = [w, u].map(|vector| self.rate(graph, vector));
-        let [ddw, ddu] = [&dw, &du].map(|vector| self.rate(graph, vector));
-        let acceleration = self.rate(graph, velocity);
-        let first = [(cross(graph, w, velocity), Number::ONE)];
-        let second = [
-            (cross(graph, &dw, velocity), Number::integer(2)),
-            (cross(graph, w, &acceleration), Number::ONE),
-        ];
-        [joined(dw, less(graph, &du, &first)), joined(ddw, less(graph, &ddu, &second))]
+    /// Ṡ and S̈ about a point at rest, which the base of the part passes. The rates of angular parts are
+    /// taken in the axes of the part and turned: there, what they are made of is simpler.
+    fn rates(&self, graph: &mut Graph, part: &Part, slope: &Slope) -> [[NodeId; 6]; 2] {
+        let Slope { turning, angular, linear } = slope;
+        let dw = self.rate(graph, turning);
+        let ddw = self.rate(graph, &dw);
+        let spins = self.rate(graph, &part.rate);
+        let carried = cross(graph, &part.rate, turning);
+        let first = plus(graph, &dw, &[(carried, 1)]);
+        let swung = plus(graph, &carried, &[(dw, 2)]);
+        let swung = cross(graph, &part.rate, &swung);
+        let across = cross(graph, &spins, turning);
+        let second = plus(graph, &ddw, &[(swung, 1), (across, 1)]);
+        let [dw, ddw] = [first, second].map(|vector| part.in_space(graph, &vector));
+
+        let velocity = part.in_space(graph, &part.base_velocity);
+        let acceleration = self.rate(graph, &velocity);
+        let du = self.rate(graph, linear);
+        let ddu = self.rate(graph, &du);
+        let passed = cross(graph, angular, &velocity);
+        let twice = cross(graph, &dw, &velocity);
+        let quickened = cross(graph, angular, &acceleration);
+        let first = plus(graph, &du, &[(passed, -1)]);
+        let second = plus(graph, &ddu, &[(twice, -2), (quickened, -1)]);
+        [joined(dw, first), joined(ddw, second)]
     }
 
     fn rate(&self, graph: &mut Graph, vector: &Vector) -> Vector {
@@ -156,18 +169,20 @@ impl Deriving {
 }
 
 /// ∂S/∂q of a group, rows S, about a point at rest.
-fn changes_of(graph: &mut Graph, group: &Group, slopes: &[[Vector; 2]]) -> Vec<[NodeId; 6]> {
+fn changes_of(graph: &mut Graph, group: &Group, part: &Part, slopes: &[Slope]) -> Vec<[NodeId; 6]> {
     let one = graph.one();
     let mut changes = Vec::with_capacity(slopes.len() * slopes.len());
-    for [w, u] in slopes {
-        for (&j, [_, moves]) in group.coordinates.iter().zip(slopes) {
+    for Slope { turning, angular, linear } in slopes {
+        for (&j, by) in group.coordinates.iter().zip(slopes) {
             let coordinate = graph.variable(Variable::Coordinate(j as u32));
-            let [dw, du] = [w, u].map(|vector| {
+            let [dw, du] = [turning, linear].map(|vector| {
                 let slopes = pushforward(graph, vector, &[(coordinate, one)]);
                 [slopes[0], slopes[1], slopes[2]]
             });
-            let across = cross(graph, w, moves);
-            changes.push(joined(dw, less(graph, &du, &[(across, Number::ONE)])));
+            let carried = cross(graph, &by.turning, turning);
+            let dw = plus(graph, &dw, &[(carried, 1)]);
+            let passed = cross(graph, angular, &by.linear);
+            changes.push(joined(part.in_space(graph, &dw), plus(graph, &du, &[(passed, -1)])));
         }
     }
     changes
@@ -177,30 +192,48 @@ fn changes_of(graph: &mut Graph, group: &Group, slopes: &[[Vector; 2]]) -> Vec<[
 fn inertia<'a>(graph: &mut Graph, parts: impl Iterator<Item = &'a Part>, point: &Vector) -> [NodeId; 10] {
     let mut sums: [Vec<(NodeId, Number)>; 10] = Default::default();
     for part in parts {
-        let from = less(graph, &part.place, &[(*point, Number::ONE)]);
-        let moment = from.map(|component| graph.mul(part.mass, component));
-        let turned = part.inertia.map(|inertia| {
-            let matrix = &part.rotation.matrix;
-            // R I Rᵀ, since I is symmetric.
-            let half = [0, 1, 2].map(|row| times(graph, &inertia, &matrix[row]));
-            [0, 1, 2].map(|row| times(graph, &half, &matrix[row]))
-        });
-        sums[0].push((part.mass, Number::ONE));
-        for (sum, moment) in sums[1..4].iter_mut().zip(moment) {
+        let Part { mass, arm, base, .. } = part;
+        let from = plus(graph, base, &[(*point, -1)]);
+        let lean = arm.map(|component| graph.mul(*mass, component));
+        let moment = part.in_space(graph, &lean);
+        // About the base and in the axes of the part first, in which a rigid part does not change.
+        let zero = [[graph.zero(); 3]; 3];
+        let own = about(graph, part.inertia.unwrap_or(zero), &[(lean, *arm)]);
+        // R J Rᵀ, since J is symmetric.
+        let half = [0, 1, 2].map(|row| times(graph, &own, &part.rotation.matrix[row]));
+        let turned = [0, 1, 2].map(|row| times(graph, &half, &part.rotation.matrix[row]));
+        let carried = from.map(|component| graph.mul(*mass, component));
+        let both = plus(graph, &carried, &[(moment, 1)]);
+        let shifted = about(graph, turned, &[(moment, from), (from, both)]);
+        sums[0].push((*mass, Number::ONE));
+        for (sum, moment) in sums[1..4].iter_mut().zip(both) {
             sum.push((moment, Number::ONE));
         }
         for (sum, (i, j)) in sums[4..].iter_mut().zip([(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)]) {
-            sum.extend(turned.map(|turned| (turned[i][j], Number::ONE)));
-            if i == j {
-                for k in [0, 1, 2].into_iter().filter(|&k| k != i) {
-                    sum.push((graph.mul(moment[k], from[k]), Number::ONE));
-                }
-            } else {
-                sum.push((graph.mul(moment[i], from[j]), Number::MINUS_ONE));
-            }
+            sum.push((shifted[i][j], Number::ONE));
         }
     }
     sums.map(|sum| graph.sum(Number::ZERO, &sum))
+}
+
+/// A moment of inertia J with (a·b) 1 − a bᵀ for some vectors, of which the upper triangle counts.
+fn about(graph: &mut Graph, mut inertia: [Vector; 3], pairs: &[(Vector, Vector)]) -> [Vector; 3] {
+    for (a, b) in pairs {
+        for i in 0..3 {
+            for j in 0..3 {
+                let mut terms = vec![(inertia[i][j], Number::ONE)];
+                if i == j {
+                    for k in [0, 1, 2].into_iter().filter(|&k| k != i) {
+                        terms.push((graph.mul(a[k], b[k]), Number::ONE));
+                    }
+                } else {
+                    terms.push((graph.mul(a[i.min(j)], b[i.max(j)]), Number::MINUS_ONE));
+                }
+                inertia[i][j] = graph.sum(Number::ZERO, &terms);
+            }
+        }
+    }
+    inertia
 }
 
 /// Forces beside inertia forces and the weight.
@@ -219,11 +252,11 @@ fn joined([a, b, c]: Vector, [d, e, f]: Vector) -> [NodeId; 6] {
     [a, b, c, d, e, f]
 }
 
-/// A vector less multiples of others.
-fn less(graph: &mut Graph, vector: &Vector, others: &[(Vector, Number)]) -> Vector {
+/// A vector with multiples of others.
+fn plus(graph: &mut Graph, vector: &Vector, others: &[(Vector, i128)]) -> Vector {
     [0, 1, 2].map(|i| {
         let mut terms = vec![(vector[i], Number::ONE)];
-        terms.extend(others.iter().map(|(other, factor)| (other[i], -*factor)));
+        terms.extend(others.iter().map(|(other, factor)| (other[i], Number::integer(*factor))));
         graph.sum(Number::ZERO, &terms)
     })
 }

@@ -102,7 +102,7 @@ pub fn derive(
     let count = held + contacts.len();
     let mut regime = rows.clone();
     let switches = Switches::new(&mut regime, count, kinks.len());
-    let kinks_in = kinks::replace(&mut regime, &kinks, &switches.kinks);
+    let (kinks_in, contacts_in) = on_sides(&mut regime, &kinks, &switches, &contacts);
     let mut equations = mechanics::derive(&mut regime, &permits, diagnostics)?;
     laws.conditions.add_rows(&mut rows.graph, loads.len());
     for model in [&mut rows, &mut regime] {
@@ -120,14 +120,14 @@ pub fn derive(
         .chain(others.clone())
         .collect();
     let fixed_in = (0..count)
-        .map(|row| match row.checked_sub(held).map(|contact| &contacts[contact].law) {
+        .map(|row| match row.checked_sub(held).map(|contact| &contacts_in[contact].law) {
             Some(Law::Friction { fixed, .. }) => *fixed,
             _ => zero,
         })
         .chain(others)
         .collect();
     if !contacts.is_empty() {
-        hold(&mut regime.graph, &mut equations, &switches, held, &contacts, loads);
+        hold(&mut regime.graph, &mut equations, &switches, held, &contacts_in, loads);
     }
     let turned = described.and_then(|described| turned(described, &mut regime, &switches, &kinks));
     let equations = equations.simplified(&mut regime);
@@ -162,6 +162,19 @@ pub fn derive(
         orders,
         laws_of,
     })
+}
+
+/// Puts a model on the sides of kinks that switches name. Returns the switching functions there, and the
+/// contacts, whose coefficients may have kinks too: that of friction on a curved surface has its gradient.
+fn on_sides(
+    model: &mut Model,
+    kinks: &[NodeId],
+    switches: &Switches,
+    contacts: &[Contact],
+) -> (Vec<NodeId>, Vec<Contact>) {
+    model.contacts = contacts.to_vec();
+    let arguments = kinks::replace(model, kinks, &switches.kinks);
+    (arguments, std::mem::take(&mut model.contacts))
 }
 
 /// Takes the contacts of a model as constraints that always hold, and gives its loads rows behind them.
@@ -228,7 +241,7 @@ fn turned(described: &Model, regime: &mut Model, switches: &Switches, kinks: &[N
     let held = model.constraints.len();
     let (contacts, loads) = as_rows(&mut model);
     let kinks = kinks::described(&described.graph, &mut model, kinks)?;
-    kinks::replace(&mut model, &kinks, &switches.kinks);
+    let (_, contacts) = on_sides(&mut model, &kinks, switches, &contacts);
     let mut equations = mechanics::turning(&mut model)?;
     if !contacts.is_empty() {
         hold(&mut model.graph, &mut equations, switches, held, &contacts, loads);

@@ -181,8 +181,8 @@ fn self_type(ty: &syn::Type) -> Option<&syn::PathSegment> {
     }
 }
 
-/// What generated types are named after: `Chain`, `Chain3` for `Chain<3>` and `ChainMinus3` for `Chain<-3>`, so
-/// that there may be a description for each of several numbers.
+/// What generated types are named after: `Chain`, `Chain3` for `Chain<3>` and `ChainMinus3` for `Chain<-3>`,
+/// so that there may be a description for each of several numbers.
 fn name_of(segment: &syn::PathSegment) -> Ident {
     let mut name = segment.ident.clone();
     if let syn::PathArguments::AngleBracketed(arguments) = &segment.arguments {

@@ -60,11 +60,15 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
     where
         F: Field<R, N>,
     {
+        let last = match self.slope {
+            Some(slope) => slope,
+            // The end has been corrected since.
+            None => self.slope_at_end(f)?,
+        };
         let from = &self.start.state;
         let end = &self.end.state;
         let h = end.t - from.t;
         let zero = Slope { q: [R::zero(); N], v: [R::zero(); N] };
-        let last = self.slope.unwrap_or(zero);
         let mut slopes = [zero; STAGES_DENSE];
         slopes[..STAGES].copy_from_slice(&self.slopes);
         slopes[STAGES] = last;

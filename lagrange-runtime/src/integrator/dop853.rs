@@ -340,7 +340,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
 
     /// The slope at `end`, from which everything starts.
     #[cold]
-    fn slope_at_end<F>(&mut self, f: &F) -> Result<Slope<R, N>, Cause>
+    pub(super) fn slope_at_end<F>(&mut self, f: &F) -> Result<Slope<R, N>, Cause>
     where
         F: Field<R, N>,
     {

@@ -97,7 +97,10 @@ where
 
 /// Whether a series about a state tells the motion: independent rows determine the state well, and the terms
 /// do not grow beyond the rounding errors of the state.
-fn is_sound<R: Real, const N: usize, const P: usize>(series: &Series<R, N, P>, at: &State<R, N>) -> bool {
+pub(super) fn is_sound<R: Real, const N: usize, const P: usize>(
+    series: &Series<R, N, P>,
+    at: &State<R, N>,
+) -> bool {
     let here = &series.independence;
     let largest = |row: &[R; N]| row.iter().fold(R::zero(), |all, x| all.max(x.abs()));
     let known = [&at.q, &at.v].map(|x| R::epsilon() * largest(x));

@@ -15,6 +15,7 @@
 
 mod expansion;
 mod memory;
+pub(crate) mod paced;
 pub(crate) mod probe;
 mod singular;
 mod step;

@@ -64,16 +64,13 @@ impl<R: Real, const N: usize> Rows<R, N> {
                 return None;
             }
             inverse[k] = pivot.recip();
-            for i in 0..k {
-                if row[i] == R::zero() {
-                    continue;
-                }
+            for i in (0..k).filter(|&i| row[i] != R::zero()) {
                 rows.push(k, i);
                 columns.push(i, k);
                 let l = row[i] * inverse[k];
                 factor[k][i] = l;
-                for (entry, &other) in factor[i][..i + 1].iter_mut().zip(&row) {
-                    *entry = R::mul_add(-l, other, *entry);
+                for j in rows.of(k) {
+                    factor[i][j] = R::mul_add(-l, row[j], factor[i][j]);
                 }
             }
         }

@@ -7,6 +7,7 @@
 mod energy;
 
 use crate::constraints::{Constrained, Reactions};
+use crate::integrator::landing::energy::is_kept;
 use crate::number::real::Real;
 use crate::system::attitude;
 use crate::system::error::{Cause, MotionError};
@@ -35,8 +36,8 @@ where
     pub fn new(system: &'a S, start: State<S::Scalar, N>) -> Self {
         const {
             assert!(
-                !S::SWITCHED,
-                "this system has contacts or dry friction, which fixed steps do not see: use `simulate(…)`"
+                !S::SWITCHED || M::SWITCHES,
+                "this system has contacts or dry friction, which this method does not see: use `stepper::<Jet<…>>(…)` or `simulate(…)`"
             );
         }
         let constants = system.constants();
@@ -80,7 +81,7 @@ where
         self.system
             .project_at(&self.constants, &mut next, Some(from))
             .map_err(|cause| MotionError { cause, t: from.t })?;
-        if S::COUPLED && S::CONSERVES_ENERGY && !energy::is_kept(self.system, &self.constants, from, &next) {
+        if S::COUPLED && S::CONSERVES_ENERGY && !is_kept(self.system, &self.constants, from, &next) {
             let (system, constants, ends) = (self.system, &self.constants, [from, &next]);
             next = energy::mended::<S, M, N, K>(&mut self.memory, system, constants, ends, h, u)
                 .map_err(|cause| MotionError { cause, t: from.t })?;

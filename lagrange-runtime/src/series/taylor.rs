@@ -12,6 +12,7 @@
 
 mod functions;
 
+use core::cell::Cell;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -45,7 +46,8 @@ pub(crate) struct Taylor<R, const T: usize = TERMS> {
 }
 
 impl<R: Ordered, const T: usize> Taylor<R, T> {
-    /// Whether what is left away is bounded: of a first look. Others are taken where it is less than roundings.
+    /// Whether what is left away is bounded: of a first look. Others are taken where it is less than
+    /// roundings.
     const IS_BOUND: bool = T > 1 && T < TERMS;
 
     /// A number that does not change.
@@ -273,9 +275,9 @@ pub(crate) fn shift<R: Real>(coefficients: &mut [R], from: R, width: R) {
     if !from.is_zero() {
         for first in (0..coefficients.len().saturating_sub(1)).rev() {
             // What is known begins behind `first`; times the argument it begins there.
-            let known = coefficients.get_mut(first..).unwrap_or_default();
-            for place in 0..known.len() - 1 {
-                known[place] = R::mul_add(from, known[place + 1], known[place]);
+            let known = Cell::from_mut(coefficients.get_mut(first..).unwrap_or_default()).as_slice_of_cells();
+            for (low, high) in known.iter().zip(known.iter().skip(1)) {
+                low.set(R::mul_add(from, high.get(), low.get()));
             }
         }
     }

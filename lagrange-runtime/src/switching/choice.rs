@@ -8,7 +8,7 @@
 //!
 //! Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, chapters 5 and 7.
 
-use super::scene::{Scene, Status, above, extent, most, product, rounding};
+use super::scene::{Scene, Status, above, entry, extent, most, product, rounding};
 use super::trials::{Options, Part, combine, regime};
 use super::{Regime, Row, Switching};
 use crate::constraints::Balance;
@@ -38,16 +38,17 @@ where
 {
     /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that
     /// again only if nothing else is possible. A reaction that has fallen through zero is one that the
-    /// polynomial has decided about, where accelerations and reactions tie. A gap may have touched zero alone.
+    /// polynomial has decided about, where accelerations and reactions tie. A gap may have touched zero
+    /// alone.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,
         avoid: Option<usize>,
     ) -> Result<Choice<S::Scalar, N, C, W>, Cause> {
-        let decided = avoid.filter(|&row| match S::ROWS[row] {
-            Row::Bilateral | Row::Load => true,
-            Row::Unilateral => present.active[row],
-            Row::Friction { .. } => false,
+        let decided = avoid.filter(|&row| match S::ROWS.get(row) {
+            Some(Row::Bilateral | Row::Load) => true,
+            Some(Row::Unilateral) => present.active.get(row) == Some(&true),
+            Some(Row::Friction { .. }) | None => false,
         });
         if decided.is_some()
             && let Ok(choice) = self.choose_among(self.options(present, avoid, decided), decided)
@@ -196,7 +197,8 @@ where
 
     /// The rate of the rate of a row.
     pub(super) fn rate(&self, row: usize, accelerations: &[S::Scalar; N]) -> S::Scalar {
-        product(&self.gradients[row], accelerations) - self.gamma[row]
+        let along = |gradient| product(gradient, accelerations);
+        self.gradients.get(row).map_or(num_traits::Zero::zero(), along) - entry(&self.gamma, row)
     }
 
     /// Whether what a combination demands agrees with what follows from it; if not, the row where it does
@@ -211,15 +213,19 @@ where
         let zero: S::Scalar = num_traits::Zero::zero();
         let sizes = &trial.sizes;
         let scale = |row: usize| {
-            let gradient = &self.gradients[row];
+            let Some(gradient) = self.gradients.get(row) else { return zero };
             let squares = product(gradient, gradient);
             if squares.is_positive() { extent(gradient, &sizes.forces) / squares } else { zero }
         };
-        for (row, kind) in S::ROWS.iter().enumerate().filter(|(row, _)| decided != Some(*row)) {
-            let reaction = trial.multipliers[row];
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            if decided == Some(row) {
+                continue;
+            }
+            let reaction = entry(&trial.multipliers, row);
             let slack = part * scale(row);
             let rate = self.rate(row, &trial.accelerations);
-            let play = part * (extent(&self.gradients[row], &sizes.accelerations) + self.gamma[row].abs());
+            let own = self.gradients.get(row).map_or(zero, |own| extent(own, &sizes.accelerations));
+            let play = part * (own + entry(&self.gamma, row).abs());
             // Rows that depend on each other may ask for what contradicts.
             let inexact = most(part, S::Scalar::epsilon().sqrt()) / part * play;
             if trial.regime.active[row] && *kind != Row::Bilateral && above(rate.abs(), inexact) {
@@ -234,7 +240,7 @@ where
                 (Row::Unilateral, _) if self.status[row] != Status::Apart => !above(-play, rate),
                 (Row::Friction { normal, pair }, _) if trial.regime.active[row] => {
                     let limit = self.limit(row, *normal, &trial.multipliers, &self.laws.fixed);
-                    let other = pair.map_or(zero, |other| trial.multipliers[other]);
+                    let other = pair.map_or(zero, |other| entry(&trial.multipliers, other));
                     !above(reaction.hypot(other), limit * (S::Scalar::from_f64(1.0) + part) + slack)
                 }
                 (Row::Friction { pair, .. }, _) => {
@@ -245,7 +251,7 @@ where
                         Some(other) => {
                             let along = |row| {
                                 let rates = &self.laws.rows.rates;
-                                rates[row] + self.change(row, &trial.velocities)
+                                entry(rates, row) + self.change(row, &trial.velocities)
                             };
                             let (x, y) = (along(row), along(*other));
                             let turn = self.rate(*other, &trial.accelerations);
@@ -270,7 +276,8 @@ where
         multipliers: &[S::Scalar; C],
         coefficients: &[S::Scalar; C],
     ) -> S::Scalar {
-        normal.map_or(coefficients[row], |normal| coefficients[row] * multipliers[normal].abs())
+        let coefficient = entry(coefficients, row);
+        normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
 
     /// The contact at which two regimes have other reactions, if the motion differs.

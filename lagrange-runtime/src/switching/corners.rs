@@ -1,11 +1,13 @@
-//! Corners of what a kink stands in.
+//! The way through a kink, and corners of what it stands in.
 
 use super::Switching;
-use super::run::Run;
-use super::scene::above;
+use super::run::{CHANGES, Run};
+use super::scene::{above, entry};
 use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
+use crate::system::error::Cause;
 use crate::system::method::Adaptive;
+use crate::system::name::Name;
 use crate::system::state::State;
 
 impl<S, M, const N: usize, const K: usize, const C: usize, const W: usize> Run<'_, S, M, N, K, C, W>
@@ -14,10 +16,36 @@ where
     S::Scalar: Ordered,
     M: Adaptive<S::InRegime, Held<S::Scalar, K>, N, K>,
 {
+    /// Goes to the other side of a kink.
+    pub(super) fn cross(
+        &mut self,
+        kink: usize,
+        sides: &mut [S::Scalar; W],
+        state: &State<S::Scalar, N>,
+    ) -> Result<(), Cause> {
+        let name = S::KINKS.get(kink).copied().unwrap_or(Name::NONE);
+        let flips = self.memory.flips.get_mut(kink);
+        let (Some(side), Some(flips)) = (sides.get_mut(kink), flips) else { return Ok(()) };
+        *side = -*side;
+        *flips += 1;
+        if *flips > CHANGES {
+            return Err(Cause::HeldAtKink { kink, name });
+        }
+        // The force of an energy that jumps would act at a point, where no equation has it.
+        let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v);
+        if above(entry(&jumps, kink).abs(), S::Scalar::epsilon().sqrt() * entry(&sizes, kink)) {
+            return Err(Cause::EnergyJumps { kink, name });
+        }
+        if self.has_corner(kink, state) {
+            return Err(Cause::MomentumJumps { kink, name });
+        }
+        Ok(())
+    }
+
     /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through
     /// it as they are. At the kink itself a function may be no more than roundings: its size is that along
     /// the piece.
-    pub(super) fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
+    fn has_corner(&mut self, kink: usize, state: &State<S::Scalar, N>) -> bool {
         let part = S::Scalar::epsilon().sqrt();
         let mut middle = None;
         let mut place = 0;

@@ -1,5 +1,7 @@
 //! Guards: what ends a regime where it falls through zero.
 
+mod values;
+
 use super::scene::{Scales, most, rounding};
 use super::{Functions, Regime, Row, Switching};
 use crate::motion::roots::{Kind, Memory, Polynomial, Side, Unresolved};
@@ -7,6 +9,7 @@ use crate::number::real::{Ordered, Real};
 use crate::series::taylor::{Rounded, Taylor};
 use crate::system::error::Cause;
 use crate::system::state::State;
+use values::Values;
 
 /// Evaluations of all guards that are kept: those of a polynomial of degree 16, and what tests it.
 const KEPT: usize = 24;
@@ -31,54 +34,6 @@ pub(super) struct Watch<R, const C: usize, const W: usize> {
     directions: [R; C],
     /// Kinks that are looked at.
     kinks: [bool; W],
-}
-
-impl<T, const C: usize, const W: usize> Functions<T, C, W> {
-    /// One of them.
-    pub(super) fn get(&self, guard: Guard) -> &T {
-        match guard {
-            Guard::Row(row) => &self.rows[row],
-            Guard::Kink(kink) => &self.kinks[kink],
-        }
-    }
-}
-
-impl<R: Ordered, const T: usize, const C: usize, const W: usize> Functions<Taylor<R, T>, C, W> {
-    /// The same without derivatives of their numbers: where they are zero, values tell alone.
-    pub(super) fn plain(self) -> Self {
-        if R::PARTS == 1 {
-            return self;
-        }
-        let plain = |x: &Taylor<R, T>| x.plain();
-        Self {
-            rows: self.rows.each_ref().map(plain),
-            fixed: self.fixed.each_ref().map(plain),
-            kinks: self.kinks.each_ref().map(plain),
-        }
-    }
-}
-
-/// Values of all guards and their sizes.
-#[derive(Clone, Copy, Debug)]
-struct Values<R, const C: usize, const W: usize> {
-    rows: [R; C],
-    row_sizes: [R; C],
-    kinks: [R; W],
-    kink_sizes: [R; W],
-}
-
-impl<R: Real, const C: usize, const W: usize> Values<R, C, W> {
-    const fn of(zero: R) -> Self {
-        Self { rows: [zero; C], row_sizes: [zero; C], kinks: [zero; W], kink_sizes: [zero; W] }
-    }
-
-    fn get(&self, guard: Guard) -> (R, R) {
-        let (value, size) = match guard {
-            Guard::Row(row) => (self.rows.get(row), self.row_sizes.get(row)),
-            Guard::Kink(kink) => (self.kinks.get(kink), self.kink_sizes.get(kink)),
-        };
-        (value.copied().unwrap_or(R::one()), size.copied().unwrap_or(R::zero()))
-    }
 }
 
 /// The guards of a regime.
@@ -142,15 +97,23 @@ where
 
     /// Ends to look at a guard.
     pub(super) fn pass(&mut self, guard: Guard) {
-        match guard {
-            Guard::Row(row) => self.watch.rows[row] = false,
-            Guard::Kink(kink) => self.watch.kinks[kink] = false,
+        let watched = match guard {
+            Guard::Row(row) => self.watch.rows.get_mut(row),
+            Guard::Kink(kink) => self.watch.kinks.get_mut(kink),
+        };
+        if let Some(is_watched) = watched {
+            *is_watched = false;
         }
     }
 
-    /// The rows whose guards are reactions, or all of which a method without polynomials knows nothing else.
-    fn is_sampled(&self, row: usize) -> bool {
-        self.watch.rows[row] && (!self.is_along || self.is_reaction(row) && !self.reacts_along)
+    /// Whether nothing but samples tell of a guard: of a reaction without a polynomial, and of each where a
+    /// method has none.
+    fn is_sampled(&self, guard: Guard) -> bool {
+        let is_along = match guard {
+            Guard::Row(row) => !self.is_reaction(row) || self.reacts_along,
+            Guard::Kink(_) => true,
+        };
+        !(self.is_along && is_along)
     }
 
     /// Whether any guard is made of reactions.
@@ -163,20 +126,20 @@ where
         matches!(S::ROWS[row], Row::Bilateral | Row::Load) || self.regime.active[row]
     }
 
-    /// The guards that are polynomials where the motion is one.
+    /// All guards that are looked at.
+    pub(super) fn all(&self) -> impl Iterator<Item = Guard> + '_ {
+        let rows = (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row);
+        rows.chain((0..W).filter(|&kink| self.watch.kinks[kink]).map(Guard::Kink))
+    }
+
+    /// Those that are polynomials, as the motion is.
     pub(super) fn along(&self) -> impl Iterator<Item = Guard> + '_ {
-        let rows = (0..C).filter(|&row| self.watch.rows[row] && !self.is_sampled(row)).map(Guard::Row);
-        rows.chain(self.kinks())
+        self.all().filter(|&guard| !self.is_sampled(guard))
     }
 
-    fn kinks(&self) -> impl Iterator<Item = Guard> + '_ {
-        (0..W).filter(|&kink| self.watch.kinks[kink]).map(Guard::Kink)
-    }
-
-    /// The guards that are looked at by samples.
+    /// Those that are looked at by samples.
     fn sampled(&self) -> impl Iterator<Item = Guard> + '_ {
-        let rows = (0..C).filter(|&row| self.is_sampled(row)).map(Guard::Row);
-        rows.chain(self.kinks().filter(|_| !self.is_along))
+        self.all().filter(|&guard| self.is_sampled(guard))
     }
 
     /// Puts in the places of functions the guards that they and reactions make: where a row or a kink has
@@ -249,11 +212,6 @@ where
             if self.has_reactions() { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
         self.guard(&mut functions, &reactions, |x| x);
         *functions.get(guard)
-    }
-
-    /// All guards that are looked at.
-    pub(super) fn all(&self) -> impl Iterator<Item = Guard> + '_ {
-        (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row).chain(self.kinks())
     }
 
     /// One of the guards at a state, likewise.

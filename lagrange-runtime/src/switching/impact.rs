@@ -71,13 +71,15 @@ where
         } else {
             let plastic = self.strike(&Demand::plastic())?;
             let mut least: S::Scalar = num_traits::One::one();
-            for (row, &e) in restitution.iter().enumerate() {
-                let before = self.laws.rows.rates[row];
-                let slows = -product(&self.gradients[row], &plastic.changes);
+            let rows = self.status.iter().zip(&self.is_closed).zip(&self.laws.rows.rates);
+            for (((status, &is_closed), &before), (&e, gradient)) in
+                rows.zip(restitution.iter().zip(&self.gradients))
+            {
+                let slows = -product(gradient, &plastic.changes);
                 // What opens already is not driven into penetration.
-                let most = match self.status[row] {
+                let most = match status {
                     Status::Meets => e,
-                    Status::Apart if self.is_closed[row] && slows.is_positive() => (before - slows) / slows,
+                    Status::Apart if is_closed && slows.is_positive() => (before - slows) / slows,
                     _ => continue,
                 };
                 if above(least, most) {

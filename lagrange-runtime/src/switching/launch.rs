@@ -109,6 +109,6 @@ where
     /// What velocities change at a row.
     pub(super) fn change(&self, row: usize, velocities: &[S::Scalar; N]) -> S::Scalar {
         let change = core::array::from_fn(|i| velocities[i] - self.state.v[i]);
-        product(&self.gradients[row], &change)
+        self.gradients.get(row).map_or(num_traits::Zero::zero(), |gradient| product(gradient, &change))
     }
 }

@@ -5,7 +5,8 @@ use core::fmt;
 use super::Regime;
 use super::guards::Guard;
 use super::scene::Scales;
-use crate::number::real::Real;
+use crate::integrator::jets::JetsMemory;
+use crate::number::real::{Ordered, Real};
 use crate::system::error::Cause;
 use crate::system::method::Steps;
 use crate::system::state::State;
@@ -91,6 +92,24 @@ impl<I, X, J, R: Real, const N: usize, const C: usize, const W: usize> HybridMem
     /// Which contacts are closed and which frictions stick or slip after the piece.
     pub fn regime(&self) -> &Regime<R, C, W> {
         self.next.as_ref().map_or(&self.regime, |(regime, _)| regime)
+    }
+}
+
+impl<I, X, C, T, R, const N: usize, const M: usize, const W: usize, const P: usize>
+    HybridMemory<I, X, JetsMemory<C, T, R, N, P>, R, N, M, W>
+where
+    C: Copy,
+    T: Copy + Default,
+    R: Ordered,
+{
+    /// Counts time from another instant on.
+    pub(super) fn count_from(&mut self, instant: R) {
+        self.start.t -= instant;
+        self.end.t -= instant;
+        if let Some((_, state)) = &mut self.next {
+            state.t -= instant;
+        }
+        self.inner.count_from(instant);
     }
 }
 

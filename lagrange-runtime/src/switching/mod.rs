@@ -14,6 +14,7 @@ mod begin;
 mod choice;
 mod contacts;
 mod corners;
+mod functions;
 mod guards;
 mod hybrid;
 mod impact;
@@ -24,7 +25,9 @@ mod rest;
 mod run;
 mod saltation;
 mod scene;
+mod since;
 mod standstill;
+mod steps;
 mod trials;
 mod turning;
 
@@ -38,6 +41,7 @@ pub use alone::{accelerations, multipliers};
 pub use contacts::{Contact, NamedRows, Switch};
 pub use hybrid::Hybrid;
 pub use memory::HybridMemory;
+pub use steps::StepsMemory;
 
 /// What a row of the constraint matrix stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

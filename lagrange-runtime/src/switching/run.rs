@@ -16,7 +16,7 @@ use crate::system::method::Adaptive;
 use crate::system::state::State;
 
 /// Changes of regimes without any time between them, for each row and kink, until they count as endless.
-const CHANGES: usize = 4;
+pub(super) const CHANGES: usize = 4;
 
 /// The part of a piece at which its guard is compared with the end, for its slope.
 const EARLIER: f64 = 1.0 - 1e-3;
@@ -295,21 +295,7 @@ where
         memory.changes += 1;
         let mut fired = None;
         match guard {
-            Guard::Kink(kink) => {
-                present.kinks[kink] = -present.kinks[kink];
-                memory.flips[kink] += 1;
-                if memory.flips[kink] > CHANGES {
-                    return Err(Cause::HeldAtKink { kink, name: S::KINKS[kink] });
-                }
-                // The force of an energy that jumps would act at a point, where no equation has it.
-                let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v);
-                if above(jumps[kink].abs(), S::Scalar::epsilon().sqrt() * sizes[kink]) {
-                    return Err(Cause::EnergyJumps { kink, name: S::KINKS[kink] });
-                }
-                if self.has_corner(kink, &state) {
-                    return Err(Cause::MomentumJumps { kink, name: S::KINKS[kink] });
-                }
-            }
+            Guard::Kink(kink) => self.cross(kink, &mut present.kinks, &state)?,
             Guard::Row(row) => {
                 if memory.changes > CHANGES * (C + W) {
                     return Err(Cause::EndlessSwitching { constraint: row, name: S::NAMES.constraint(row) });
@@ -320,8 +306,8 @@ where
         // A slip in two directions has turned by a right angle: the step goes on from there.
         let mut regime_ends = true;
         if let Some(row) = fired
-            && let Row::Friction { pair: Some(other), .. } = S::ROWS[row]
-            && !present.active[row]
+            && let Some(&Row::Friction { pair: Some(other), .. }) = S::ROWS.get(row)
+            && present.active.get(row) == Some(&false)
             && !self.rests(row, other, &state)
         {
             (fired, regime_ends) = (None, false);

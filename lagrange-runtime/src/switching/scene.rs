@@ -24,6 +24,11 @@ pub(super) fn most<R: Real>(a: R, b: R) -> R {
     if above(a, b) { a } else { b }
 }
 
+/// The number of a row; zero of none.
+pub(super) fn entry<R: Real, const C: usize>(numbers: &[R; C], row: usize) -> R {
+    numbers.get(row).copied().unwrap_or(R::zero())
+}
+
 /// Σ aᵢ xᵢ.
 pub(super) fn product<R: Real, const N: usize>(a: &[R; N], x: &[R; N]) -> R {
     a.iter().zip(x).fold(R::zero(), |sum, (&a, &x)| a.mul_add(x, sum))

@@ -2,7 +2,7 @@
 
 use super::memory::shift;
 use super::run::Run;
-use super::scene::{Known, Scene, above, most};
+use super::scene::{Known, Scene, above, entry, most};
 use super::{Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
@@ -35,8 +35,8 @@ where
     pub(super) fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
         let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
         let scales = &self.memory.scales;
-        let size = most(scales.speeds[row], scales.speeds[other]);
-        let slip = rows.rates[row].hypot(rows.rates[other]);
+        let size = most(entry(&scales.speeds, row), entry(&scales.speeds, other));
+        let slip = entry(&rows.rates, row).hypot(entry(&rows.rates, other));
         !above(slip, scales.lost() * size)
     }
 

@@ -104,10 +104,21 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
                 pivoted(&linearization, &by_u).ok_or_else(failed)?
             }
         };
-        let finite =
-            jacobians.by_q.iter().chain(&jacobians.by_v).chain(&jacobians.by_u).all(|x| x.is_finite());
+        let Jacobians { by_q, by_v, by_u } = &jacobians;
+        let finite = [by_q.as_slice(), by_v.as_slice(), by_u.as_slice()].into_iter().all(are_finite);
         if finite { Ok(jacobians) } else { Err(failed()) }
     }
+}
+
+/// Whether all numbers are finite. Zero times a number is zero, or else no number; sums of these side by
+/// side ask no question until the end.
+fn are_finite<R: Real>(numbers: &[R]) -> bool {
+    let (chunks, rest) = numbers.as_chunks::<FEW>();
+    let mut sums = [R::zero(); FEW];
+    for numbers in chunks {
+        sums.iter_mut().zip(numbers).for_each(|(sum, &x)| *sum += R::zero() * x);
+    }
+    sums.iter().chain(rest).all(|x| x.is_finite())
 }
 
 /// M⁻¹ times the columns of three matrices, which stand beside each other.

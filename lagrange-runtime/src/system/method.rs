@@ -13,6 +13,10 @@ pub trait FixedStep<S: System<N, K>, const N: usize, const K: usize> {
     /// failed steps and changes of the inputs, so a method checks whether it still applies.
     type Memory: Copy + core::fmt::Debug;
 
+    /// Whether it follows contacts and dry friction.
+    #[doc(hidden)]
+    const SWITCHES: bool = false;
+
     /// The memory before the first step.
     fn begin(system: &S) -> Self::Memory;
 

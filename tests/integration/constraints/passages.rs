@@ -77,34 +77,6 @@ impl Joints {
     }
 }
 
-/// The joints with a force on one of them.
-#[derive(Clone, Copy)]
-struct Driven;
-
-#[lagrangian(coordinates = [first: [2], second: [2]], inputs = [push])]
-impl Driven {
-    #[point(mass = 1.0)]
-    fn joints(&self, q: &Coordinates) -> [Vector2<f64>; 2] {
-        [Vector2::new(q.first[0], q.first[1]), Vector2::new(q.second[0], q.second[1])]
-    }
-
-    #[force(on = first[1])]
-    fn push(&self, u: &Inputs) -> f64 {
-        u.push
-    }
-
-    #[holonomic]
-    fn rods(&self, q: &Coordinates) -> [f64; 3] {
-        let [first, second] = self.joints(q);
-        let ground = Vector2::new(1.0, 0.0);
-        [
-            first.norm_squared() - 1.0,
-            (second - ground).norm_squared() - 1.0,
-            (second - first).norm_squared() - 1.0,
-        ]
-    }
-}
-
 /// A coupler on three cranks: the flat position is singular, and two rows are redundant everywhere.
 #[derive(Clone, Copy)]
 struct Coupler;
@@ -220,17 +192,6 @@ fn what_lies_inside_a_passage_is_on_the_branch() {
         }
         close_on(25.0, Joints.energy(&stages), Joints.energy(&series), 1e-10);
     }
-}
-
-#[test]
-fn a_feedback_changes_within_a_step_and_is_no_series() {
-    let start = State::new([1.0, 1e-9, 2.0, 1e-9], [-5e-9, 5.0, -5e-9, 5.0]);
-    let mut held = Driven.simulate_with::<Dop853>(start);
-    let end = *held.advance_to(0.1).expect("a motion");
-    close_on(25.0, Driven.energy(&end), Driven.energy(&start), 1e-8);
-    let mut led = Driven.simulate_with::<Dop853>(start).with_control(|state: &State<f64, 4>| [-state.v[1]]);
-    let error = led.advance_to(0.1).expect_err("no step can be told");
-    assert!(matches!(error.cause, Cause::Undetermined { .. } | Cause::StepTooSmall), "{error}");
 }
 
 #[test]

@@ -76,7 +76,8 @@ fn a_pendulum_on_a_journal_bearing_turns_where_it_should() {
         let turn = motion.advance_to_switch(10.0).unwrap().unwrap().state;
         all_close([turn.t, turn.q[2]], [time, angle], 1e-12);
     }
-    // It sticks where the lever of its weight is below the radius of the circle of friction, l |sin φ| < μ r …
+    // It sticks where the lever of its weight is below the radius of the circle of friction, l |sin φ| < μ r
+    // …
     let end = *motion.advance_to(100.0).unwrap();
     assert_eq!((end.v, motion.contacts().slip), ([0.0; 3], Contact::Sticks));
     let reactions = motion.reactions();

@@ -3,6 +3,7 @@
 mod balls;
 mod bearings;
 mod corners;
+mod edges;
 mod friction;
 mod kinks;
 mod laws;
@@ -13,7 +14,9 @@ mod random;
 mod reactions;
 mod refused;
 mod rocking;
+mod slider_crank;
 mod slips;
+mod steps;
 mod woodpecker;
 
 /// Tolerance of the motions.

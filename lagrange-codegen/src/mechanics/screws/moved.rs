@@ -4,7 +4,7 @@ use crate::calculus::pushforward;
 use crate::expr::{Dependence, Graph, NodeId, Variable};
 use crate::kinematics::{times, turning_direction};
 use crate::mechanics::frames::Frames;
-use crate::model::{Attitude, Model, Rotation};
+use crate::model::{Attitude, Levers, Model, Rotation};
 
 type Vector = [NodeId; 3];
 
@@ -14,9 +14,23 @@ pub struct Part {
     pub place: Vector,
     pub rotation: Rotation,
     pub inertia: Option<[Vector; 3]>,
-    /// ω and ṗ in the axes of the rotation.
+    /// A point of it that does not move with its rotation alone, such as one on the axis of a hinge, and the
+    /// arm from there to the place, in the axes of the rotation.
+    pub base: Vector,
+    pub arm: Vector,
+    /// ω, and the velocities of the place and of the base, in the axes of the rotation.
     pub rate: Vector,
     pub velocity: Vector,
+    pub base_velocity: Vector,
+}
+
+/// The derivatives of a part's motion by one velocity.
+pub struct Slope {
+    /// Of ω, in the axes of the rotation and in space axes.
+    pub turning: Vector,
+    pub angular: Vector,
+    /// Of the base's velocity, in space axes.
+    pub linear: Vector,
 }
 
 /// Coordinates that move the same bodies.
@@ -54,7 +68,9 @@ pub fn parts(model: &mut Model) -> Option<Vec<Part>> {
     for (mass, position, rotation, inertia) in all {
         let place: Vector = position.try_into().ok()?;
         let rate = frames.spin(graph, &rotation).rate;
-        let velocity = frames.motion(graph, &rotation, &place).velocity;
+        let (base, arm) = arm(graph, levers, &rotation, place);
+        let [velocity, base_velocity] =
+            [place, base].map(|place| frames.motion(graph, &rotation, &place).velocity);
         let is_fixed = |&node: &NodeId| graph.dependence(node).is_fixed();
         if !is_fixed(&mass) || !inertia.iter().flatten().flatten().all(is_fixed) {
             return None;
@@ -64,9 +80,19 @@ pub fn parts(model: &mut Model) -> Option<Vec<Part>> {
         if moving.into_iter().any(|&node| graph.dependence(node).meets(given)) {
             return None;
         }
-        parts.push(Part { mass, place, rotation, inertia, rate, velocity });
+        parts.push(Part { mass, place, rotation, inertia, base, arm, rate, velocity, base_velocity });
     }
     (!parts.is_empty()).then_some(parts)
+}
+
+/// Where the arms by which a rotation carries a place begin, and their sum.
+fn arm(graph: &mut Graph, levers: &Levers, rotation: &Rotation, place: Vector) -> (Vector, Vector) {
+    let (mut base, mut arm) = (place, [graph.zero(); 3]);
+    while let Some(lever) = levers.of(&base).filter(|lever| lever.rotation.matrix == rotation.matrix) {
+        base = lever.base;
+        arm = [0, 1, 2].map(|i| graph.add(arm[i], lever.arm[i]));
+    }
+    (base, arm)
 }
 
 /// A number of size one, the same in every expansion.
@@ -188,13 +214,19 @@ pub fn vanish(graph: &Graph, nodes: &[[NodeId; 6]]) -> bool {
 }
 
 impl Part {
-    /// ∂ω/∂v and ∂ṗ/∂v by one velocity, in space axes.
-    pub fn slopes(&self, graph: &mut Graph, coordinate: usize) -> [Vector; 2] {
+    /// What one velocity does to the part.
+    pub fn slope(&self, graph: &mut Graph, coordinate: usize) -> Slope {
         let velocity = graph.variable(Variable::Velocity(coordinate as u32));
         let one = graph.one();
-        [&self.rate, &self.velocity].map(|vector| {
+        let [turning, moving] = [&self.rate, &self.base_velocity].map(|vector| {
             let slopes = pushforward(graph, vector, &[(velocity, one)]);
-            times(graph, &self.rotation.matrix, &[slopes[0], slopes[1], slopes[2]])
-        })
+            [slopes[0], slopes[1], slopes[2]]
+        });
+        Slope { turning, angular: self.in_space(graph, &turning), linear: self.in_space(graph, &moving) }
+    }
+
+    /// A vector in the axes of the rotation, in space axes.
+    pub fn in_space(&self, graph: &mut Graph, vector: &Vector) -> Vector {
+        times(graph, &self.rotation.matrix, vector)
     }
 }

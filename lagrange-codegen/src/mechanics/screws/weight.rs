@@ -75,9 +75,10 @@ fn is_weight(
             for part in parts.as_chunks::<13>().0 {
                 let (mass, matrix, velocity) = (part[0], &part[1..10], &part[10..]);
                 for (i, fall) in fall.iter().enumerate() {
-                    let along: f64 = (0..3).map(|k| matrix[3 * i + k] * velocity[k]).sum();
-                    power += mass * fall * along;
-                    size += (mass * fall * along).abs();
+                    // A level motion is a difference here, which may be all roundings.
+                    let along = [0, 1, 2].map(|k| mass * fall * matrix[3 * i + k] * velocity[k]);
+                    power += along.iter().sum::<f64>();
+                    size += along.iter().map(|part| part.abs()).sum::<f64>();
                 }
             }
             // False for what is not a number.

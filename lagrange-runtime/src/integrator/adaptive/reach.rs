@@ -18,8 +18,8 @@ where
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
 {
-    /// What really ended a motion whose step became too small: the tolerance, where longer steps with a larger
-    /// error end well, else the error as it is.
+    /// What really ended a motion whose step became too small: the tolerance, where longer steps with a
+    /// larger error end well, else the error as it is.
     #[cold]
     #[inline(never)]
     pub(super) fn named(

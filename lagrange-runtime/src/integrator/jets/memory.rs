@@ -18,14 +18,14 @@ use crate::system::method::Terms;
 use crate::system::smooth::Series;
 use crate::system::state::State;
 
-/// What [`Jets`] remember between steps.
+/// What [`Jets`] remember between steps, with series to order `P`.
 #[derive(Clone, Copy, Debug)]
-pub struct JetsMemory<C, T, R, const N: usize> {
+pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
     pub(super) constants: C,
     /// Where the three numbers of each orientation begin.
     orientations: &'static [usize],
     pub(super) tables: T,
-    pub(super) series: Series<R, N, HIGHEST>,
+    pub(super) series: Series<R, N, P>,
     /// Whether `tables` belong to it as it is: not once it has been taken about another place.
     pub(super) is_as_expanded: bool,
     pub(super) orders: usize,
@@ -56,7 +56,7 @@ pub struct JetsMemory<C, T, R, const N: usize> {
     pub(super) counts: Steps,
 }
 
-impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R, N> {
+impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> JetsMemory<C, T, R, N, P> {
     pub(super) fn new(constants: C, start: State<R, N>, orientations: &'static [usize]) -> Self {
         let zero = State { t: R::zero(), q: [R::zero(); N], v: [R::zero(); N] };
         Self {
@@ -227,12 +227,14 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
     /// Whether the coefficients of the highest order are finite, and with them all others.
     #[inline]
     pub(super) fn is_finite(&self) -> bool {
-        let row = |rows: &[[R; N]; HIGHEST]| {
+        let row = |rows: &[[R; N]; P]| {
             rows.get(self.orders - 1).is_some_and(|row| row.iter().all(|x| x.is_finite()))
         };
         row(&self.series.q) && row(&self.series.v)
     }
+}
 
+impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R, N> {
     /// The length at which the last two terms fall to the tolerance, in units of the scaled time; not finite
     /// where a coefficient is not, infinite for a polynomial.
     ///

@@ -50,6 +50,24 @@ where
     }
 }
 
+/// Whether a step has lost so little of the energy that half of all digits are left of the kinetic energy.
+#[inline]
+pub(crate) fn is_kept<S, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    from: &State<S::Scalar, N>,
+    end: &State<S::Scalar, N>,
+) -> bool
+where
+    S: System<N, K>,
+{
+    let energy = |state: &State<S::Scalar, N>| energy(system, constants, state);
+    let here = energy(end);
+    let kinetic = (here - energy(&State { v: [num_traits::Zero::zero(); N], ..*end })).abs();
+    let excess = (here - energy(from)).abs() - S::Scalar::epsilon().sqrt() * kinetic;
+    excess.largest() <= num_traits::Zero::zero()
+}
+
 /// The energy without derivatives.
 pub(crate) fn energy<S: System<N, K>, const N: usize, const K: usize>(
     system: &S,

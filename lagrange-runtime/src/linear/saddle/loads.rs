@@ -12,6 +12,7 @@
 //! linear equation. Where a force begins to grow from zero, its first order that is not zero has the part of
 //! order zero.
 
+use super::vectors::{pick, put};
 use crate::linear::Lu;
 use crate::number::real::Real;
 
@@ -85,12 +86,14 @@ impl<R: Real, const C: usize> Loads<R, C> {
         for load in self.table {
             let bound = match *load {
                 Load::Sum { row } => {
-                    let shares = self.shares[row].iter().zip(&*bounds);
+                    let shares = self.shares.get(row).into_iter().flatten().zip(&*bounds);
                     shares.fold(R::zero(), |sum, (&share, &bound)| sum + share.abs() * bound)
                 }
-                Load::Size { parts, .. } => parts.iter().fold(R::zero(), |sum, &part| sum + bounds[part]),
+                Load::Size { parts, .. } => {
+                    parts.iter().fold(R::zero(), |sum, &part| sum + pick(bounds, part))
+                }
             };
-            bounds[load.row()] = bound;
+            put(bounds, load.row(), bound);
         }
     }
 
@@ -98,21 +101,23 @@ impl<R: Real, const C: usize> Loads<R, C> {
     fn is_contraction(&self) -> bool {
         let mut matrix = [[R::zero(); C]; C];
         for (row, parts) in sizes(self.table) {
+            let Some(entries) = matrix.get_mut(row) else { continue };
             for (other, _) in sizes(self.table) {
-                let response = self.response[other];
-                let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(response[part]));
-                matrix[row][other] = if row == other { R::one() - size } else { -size };
+                let Some(response) = self.response.get(other) else { continue };
+                let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(pick(response, part)));
+                put(entries, other, if row == other { R::one() - size } else { -size });
             }
         }
         for (pivot, _) in sizes(self.table) {
-            if !matrix[pivot][pivot].is_positive() {
+            let Some(leading) = matrix.get(pivot).copied() else { continue };
+            if !pick(&leading, pivot).is_positive() {
                 return false;
             }
             for (row, _) in sizes(self.table).filter(|(row, _)| *row > pivot) {
-                let factor = matrix[row][pivot] / matrix[pivot][pivot];
-                for (column, _) in sizes(self.table) {
-                    let entry = matrix[pivot][column];
-                    matrix[row][column] -= factor * entry;
+                let Some(entries) = matrix.get_mut(row) else { continue };
+                let factor = pick(entries, pivot) / pick(&leading, pivot);
+                for (entry, &above) in entries.iter_mut().zip(&leading) {
+                    *entry -= factor * above;
                 }
             }
         }
@@ -127,18 +132,20 @@ impl<R: Real, const C: usize> Loads<R, C> {
     /// The same of an order of a series, whose lower ones are `known`, a row each, in units of `rate`.
     pub(super) fn solve_order(&self, free: &[R; C], rate: R, known: &[[R; C]]) -> [R; C] {
         self.settled(free, |row, parts| {
-            let first = known.iter().position(|known| known[row] != R::zero())?;
+            let first = known.iter().position(|known| pick(known, row) != R::zero())?;
             let (start, later) = known.get(first..)?.split_first()?;
             let mut square = R::zero();
             for (one, other) in later.iter().zip(later.iter().rev()) {
-                let force = parts.iter().fold(R::zero(), |sum, &part| one[part].mul_add(other[part], sum));
-                square += force - one[row] * other[row];
+                let force = parts
+                    .iter()
+                    .fold(R::zero(), |sum, &part| pick(one, part).mul_add(pick(other, part), sum));
+                square += force - pick(one, row) * pick(other, row);
             }
-            let mut direction = [R::zero(); C];
+            let (mut direction, size) = ([R::zero(); C], pick(start, row));
             for &part in parts {
-                direction[part] = start[part] / start[row];
+                put(&mut direction, part, pick(start, part) / size);
             }
-            Some(Tangent { direction, rest: rate * square / (start[row] + start[row]) })
+            Some(Tangent { direction, rest: rate * square / (size + size) })
         })
     }
 
@@ -147,7 +154,7 @@ impl<R: Real, const C: usize> Loads<R, C> {
         let mut multipliers = *free;
         let mut has_converged = false;
         for _ in 0..ITERATIONS {
-            let mut matrix = core::array::from_fn(|row| {
+            let mut matrix: [[R; C]; C] = core::array::from_fn(|row| {
                 core::array::from_fn(|column| if row == column { R::one() } else { R::zero() })
             });
             let mut right = [R::zero(); C];
@@ -158,24 +165,31 @@ impl<R: Real, const C: usize> Loads<R, C> {
                     tangent(&multipliers, parts)
                 });
                 let along = |x: &[R; C]| {
-                    parts.iter().fold(R::zero(), |sum, &part| direction[part].mul_add(x[part], sum))
+                    parts
+                        .iter()
+                        .fold(R::zero(), |sum, &part| pick(&direction, part).mul_add(pick(x, part), sum))
                 };
-                right[row] = along(free) + rest;
+                put(&mut right, row, along(free) + rest);
+                let Some(entries) = matrix.get_mut(row) else { continue };
                 for (other, _) in sizes(self.table) {
-                    matrix[row][other] -= along(&self.response[other]);
+                    let Some(response) = self.response.get(other) else { continue };
+                    let entry = pick(entries, other) - along(response);
+                    put(entries, other, entry);
                 }
             }
             let Ok(matrix) = Lu::factor(matrix) else { break };
             let loads = matrix.solve(right);
             let mut next = *free;
             for (row, _) in sizes(self.table) {
-                for (next, &response) in next.iter_mut().zip(&self.response[row]) {
-                    *next = response.mul_add(loads[row], *next);
+                let responses = self.response.get(row).into_iter().flatten();
+                for (next, &response) in next.iter_mut().zip(responses) {
+                    *next = response.mul_add(pick(&loads, row), *next);
                 }
             }
             let agrees = sizes(self.table).all(|(row, parts)| {
-                let size = parts.iter().fold(next[row].abs(), |sum, &part| sum + free[part].abs());
-                let change = (next[row] - multipliers[row]).abs();
+                let value = pick(&next, row);
+                let size = parts.iter().fold(value.abs(), |sum, &part| sum + pick(free, part).abs());
+                let change = (value - pick(&multipliers, row)).abs();
                 !(change - R::from_f64(ULPS) * R::epsilon() * size).is_positive()
             });
             multipliers = next;
@@ -191,11 +205,11 @@ impl<R: Real, const C: usize> Loads<R, C> {
 
 /// The size of a force about its present value. Of a force that is zero nothing is known.
 fn tangent<R: Real, const C: usize>(multipliers: &[R; C], parts: &[usize]) -> Tangent<R, C> {
-    let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(multipliers[part]));
+    let size = parts.iter().fold(R::zero(), |sum, &part| sum.hypot(pick(multipliers, part)));
     let mut direction = [R::zero(); C];
     if size.is_positive() {
         for &part in parts {
-            direction[part] = multipliers[part] / size;
+            put(&mut direction, part, pick(multipliers, part) / size);
         }
     }
     Tangent { direction, rest: R::zero() }

@@ -69,7 +69,7 @@ pub(super) fn partition<R: Real, const N: usize, const C: usize>(
                 places[i] = places[rank];
             }
         }
-        places[rank] = lead;
+        put(&mut places, rank, lead);
         leads[k] = lead;
         rank += 1;
     }

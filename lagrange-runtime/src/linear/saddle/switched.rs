@@ -12,7 +12,7 @@
 //! Rows of [`loads`](super::loads) are no constraints, but have multipliers that follow from the others.
 
 use super::loads::{Load, Loads};
-use super::vectors::{add_scaled, put};
+use super::vectors::{add_scaled, pick, put};
 use super::{Defect, Saddle, SaddlePoint};
 use crate::linear::{Independence, Lu};
 use crate::number::real::Real;
@@ -86,15 +86,18 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         let is_load =
             |row: usize| loaded.is_some_and(|(_, loads)| loads.iter().any(|load| load.row() == row));
         for (j, (row, &is_active)) in coupling.iter().zip(&active).enumerate() {
-            put(&mut matrix[j], j, R::one());
+            if let Some(entries) = matrix.get_mut(j) {
+                put(entries, j, R::one());
+            }
             if !is_active && !is_load(j) || row.iter().all(|&x| x == R::zero()) {
                 continue;
             }
             is_coupled = true;
             let (driven, reaction) = this.saddle.solve(row, &[R::zero(); C]);
-            this.driven[j] = driven;
+            put(&mut this.driven, j, driven);
             for (entries, x) in matrix.iter_mut().zip(reaction) {
-                entries[j] -= x;
+                let entry = pick(entries, j) - x;
+                put(entries, j, entry);
             }
         }
         if let Some((shares, _)) = loaded {

@@ -78,7 +78,7 @@ impl<R: Ordered> Pieces<R> {
             let above = above.map_or(DEGREE, |&degree| usize::from(degree));
             self.polynomial.on(low, width, above.min(self.polynomial.degree()))
         };
-        let coefficients = &local[..=degree];
+        let coefficients = local.get(..=degree).unwrap_or(&local);
         let (middle, reach) = extent(coefficients);
         let noise = self.polynomial.noise();
         let ends = [low, high];

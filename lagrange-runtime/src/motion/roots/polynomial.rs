@@ -107,9 +107,14 @@ fn node<R: Real>(j: usize) -> R {
     if j > DEGREE / 2 { R::one() - near } else { near }
 }
 
+/// The distance of the samples for a degree, which is at least one.
+fn stride(n: usize) -> usize {
+    (DEGREE / n.max(1)).max(1)
+}
+
 /// Coefficients of the polynomial through samples at the nodes 0, 64/n, …, 64.
 fn through<R: Real>(samples: &[R; DEGREE + 1], n: usize) -> [R; DEGREE + 1] {
-    let stride = DEGREE / n;
+    let stride = stride(n);
     let half = R::from_f64(0.5);
     let scale = R::from_f64(2.0 / n as f64);
     // All cosines that there are, once: cos(jπ/n) for j below 2n.
@@ -124,7 +129,10 @@ fn through<R: Real>(samples: &[R; DEGREE + 1], n: usize) -> [R; DEGREE + 1] {
         for (j, &sample) in samples.iter().enumerate().step_by(stride) {
             let sample = if j == 0 || j == DEGREE { sample * half } else { sample };
             sum = sample.mul_add(cosines.get(turn).copied().unwrap_or(half), sum);
-            turn = (turn + k) % (2 * n);
+            turn += k;
+            if turn >= 2 * n {
+                turn -= 2 * n;
+            }
         }
         let sum = if k == 0 || k == n { sum * half } else { sum };
         // θ grows from node to node, so x = 2θ − 1 is minus the cosine.
@@ -146,7 +154,7 @@ impl<R: Ordered> Polynomial<R> {
         let mut scale = size.abs();
         let mut all = Err(Unresolved::Degree);
         for n in DEGREES {
-            let stride = DEGREE / n;
+            let stride = stride(n);
             for (j, sample) in samples.iter_mut().enumerate().step_by(stride) {
                 if n > 8 && j % (2 * stride) == 0 {
                     continue;
@@ -183,7 +191,7 @@ impl<R: Ordered> Polynomial<R> {
             end += k * k * coefficient;
         }
         let mut noise = (eight * scale + inside + end.abs()) * R::epsilon();
-        let tail = most(&coefficients[n - (n / 8).max(2) + 1..=n]);
+        let tail = most(coefficients.get(n + 1 - (n / 8).max(2)..=n).unwrap_or_default());
         if tail * four > noise {
             let level = most(&coefficients[DEGREE * 3 / 4 + 1..]);
             let before = most(&coefficients[DEGREE / 2 + 1..=DEGREE * 3 / 4]);
@@ -198,7 +206,7 @@ impl<R: Ordered> Polynomial<R> {
         // What is left away is a small part of the noise.
         let mut degree = n;
         let mut left = R::zero();
-        for coefficient in coefficients[1..=n].iter().rev() {
+        for coefficient in coefficients.iter().take(n + 1).skip(1).rev() {
             left += coefficient.abs();
             if left * four > noise {
                 break;
@@ -220,7 +228,7 @@ impl<R: Ordered> Polynomial<R> {
 
     /// The coefficients up to the degree.
     pub(super) fn coefficients(&self) -> &[R] {
-        &self.coefficients[..=self.degree]
+        self.coefficients.get(..=self.degree).unwrap_or(&self.coefficients)
     }
 
     /// The same less its value at θ = 0, where it is zero from then on. By that value it is wrong elsewhere.
@@ -252,7 +260,9 @@ impl<R: Ordered> Polynomial<R> {
             let next = if k == 1 { next * R::from_f64(0.5) } else { next };
             last_but_one = last;
             last = next;
-            coefficients[k - 1] = next;
+            if let Some(place) = coefficients.get_mut(k - 1) {
+                *place = next;
+            }
         }
         Self { coefficients, degree: self.degree.saturating_sub(1), noise: R::zero() }
     }
@@ -262,7 +272,7 @@ impl<R: Ordered> Polynomial<R> {
     pub(super) fn on(&self, low: R, width: R, degree: usize) -> ([R; DEGREE + 1], usize) {
         let n = degree.max(2).next_power_of_two().min(DEGREE);
         let mut samples = [R::zero(); DEGREE + 1];
-        for (j, sample) in samples.iter_mut().enumerate().step_by(DEGREE / n) {
+        for (j, sample) in samples.iter_mut().enumerate().step_by(stride(n)) {
             *sample = self.value(low + width * node(j));
         }
         let coefficients = through(&samples, n);
@@ -299,7 +309,9 @@ pub(super) fn derivative<R: Real>(coefficients: &[R]) -> ([R; DEGREE + 1], usize
         let next = last_but_one + R::from_f64(2.0 * k as f64) * coefficient;
         last_but_one = last;
         last = next;
-        derivative[k - 1] = next;
+        if let Some(place) = derivative.get_mut(k - 1) {
+            *place = next;
+        }
     }
     derivative[0] *= R::from_f64(0.5);
     (derivative, coefficients.len().saturating_sub(2))

@@ -19,24 +19,6 @@ const HALVINGS: i32 = 6;
 /// Halves of a step lose at most this part of what it loses: any method is of the second order.
 const QUARTER: f64 = 0.25;
 
-/// Whether a step has lost so little of the energy that half of all digits are left of the kinetic energy.
-#[inline]
-pub(super) fn is_kept<S, const N: usize, const K: usize>(
-    system: &S,
-    constants: &S::Constants,
-    from: &State<S::Scalar, N>,
-    end: &State<S::Scalar, N>,
-) -> bool
-where
-    S: System<N, K>,
-{
-    let energy = |state: &State<S::Scalar, N>| energy(system, constants, state);
-    let here = energy(end);
-    let kinetic = (here - energy(&State { v: [num_traits::Zero::zero(); N], ..*end })).abs();
-    let excess = (here - energy(from)).abs() - S::Scalar::epsilon().sqrt() * kinetic;
-    excess.largest() <= num_traits::Zero::zero()
-}
-
 /// The end of a step that has lost more, by as many parts as obey the order. Where constraints are far
 /// apart, it is the caller's choice of a length that has lost it.
 ///
@@ -113,6 +95,7 @@ mod tests {
     use super::*;
     use crate::constraints::samples::Twofold;
     use crate::integrator::Rk4;
+    use crate::integrator::landing::energy::is_kept;
 
     /// A method that loses a tenth of the velocity in each step, whatever its length.
     #[derive(Clone, Copy, Debug)]

@@ -112,8 +112,8 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         series
     }
 
-    /// The majorant of a power that is `value` at the start, with an exponent of this size: the coefficients of
-    /// (1 + u)ᵖ are no larger than those of (1 − u) to the power −|p|.
+    /// The majorant of a power that is `value` at the start, with an exponent of this size: the coefficients
+    /// of (1 + u)ᵖ are no larger than those of (1 − u) to the power −|p|.
     fn of_power(&self, value: R, exponent: R) -> impl Fn(R) -> R {
         let base = self.start().abs();
         move |moved: R| {

@@ -1,0 +1,266 @@
+//! [`Paced`]: one Taylor series to the end of a step that the caller chose, as a part of a motion whose
+//! equations switch.
+//!
+//! There is no error control, as in [`Jet`](crate::Jet). A step is halved only where its series does not
+//! tell the motion, beside a configuration in which constraints depend on each other, or where it loses an
+//! energy that is conserved.
+
+use super::super::jet::is_sound;
+use super::super::landing::energy::is_kept;
+use super::JetsMemory;
+use crate::number::real::{Ordered, Real};
+use crate::system::attitude;
+use crate::system::control::Held;
+use crate::system::diagnose;
+use crate::system::error::{Cause, MotionError};
+use crate::system::limits::Limits;
+use crate::system::method::{Adaptive, Steps, Terms};
+use crate::system::smooth::Smooth;
+use crate::system::state::State;
+
+/// A step is halved so often at most.
+const HALVINGS: i32 = 6;
+
+/// Taylor steps of order `ORDER` that end where they are asked to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Paced<const ORDER: usize>;
+
+/// What a step remembers.
+type Memory<S, const N: usize, const K: usize, const ORDER: usize> =
+    <Paced<ORDER> as Adaptive<S, Held<<S as crate::System<N, K>>::Scalar, K>, N, K>>::Memory;
+
+impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> JetsMemory<C, T, R, N, P> {
+    /// Counts time from another instant on.
+    pub(crate) fn count_from(&mut self, instant: R) {
+        self.start.t -= instant;
+        self.end.t -= instant;
+    }
+}
+
+/// One series from the start of the memory on, for a step of `unit` \[s]. False where it is too long.
+fn reach<S, const N: usize, const K: usize, const ORDER: usize>(
+    memory: &mut Memory<S, N, K, ORDER>,
+    system: &S,
+    constants: &S::Constants,
+    inputs: &[S::Scalar; K],
+    unit: S::Scalar,
+) -> Result<bool, Cause>
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    let from = memory.start;
+    memory.counts.evaluations += 1;
+    (memory.unit, memory.is_as_expanded) = (unit, true);
+    let JetsMemory { constants: of_jets, tables, series, .. } = memory;
+    let State { t, q, v } = &from;
+    if !system.jet_at(of_jets, *t, q, v, inputs, unit, ORDER, tables, series) {
+        return Err(Cause::NotFinite);
+    }
+    if S::COUPLED && !is_sound(series, &from) {
+        return Ok(false);
+    }
+    memory.reach(num_traits::One::one());
+    if !memory.end.is_finite() {
+        return Err(Cause::NotFinite);
+    }
+    if !S::CONSTRAINED {
+        return Ok(true);
+    }
+    let mut end = memory.end;
+    match system.project_at(constants, &mut end, Some(&from)) {
+        Err(Cause::StepTooLong) => return Ok(false),
+        projected => projected?,
+    }
+    memory.correct(end);
+    if S::COUPLED && S::CONSERVES_ENERGY && !is_kept(system, constants, &from, &end) {
+        // Where constraints are far apart, it is the caller's choice of a length that has lost it.
+        return Ok(system.land_at(constants, &mut end, None)?.independence.are_far_apart());
+    }
+    Ok(true)
+}
+
+/// One step to time `t`, or less far where that is too long for one.
+fn advance<S, const N: usize, const K: usize, const ORDER: usize>(
+    memory: &mut Memory<S, N, K, ORDER>,
+    system: &S,
+    constants: &S::Constants,
+    inputs: &[S::Scalar; K],
+    t: S::Scalar,
+    attempts: &mut u64,
+) -> Result<(), Cause>
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    if let Some(settled) = attitude::settle(S::ORIENTATIONS, &memory.end) {
+        memory.begin(settled);
+    }
+    (memory.start, memory.residue) = (memory.end, memory.end_residue);
+    let left = (t - memory.start.t) - memory.residue.t;
+    for halvings in 0..=HALVINGS {
+        if *attempts == 0 {
+            return Err(memory.stay(Cause::TooManySteps));
+        }
+        *attempts -= 1;
+        let unit = left * S::Scalar::from_f64(0.5).powi(halvings);
+        match reach::<S, N, K, ORDER>(memory, system, constants, inputs, unit) {
+            Ok(true) => {
+                if halvings == 0 {
+                    (memory.end.t, memory.end_residue.t) = (t, num_traits::Zero::zero());
+                }
+                memory.counts.accepted += 1;
+                return Ok(());
+            }
+            Ok(false) => memory.counts.rejected += 1,
+            Err(cause) => return Err(memory.stay(cause)),
+        }
+    }
+    let here = memory.series.independence;
+    let undetermined =
+        Cause::Undetermined { constraint: here.weakest, name: S::NAMES.constraint(here.weakest) };
+    let is_known = here.rank < here.rows || here.is_determined();
+    Err(memory.stay(if is_known { Cause::StepTooLong } else { undetermined }))
+}
+
+impl<S, const N: usize, const K: usize, const ORDER: usize> Adaptive<S, Held<S::Scalar, K>, N, K>
+    for Paced<ORDER>
+where
+    S: Smooth<N, K>,
+{
+    type Memory = JetsMemory<S::JetConstants, S::Tables<ORDER>, S::Scalar, N, ORDER>;
+
+    fn begin(system: &S, start: State<S::Scalar, N>) -> Self::Memory
+    where
+        S::Scalar: Ordered,
+    {
+        let mut memory = JetsMemory::new(system.jet_constants(), start, S::ORIENTATIONS);
+        memory.orders = ORDER;
+        memory
+    }
+
+    fn restart(memory: &mut Self::Memory, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered,
+    {
+        memory.begin(state);
+    }
+
+    fn start(memory: &Self::Memory) -> &State<S::Scalar, N> {
+        &memory.start
+    }
+
+    fn end(memory: &Self::Memory) -> &State<S::Scalar, N> {
+        &memory.end
+    }
+
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &Held<S::Scalar, K>,
+        _limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<(), MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        advance::<S, N, K, ORDER>(memory, system, constants, &control.0, t, attempts).map_err(|cause| {
+            let State { t, q, v } = memory.end;
+            let cause = match cause {
+                Cause::NotFinite => diagnose(system, constants, t, &q, &v),
+                cause => cause,
+            };
+            MotionError { cause, t }
+        })
+    }
+
+    fn counts(memory: &Self::Memory) -> Steps {
+        memory.counts
+    }
+
+    fn go_on(memory: &mut Self::Memory, system: &S, state: State<S::Scalar, N>)
+    where
+        S::Scalar: Ordered,
+    {
+        memory.constants = system.jet_constants();
+        memory.begin(state);
+        memory.counts = Steps::default();
+    }
+
+    fn terms(memory: &Self::Memory) -> Option<Terms<'_, S::Scalar, N>>
+    where
+        S::Scalar: Ordered,
+    {
+        let reactions = if memory.is_as_expanded { S::reactions(&memory.tables) } else { &[] };
+        Some(Terms { reactions, ..memory.terms() })
+    }
+
+    fn within(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        _control: &Held<S::Scalar, K>,
+        _limits: &Limits<S::Scalar>,
+        part: S::Scalar,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        let state = memory.at_part(part);
+        onto(memory, system, constants, state)
+    }
+
+    fn advance(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &Held<S::Scalar, K>,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        Self::sample(memory, system, constants, control, limits, t, attempts)
+    }
+
+    fn sample(
+        memory: &mut Self::Memory,
+        system: &S,
+        constants: &S::Constants,
+        control: &Held<S::Scalar, K>,
+        limits: &Limits<S::Scalar>,
+        t: S::Scalar,
+        attempts: &mut u64,
+    ) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+    where
+        S::Scalar: Ordered,
+    {
+        while !memory.covers(t) {
+            Self::step(memory, system, constants, control, limits, t, attempts)?;
+        }
+        let state = memory.at(t);
+        onto(memory, system, constants, state)
+    }
+}
+
+/// A state on the step, on the constraints as its ends are.
+fn onto<S, const N: usize, const K: usize, const ORDER: usize>(
+    memory: &Memory<S, N, K, ORDER>,
+    system: &S,
+    constants: &S::Constants,
+    mut state: State<S::Scalar, N>,
+) -> Result<State<S::Scalar, N>, MotionError<S::Scalar>>
+where
+    S: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    if S::CONSTRAINED && state.t != memory.end.t {
+        let failed = |cause| MotionError { cause, t: memory.end.t };
+        system.project_at(constants, &mut state, None).map_err(failed)?;
+    }
+    Ok(state)
+}

@@ -1,0 +1,109 @@
+//! Fixed steps through switches: [`Jet`](crate::Jet) of a system with contacts, friction or kinks.
+//!
+//! A step is one Taylor series. Where a guard falls through zero on it, the step is cut there, the regime
+//! that goes on is chosen, and a series of that goes on to the end of the step. So the state after a step is
+//! one of its regime, and its accuracy that of the order.
+
+use super::run::Run;
+use super::since::{InRegimeSince, Since};
+use super::{Hybrid, HybridMemory, Regime, Switching};
+use crate::integrator::jets::JetsMemory;
+use crate::integrator::jets::paced::Paced;
+use crate::integrator::{Jet, Limits};
+use crate::number::real::Ordered;
+use crate::system::System;
+use crate::system::control::Held;
+use crate::system::error::Cause;
+use crate::system::method::{Adaptive, FixedStep};
+use crate::system::smooth::Smooth;
+use crate::system::state::State;
+
+/// Series that one step may take.
+const PIECES: u64 = 256;
+
+/// What fixed steps through switches remember.
+#[derive(Clone, Copy, Debug)]
+pub struct StepsMemory<H, R, const K: usize> {
+    motion: H,
+    /// The step before, with the inputs that were held in it; `None` where the motion has to be begun.
+    last: Option<(R, [R; K])>,
+}
+
+/// The memory of a motion of `S` in pieces of order `ORDER`, whose time is counted from the last step on.
+type Motion<S, const N: usize, const K: usize, const C: usize, const W: usize, const ORDER: usize> =
+    HybridMemory<
+        InRegimeSince<<S as Switching<N, K, C, W>>::InRegime, <S as System<N, K>>::Scalar>,
+        <<S as Switching<N, K, C, W>>::InRegime as System<N, K>>::Constants,
+        JetsMemory<
+            <<S as Switching<N, K, C, W>>::InRegime as Smooth<N, K>>::JetConstants,
+            <<S as Switching<N, K, C, W>>::InRegime as Smooth<N, K>>::Tables<ORDER>,
+            <S as System<N, K>>::Scalar,
+            N,
+            ORDER,
+        >,
+        <S as System<N, K>>::Scalar,
+        N,
+        C,
+        W,
+    >;
+
+impl<S, const ORDER: usize, const N: usize, const K: usize, const C: usize, const W: usize> FixedStep<S, N, K>
+    for Hybrid<Jet<ORDER>, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::InRegime: Smooth<N, K>,
+    S::Scalar: Ordered,
+{
+    type Memory = StepsMemory<Motion<S, N, K, C, W, ORDER>, S::Scalar, K>;
+    const SWITCHES: bool = true;
+
+    fn begin(system: &S) -> Self::Memory {
+        let zero = num_traits::Zero::zero();
+        let system = Since { system, instant: zero };
+        let start = State { t: zero, q: [zero; N], v: [zero; N] };
+        StepsMemory {
+            motion: <Hybrid<Paced<ORDER>, C, W> as Adaptive<_, _, N, K>>::begin(&system, start),
+            last: None,
+        }
+    }
+
+    fn step(
+        memory: &mut Self::Memory,
+        system: &S,
+        _constants: &S::Constants,
+        from: &State<S::Scalar, N>,
+        h: S::Scalar,
+        u: &[S::Scalar; K],
+    ) -> Result<State<S::Scalar, N>, Cause> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let system = Since { system, instant: from.t };
+        let StepsMemory { motion, last } = memory;
+        let goes_on = last.filter(|(length, inputs)| inputs == u && (*length > zero) == (h > zero));
+        motion.count_from(last.map_or(zero, |(length, _)| length));
+        if goes_on.is_none() {
+            let here = from.at_time(zero);
+            <Hybrid<Paced<ORDER>, C, W> as Adaptive<Since<'_, S, S::Scalar>, _, N, K>>::restart(motion, here);
+        }
+        motion.in_regime.instant = from.t;
+        *last = None;
+        let regime: Regime<S::Scalar, C, W> = *motion.regime();
+        let (control, limits) = (Held(*u), Limits::new());
+        let mut run = Run::<_, Paced<ORDER>, N, K, C, W> {
+            system: &system,
+            memory: motion,
+            control: &control,
+            limits: &limits,
+        };
+        match run.state_at(h, &mut { PIECES }) {
+            Ok(state) => {
+                *last = Some((h, *u));
+                Ok(state.at_time(from.t + h))
+            }
+            Err(error) => {
+                // The step is not taken.
+                (motion.regime, motion.next) = (regime, None);
+                Err(error.cause)
+            }
+        }
+    }
+}
