@@ -542,21 +542,6 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
         ) -> [f64; 2] {
             lagrange::constraints::tangential::<Self, 2, 0, 1>(self, state, change)
         }
-        const LANDS_APART: bool = true;
-        #[inline]
-        fn land_apart_at(
-            &self,
-            constants: &Self::Constants,
-            state: &mut lagrange::State<f64, 2>,
-            inputs: &[f64; 0],
-        ) -> ::core::option::Option<lagrange::Apart<f64, 2>> {
-            lagrange::constraints::land_apart::<
-                Self,
-                2,
-                0,
-                1,
-            >(self, constants, state, inputs)
-        }
         #[inline]
         fn energy_at(
             &self,

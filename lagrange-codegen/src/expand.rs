@@ -105,6 +105,7 @@ fn try_expand(item: &Item, diagnostics: &mut Diagnostics) -> Option<TokenStream>
     let emission = Emission {
         item,
         scalar: item.scalar.clone(),
+        is_over: false,
         model: &mut model,
         equations: &equations,
         solved,

@@ -57,6 +57,8 @@ pub(crate) struct Emission<'a> {
     pub item: &'a Item,
     /// The scalar that code is being emitted for.
     pub scalar: Scalar,
+    /// Whether that code is the system over any scalar, with which lanes of an ensemble run.
+    pub is_over: bool,
     pub model: &'a mut Model,
     pub equations: &'a Equations,
     /// The same as the motion is solved for: with orientations by angular velocities.

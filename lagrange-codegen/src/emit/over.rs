@@ -31,12 +31,12 @@ pub(super) fn directions(count: usize, parameters: usize) -> usize {
 /// The struct with its implementations.
 pub(super) fn over(emission: &mut Emission<'_>, switching: Option<&mut Regimes>) -> TokenStream {
     let own = emission.scalar.clone();
-    emission.scalar = any(&own);
+    (emission.scalar, emission.is_over) = (any(&own), true);
     let items = match switching {
         Some(switching) => switched(emission, switching),
         None => companion(emission, NAME, None, constraints::implementations),
     };
-    emission.scalar = own;
+    (emission.scalar, emission.is_over) = (own, false);
     items
 }
 

@@ -77,6 +77,7 @@ pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items
     let mut companion = Emission {
         item: emission.item,
         scalar: companion_scalar(emission),
+        is_over: emission.is_over,
         model: &mut switching.model,
         equations: &switching.equations,
         solved: switching.turned.as_ref().unwrap_or(&switching.equations),

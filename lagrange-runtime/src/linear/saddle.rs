@@ -124,10 +124,10 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
 
 /// The inverse of a saddle-point system with any symmetric M.
 ///
-/// With several lanes Z comes from an orthogonal factorisation that decides nothing, where rows are clearly
-/// independent in all of them. Elsewhere the order of the pivots and the rank are common to all lanes: one
-/// with a smaller rank than another, with other dependent rows, or with a singular Zᵀ M Z where another lane
-/// has a regular one gives NaN; the other lanes are right. A defect of some lanes is [`Defect::NotFinite`].
+/// With several lanes the order of the pivots and the rank are common to all of them
+/// ([`Saddle::factor_side_by_side`] needs neither where it can). A lane with a smaller rank than another, with
+/// other dependent rows, or with a singular Zᵀ M Z where another lane has a regular one gives NaN; the other
+/// lanes are right. A defect of some lanes is [`Defect::NotFinite`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saddle<R, const N: usize, const C: usize> {
     /// P, symmetric up to rounding: the row of a component of r.
@@ -175,9 +175,6 @@ impl<R: Real, const N: usize, const C: usize> Saddle<R, N, C> {
         // The rank as a constant, so that the loops that depend on it are unrolled; and what is cold starts
         // from the arguments again, so that nothing else need be in memory.
         let scaled = Scaled::new(mass, a);
-        if let Some(this) = Self::side_by_side::<DEFINITE>(&full, &scaled) {
-            return this;
-        }
         if let Some(independence) = partition(&scaled, &mut split, |_| true) {
             let mut reduced = Reduced::new(&full, &split.null, C);
             match reduced.factor::<DEFINITE>(C) {

@@ -105,8 +105,9 @@ pub(super) fn pattern(emission: &Emission<'_>, method: Saddle) -> String {
 }
 
 /// The constructor of a factorisation.
-pub(super) fn constructor(method: Saddle) -> &'static str {
+fn constructor(emission: &Emission<'_>, method: Saddle) -> &'static str {
     match method {
+        Saddle::Whole { definite: true } if emission.is_over => "factor_side_by_side",
         Saddle::Whole { definite: false } | Saddle::Switched { definite: false } => "factor_indefinite",
         Saddle::Diagonal | Saddle::Sparse | Saddle::Whole { .. } | Saddle::Switched { .. } => "factor",
     }
@@ -163,5 +164,5 @@ pub(super) fn factored(emission: &Emission<'_>, method: Saddle) -> String {
         Saddle::Whole { .. } => "&mass, &gradients",
         Saddle::Switched { .. } => "&mass, &gradients, &coupling, &active",
     };
-    format!("{own}::{}({arguments})", constructor(method))
+    format!("{own}::{}({arguments})", constructor(emission, method))
 }

@@ -84,7 +84,8 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
              {{\nlagrange::constraints::tangential::<Self, {count}, {given}, {held}>(self, state, change)\n}}\n"
         )
     };
-    let apart = if emission.model.baumgarte.is_none()
+    let apart = if emission.is_over
+        && emission.model.baumgarte.is_none()
         && [Some(method), emission.solution.saddle_of_series].into_iter().all(decides_apart)
     {
         format!(

@@ -19,7 +19,9 @@ impl Interpreter<'_> {
                 [inverses, gradients],
             ) => diagonal(inverses).map(|mass| saddle(Value::rows(&mass), gradients)),
             (
-                "lagrange::saddle::Saddle::factor" | "lagrange::saddle::Saddle::factor_indefinite",
+                "lagrange::saddle::Saddle::factor"
+                | "lagrange::saddle::Saddle::factor_indefinite"
+                | "lagrange::saddle::Saddle::factor_side_by_side",
                 [mass, gradients],
             ) => mass
                 .to_rows()

@@ -84,11 +84,11 @@ fn lanes_that_are_clearly_independent_decide_nothing_together() {
     for _ in 0..50 {
         let masses: [_; 4] = core::array::from_fn(|_| positive_definite::<5>(&mut noise));
         let rows: [_; 4] = core::array::from_fn(|_| matrix::<2, 5>(&mut noise));
-        let saddle = Saddle::factor(&join(&masses), &join(&rows));
+        let saddle = Saddle::factor_side_by_side(&join(&masses), &join(&rows));
         let apart = saddle.apart().map(<[f64; 4]>::from);
         let solution = saddle.solve(&r.map(R::splat), &y.map(R::splat));
         for i in 0..4 {
-            let saddle = Saddle::factor(&join(&[masses[i]; 4]), &join(&[rows[i]; 4]));
+            let saddle = Saddle::factor_side_by_side(&join(&[masses[i]; 4]), &join(&[rows[i]; 4]));
             let alone = saddle.apart().map(<[f64; 4]>::from);
             let (v, kappa) = saddle.solve(&r.map(R::splat), &y.map(R::splat));
             if let Some(apart) = apart {
@@ -98,16 +98,21 @@ fn lanes_that_are_clearly_independent_decide_nothing_together() {
             }
         }
         // If all are apart alone, they are so together.
-        let is_apart =
-            |i: usize| Saddle::factor(&join(&[masses[i]; 4]), &join(&[rows[i]; 4])).apart().is_some();
+        let is_apart = |i: usize| {
+            Saddle::factor_side_by_side(&join(&[masses[i]; 4]), &join(&[rows[i]; 4])).apart().is_some()
+        };
         assert_eq!(apart.is_some(), (0..4).all(is_apart));
     }
     let unit = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]];
     let (regular, close) = ([[1.0, 2.0, 0.5], [0.0, 1.0, 3.0]], [[1.0, 2.0, 0.5], [2.0, 4.0, 1.01]]);
-    assert!(Saddle::factor(&join(&[unit; 4]), &join(&[regular; 4])).apart().is_some());
-    assert!(Saddle::factor(&join(&[unit; 4]), &join(&[regular, close, regular, regular])).apart().is_none());
+    assert!(Saddle::factor_side_by_side(&join(&[unit; 4]), &join(&[regular; 4])).apart().is_some());
+    assert!(
+        Saddle::factor_side_by_side(&join(&[unit; 4]), &join(&[regular, close, regular, regular]))
+            .apart()
+            .is_none()
+    );
     let massless = [[0.0; 3], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]];
     let masses = [unit, unit, massless, unit];
-    assert!(Saddle::factor(&join(&masses), &join(&[regular; 4])).apart().is_none());
-    assert!(Saddle::factor_indefinite(&join(&[unit; 4]), &join(&[regular; 4])).apart().is_none());
+    assert!(Saddle::factor_side_by_side(&join(&masses), &join(&[regular; 4])).apart().is_none());
+    assert!(Saddle::factor(&join(&[unit; 4]), &join(&[regular; 4])).apart().is_none());
 }
