@@ -1,6 +1,7 @@
 //! Slips that begin where friction has come to its limit, with as much friction as before: their
 //! accelerations grow from zero.
 
+use lagrangian::Contact;
 use lagrangian::prelude::*;
 
 use super::TIGHT;
