@@ -108,7 +108,7 @@ where
         if held.active != regime.active
             && let Some(equations) = S::equations_in(&system.in_regime(&held), *t, q, v, inputs)
         {
-            let limits = system.laws_at(*t, q, v).kinetic;
+            let limits = system.laws_at(*t, q, v, inputs).kinetic;
             let rows = equations.gradients.iter().zip(limits).enumerate();
             for (_, (gradient, limit)) in rows.filter(|(row, _)| slips(*row)) {
                 for (given, &entry) in given.iter_mut().zip(gradient) {
