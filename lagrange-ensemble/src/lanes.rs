@@ -250,7 +250,7 @@ where
         let end = (0..).map_while(|k| (self.time)(&start, k)).last();
         // What a motion checks where it begins: tolerances, masses, names of quantities.
         let mut motion = self.ensemble.settings.motion(&system, start);
-        let begun = motion.advance_to(start.t).map(|begun| *begun);
+        let begun = motion.advance_to(start.t).copied();
         let (Some(end), Ok(start)) = (end.filter(|end| end.is_finite()), begun) else { return Ok(None) };
         let mut parameters = Vec::new();
         system.over(|value, _| {

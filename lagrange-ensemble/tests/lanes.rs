@@ -191,7 +191,7 @@ fn planets(index: u64) -> (Planet, State<f64, 2>) {
 fn rods(index: u64) -> (Rod, State<f64, 2>) {
     let x = (index as f64 * 0.618_033_988_749_894_9).fract();
     let length = if index % 7 == 6 { f64::NAN } else { 0.5 + x };
-    let speed = if index % 5 == 0 { 0.0 } else { 4.0 * x - 1.0 };
+    let speed = if index.is_multiple_of(5) { 0.0 } else { 4.0 * x - 1.0 };
     let beside = if index % 11 == 8 { 1.01 } else { 1.0 };
     let (cos, sin) = (x.cos() * length * beside, x.sin() * length * beside);
     (Rod { length }, State::new([cos, sin], [-sin * speed, cos * speed]))
