@@ -125,9 +125,9 @@ pub trait SaddlePoint<R, const N: usize, const C: usize> {
 /// The inverse of a saddle-point system with any symmetric M.
 ///
 /// With several lanes the order of the pivots and the rank are common to all of them
-/// ([`Saddle::factor_side_by_side`] needs neither where it can). A lane with a smaller rank than another, with
-/// other dependent rows, or with a singular Zᵀ M Z where another lane has a regular one gives NaN; the other
-/// lanes are right. A defect of some lanes is [`Defect::NotFinite`].
+/// ([`Saddle::factor_side_by_side`] needs neither where it can). A lane with a smaller rank than another,
+/// with other dependent rows, or with a singular Zᵀ M Z where another lane has a regular one gives NaN; the
+/// other lanes are right. A defect of some lanes is [`Defect::NotFinite`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Saddle<R, const N: usize, const C: usize> {
     /// P, symmetric up to rounding: the row of a component of r.
