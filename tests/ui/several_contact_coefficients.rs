@@ -1,4 +1,5 @@
-//! A restitution above one, and negative friction.
+//! Constants that no coefficient of a contact can be: a restitution above one, negative friction, and static friction
+//! below the kinetic one.
 
 use lagrangian::prelude::*;
 
@@ -21,6 +22,16 @@ impl Puck {
     #[friction(coefficient = -0.2, normal = floor)]
     fn slip(&self, v: &Velocities) -> f64 {
         v.x
+    }
+
+    #[friction(limit = -1.0)]
+    fn rail(&self, v: &Velocities) -> f64 {
+        v.x - v.y
+    }
+
+    #[friction(limit = 5.0, static_limit = 2.0)]
+    fn brake(&self, v: &Velocities) -> f64 {
+        v.x + v.y
     }
 }
 

@@ -134,6 +134,22 @@ pub fn not_affine_in_velocities(constraint: &str) -> String {
     )
 }
 
+/// A friction whose slip depends on no velocity.
+pub fn slip_without_velocity(friction: &str) -> String {
+    format!(
+        "the slip of the friction `{friction}` depends on no velocity; return the velocity at which the surfaces rub, such as \
+         `v.x`, or a component of `…_velocity(q, v)`"
+    )
+}
+
+/// A friction whose slip is not affine in the velocities.
+pub fn slip_not_affine(friction: &str) -> String {
+    format!(
+        "the slip of the friction `{friction}` is not affine in the velocities here; return the velocity at which the surfaces \
+         rub, such as `v.x`, with its sign: friction acts against it"
+    )
+}
+
 /// A constraint whose gradient vanishes, or has no value, on the constraint itself.
 pub fn vanishing_gradient(constraint: &str, advice: &str) -> String {
     format!(
@@ -212,6 +228,21 @@ pub fn restitution(function: &str) -> String {
 /// Friction that drives.
 pub fn negative_friction(function: &str) -> String {
     format!("a coefficient or limit of `{function}` is negative; friction takes energy")
+}
+
+/// A coefficient of friction that an input gives.
+pub fn input_in_coefficient(function: &str) -> String {
+    format!(
+        "the coefficient of `{function}` depends on an input, but only a `limit` and a restitution may; read it from `self`, and \
+         where it changes begin a new motion at the state, with the new value"
+    )
+}
+
+/// Static friction below the kinetic one.
+pub fn static_below_kinetic(function: &str) -> String {
+    format!(
+        "the static friction of `{function}` is less than the kinetic one; what begins to slip is held by at least as much"
+    )
 }
 
 /// A constant part of an expression without a finite value.

@@ -206,7 +206,7 @@ fn is_autonomous(switching: &Regimes) -> bool {
 
 /// `laws_at`.
 fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
-    let (scalar, vector) = (&emission.scalar, emission.vector_type());
+    let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
     let (rows, kinks) = (switching.rows(), switching.kinks.len());
     let conditions = &switching.laws.conditions;
     let zero = switching.rows.graph.zero();
@@ -252,7 +252,7 @@ fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
         )
     });
     format!(
-        "fn laws_at(&self, t: {scalar}, q: &{vector}, v: &{vector}) -> lagrange::Laws<{scalar}, {rows}, {kinks}> {{\n{body}\n}}\n"
+        "fn laws_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) -> lagrange::Laws<{scalar}, {rows}, {kinks}> {{\n{body}\n}}\n"
     )
 }
 
@@ -265,13 +265,14 @@ fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     let size = sizes(graph, &[switching.laws.energy])[0];
     let mut roots = switching.jumps.clone();
     roots.extend(vec![size; switching.jumps.len()]);
-    let (scalar, vector, kinks) = (&emission.scalar, emission.vector_type(), switching.kinks.len());
+    let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
     let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
-        let (jumps, sizes) = values.split_at(kinks);
+        let (jumps, sizes) = values.split_at(switching.kinks.len());
         format!("[[{}], [{}]]", jumps.join(", "), sizes.join(", "))
     });
     format!(
-        "fn jumps_at(&self, t: {scalar}, q: &{vector}, v: &{vector}) -> [[{scalar}; {kinks}]; 2] {{\n{body}\n}}\n"
+        "fn jumps_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) -> [[{scalar}; {kinks}]; 2] {{\n{body}\n}}\n",
+        kinks = switching.kinks.len()
     )
 }
 
@@ -283,7 +284,7 @@ fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     let functions: Vec<NodeId> = switching.corners.iter().map(|corner| corner.function).collect();
     let sizes = sizes(&mut switching.rows.graph, &functions);
     let roots: Vec<NodeId> = switching.corners.iter().map(|corner| corner.gain).chain(sizes).collect();
-    let (scalar, vector) = (&emission.scalar, emission.vector_type());
+    let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
     let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
         let (gains, sizes) = values.split_at(switching.corners.len());
         let visits = switching.corners.iter().zip(gains.iter().zip(sizes));
@@ -292,7 +293,7 @@ fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> String {
         visits.collect::<Vec<String>>().join("\n")
     });
     format!(
-        "fn corners_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, \
+        "fn corners_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}, \
          mut __visit: impl ::core::ops::FnMut(usize, {scalar}, {scalar})) {{\n{body}\n}}\n"
     )
 }
@@ -311,10 +312,10 @@ fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
             lists[0], lists[1], lists[2]
         )
     });
-    let (scalar, count) = (&emission.scalar, emission.count());
+    let (scalar, count, given) = (&emission.scalar, emission.count(), emission.model.inputs.len());
     format!(
         "fn functions_in<{NUMBER}: lagrange::Real>(\n__in_regime: &Self::InRegime, __number: impl ::core::ops::Fn({scalar}) -> {NUMBER}, \
-         t: {NUMBER}, q: &[{NUMBER}; {count}], v: &[{NUMBER}; {count}],\n) -> lagrange::Functions<{NUMBER}, {rows}, {kinks}> {{\n{body}\n}}\n"
+         t: {NUMBER}, q: &[{NUMBER}; {count}], v: &[{NUMBER}; {count}], u: &[{NUMBER}; {given}],\n) -> lagrange::Functions<{NUMBER}, {rows}, {kinks}> {{\n{body}\n}}\n"
     )
 }
 

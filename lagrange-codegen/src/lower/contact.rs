@@ -5,7 +5,8 @@ use super::normal::{Actions, Limit};
 use super::places::nodes;
 use super::shape::Shape;
 use super::value::Value;
-use crate::expr::NodeId;
+use crate::diagnostics::physics;
+use crate::expr::{Dependence, NodeId};
 use crate::model::{Constraint, ConstraintKind, Contact, Law};
 use crate::number::Number;
 use crate::syntax::body::{Expr, ExprKind, Owner};
@@ -29,10 +30,12 @@ impl<'a> Interpreter<'a> {
                 let zero = self.graph().zero();
                 vec![zero; size]
             }
-            Some(expr) => match self.coefficients(expr, count, "restitution") {
-                Some(values) => values,
-                None => return,
-            },
+            Some(expr) => {
+                let Some(values) = self.coefficients(expr, count, "restitution") else { return };
+                let is_outside = |value: Number| value.is_negative() || value.value() > 1.0;
+                self.refuse_constants(expr, &values, is_outside, || physics::restitution(&function.name));
+                values
+            }
         };
         let Some(values) = self.values_of(index) else { return };
         for (number, (value, restitution)) in values.into_iter().zip(restitution).enumerate() {
@@ -73,13 +76,30 @@ impl<'a> Interpreter<'a> {
         let frictions = if directions == 2 { None } else { count };
         let size = frictions.unwrap_or(1);
         let Some(kinetic) = self.coefficients(&friction.kinetic, frictions, "coefficient") else { return };
+        let negative = || physics::negative_friction(&function.name);
+        self.refuse_constants(&friction.kinetic, &kinetic, Number::is_negative, negative);
         let fixed = match &friction.fixed {
             None => kinetic.clone(),
-            Some(expr) => match self.coefficients(expr, frictions, "static_coefficient") {
-                Some(values) => values,
-                None => return,
-            },
+            Some(expr) => {
+                let Some(fixed) = self.coefficients(expr, frictions, "static_coefficient") else { return };
+                self.refuse_constants(expr, &fixed, Number::is_negative, negative);
+                let graph = &mut self.model.graph;
+                let excess: Vec<NodeId> =
+                    fixed.iter().zip(&kinetic).map(|(&fixed, &kinetic)| graph.sub(fixed, kinetic)).collect();
+                let less = || physics::static_below_kinetic(&function.name);
+                self.refuse_constants(expr, &excess, Number::is_negative, less);
+                fixed
+            }
         };
+        if friction.normal.is_some() {
+            let exprs = [&friction.kinetic, friction.fixed.as_ref().unwrap_or(&friction.kinetic)];
+            for (expr, values) in exprs.into_iter().zip([&kinetic, &fixed]) {
+                let graph = &self.model.graph;
+                if values.iter().any(|&value| graph.dependence(value).meets(Dependence::INPUTS)) {
+                    self.diagnostics.at(expr.origin, physics::input_in_coefficient(&function.name));
+                }
+            }
+        }
         let normals = match &friction.normal {
             None => vec![None; size],
             Some(normal) => {
@@ -127,6 +147,19 @@ impl<'a> Interpreter<'a> {
         let value = self.result(index)?;
         let values = nodes(&value);
         (!self.looks_into_self(&values)).then_some(values)
+    }
+
+    /// Reports an expression of an attribute whose value is a constant that cannot be right.
+    fn refuse_constants(
+        &mut self,
+        expr: &Expr,
+        values: &[NodeId],
+        is_wrong: impl Fn(Number) -> bool,
+        message: impl FnOnce() -> String,
+    ) {
+        if values.iter().any(|&value| self.model.graph.as_constant(value).is_some_and(&is_wrong)) {
+            self.diagnostics.at(expr.origin, message());
+        }
     }
 
     /// One number for each of `count` rows: an expression of `self`, or the name of a function of the state.

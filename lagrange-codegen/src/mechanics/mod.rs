@@ -108,7 +108,6 @@ pub fn derive(
 ) -> Option<Equations> {
     validate::contributions(model, allows, diagnostics);
     validate::constants(model, diagnostics);
-    validate::contacts(model, diagnostics);
     let independent = validate::constraints(model, allows, diagnostics);
     let equations = cheapest(model, Equations::in_axes, Equations::roots);
     validate::inertia(model, &equations.mass, &independent, diagnostics);

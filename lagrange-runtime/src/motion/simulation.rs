@@ -126,6 +126,7 @@ where
     }
 
     /// The largest number of steps, rejected ones included, for one call of `advance_to` or one sample.
+    /// Parts of a step on which switches have to be looked for by themselves count as well.
     /// Default 10 million.
     #[inline]
     #[must_use]

@@ -18,7 +18,7 @@ fn at_state<S, const N: usize, const K: usize, const C: usize, const W: usize>(
 where
     S: Switching<N, K, C, W>,
 {
-    let laws = system.laws_at(t, q, v);
+    let laws = system.laws_at(t, q, v, u);
     let open = Regime::<S::Scalar, C, W>::open(&S::ROWS);
     let kinks = sides(&laws.kinks, &open.kinks, &laws.kink_sizes);
     let state = State { t, q: *q, v: *v };
@@ -41,7 +41,7 @@ where
     S: Switching<N, K, C, W>,
 {
     if C == 0 {
-        let laws = system.laws_at(t, q, v);
+        let laws = system.laws_at(t, q, v, u);
         let above = [num_traits::One::one(); W];
         let kinks = sides(&laws.kinks, &above, &laws.kink_sizes);
         let in_regime = system.in_regime(&Regime { kinks, ..Regime::open(&S::ROWS) });
@@ -69,7 +69,7 @@ where
     let Some(choice) = at_state(system, t, q, v, u) else { return none() };
     let mut multipliers = choice.multipliers;
     // What slips is no constraint: its force is that of its law, against the slip.
-    let laws = system.laws_at(t, q, &choice.velocities);
+    let laws = system.laws_at(t, q, &choice.velocities, u);
     for (row, kind) in S::ROWS.iter().enumerate() {
         let Row::Friction { normal, pair } = *kind else { continue };
         let carrier = pair.map_or(row, |other| row.min(other));

@@ -11,6 +11,7 @@ use super::{Functions, Switching};
 use crate::motion::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach, stays_above};
 use crate::number::real::{Ordered, Real, larger, smaller};
 use crate::series::taylor::{FEW, Rounded, TERMS, Taylor, powers};
+use crate::system::error::Cause;
 use crate::system::method::Terms;
 use crate::system::state::State;
 
@@ -93,14 +94,16 @@ where
     S::Scalar: Ordered,
 {
     /// The first guard that falls through zero along a step, and the part of the step that has passed then,
-    /// to the roundings of its polynomial. That of `fired` is zero where the step starts.
+    /// to the roundings of its polynomial. That of `fired` is zero where the step starts. Each part that is
+    /// looked at by itself is one of the `attempts`.
     pub(super) fn first_along(
         &mut self,
         start: &State<S::Scalar, N>,
         terms: &Terms<'_, S::Scalar, N>,
         fired: Option<Guard>,
         relative: S::Scalar,
-    ) -> Result<Option<First<S::Scalar>>, Unresolved> {
+        attempts: &mut u64,
+    ) -> Result<Option<First<S::Scalar>>, Cause> {
         let powers = powers(terms.length);
         let mut borne = self.borne(start, terms, &powers, relative);
         self.reacts_along = borne.is_known;
@@ -128,6 +131,7 @@ where
             let part = if width == one {
                 &path
             } else {
+                *attempts = attempts.checked_sub(1).ok_or(Cause::TooManySteps)?;
                 cut = path.on(from, width);
                 &cut
             };
@@ -147,7 +151,7 @@ where
                     width *= larger(converged * S::Scalar::from_f64(NEARER), S::Scalar::from_f64(FURTHER));
                     continue;
                 }
-                from = self.beyond(&path, from, shortest).ok_or(Unresolved::NotFinite)?;
+                from = self.beyond(&path, from, shortest).ok_or(Unresolved::NotFinite.cause())?;
                 width = one - from;
                 if from >= one {
                     return Ok(None);
@@ -242,7 +246,8 @@ where
         &self,
         part: &Path<S::Scalar, N, C, T>,
     ) -> Functions<Taylor<S::Scalar, T>, C, W> {
-        let mut functions = S::functions_in(self.in_regime, Taylor::constant, part.t, &part.q, &part.v);
+        let (Path { t, q, v, .. }, u) = (part, self.inputs.map(Taylor::constant));
+        let mut functions = S::functions_in(self.in_regime, Taylor::constant, *t, q, v, &u);
         self.guard(&mut functions, &part.reactions, Taylor::constant);
         functions.plain()
     }
@@ -259,7 +264,8 @@ where
             known
         };
         let (q, v) = (part.q.each_ref().map(known), part.v.each_ref().map(known));
-        let mut functions = S::functions_in(self.in_regime, Taylor::constant, known(&part.t), &q, &v);
+        let (t, u) = (known(&part.t), self.inputs.map(Taylor::constant));
+        let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v, &u);
         self.guard(&mut functions, &part.reactions.each_ref().map(known), Taylor::constant);
         functions.plain()
     }

@@ -25,7 +25,7 @@ where
         if !state.is_finite() {
             return Err(Cause::NotFinite);
         }
-        let laws = self.system.laws_at(state.t, &state.q, &state.v);
+        let laws = self.system.laws_at(state.t, &state.q, &state.v, &self.control.0);
         self.check(&laws)?;
         let mut present = self.memory.regime;
         present.kinks = sides(&laws.kinks, &present.kinks, &laws.kink_sizes);
@@ -113,7 +113,8 @@ where
             let most_of = state.q.iter().fold(num_traits::Zero::zero(), |size, &q| most(size, q.abs()));
             let own = laws.rows.position_sizes[row] == -gap;
             let size = if own { most(self.memory.scales.gaps[row], most_of + gap) } else { size };
-            if above(-gap, share * size) {
+            // The time of a state of another motion is rounded.
+            if above(-gap, share * size + scene.by_time(row)) {
                 return Err(Cause::Penetrates {
                     constraint: row,
                     name: S::NAMES.constraint(row),

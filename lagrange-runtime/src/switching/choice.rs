@@ -39,7 +39,9 @@ where
     /// The regime that goes on. That of `avoid` is the row whose guard has ended what it did: it does that
     /// again only if nothing else is possible. A reaction that has fallen through zero is one that the
     /// polynomial has decided about, where accelerations and reactions tie. A gap may have touched zero
-    /// alone.
+    /// alone. A friction that has come to its limit may stick in another regime, but in the one that it has
+    /// ended it slips: its acceleration grows from zero there, and roundings or the slip that it begins with
+    /// hide it.
     pub(super) fn choose(
         &self,
         present: &Regime<S::Scalar, C, W>,
@@ -55,7 +57,19 @@ where
         {
             return Ok(choice);
         }
-        self.choose_among(self.options(present, avoid, None), None)
+        let choice = self.choose_among(self.options(present, avoid, None), None)?;
+        let mut options = self.options(present, None, None);
+        if choice.regime == *present
+            && let Some(row) = avoid
+            && let (Some(Row::Friction { pair, .. }), Some(true)) =
+                (S::ROWS.get(row), present.active.get(row))
+            && let (Some(own), Some(&force)) = (options.get_mut(row), choice.multipliers.get(row))
+        {
+            let is_forward = pair.is_some() || (-force).is_positive();
+            *own = Options::new(&[if is_forward { Part::Forward } else { Part::Backward }]);
+            return Ok(self.choose_among(options, avoid).unwrap_or(choice));
+        }
+        Ok(choice)
     }
 
     /// The regime among these options; nothing is asked of a row that is decided.
@@ -184,9 +198,18 @@ where
             return None;
         }
         let mut forces = equations.forces.map(|force: S::Scalar| force.abs());
-        for (row, &multiplier) in self.gradients.iter().zip(&balance.multipliers) {
-            for (force, &entry) in forces.iter_mut().zip(row) {
-                *force += (entry * multiplier).abs();
+        for (row, gradient) in self.gradients.iter().enumerate() {
+            // A friction of given size is among the forces, and may balance the others.
+            let given = match S::ROWS.get(row) {
+                Some(Row::Friction { normal: None, pair }) => {
+                    let slips = entry(&regime.slip, pair.map_or(row, |other| row.min(other)));
+                    entry(&self.laws.kinetic, row) * slips.abs()
+                }
+                _ => num_traits::Zero::zero(),
+            };
+            let borne = entry(&balance.multipliers, row).abs() + given;
+            for (force, &entry) in forces.iter_mut().zip(gradient) {
+                *force += entry.abs() * borne;
             }
         }
         let units = equations.saddle.units();

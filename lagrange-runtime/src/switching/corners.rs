@@ -32,7 +32,7 @@ where
             return Err(Cause::HeldAtKink { kink, name });
         }
         // The force of an energy that jumps would act at a point, where no equation has it.
-        let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v);
+        let [jumps, sizes] = self.system.jumps_at(state.t, &state.q, &state.v, &self.control.0);
         if above(entry(&jumps, kink).abs(), S::Scalar::epsilon().sqrt() * entry(&sizes, kink)) {
             return Err(Cause::EnergyJumps { kink, name });
         }
@@ -54,7 +54,7 @@ where
         let memory = &mut *self.memory;
         let (inner, in_regime, constants) = (&mut memory.inner, &memory.in_regime, &memory.constants);
         let (control, limits, start) = (self.control, self.limits, memory.start);
-        system.corners_at(state.t, &state.q, &state.v, |own, gain, size| {
+        system.corners_at(state.t, &state.q, &state.v, &control.0, |own, gain, size| {
             place += 1;
             if own != kink || !above(gain.abs(), part * size) {
                 return;
@@ -64,7 +64,7 @@ where
                 M::sample(inner, in_regime, constants, control, limits, half, &mut 0).unwrap_or(start)
             });
             let mut other = 0;
-            system.corners_at(state.t, &state.q, &state.v, |_, _, size| {
+            system.corners_at(state.t, &state.q, &state.v, &control.0, |_, _, size| {
                 other += 1;
                 found = found || other == place && above(gain.abs(), part * size);
             });

@@ -44,6 +44,8 @@ where
     pub(super) in_regime: &'a S::InRegime,
     pub(super) regime: &'a Regime<S::Scalar, C, W>,
     pub(super) inputs: &'a [S::Scalar; K],
+    /// The sizes of frictions that slip and are given, which are among the forces and may balance the others.
+    pub(super) given: [S::Scalar; N],
     watch: Watch<S::Scalar, C, W>,
     /// Whether the motion is a polynomial.
     is_along: bool,
@@ -85,9 +87,10 @@ where
             };
         }
         if turns {
-            watch.directions = system.laws_at(start.t, &start.q, &start.v).rows.rates;
+            watch.directions = system.laws_at(start.t, &start.q, &start.v, inputs).rows.rates;
         }
-        Self { in_regime, regime, inputs, watch, is_along, reacts_along: false }
+        let given = Self::given(system, regime, inputs, start);
+        Self { in_regime, regime, inputs, given, watch, is_along, reacts_along: false }
     }
 
     /// Whether there is nothing to look at.
@@ -194,7 +197,8 @@ where
         };
         let (q, v) = (rounded(&state.q, &sizes.q), rounded(&state.v, &sizes.v));
         let t = Rounded::sum_of(state.t, sizes.t);
-        let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v);
+        let u = self.inputs.map(Taylor::constant);
+        let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v, &u);
         let mut reactions = [Taylor::constant(num_traits::Zero::zero()); C];
         if self.has_reactions() {
             let [multipliers, sizes] = self.multipliers(state);
@@ -207,7 +211,7 @@ where
     /// One of the guards at a state with its derivatives.
     pub(super) fn varying(&self, guard: Guard, state: &State<S::Scalar, N>) -> S::Scalar {
         let State { t, q, v } = state;
-        let mut functions = S::functions_in(self.in_regime, |x| x, *t, q, v);
+        let mut functions = S::functions_in(self.in_regime, |x| x, *t, q, v, self.inputs);
         let reactions =
             if self.has_reactions() { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
         self.guard(&mut functions, &reactions, |x| x);
@@ -240,12 +244,14 @@ where
     }
 
     /// The first guard looked at by samples that falls through zero on a step between two times, before a
-    /// part of it has passed, and the part that has passed then. `at` gives the state after a part.
+    /// part of it has passed, and the part that has passed then. `at` gives the state after a part. Each part
+    /// that is looked at by itself is one of the `attempts`.
     pub(super) fn first(
         &self,
         scales: &Scales<S::Scalar, C>,
         [start, end]: [S::Scalar; 2],
         until: S::Scalar,
+        attempts: &mut u64,
         mut at: impl FnMut(S::Scalar) -> Option<State<S::Scalar, N>>,
     ) -> Result<Option<(S::Scalar, Guard)>, Cause> {
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
@@ -302,6 +308,7 @@ where
                     (from, to) = (to, if next < until { next } else { until });
                 }
             }
+            *attempts = attempts.checked_sub(1).ok_or(Cause::TooManySteps)?;
         }
     }
 

@@ -130,6 +130,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         t: Self::Scalar,
         q: &[Self::Scalar; N],
         v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
     ) -> Laws<Self::Scalar, C, W>;
 
     /// The functions whose zeros end a regime, over numbers of another kind: values with their roundings, or
@@ -140,6 +141,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         t: T,
         q: &[T; N],
         v: &[T; N],
+        u: &[T; K],
     ) -> Functions<T, C, W>;
 
     /// What the energy gains where each switching function passes zero upwards, and Σ |summands| of the
@@ -149,6 +151,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         _t: Self::Scalar,
         _q: &[Self::Scalar; N],
         _v: &[Self::Scalar; N],
+        _u: &[Self::Scalar; K],
     ) -> [[Self::Scalar; W]; 2] {
         [[num_traits::Zero::zero(); W]; 2]
     }
@@ -161,6 +164,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         _t: Self::Scalar,
         _q: &[Self::Scalar; N],
         _v: &[Self::Scalar; N],
+        _u: &[Self::Scalar; K],
         _visit: impl FnMut(usize, Self::Scalar, Self::Scalar),
     ) {
     }

@@ -5,9 +5,9 @@
 //! the load. So the bound of roundings is made of the forces that a reaction is the difference of, order by
 //! order.
 
-use super::Switching;
 use super::guards::Guards;
-use super::scene::{most, product, rounding};
+use super::scene::{entry, most, product, rounding};
+use super::{Regime, Row, Switching};
 use crate::constraints::{Balance, Equations};
 use crate::linear::{SaddlePoint, Switched};
 use crate::number::real::{Ordered, Real};
@@ -86,12 +86,54 @@ where
     S: Switching<N, K, C, W>,
     S::Scalar: Ordered,
 {
+    /// The sizes at coordinates of the frictions that slip in a regime and whose sizes are given.
+    pub(super) fn given(
+        system: &S,
+        regime: &Regime<S::Scalar, C, W>,
+        inputs: &[S::Scalar; K],
+        State { t, q, v }: &State<S::Scalar, N>,
+    ) -> [S::Scalar; N] {
+        let mut given = [num_traits::Zero::zero(); N];
+        let slips = |row: usize| match S::ROWS.get(row) {
+            Some(Row::Friction { normal: None, pair }) => {
+                entry(&regime.slip, pair.map_or(row, |other| row.min(other))) != num_traits::Zero::zero()
+            }
+            _ => false,
+        };
+        let mut held = *regime;
+        for (row, active) in held.active.iter_mut().enumerate() {
+            *active |= slips(row);
+        }
+        // Rows have gradients where they are active.
+        if held.active != regime.active
+            && let Some(equations) = S::equations_in(&system.in_regime(&held), *t, q, v, inputs)
+        {
+            let limits = system.laws_at(*t, q, v, inputs).kinetic;
+            let rows = equations.gradients.iter().zip(limits).enumerate();
+            for (_, (gradient, limit)) in rows.filter(|(row, _)| slips(*row)) {
+                for (given, &entry) in given.iter_mut().zip(gradient) {
+                    *given += (entry * limit).abs();
+                }
+            }
+        }
+        given
+    }
+
     fn equations(
         &self,
         state: &State<S::Scalar, N>,
     ) -> Option<Equations<Switched<S::Scalar, N, C>, S::Scalar, N, C>> {
         let State { t, q, v } = state;
         S::equations_in(self.in_regime, *t, q, v, self.inputs)
+    }
+
+    /// The size of the force at a coordinate, without reactions.
+    fn force(
+        &self,
+        equations: &Equations<Switched<S::Scalar, N, C>, S::Scalar, N, C>,
+        coordinate: usize,
+    ) -> S::Scalar {
+        entry(&equations.forces, coordinate).abs() + entry(&self.given, coordinate)
     }
 
     /// The multipliers at a state, and the forces at their rows that they are differences of.
@@ -102,7 +144,7 @@ where
         };
         let Balance { multipliers, .. } = equations.balance();
         let levers = Levers::new(&equations);
-        let forces = core::array::from_fn(|i| (equations.forces[i] * levers.units[i]).abs());
+        let forces = core::array::from_fn(|i| self.force(&equations, i) * levers.units[i]);
         let mut sizes = levers.sizes(&levers.reach(), &multipliers, &forces);
         equations.saddle.bound_loads(&mut sizes);
         [multipliers, sizes]
@@ -121,7 +163,7 @@ where
             Borne { roundings: [zero; N], reactions: [Taylor::constant(zero); C], is_known: false };
         let Some(equations) = self.equations(start) else { return borne };
         let levers = Levers::new(&equations);
-        let mut forces = core::array::from_fn(|i| (equations.forces[i] * levers.units[i]).abs());
+        let mut forces = core::array::from_fn(|i| self.force(&equations, i) * levers.units[i]);
         let rows = || {
             let rows = terms.reactions.chunks_exact(C.max(1)).take(terms.v.len());
             rows.filter_map(|row| <&[S::Scalar; C]>::try_from(row).ok())

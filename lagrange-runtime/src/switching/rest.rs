@@ -32,7 +32,7 @@ where
             return;
         }
         let State { t, q, v } = state;
-        let rates = self.system.laws_at(*t, q, v).rows.rates;
+        let rates = self.system.laws_at(*t, q, v, self.inputs).rows.rates;
         let (mut closed, mut wanted) = (*regime, [num_traits::Zero::zero(); C]);
         for row in (0..C).filter(|&row| touches(row) && (-rates[row]).is_positive()) {
             closed.active[row] = true;

@@ -6,7 +6,6 @@ use super::memory::shift;
 use super::scene::{Known, Scene, above, most};
 use super::standstill::is_at_rest;
 use super::{Regime, Row, Switching};
-use crate::motion::roots::Unresolved;
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -76,7 +75,7 @@ where
             let scales = &mut self.memory.scales;
             let impulses = &mut self.memory.impulses;
             *impulses = [num_traits::Zero::zero(); C];
-            scales.see(&self.system.laws_at(state.t, &state.q, &state.v));
+            scales.see(&self.system.laws_at(state.t, &state.q, &state.v, inputs));
             let first = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
             let (later, last);
             let mut scene = &first;
@@ -169,14 +168,14 @@ where
             M::step(&mut memory.inner, in_regime, constants, self.control, self.limits, t, attempts)?;
             let (start, end) = (*M::start(&memory.inner), *M::end(&memory.inner));
             (memory.start, memory.end) = (start, end);
-            let found = self.event();
+            let found = self.event(attempts);
             let found = found.map_err(|cause| {
                 self.memory.end = start;
                 at(&start, cause)
             })?;
             self.memory.fired = found.as_ref().map(|event| event.guard);
             let Some(Event { state, guard, late }) = found else {
-                let laws = self.system.laws_at(end.t, &end.q, &end.v);
+                let laws = self.system.laws_at(end.t, &end.q, &end.v, &self.control.0);
                 self.memory.scales.see(&laws);
                 // Whatever a polynomial has not shown, no step ends behind a contact that is open.
                 if let Some(cause) = self.missed(&laws) {
@@ -230,7 +229,7 @@ where
     }
 
     /// The first event of the piece.
-    fn event(&mut self) -> Result<Option<Event<S::Scalar, N>>, Cause> {
+    fn event(&mut self, attempts: &mut u64) -> Result<Option<Event<S::Scalar, N>>, Cause> {
         let memory = &mut *self.memory;
         let (start, end) = (memory.start, memory.end);
         let (in_regime, constants) = (&memory.in_regime, &memory.constants);
@@ -243,8 +242,7 @@ where
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let mut fall = None;
         if let Some(terms) = terms {
-            let found = guards.first_along(&start, &terms, memory.fired, self.limits.relative);
-            let found = found.map_err(Unresolved::cause)?;
+            let found = guards.first_along(&start, &terms, memory.fired, self.limits.relative, attempts)?;
             fall = found.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);
                 (found, sizes, terms.length * terms.unit, terms.residue)
@@ -264,7 +262,7 @@ where
         // The time since the start that a part of the step is, without the rounding of times.
         let mut passed = first.zip(fall).map(|((part, _), (.., length, residue))| part * length + residue);
         let until = first.map_or(one, |(part, _)| part);
-        let sampled = guards.first(&memory.scales, [start.t, end.t], until, &mut at)?;
+        let sampled = guards.first(&memory.scales, [start.t, end.t], until, attempts, &mut at)?;
         if sampled.is_some() {
             (first, passed) = (sampled, None);
         }

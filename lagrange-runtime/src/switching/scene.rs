@@ -151,7 +151,7 @@ where
         known: &Known<C>,
     ) -> Self {
         let State { t, q, v } = *state;
-        let laws = system.laws_at(t, &q, &v);
+        let laws = system.laws_at(t, &q, &v, inputs);
         let (mut gradients, mut gamma) = ([[num_traits::Zero::zero(); N]; C], [num_traits::Zero::zero(); C]);
         let mut units = [num_traits::Zero::zero(); N];
         let all = Regime { active: [true; C], kinks, ..Regime::open(&S::ROWS) };
@@ -193,10 +193,13 @@ where
     fn closes(&self, row: usize, scales: &Scales<S::Scalar, C>, known: &Known<C>) -> bool {
         let rows = &self.laws.rows;
         let gap = most(scales.gaps[row], rows.position_sizes[row]);
-        let time = S::Scalar::from_f64(8.0) * S::Scalar::epsilon() * self.state.t.abs();
-        let is_zero =
-            !above(rows.positions[row], rounding::<S::Scalar>() * gap + time * rows.rates[row].abs());
+        let is_zero = !above(rows.positions[row], rounding::<S::Scalar>() * gap + self.by_time(row));
         S::ROWS[row] == Row::Unilateral && (known.fired == Some(row) || known.closed[row] || is_zero)
+    }
+
+    /// What a gap changes in the roundings of time.
+    pub(super) fn by_time(&self, row: usize) -> S::Scalar {
+        S::Scalar::from_f64(8.0) * S::Scalar::epsilon() * self.state.t.abs() * self.laws.rows.rates[row].abs()
     }
 
     fn status_of(&self, row: usize, known: &Known<C>) -> Status {

@@ -119,6 +119,8 @@ impl<I: System<N, K> + Copy, const N: usize, const K: usize> System<N, K> for In
     }
 }
 
+// Messages about systems without a series name those of users.
+#[diagnostic::do_not_recommend]
 impl<I: Smooth<N, K> + Copy, const N: usize, const K: usize> Smooth<N, K> for InRegimeSince<I, I::Scalar> {
     const STEEP: bool = I::STEEP;
     const SHARES_PIVOTS: bool = I::SHARES_PIVOTS;
@@ -199,8 +201,14 @@ where
         InRegimeSince { in_regime: self.system.in_regime(mode), instant: self.instant }
     }
 
-    fn laws_at(&self, t: S::Scalar, q: &[S::Scalar; N], v: &[S::Scalar; N]) -> Laws<S::Scalar, C, W> {
-        self.system.laws_at(self.instant + t, q, v)
+    fn laws_at(
+        &self,
+        t: S::Scalar,
+        q: &[S::Scalar; N],
+        v: &[S::Scalar; N],
+        u: &[S::Scalar; K],
+    ) -> Laws<S::Scalar, C, W> {
+        self.system.laws_at(self.instant + t, q, v, u)
     }
 
     fn functions_in<T: Real>(
@@ -209,13 +217,20 @@ where
         t: T,
         q: &[T; N],
         v: &[T; N],
+        u: &[T; K],
     ) -> Functions<T, C, W> {
         let t = number(in_regime.instant) + t;
-        S::functions_in(&in_regime.in_regime, number, t, q, v)
+        S::functions_in(&in_regime.in_regime, number, t, q, v, u)
     }
 
-    fn jumps_at(&self, t: S::Scalar, q: &[S::Scalar; N], v: &[S::Scalar; N]) -> [[S::Scalar; W]; 2] {
-        self.system.jumps_at(self.instant + t, q, v)
+    fn jumps_at(
+        &self,
+        t: S::Scalar,
+        q: &[S::Scalar; N],
+        v: &[S::Scalar; N],
+        u: &[S::Scalar; K],
+    ) -> [[S::Scalar; W]; 2] {
+        self.system.jumps_at(self.instant + t, q, v, u)
     }
 
     fn corners_at(
@@ -223,9 +238,10 @@ where
         t: S::Scalar,
         q: &[S::Scalar; N],
         v: &[S::Scalar; N],
+        u: &[S::Scalar; K],
         visit: impl FnMut(usize, S::Scalar, S::Scalar),
     ) {
-        self.system.corners_at(self.instant + t, q, v, visit);
+        self.system.corners_at(self.instant + t, q, v, u, visit);
     }
 
     fn equations_in(

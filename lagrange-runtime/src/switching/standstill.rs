@@ -33,7 +33,7 @@ where
 
     /// Whether what is left of a slip in two directions is less than the tolerance of what it has been.
     pub(super) fn rests(&self, row: usize, other: usize, state: &State<S::Scalar, N>) -> bool {
-        let rows = self.system.laws_at(state.t, &state.q, &state.v).rows;
+        let rows = self.system.laws_at(state.t, &state.q, &state.v, &self.control.0).rows;
         let scales = &self.memory.scales;
         let size = most(entry(&scales.speeds, row), entry(&scales.speeds, other));
         let slip = entry(&rows.rates, row).hypot(entry(&rows.rates, other));

@@ -116,7 +116,7 @@ impl<T: Toy<N, C, W>, const N: usize, const C: usize, const W: usize> Switching<
         InRegime { toy: self.0, regime: *regime }
     }
 
-    fn laws_at(&self, _: f64, q: &[f64; N], v: &[f64; N]) -> Laws<f64, C, W> {
+    fn laws_at(&self, _: f64, q: &[f64; N], v: &[f64; N], _: &[f64; 0]) -> Laws<f64, C, W> {
         let kinks = self.0.kinks(q, v);
         Laws {
             rows: self.residuals(q, v),
@@ -134,6 +134,7 @@ impl<T: Toy<N, C, W>, const N: usize, const C: usize, const W: usize> Switching<
         _: R,
         q: &[R; N],
         v: &[R; N],
+        _: &[R; 0],
     ) -> Functions<R, C, W> {
         let toy = &in_regime.toy;
         let (gradients, offsets, drift) = (toy.gradients(), toy.offsets(), toy.drift());

@@ -9,9 +9,11 @@ use crate::system::System;
 /// The macro proves it: no function with a kink or a jump (absolute value, sign, the root of a speed) stands
 /// in the equations of motion. Where one does, use [`Dop853`](crate::Dop853) or a fixed-step method.
 #[diagnostic::on_unimplemented(
-    message = "the motion of `{Self}` has no Taylor series: a function in its equations has a kink or a jump",
+    message = "the motion of `{Self}` has no Taylor series: a function in its equations has a kink or a jump, or contacts switch \
+               them",
     label = "this system is not smooth",
-    note = "`stepper::<Rk4>(…)`, `simulate(…)` and `simulate_with::<Dop853>(…)` work for every system"
+    note = "`simulate(…)` works for every system, `stepper::<Rk4>(…)` and `simulate_with::<Dop853>(…)` for every one without \
+            contacts and dry friction"
 )]
 pub trait Smooth<const N: usize, const K: usize = 0>: System<N, K> {
     /// Whether a function in the equations can hide from a series: exponentials, hyperbolic functions and

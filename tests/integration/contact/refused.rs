@@ -69,3 +69,49 @@ fn time_does_not_run_backward() {
 fn a_state_that_is_no_number_is_refused() {
     assert_eq!(cause(&PUCK, State::at_rest([f64::NAN, 1.0])), Cause::NotFinite);
 }
+
+struct Ball {
+    restitution: f64,
+}
+
+#[lagrangian(coordinates = [y])]
+impl Ball {
+    #[point(mass = 1.0)]
+    fn ball(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(0.0, q.y)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    #[unilateral(restitution = self.restitution)]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.y
+    }
+}
+
+#[test]
+fn a_motion_begins_where_another_had_an_impact() {
+    for restitution in [0.0, 0.3, 0.7] {
+        let ball = Ball { restitution };
+        let mut motion = ball.simulate(State::at_rest([1.0]));
+        let (mut count, mut below) = (0, 0);
+        while let Some(switch) = motion.advance_to_switch(100.0).unwrap() {
+            for state in [switch.before, switch.state] {
+                below += usize::from(state.q[0] < 0.0);
+                let found = ball.simulate(state).advance_to(state.t + 1.0).map(|_| ());
+                assert!(found.is_ok(), "{restitution} {state:?} {found:?}");
+            }
+            count += 1;
+        }
+        // By rounding some of them are below the floor.
+        assert!(count > 10 && below > 10 || restitution == 0.0, "{restitution} {count} {below}");
+    }
+    // At rest, or at time zero, the only coordinate says nothing about its roundings.
+    let fall = State::new([-2.2e-16], [-1.0]);
+    let ball = Ball { restitution: 0.7 };
+    assert!(matches!(ball.simulate(fall).advance_to(1.0).unwrap_err().cause, Cause::Penetrates { .. }));
+    assert!(ball.simulate(fall.at_time(2.0)).advance_to(3.0).is_ok());
+}

@@ -38,11 +38,11 @@ pub(super) fn implementations(
             const ROWS: [lagrange::Row; #rows] = [lagrange::Row::Bilateral; #rows];
             fn in_regime(&self, _: &lagrange::Regime<#scalar, #rows, 0>) -> Self::InRegime { loop {} }
             fn laws_at(
-                &self, _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count]
+                &self, _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count], _: &[#scalar; #inputs]
             ) -> lagrange::Laws<#scalar, #rows, 0> { loop {} }
             fn functions_in<__Number: lagrange::Real>(
                 _: &Self::InRegime, _: impl ::core::ops::Fn(#scalar) -> __Number,
-                _: __Number, _: &[__Number; #count], _: &[__Number; #count]
+                _: __Number, _: &[__Number; #count], _: &[__Number; #count], _: &[__Number; #inputs]
             ) -> lagrange::Functions<__Number, #rows, 0> { loop {} }
         }
 

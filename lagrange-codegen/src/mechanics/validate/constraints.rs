@@ -26,9 +26,11 @@ pub(in crate::mechanics) fn constraints(
     diagnostics: &mut Diagnostics,
 ) -> Vec<Vec<bool>> {
     let mut rows: Vec<Row> = Vec::with_capacity(model.constraints.len());
-    for constraint in model.constraints.clone() {
+    // What holds at times contradicts nothing by itself.
+    let always = model.constraints.len() - model.at_times;
+    for (place, constraint) in model.constraints.clone().into_iter().enumerate() {
         let gradient = gradient(model, &constraint);
-        let fault = fault(model, &constraint, &gradient, allows);
+        let fault = fault(model, &constraint, &gradient, place >= always, allows);
         let faulty = fault.is_some();
         if let Some((origin, message)) = fault {
             diagnostics.at(origin, message);
@@ -36,8 +38,6 @@ pub(in crate::mechanics) fn constraints(
         let columns = (0..gradient.len()).filter(|&i| !model.graph.is_zero(gradient[i])).collect();
         rows.push(Row { constraint, gradient, columns, faulty });
     }
-    // What holds at times contradicts nothing by itself.
-    let always = rows.len() - model.at_times;
     for later in 1..always {
         for earlier in 0..later {
             if let Some(message) = repetition(model, &rows[earlier], &rows[later], allows)
@@ -78,11 +78,13 @@ fn gradient(model: &mut Model, constraint: &Constraint) -> Vec<NodeId> {
     pullback(graph, &[(constraint.value, one)], &variables)
 }
 
-/// What is wrong with one constraint by itself, and where.
+/// What is wrong with one constraint by itself, and where. A constraint on velocities that holds at times is
+/// a friction.
 fn fault(
     model: &mut Model,
     constraint: &Constraint,
     gradient: &[NodeId],
+    at_times: bool,
     allows: &dyn Fn(&str) -> bool,
 ) -> Option<(Origin, String)> {
     let name = constraint.written();
@@ -95,6 +97,7 @@ fn fault(
         let eliminated = !model.eliminated.is_empty();
         let depends = model.graph.dependence(constraint.value).meets(Dependence::COORDINATES);
         return at_name(match constraint.kind {
+            ConstraintKind::Nonholonomic { .. } if at_times => physics::slip_without_velocity(&name),
             ConstraintKind::Nonholonomic { .. } if depends => physics::without_velocity(&name),
             _ => physics::restrains_nothing(&name, eliminated),
         });
@@ -106,7 +109,11 @@ fn fault(
             let slopes = simplify(&mut model.graph, &mut model.hints, gradient);
             if slopes.iter().any(|&slope| model.graph.dependence(slope).meets(Dependence::VELOCITIES)) {
                 let place = model.place_in(constraint, &beyond);
-                return Some((place, physics::not_affine_in_velocities(&name)));
+                let message = match at_times {
+                    true => physics::slip_not_affine(&name),
+                    false => physics::not_affine_in_velocities(&name),
+                };
+                return Some((place, message));
             }
         }
     }

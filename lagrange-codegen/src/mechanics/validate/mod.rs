@@ -1,19 +1,17 @@
 //! Physics that cannot be right: reported on the user's own expression, never ignored.
 
 mod constraints;
-mod contacts;
 mod exactness;
 mod inertia;
 mod matching;
 
 pub(super) use constraints::constraints;
-pub(super) use contacts::contacts;
 pub(super) use inertia::inertia;
 
 use crate::calculus::beyond_degree;
 use crate::diagnostics::{Diagnostics, Origin, physics};
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
-use crate::model::{Action, Attitude, Model};
+use crate::model::{Action, Attitude, Law, Model};
 use crate::number::Number;
 
 /// Contributions that have no effect or the wrong form.
@@ -142,7 +140,7 @@ fn is_number(graph: &Graph, id: NodeId) -> bool {
     }
 }
 
-/// Inputs that appear in no equation.
+/// Inputs that appear in no equation and no law of a contact.
 pub(super) fn inputs(
     model: &Model,
     force: &[NodeId],
@@ -153,7 +151,11 @@ pub(super) fn inputs(
     if allows("unused_input") {
         return;
     }
-    let roots: Vec<NodeId> = force.iter().chain(mass.iter().flatten()).copied().collect();
+    let laws = model.contacts.iter().flat_map(|contact| match contact.law {
+        Law::Unilateral { restitution, .. } => [restitution; 2],
+        Law::Friction { kinetic, fixed, .. } => [kinetic, fixed],
+    });
+    let roots: Vec<NodeId> = force.iter().chain(mass.iter().flatten()).copied().chain(laws).collect();
     let used = used_inputs(&model.graph, &roots, model.inputs.len());
     for (input, used) in model.inputs.iter().zip(used) {
         if !used {

@@ -1,0 +1,166 @@
+//! Slips that begin where friction has come to its limit, with as much friction as before: their
+//! accelerations grow from zero.
+
+use lagrangian::prelude::*;
+
+use super::TIGHT;
+use crate::support::close::{close, close_on};
+
+/// A mass on a spring to a slider: the Jenkin element.
+struct Jenkin {
+    slider: f64,
+}
+
+#[lagrangian(coordinates = [x, s])]
+impl Jenkin {
+    #[kinetic]
+    fn translation(&self, v: &Velocities) -> f64 {
+        0.5 * v.x * v.x + 0.5 * self.slider * v.s * v.s
+    }
+
+    #[potential]
+    fn spring(&self, q: &Coordinates) -> f64 {
+        0.5 * 100.0 * (q.x - q.s).powi(2)
+    }
+
+    #[force(on = x)]
+    fn drive(&self, t: f64) -> f64 {
+        8.0 * (4.0 * t).sin()
+    }
+
+    #[friction(limit = 5.0)]
+    fn slip(&self, v: &Velocities) -> f64 {
+        v.s
+    }
+}
+
+/// Times at which the slider begins to slip and stops, in turns: the solutions of both linear systems, joined
+/// in 30 digits.
+const SWITCHES: [f64; 19] = [
+    0.235392658485538677,
+    0.868865976790750563,
+    0.871530177750385448,
+    0.888405099466290417,
+    0.892920279805205073,
+    0.908479012054223994,
+    1.069651030193339220,
+    1.644132373868894620,
+    1.645785514953724020,
+    1.663878950788476620,
+    1.665864443111750750,
+    1.683723685649995490,
+    1.686055639002994900,
+    1.703593689848553430,
+    1.706473122222696520,
+    1.723513347499048880,
+    1.727515614134132690,
+    1.743562001138159080,
+    1.900919850223030610,
+];
+
+#[test]
+fn a_slider_slips_again_after_a_short_stick() {
+    let element = Jenkin { slider: 1e-3 };
+    let mut motion = element.simulate(State::at_rest([0.0, 0.0])).with_tolerance(TIGHT);
+    for (number, time) in SWITCHES.into_iter().enumerate() {
+        let switch = motion.advance_to_switch(2.0).unwrap().unwrap();
+        close(switch.state.t, time, 1e-12);
+        let now = if number % 2 == 0 { Contact::Slips } else { Contact::Sticks };
+        assert_eq!(motion.contacts().slip, now, "switch {number}");
+    }
+    assert!(motion.advance_to_switch(2.0).unwrap().is_none());
+    close(motion.state().q[0], -0.143187989847350766, 1e-11);
+    close(motion.state().q[1], -0.192932047593375087, 1e-11);
+}
+
+#[test]
+fn a_light_slider_slips_and_sticks_in_turns() {
+    let element = Jenkin { slider: 1e-6 };
+    let mut motion = element.simulate(State::at_rest([0.0, 0.0]));
+    let mut switches = 0;
+    while motion.advance_to_switch(2.0).unwrap().is_some() {
+        switches += 1;
+    }
+    // Without a mass of the slider the spring would be at the limit; with this one it swings below it.
+    assert!(switches > 500 && switches % 2 == 1, "{switches} switches");
+    let [x, s] = motion.state().q;
+    close_on(0.05, x - s, 0.05, 0.01);
+}
+
+/// A disc on a rough floor.
+struct Disc {
+    friction: f64,
+}
+
+#[lagrangian(coordinates = [x, y, z, heading, lean, spin])]
+impl Disc {
+    #[body(mass = 0.4, inertia = [0.4 * 0.01 / 4.0, 0.4 * 0.01 / 2.0, 0.4 * 0.01 / 4.0])]
+    fn disc(&self, q: &Coordinates) -> (Vector3<f64>, Rotation3<f64>) {
+        let heading = Rotation3::from_axis_angle(&Vector3::z_axis(), q.heading);
+        let up = heading * Rotation3::from_axis_angle(&Vector3::x_axis(), q.lean);
+        (Vector3::new(q.x, q.y, q.z), up * Rotation3::from_axis_angle(&Vector3::y_axis(), q.spin))
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        0.4 * 9.81 * q.z
+    }
+
+    #[unilateral]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        q.z - 0.1 * q.lean.cos()
+    }
+
+    #[friction(coefficient = self.friction, normal = floor)]
+    fn slip(&self, q: &Coordinates, v: &Velocities) -> Vector2<f64> {
+        let down =
+            Vector3::new(q.heading.sin() * q.lean.sin(), -q.heading.cos() * q.lean.sin(), q.lean.cos());
+        let speed = self.disc_velocity(q, v).at(Vector3::new(q.x, q.y, q.z) - 0.1 * down);
+        Vector2::new(speed.x, speed.y)
+    }
+}
+
+const DISC: Disc = Disc { friction: 0.1 };
+
+fn thrown() -> State<f64, 6> {
+    let height = 0.1 * 0.3_f64.cos();
+    State::new([0.0, 0.0, height, 0.0, 0.3, 0.0], [0.5, 0.1, 0.0, 1.0, 0.0, 12.0])
+}
+
+#[test]
+fn a_rolling_disc_begins_to_slip() {
+    // Regularised friction, of ever less regularisation, goes this way.
+    let reference = [-0.00255, -0.00028];
+    for tolerance in [1e-8, 1e-10] {
+        let mut motion = DISC.simulate(thrown()).with_tolerance(tolerance);
+        for (time, now) in [(1.22336117518, Contact::Sticks), (1.23427662938, Contact::Slips)] {
+            let switch = motion.advance_to_switch(3.0).unwrap().unwrap();
+            close(switch.state.t, time, tolerance);
+            assert_eq!(motion.contacts().slip, [now; 2]);
+        }
+        let end = *motion.advance_to(1.334276629).unwrap();
+        let slip = DISC.slip(&end.q.into(), &end.v.into());
+        for (slip, reference) in slip.iter().zip(reference) {
+            close_on(1.0, *slip, reference, 5e-6);
+        }
+        // Friction at its limit acts against the slip.
+        let (force, normal) = (motion.reactions().slip, motion.reactions().floor);
+        for (force, slip_along) in force.iter().zip(&slip) {
+            close_on(normal, *force, -0.1 * normal * slip_along / slip.norm(), 1e-6);
+        }
+    }
+}
+
+#[test]
+fn a_limit_of_steps_ends_a_call_whatever_its_guards_cost() {
+    // A tolerance at which the direction of the first slip turns faster than steps resolve.
+    let mut motion = DISC.simulate(thrown()).with_tolerance(1e-12).with_max_steps(2_000);
+    let error = loop {
+        match motion.advance_to_switch(3.0) {
+            Ok(Some(_)) => {}
+            Ok(None) => panic!("the motion is too short for this test"),
+            Err(error) => break error,
+        }
+    };
+    assert_eq!(error.cause, Cause::TooManySteps);
+}
