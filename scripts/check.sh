@@ -47,7 +47,10 @@ EOF
 fmt() { cargo fmt --all --check; }
 
 clippy() {
-    cargo clippy --workspace --all-targets --features lagrangian/wide,lagrangian/double-double -- -D warnings
+    local all=lagrangian/wide,lagrangian/double-double,lagrangian/ensemble,lagrangian/pictures
+    cargo clippy --workspace --all-targets --features $all -- -D warnings
+    # Those that `cargo test` leaves out are no targets of the former.
+    cargo clippy --workspace --test '*' --features $all -- -D warnings
     cargo clippy -p lagrange-runtime --no-default-features --features libm,double-double -- -D warnings
 }
 

@@ -9,7 +9,7 @@
 #[path = "ui/cases/mod.rs"]
 mod cases;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

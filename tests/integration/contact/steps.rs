@@ -223,7 +223,7 @@ fn energy_never_grows_and_nothing_penetrates() {
         assert!(state.q[1] >= -1e-15, "{state:?}");
         energy = next;
         let expected = *motion.advance_to(state.t).unwrap();
-        all_close(&state.q, &expected.q, 1e-10);
+        all_close(state.q, expected.q, 1e-10);
     }
     // It has come to rest where friction holds the spring: µ m g ≥ k |x|.
     let State { q: [x, y], v, .. } = *steps.state();
