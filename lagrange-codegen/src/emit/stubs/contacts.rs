@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::{Held, constraints, over_any};
+use crate::emit::steps;
 use crate::syntax::Item;
 use crate::syntax::item::RoleKind;
 
@@ -30,8 +31,11 @@ pub(super) fn implementations(
     let (impl_generics, _, where_clause) = generics.split_for_impl();
     let (rows, record, name) = (rows(held), constraints::record_ident(item), format_ident!("__InRegime"));
     let in_regime = over_any(&name, count, inputs);
+    let steps = steps::stub(item, (count, inputs));
     quote! {
         #in_regime
+
+        #steps
 
         impl #impl_generics lagrange::Switching<#count, #inputs, #rows, 0> for #self_ty #where_clause {
             type InRegime = #name<#scalar>;

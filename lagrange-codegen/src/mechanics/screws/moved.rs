@@ -85,10 +85,14 @@ pub fn parts(model: &mut Model) -> Option<Vec<Part>> {
     (!parts.is_empty()).then_some(parts)
 }
 
-/// Where the arms by which a rotation carries a place begin, and their sum.
+/// Where the arms of fixed lengths by which a rotation carries a place begin, and their sum.
 fn arm(graph: &mut Graph, levers: &Levers, rotation: &Rotation, place: Vector) -> (Vector, Vector) {
     let (mut base, mut arm) = (place, [graph.zero(); 3]);
-    while let Some(lever) = levers.of(&base).filter(|lever| lever.rotation.matrix == rotation.matrix) {
+    while let Some(lever) = levers.of(&base) {
+        let is_fixed = lever.arm.iter().all(|&component| graph.dependence(component).is_fixed());
+        if lever.rotation.matrix != rotation.matrix || !is_fixed {
+            break;
+        }
         base = lever.base;
         arm = [0, 1, 2].map(|i| graph.add(arm[i], lever.arm[i]));
     }
