@@ -117,6 +117,20 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
     });
     let method = if switches { contacts::method(&held) } else { quote!(lagrange::Jets) };
     let regimes = switches.then(|| contacts::implementations(item, &held, &quote!(#scalar), (count, inputs)));
+    // Otherwise fixed steps are those through switches.
+    let smooth = (!switches).then(|| {
+        quote! {
+            impl #impl_generics lagrange::Smooth<#count, #inputs> for #self_ty #where_clause {
+                type JetConstants = ();
+                type Tables<const ORDERS: usize> = ();
+                fn jet_constants(&self) {}
+                fn jet_at<const ORDERS: usize>(
+                    &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count], _: &[#scalar; #inputs],
+                    _: #scalar, _: usize, _: &mut (), _: &mut lagrange::Series<#scalar, #count, ORDERS>
+                ) -> bool { loop {} }
+            }
+        }
+    });
     let certificate = item.analysis.then(|| analysis::certificate(item, &quote!(#scalar), count, inputs));
     let (named_events, guards) = super::events::stubs(item, count);
     let proofs = proofs::proofs(item, &proofs::ALL, count, inputs);
@@ -172,15 +186,7 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
             #linearization
             #sensitive
             #over
-            impl #impl_generics lagrange::Smooth<#count, #inputs> for #self_ty #where_clause {
-                type JetConstants = ();
-                type Tables<const ORDERS: usize> = ();
-                fn jet_constants(&self) {}
-                fn jet_at<const ORDERS: usize>(
-                    &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count], _: &[#scalar; #inputs],
-                    _: #scalar, _: usize, _: &mut (), _: &mut lagrange::Series<#scalar, #count, ORDERS>
-                ) -> bool { loop {} }
-            }
+            #smooth
         };
     }
 }
