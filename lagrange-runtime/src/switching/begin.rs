@@ -80,7 +80,7 @@ where
             let is_good = match kind {
                 Row::Bilateral | Row::Load => true,
                 Row::Unilateral => e >= zero && e <= one,
-                Row::Friction { .. } if is_one => is_valid(against(&coefficients, slip)),
+                Row::Friction { .. } if is_one => is_valid(against(coefficients, slip)),
                 Row::Friction { .. } => coefficients.iter().all(is_valid),
             };
             if !is_good {

@@ -145,8 +145,8 @@ where
         self.all().filter(|&guard| self.is_sampled(guard))
     }
 
-    /// The functions of a regime with, in the places of those of rows and kinks that have one, the guards that
-    /// they and reactions make.
+    /// The functions of a regime with the guards that they and reactions make, in the places of rows and
+    /// kinks that have one.
     pub(super) fn guarded<T: Real>(
         &self,
         number: impl Fn(S::Scalar) -> T + Copy,
