@@ -351,3 +351,43 @@ fn fixed_steps_carry_derivatives() {
     });
     assert!(error(64, jet.state().q[0].slopes[0]) < 1e-12);
 }
+
+/// A charge at nearly the speed of light in a magnetic field that is not uniform.
+#[derive(Clone, Copy)]
+struct Charge;
+
+#[lagrangian(coordinates = [x, y, z], jacobians)]
+impl Charge {
+    #[lagrangian]
+    fn action(&self, q: &Coordinates, v: &Velocities, t: f64) -> f64 {
+        let field = 1.0 + 0.2 * (q.x * q.x + q.y * q.y);
+        let potential = 0.5 * field * (v.y * q.x - v.x * q.y) + 0.3 * (0.7 * t).sin() * q.x * v.z;
+        -(1.0 - v.x * v.x - v.y * v.y - v.z * v.z).sqrt() + potential - 1.0 / (1.0 + q.z * q.z).sqrt()
+    }
+}
+
+/// Some derivatives begin as roundings of others in their column, so that they have no size of their own.
+#[test]
+fn roundings_in_a_column_do_not_hold_a_motion_up() {
+    let start = State::new([0.3, 0.0, 0.4], [0.5, 0.5, 0.3]);
+    let end = |start: State<f64, 3>| Charge.simulate(start).with_tolerance(1e-14).advance_to(6.0).unwrap().q;
+    for tolerance in [1e-8, 1e-9, 1e-10, 1e-12] {
+        let variational = Charge.variational();
+        let mut motion = variational.motion(start).unwrap().with_tolerance(tolerance).with_max_steps(300);
+        let found = motion.advance_to(6.0).unwrap().q_by_q;
+        for (j, &place) in start.q.iter().enumerate() {
+            let beside = |x: f64| {
+                let mut start = start;
+                start.q[j] = place + x;
+                end(start)
+            };
+            let h = 1e-3;
+            let [far, near] = [[beside(-2.0 * h), beside(2.0 * h)], [beside(-h), beside(h)]];
+            for i in 0..3 {
+                // Of fourth order.
+                let slope = (8.0 * (near[1][i] - near[0][i]) - (far[1][i] - far[0][i])) / (12.0 * h);
+                assert!((found[(i, j)] - slope).abs() < 1e-7 + 1e2 * tolerance, "{tolerance}: {i} by {j}");
+            }
+        }
+    }
+}

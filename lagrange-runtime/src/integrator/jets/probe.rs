@@ -76,18 +76,25 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
             let t = self.start.t + theta * self.unit;
             let found = self.system.accelerations_at(self.constants, t, &q, &v, self.inputs);
             let expected = self.series.slopes(theta, self.orders).map(|slope| slope / self.unit);
-            (0..N).fold(agrees, |agrees, i| {
-                let is_finite = found[i].is_finite();
-                strongest[i] =
-                    strongest[i].max(if is_finite { found[i].part(0).abs() } else { strongest[i] });
-                (0..S::Scalar::PARTS).fold(agrees && is_finite, |agrees, part| {
-                    let (found, expected) = (found[i].part(part), expected[i].part(part));
+            let is_finite = found.iter().all(|found| found.is_finite());
+            for (strongest, found) in strongest.iter_mut().zip(&found).filter(|(_, found)| found.is_finite())
+            {
+                *strongest = strongest.max(found.part(0).abs());
+            }
+            (0..S::Scalar::PARTS).fold(agrees && is_finite, |agrees, part| {
+                let pair = |i: usize| [found[i].part(part), expected[i].part(part)];
+                let size = |i: usize| {
                     let speed = self.start.v[i].part(part).abs().max(v[i].part(part).abs());
-                    let size = speed.max((found * span).abs()).max((expected * span).abs());
-                    let mut bound = relative * size + tiny;
+                    pair(i).iter().fold(speed, |size, &x| size.max((x * span).abs()))
+                };
+                // A derivative is a sum over its whole column, whose roundings it has however small it is itself.
+                let column = (0..N).filter(|_| part > 0).fold(tiny, |most, i| most.max(size(i)));
+                (0..N).fold(agrees, |agrees, i| {
+                    let mut bound = relative * size(i) + noise * column + tiny;
                     if part == 0 {
                         bound += absolute + noise * (strongest[i] * span).abs();
                     }
+                    let [found, expected] = pair(i);
                     let excess = ((found - expected) * span).abs() - bound;
                     agrees && excess.is_finite() && excess.largest() <= num_traits::Zero::zero()
                 })
