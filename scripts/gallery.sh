@@ -45,14 +45,14 @@ lint() {
     cargo clippy -q --release --target $wasm --examples -- -D warnings
 }
 
-chromium() {
+browser() {
     local name
     for name in chromium chromium-browser google-chrome; do
-        command -v $name && return
+        type -P $name && return
     done
     { [ "$(id -u)" = 0 ] && apt-get install -y -qq --no-install-recommends chromium fonts-dejavu-core >/dev/null; } ||
         { echo "gallery: no Chromium here" >&2; exit 1; }
-    command -v chromium
+    type -P chromium
 }
 
 check() {
@@ -60,7 +60,7 @@ check() {
     lint
     command -v node >/dev/null || { echo "gallery: no node here" >&2; exit 1; }
     (cd test && npm ci --silent --no-audit --no-fund)
-    CHROMIUM=$(chromium) SITE=$out SCREENS=$PWD/target/screens node --test test/pages.test.mjs
+    CHROMIUM=$(browser) SITE=$out SCREENS=$PWD/target/screens node --test test/pages.test.mjs
 }
 
 serve() {
