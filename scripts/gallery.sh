@@ -32,6 +32,7 @@ build() {
         cp "$CARGO_TARGET_DIR/$wasm/release/examples/$(basename "$page" .rs).wasm" "$out/"
     done
     cargo run -q --bin gallery >"$out/catalogue.json"
+    cargo run -q --manifest-path ../Cargo.toml -p cargo-lagrange -- equations --json >"$out/equations.json"
     for module in "$out"/*.wasm; do
         size=$(gzip -9 <"$module" | wc -c)
         printf '%7d bytes, compressed %6d: %s\n' "$(wc -c <"$module")" "$size" "$(basename "$module")"

@@ -53,7 +53,8 @@ fn energies(emission: &mut Emission<'_>) -> String {
     let model = &*emission.model;
     let writer = Writer { model, names: Lookup::default() };
     let written = |symbol: &str, node: NodeId| {
-        (model.graph.tree_size(node) <= LONGEST).then(|| format!("{symbol} = {}\n", unicode::formula(&writer.expression(node))))
+        (model.graph.tree_size(node) <= LONGEST)
+            .then(|| format!("{symbol} = {}\n", unicode::formula(&writer.expression(node))))
     };
     let mut lines = String::new();
     for (symbol, node) in [("T", kinetic), ("V", potential)] {

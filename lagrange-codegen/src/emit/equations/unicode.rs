@@ -37,7 +37,11 @@ pub(super) fn formula(written: &Formula) -> String {
         Formula::Application(Application { name, power: exponent, arguments, is_grouped }) => {
             let power = exponent.map_or_else(String::new, |exponent| power(&number(exponent)));
             let arguments = arguments.iter().map(formula).collect::<Vec<_>>().join(", ");
-            if *is_grouped { format!("{name}{power}({arguments})") } else { format!("{name}{power} {arguments}") }
+            if *is_grouped {
+                format!("{name}{power}({arguments})")
+            } else {
+                format!("{name}{power} {arguments}")
+            }
         }
     }
 }
