@@ -72,12 +72,7 @@ fn main() {
             "A belt drags a block along until the spring tears it loose: how a violin string sounds and a brake squeals.",
             "Without friction, which adds its force:",
         ),
-        page::<Chain, 10>(
-            "chain",
-            "Chain of ten links",
-            "A chain falls like a whip. Drag any joint.",
-            "",
-        ),
+        page::<Chain, 10>("chain", "Chain of ten links", "A chain falls like a whip. Drag any joint.", ""),
     ];
     println!("[{}]", pages.join(",\n"));
 }
