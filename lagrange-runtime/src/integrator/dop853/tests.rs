@@ -81,3 +81,43 @@ fn compensation_keeps_what_rounding_takes() {
     assert_eq!(plain, 1.0);
     assert!((sum - (1.0 + 1e-11)).abs() < 3e-16);
 }
+
+/// [`Driven`] up to a place, beyond which nothing has a value; notes the furthest place that it was asked for.
+struct Edge {
+    at: f64,
+    furthest: core::cell::Cell<f64>,
+}
+
+impl Field<f64, 1> for Edge {
+    fn accelerations(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+        self.furthest.set(self.furthest.get().max(q[0]));
+        if q[0] > self.at { [f64::NAN] } else { Plain.accelerations(t, q, v) }
+    }
+
+    fn cause(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> Cause {
+        if self.accelerations(t, q, v)[0].is_nan() { Cause::NotFinite } else { Cause::StepTooSmall }
+    }
+}
+
+#[test]
+fn a_step_does_not_end_where_accelerations_have_no_value() {
+    // A step whose end lies beyond all its stages, so that these have values.
+    let attempt = |at: f64, h: f64| {
+        let edge = Edge { at, furthest: core::cell::Cell::new(0.0) };
+        let mut motion = Dop853Memory::new(driven(0.3));
+        (motion.start, motion.slopes[0]) = (motion.end, motion.slope_at_end(&edge).unwrap());
+        let result = motion.attempt(&edge, &loose(), h);
+        (result, motion.end.state, edge.furthest.get())
+    };
+    let (mut found, begin) = (0, driven(0.3));
+    for k in 1..20 {
+        let h = 0.05 * f64::from(k);
+        let (_, end, furthest) = attempt(f64::INFINITY, h);
+        let stages = attempt(end.q[0] * (1.0 - f64::EPSILON), h);
+        if furthest == end.q[0] && stages.0.is_err() {
+            assert_eq!((stages.0, stages.1), (Err(Cause::NotFinite), begin));
+            found += 1;
+        }
+    }
+    assert!(found > 0);
+}
