@@ -121,3 +121,29 @@ fn a_step_does_not_end_where_accelerations_have_no_value() {
     }
     assert!(found > 0);
 }
+
+/// The same motion twice.
+struct Both;
+
+impl Field<f64, 2> for Both {
+    fn accelerations(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+        core::array::from_fn(|i| Plain.accelerations(t, &[q[i]], &[v[i]])[0])
+    }
+
+    fn cause(&self, _: f64, _: &[f64; 2], _: &[f64; 2]) -> Cause {
+        Cause::NotFinite
+    }
+}
+
+#[test]
+fn the_error_of_motions_side_by_side_is_that_of_one() {
+    let one = driven(0.3);
+    let mut single = Dop853Memory::new(one);
+    single.slopes[0] = single.slope_at_end(&Plain).unwrap();
+    let mut both = Dop853Memory::new(State { t: one.t, q: [one.q[0]; 2], v: [one.v[0]; 2] });
+    both.slopes[0] = both.slope_at_end(&Both).unwrap();
+    let limits = Limits::new();
+    let errors = [single.attempt(&Plain, &limits, 0.5), both.attempt(&Both, &limits, 0.5)];
+    let [Ok(single), Ok(both)] = errors else { panic!("{errors:?}") };
+    assert!(single > 0.0 && (both / single - 1.0).abs() < 1e-14, "{single} {both}");
+}

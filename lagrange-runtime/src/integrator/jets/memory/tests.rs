@@ -25,3 +25,15 @@ fn terms_that_fall_as_fast_as_they_are_to_leave_the_length() {
     // The lower half is the motion itself.
     assert_eq!(memory.bounded(1.0, |order| if order < 10 { 1e3 } else { 0.0 }), 1.0);
 }
+
+#[test]
+fn states_inside_a_step_begin_with_what_rounding_took() {
+    let mut memory = memory();
+    (memory.start, memory.unit) = (State::new([1.0], [0.0]), 1.0);
+    memory.end = memory.start.at_time(1.0);
+    memory.series.q[0] = [0.9 * f64::EPSILON];
+    // Less than half an ulp is gained, and more with the residue.
+    assert_eq!(memory.at_part(0.5).q, [1.0]);
+    memory.residue.q = [0.1 * f64::EPSILON];
+    assert_eq!(memory.at_part(0.5).q, [1.0 + f64::EPSILON]);
+}
