@@ -645,12 +645,7 @@ The first identity that does not hold, and by how much.*/
                 f64,
             > as ::core::convert::From<_>>::from(state.q);
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "bob",
-                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["bob", lagrange::reading::MISREAD]),
                 |take| self.bob(&__coordinates, state.t).each_number(take),
                 &[bob_x, bob_y, bob_z],
                 &[
@@ -660,12 +655,7 @@ The first identity that does not hold, and by how much.*/
                 ],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["gravity", lagrange::reading::MISREAD]),
                 |take| self.gravity(&__coordinates, state.t).each_number(take),
                 &[gravity],
                 &[abs_length * Real::abs(mass_2) * Real::abs(g) * w2],

@@ -76,7 +76,9 @@ pub use number::real::DoubleDouble;
 #[cfg(feature = "wide")]
 pub use number::real::Lanes;
 pub use number::real::{self, Dual, Ordered, Real, Vector};
-pub use switching::{Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching};
+pub use switching::{
+    Coefficients, Contact, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switch, Switching,
+};
 pub use system::System;
 pub use system::attitude::{self, BodyAxes, ByName, PoseVelocity};
 #[cfg(feature = "double-double")]
@@ -145,7 +147,9 @@ pub mod __private {
         pub use crate::series::tables::{Convolutions, in_line, in_turn, index, multiplier, rate, time};
     }
     pub use crate::analysis::verify::{self, Certificate, Verifiable, Violation};
-    pub use crate::switching::{self, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching};
+    pub use crate::switching::{
+        self, Coefficients, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching,
+    };
     pub use crate::system::System;
     pub use crate::system::structure::{Cost, Costs, Structure};
     pub use crate::system::twist::{Twist2, Twist3};

@@ -1,6 +1,8 @@
 //! What a system whose equations switch has beyond others: the runtime's `Switching`, and the system of one
 //! regime as a struct of numbers.
 
+mod directed;
+
 use proc_macro2::TokenStream;
 use quote::format_ident;
 
@@ -100,6 +102,8 @@ pub(super) fn switching(emission: &Emission<'_>, switching: &mut Regimes) -> Str
         jumps(emission, switching),
         corners(emission, switching),
         functions(emission, switching),
+        directed::coefficients(emission, switching),
+        directed::backward(emission, switching),
         if switching.has_contacts() { equations(emission, switching.rows()) } else { String::new() },
     ];
     items.concat()
@@ -302,7 +306,7 @@ fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> String {
 fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
     let numbers = Scalar::Generic(format_ident!("{NUMBER}"));
     let roots: Vec<NodeId> =
-        switching.rows_in.iter().chain(&switching.fixed_in).chain(&switching.kinks_in).copied().collect();
+        switching.rows_in.iter().chain(&switching.fixed_in[0]).chain(&switching.kinks_in).copied().collect();
     let (rows, kinks) = (switching.rows_in.len(), switching.kinks_in.len());
     let body = body::plain(&switching.model, &numbers, &roots, Source::Numbers, |values| {
         let (each, kinks) = values.split_at(2 * rows);

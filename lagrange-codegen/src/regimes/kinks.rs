@@ -4,25 +4,40 @@ use crate::calculus::substitute;
 use crate::eliminate::quantities::rewrite;
 use crate::expr::{Dependence, Graph, Node, NodeId, Unary};
 use crate::mechanics::Equations;
-use crate::model::{Action, Model, orientation};
+use crate::model::{Action, Contact, Law, Model, orientation};
 use crate::number::Number;
 
 /// What changes in the course of a step.
-const MOVING: Dependence = Dependence::COORDINATES
+pub(super) const MOVING: Dependence = Dependence::COORDINATES
     .union(Dependence::VELOCITIES)
     .union(Dependence::TIME)
     .union(Dependence::MULTIPLIERS);
 
-/// The arguments of all functions with a kink or a jump in some equations, inner ones first.
-pub(super) fn of(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
+/// The arguments of all functions with a kink or a jump in some equations and in the laws of friction, inner
+/// ones first.
+pub(super) fn of(model: &mut Model, equations: &Equations, contacts: &[Contact]) -> Vec<NodeId> {
     let conditions = &equations.conditions;
     let roots = equations.momenta.iter().chain(&equations.momentum_rates).chain(&equations.force);
     let rows = conditions.rates.iter().chain(&conditions.positions).chain([&equations.energy]);
+    let laws = contacts.iter().filter_map(laws).flatten();
+    arguments(&mut model.graph, roots.chain(rows).copied().chain(laws))
+}
+
+/// The kinetic and the static coefficient of a friction.
+pub(super) fn laws(contact: &Contact) -> Option<[NodeId; 2]> {
+    match contact.law {
+        Law::Friction { kinetic, fixed, .. } => Some([kinetic, fixed]),
+        Law::Unilateral { .. } => None,
+    }
+}
+
+/// The arguments of all functions with a kink or a jump in some nodes, inner ones first.
+pub(super) fn arguments(graph: &mut Graph, nodes: impl IntoIterator<Item = NodeId>) -> Vec<NodeId> {
     let mut arguments: Vec<NodeId> = Vec::new();
-    for id in model.graph.cone(roots.chain(rows).copied()) {
-        let Some(argument) = kinked(&model.graph, id) else { continue };
+    for id in graph.cone(nodes) {
+        let Some(argument) = kinked(graph, id) else { continue };
         // The smaller and the larger of two have one switch between them.
-        let opposite = model.graph.neg(argument);
+        let opposite = graph.neg(argument);
         if !arguments.contains(&argument) && !arguments.contains(&opposite) {
             arguments.push(argument);
         }
@@ -30,10 +45,16 @@ pub(super) fn of(model: &mut Model, equations: &Equations) -> Vec<NodeId> {
     arguments
 }
 
-/// These arguments as they stood in a graph while matrices of orientations were variables; `None` if one did
-/// not.
-pub(super) fn described(before: &Graph, model: &mut Model, kinks: &[NodeId]) -> Option<Vec<NodeId>> {
+/// These arguments as they stood in a graph while matrices of orientations were variables, or in the laws of
+/// its frictions; `None` if one did not.
+pub(super) fn described(
+    before: &Graph,
+    model: &mut Model,
+    kinks: &[NodeId],
+    contacts: &[Contact],
+) -> Option<Vec<NodeId>> {
     let mut all: Vec<NodeId> = before.nodes().filter_map(|id| kinked(before, id)).collect();
+    all.extend(arguments(&mut model.graph, contacts.iter().filter_map(laws).flatten()));
     all.dedup();
     let known = orientation::of_parameters(&mut model.graph, &model.turning);
     let images = substitute(&mut model.graph, &all, &known);
@@ -111,7 +132,8 @@ fn across(graph: &mut Graph, argument: NodeId, functions: &[NodeId]) -> Vec<Node
 }
 
 /// The user's function that each kink stands in, the first of several; no name where none shows it.
-pub(super) fn names(model: &mut Model, kinks: &[NodeId]) -> Vec<String> {
+pub(super) fn names(model: &mut Model, kinks: &[NodeId], contacts: &[Contact]) -> Vec<String> {
+    let zero = model.graph.zero();
     let mut functions: Vec<(String, Vec<NodeId>)> = Vec::new();
     for force in &model.forces {
         let nodes = match &force.action {
@@ -127,6 +149,8 @@ pub(super) fn names(model: &mut Model, kinks: &[NodeId]) -> Vec<String> {
         functions.extend(terms.iter().map(|term| (term.name.clone(), vec![term.value])));
     }
     functions.extend(model.constraints.iter().map(|row| (row.written(), vec![row.value])));
+    let frictions = contacts.iter().map(|contact| (contact, laws(contact).unwrap_or([zero; 2])));
+    functions.extend(frictions.map(|(contact, laws)| (contact.constraint.written(), laws.to_vec())));
     functions.extend(model.points.iter().map(|point| (point.name.clone(), point.position.clone())));
     let graph = &mut model.graph;
     let owner = |&argument: &NodeId| {
@@ -154,7 +178,7 @@ pub(super) fn replace(model: &mut Model, kinks: &[NodeId], sides: &[NodeId]) -> 
 }
 
 /// The functions with a kink where an argument is zero, and what they are on a side of it, one or minus one.
-fn on_side(graph: &mut Graph, argument: NodeId, side: NodeId) -> Vec<(NodeId, NodeId)> {
+pub(super) fn on_side(graph: &mut Graph, argument: NodeId, side: NodeId) -> Vec<(NodeId, NodeId)> {
     let (opposite, other_side) = (graph.neg(argument), graph.neg(side));
     let mut replacements = Vec::new();
     for (argument, side) in [(argument, side), (opposite, other_side)] {

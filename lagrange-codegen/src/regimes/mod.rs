@@ -6,17 +6,21 @@
 //! retraction, checks. The runtime's `Switching` says what a regime is.
 
 mod kinks;
+mod sliding;
+mod switches;
 
 pub use kinks::Corner;
+pub use sliding::Coefficients;
 
 use crate::diagnostics::Diagnostics;
 use crate::expr::{Exponent, Graph, NodeId, Variable};
 use crate::jets::{self, Jets};
 use crate::mechanics::{self, Equations, LoadRow};
-use crate::model::{Constraint, ConstraintKind, Contact, Law, Model, Normal, Parameter};
+use crate::model::{Constraint, ConstraintKind, Contact, Law, Model, Normal};
 use crate::number::Number;
 use crate::orders::Expansions;
 use crate::structure::{Facts, Solution};
+use switches::Switches;
 
 /// What the names of rows begin with that are no constraints.
 pub const LOAD: &str = "__load_of_";
@@ -40,8 +44,11 @@ pub struct Regimes {
     pub model: Model,
     /// Gaps and slip velocities in one regime, in the graph of `model`.
     pub rows_in: Vec<NodeId>,
-    /// Coefficients of friction that sticks, likewise; zero of other rows.
-    pub fixed_in: Vec<NodeId>,
+    /// Coefficients of friction that sticks, likewise, for slips forward and backward; zero of other rows.
+    pub fixed_in: [Vec<NodeId>; 2],
+    /// Coefficients of friction for slips forward and backward, in the graph of `rows`; `None` where no law
+    /// depends on the direction of a slip.
+    pub coefficients: Option<[Coefficients; 2]>,
     /// Switching functions in one regime, likewise.
     pub kinks_in: Vec<NodeId>,
     /// Its equations.
@@ -92,17 +99,19 @@ pub fn derive(
     // function. Of all else the system by itself was asked.
     let permits = |_: &str| true;
     let mut laws = mechanics::derive(&mut rows, &permits, diagnostics)?;
-    let kinks = kinks::of(&mut rows, &laws);
+    let mut switches = Switches::of_rows(&mut rows);
+    let sliding = sliding::along(&mut rows.graph, &contacts, &switches.slip[held..]);
+    let kinks = kinks::of(&mut rows, &laws, &sliding);
     if contacts.is_empty() && kinks.is_empty() {
         return None;
     }
-    let kink_names = kinks::names(&mut rows, &kinks);
+    let kink_names = kinks::names(&mut rows, &kinks, &sliding);
     let jumps = kinks::jumps(&mut rows, &laws, &kinks);
     let corners = kinks::corners(&mut rows, &laws, held, &kinks);
     let count = held + contacts.len();
     let mut regime = rows.clone();
-    let switches = Switches::new(&mut regime, count, kinks.len());
-    let (kinks_in, contacts_in) = on_sides(&mut regime, &kinks, &switches, &contacts);
+    switches.add_kinks(&mut regime, kinks.len());
+    let (kinks_in, contacts_in) = on_sides(&mut regime, &kinks, &switches, &sliding);
     let mut equations = mechanics::derive(&mut regime, &permits, diagnostics)?;
     laws.conditions.add_rows(&mut rows.graph, loads.len());
     for model in [&mut rows, &mut regime] {
@@ -117,19 +126,22 @@ pub fn derive(
             Some(Law::Unilateral { .. }) => conditions.positions[row],
             Some(Law::Friction { .. }) => conditions.rates[row],
         })
-        .chain(others.clone())
-        .collect();
-    let fixed_in = (0..count)
-        .map(|row| match row.checked_sub(held).map(|contact| &contacts_in[contact].law) {
-            Some(Law::Friction { fixed, .. }) => *fixed,
-            _ => zero,
-        })
         .chain(others)
         .collect();
+    let slips = &switches.slip[held..];
+    let behind = loads.len();
+    let fixed_in = sliding::coefficients(&mut regime.graph, &contacts_in, slips)
+        .map(|coefficients| coefficients.on_rows(zero, held, behind).fixed);
+    let coefficients = (sliding::have_directions(&contacts, &sliding)).then(|| {
+        let zero = rows.graph.zero();
+        sliding::coefficients(&mut rows.graph, &sliding, slips)
+            .map(|coefficients| coefficients.on_rows(zero, held, behind))
+    });
     if !contacts.is_empty() {
         hold(&mut regime.graph, &mut equations, &switches, held, &contacts_in, loads);
     }
     let turned = described.and_then(|described| turned(described, &mut regime, &switches, &kinks));
+    let kinks = sliding::at_a_state(&mut rows.graph, &kinks, &contacts, slips);
     let equations = equations.simplified(&mut regime);
     let facts = Facts::of(&regime, &equations);
     let turned = turned.map(|turned| equations.turned(&mut regime, turned));
@@ -153,6 +165,7 @@ pub fn derive(
         model: regime,
         rows_in,
         fixed_in,
+        coefficients,
         kinks_in,
         equations,
         turned,
@@ -240,7 +253,8 @@ fn turned(described: &Model, regime: &mut Model, switches: &Switches, kinks: &[N
     model.parameters.clone_from(&regime.parameters);
     let held = model.constraints.len();
     let (contacts, loads) = as_rows(&mut model);
-    let kinks = kinks::described(&described.graph, &mut model, kinks)?;
+    let contacts = sliding::along(&mut model.graph, &contacts, &switches.slip[held..]);
+    let kinks = kinks::described(&described.graph, &mut model, kinks, &contacts)?;
     let (_, contacts) = on_sides(&mut model, &kinks, switches, &contacts);
     let mut equations = mechanics::turning(&mut model)?;
     if !contacts.is_empty() {
@@ -248,36 +262,6 @@ fn turned(described: &Model, regime: &mut Model, switches: &Switches, kinks: &[N
     }
     (regime.graph, regime.hints) = (model.graph, model.hints);
     Some(equations)
-}
-
-/// The switches as variables of the graph, in the order in which they are parameters.
-struct Switches {
-    active: Vec<NodeId>,
-    slip: Vec<NodeId>,
-    side: Vec<NodeId>,
-    kinks: Vec<NodeId>,
-}
-
-impl Switches {
-    fn new(model: &mut Model, rows: usize, kinks: usize) -> Switches {
-        let labels: Vec<(String, _)> =
-            model.constraints.iter().map(|row| (row.label(), row.origin)).collect();
-        let mut each = |what: &str| -> Vec<NodeId> {
-            let labels = labels.iter().map(|(label, origin)| (format!("{label}_{what}"), *origin));
-            labels.map(|(label, origin)| parameter(model, label, origin)).collect()
-        };
-        let (active, slip, side) = (each("active"), each("slip"), each("side"));
-        debug_assert_eq!(active.len(), rows);
-        let origin = model.coordinates[0].origin;
-        let kinks = (0..kinks).map(|kink| parameter(model, format!("side_{kink}"), origin)).collect();
-        Switches { active, slip, side, kinks }
-    }
-}
-
-fn parameter(model: &mut Model, label: String, origin: crate::diagnostics::Origin) -> NodeId {
-    let index = model.parameters.len() as u32;
-    model.parameters.push(Parameter { path: String::new(), label, origin });
-    model.graph.variable(Variable::Parameter(index))
 }
 
 /// Makes the rows of contacts hold where they are active, and adds the friction of those that slip.

@@ -1,7 +1,7 @@
 //! Accelerations and reactions at a state alone, without a motion that leads there.
 
 use super::choice::{Choice, sides};
-use super::scene::{Known, Scales, Scene};
+use super::scene::{Known, Scales, Scene, against};
 use super::{Regime, Row, Switching};
 use crate::number::real::Real;
 use crate::system::System;
@@ -70,6 +70,7 @@ where
     let mut multipliers = choice.multipliers;
     // What slips is no constraint: its force is that of its law, against the slip.
     let laws = system.laws_at(t, q, &choice.velocities, u);
+    let coefficients = system.coefficients_at(t, q, &choice.velocities, u, &laws);
     for (row, kind) in S::ROWS.iter().enumerate() {
         let Row::Friction { normal, pair } = *kind else { continue };
         let carrier = pair.map_or(row, |other| row.min(other));
@@ -82,7 +83,7 @@ where
             Some(other) => laws.rows.rates[row] / laws.rows.rates[row].hypot(laws.rows.rates[other]),
         };
         let load = normal.map_or(num_traits::One::one(), |normal| choice.multipliers[normal].abs());
-        multipliers[row] = -(laws.kinetic[row] * load * direction);
+        multipliers[row] = -(against(&coefficients, slip).kinetic[row] * load * direction);
     }
     (multipliers, choice.is_unique)
 }

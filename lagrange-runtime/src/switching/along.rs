@@ -246,10 +246,7 @@ where
         &self,
         part: &Path<S::Scalar, N, C, T>,
     ) -> Functions<Taylor<S::Scalar, T>, C, W> {
-        let (Path { t, q, v, .. }, u) = (part, self.inputs.map(Taylor::constant));
-        let mut functions = S::functions_in(self.in_regime, Taylor::constant, *t, q, v, &u);
-        self.guard(&mut functions, &part.reactions, Taylor::constant);
-        functions.plain()
+        self.guarded(Taylor::constant, part.t, [&part.q, &part.v], &part.reactions).plain()
     }
 
     /// The guards at one end of it, with the roundings of the whole.
@@ -264,10 +261,8 @@ where
             known
         };
         let (q, v) = (part.q.each_ref().map(known), part.v.each_ref().map(known));
-        let (t, u) = (known(&part.t), self.inputs.map(Taylor::constant));
-        let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v, &u);
-        self.guard(&mut functions, &part.reactions.each_ref().map(known), Taylor::constant);
-        functions.plain()
+        let reactions = part.reactions.each_ref().map(known);
+        self.guarded(Taylor::constant, known(&part.t), [&q, &v], &reactions).plain()
     }
 
     /// Whether the series of all guards end where the guards do: the root of a square knows of no kink at its

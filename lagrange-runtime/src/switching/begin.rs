@@ -2,8 +2,8 @@
 
 use super::choice::sides;
 use super::run::Run;
-use super::scene::{Known, Scene, above, extent, most};
-use super::{Laws, Regime, Row, Switching};
+use super::scene::{Known, Scene, above, against, extent, most, rounding};
+use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::control::Held;
@@ -26,7 +26,8 @@ where
             return Err(Cause::NotFinite);
         }
         let laws = self.system.laws_at(state.t, &state.q, &state.v, &self.control.0);
-        self.check(&laws)?;
+        let coefficients = self.system.coefficients_at(state.t, &state.q, &state.v, &self.control.0, &laws);
+        self.check(&laws, &coefficients)?;
         let mut present = self.memory.regime;
         present.kinks = sides(&laws.kinks, &present.kinks, &laws.kink_sizes);
         // What always holds has to hold at the start as well.
@@ -60,15 +61,27 @@ where
     }
 
     /// Checks that the coefficients of restitution and friction are valid.
-    fn check(&self, laws: &Laws<S::Scalar, C, W>) -> Result<(), Cause> {
+    fn check(
+        &self,
+        laws: &Laws<S::Scalar, C, W>,
+        coefficients: &[Coefficients<S::Scalar, C>; 2],
+    ) -> Result<(), Cause> {
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
         for (row, kind) in S::ROWS.iter().enumerate() {
-            let (e, kinetic, fixed) = (laws.restitution[row], laws.kinetic[row], laws.fixed[row]);
+            let e = laws.restitution[row];
+            // A friction that slips has one direction.
+            let slip = laws.rows.rates[row];
+            let is_one = above(slip.abs(), rounding::<S::Scalar>() * laws.rows.rate_sizes[row]);
+            let is_valid = |Coefficients { kinetic, fixed }: &Coefficients<S::Scalar, C>| {
+                let (kinetic, fixed) = (kinetic[row], fixed[row]);
+                // Coefficients are compared by their squares.
+                kinetic >= zero && fixed >= kinetic && (fixed * fixed).is_finite()
+            };
             let is_good = match kind {
                 Row::Bilateral | Row::Load => true,
                 Row::Unilateral => e >= zero && e <= one,
-                // Limits are compared by their squares.
-                Row::Friction { .. } => kinetic >= zero && fixed >= kinetic && (fixed * fixed).is_finite(),
+                Row::Friction { .. } if is_one => is_valid(against(coefficients, slip)),
+                Row::Friction { .. } => coefficients.iter().all(is_valid),
             };
             if !is_good {
                 return Err(Cause::InvalidContact { constraint: row, name: S::NAMES.constraint(row) });

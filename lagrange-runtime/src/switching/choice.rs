@@ -202,8 +202,8 @@ where
             // A friction of given size is among the forces, and may balance the others.
             let given = match S::ROWS.get(row) {
                 Some(Row::Friction { normal: None, pair }) => {
-                    let slips = entry(&regime.slip, pair.map_or(row, |other| row.min(other)));
-                    entry(&self.laws.kinetic, row) * slips.abs()
+                    let slip = entry(&regime.slip, pair.map_or(row, |other| row.min(other)));
+                    entry(&self.against(slip).kinetic, row) * slip.abs()
                 }
                 _ => num_traits::Zero::zero(),
             };
@@ -262,7 +262,7 @@ where
                 (Row::Unilateral, Part::On) => !above(-slack, reaction),
                 (Row::Unilateral, _) if self.status[row] != Status::Apart => !above(-play, rate),
                 (Row::Friction { normal, pair }, _) if trial.regime.active[row] => {
-                    let limit = self.limit(row, *normal, &trial.multipliers, &self.laws.fixed);
+                    let limit = self.limit(row, *normal, &trial.multipliers);
                     let other = pair.map_or(zero, |other| entry(&trial.multipliers, other));
                     !above(reaction.hypot(other), limit * (S::Scalar::from_f64(1.0) + part) + slack)
                 }
@@ -291,15 +291,9 @@ where
         Ok(())
     }
 
-    /// What a friction can do at most.
-    pub(super) fn limit(
-        &self,
-        row: usize,
-        normal: Option<usize>,
-        multipliers: &[S::Scalar; C],
-        coefficients: &[S::Scalar; C],
-    ) -> S::Scalar {
-        let coefficient = entry(coefficients, row);
+    /// What a friction that sticks can do at most, in the direction of its force.
+    fn limit(&self, row: usize, normal: Option<usize>, multipliers: &[S::Scalar; C]) -> S::Scalar {
+        let coefficient = entry(&self.against(-entry(multipliers, row)).fixed, row);
         normal.map_or(coefficient, |normal| coefficient * entry(multipliers, normal).abs())
     }
 

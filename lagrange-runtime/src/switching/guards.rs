@@ -145,15 +145,20 @@ where
         self.all().filter(|&guard| self.is_sampled(guard))
     }
 
-    /// Puts in the places of functions the guards that they and reactions make: where a row or a kink has
-    /// one.
-    pub(super) fn guard<T: Real>(
+    /// The functions of a regime with the guards that they and reactions make, in the places of rows and
+    /// kinks that have one.
+    pub(super) fn guarded<T: Real>(
         &self,
-        functions: &mut Functions<T, C, W>,
+        number: impl Fn(S::Scalar) -> T + Copy,
+        t: T,
+        [q, v]: [&[T; N]; 2],
         reactions: &[T; C],
-        number: impl Fn(S::Scalar) -> T,
-    ) {
-        let Functions { rows, fixed, kinks } = functions;
+    ) -> Functions<T, C, W> {
+        let u = self.inputs.map(number);
+        let mut functions = S::functions_in(self.in_regime, number, t, q, v, &u);
+        let backward = S::backward_in(self.in_regime, number, t, q, v, &u);
+        let Functions { rows, fixed, kinks } = &mut functions;
+        let backward = backward.as_ref().unwrap_or(fixed);
         let turn = |sign: S::Scalar, value: &mut T| {
             if (-sign).is_positive() {
                 *value = -*value;
@@ -171,10 +176,22 @@ where
                 Row::Unilateral if self.regime.active[row] => rows[row] = reactions[row],
                 Row::Unilateral => {}
                 Row::Friction { normal, pair } if self.regime.active[row] => {
-                    let limit = normal.map_or(fixed[row], |normal| fixed[row] * reactions[normal]);
-                    let force = reactions[row] * reactions[row];
-                    let force = pair.map_or(force, |other| force + reactions[other] * reactions[other]);
-                    rows[row] = limit * limit - force;
+                    let limit = |coefficient: T| match normal {
+                        Some(normal) => {
+                            let mut load = reactions[normal];
+                            turn(self.regime.side[normal], &mut load);
+                            coefficient * load
+                        }
+                        None => coefficient,
+                    };
+                    let force = reactions[row];
+                    rows[row] = match pair {
+                        Some(other) => {
+                            let (limit, other) = (limit(fixed[row]), reactions[other]);
+                            limit * limit - (force * force + other * other)
+                        }
+                        None => (limit(fixed[row]) + force) * (limit(backward[row]) - force),
+                    };
                 }
                 Row::Friction { pair: None, .. } => turn(self.regime.slip[row], &mut rows[row]),
                 // The other of a pair has no guard of its own.
@@ -184,6 +201,7 @@ where
                 }
             }
         }
+        functions
     }
 
     /// The guards at a state whose numbers are sums of summands of these sizes.
@@ -197,25 +215,20 @@ where
         };
         let (q, v) = (rounded(&state.q, &sizes.q), rounded(&state.v, &sizes.v));
         let t = Rounded::sum_of(state.t, sizes.t);
-        let u = self.inputs.map(Taylor::constant);
-        let mut functions = S::functions_in(self.in_regime, Taylor::constant, t, &q, &v, &u);
         let mut reactions = [Taylor::constant(num_traits::Zero::zero()); C];
         if self.has_reactions() {
             let [multipliers, sizes] = self.multipliers(state);
             reactions = core::array::from_fn(|row| Rounded::sum_of(multipliers[row], sizes[row]));
         }
-        self.guard(&mut functions, &reactions, Taylor::constant);
-        functions.plain()
+        self.guarded(Taylor::constant, t, [&q, &v], &reactions).plain()
     }
 
     /// One of the guards at a state with its derivatives.
     pub(super) fn varying(&self, guard: Guard, state: &State<S::Scalar, N>) -> S::Scalar {
         let State { t, q, v } = state;
-        let mut functions = S::functions_in(self.in_regime, |x| x, *t, q, v, self.inputs);
         let reactions =
             if self.has_reactions() { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
-        self.guard(&mut functions, &reactions, |x| x);
-        *functions.get(guard)
+        *self.guarded(|x| x, *t, [q, v], &reactions).get(guard)
     }
 
     /// One of the guards at a state, likewise.

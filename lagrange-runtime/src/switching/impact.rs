@@ -311,7 +311,7 @@ where
             if slip == zero {
                 continue;
             }
-            let size = self.laws.kinetic[row] * (impulses[*normal] + given[*normal]).abs();
+            let size = self.against(slip).kinetic[row] * (impulses[*normal] + given[*normal]).abs();
             match pair {
                 None => impulses[row] = -slip * size,
                 Some(other) => {
@@ -370,7 +370,8 @@ where
                 }
                 (Row::Friction { normal: Some(normal), pair }, way) => {
                     let given = demand.given[*normal];
-                    let limit = self.laws.kinetic[row] * (strike.impulses[*normal] + given).abs();
+                    let limit =
+                        self.against(-impulse).kinetic[row] * (strike.impulses[*normal] + given).abs();
                     let other = pair.map_or(zero, |other| strike.impulses[other]);
                     match way {
                         Part::On if parts[*normal] != Part::Off || given.is_positive() => {

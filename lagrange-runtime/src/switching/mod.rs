@@ -93,12 +93,21 @@ pub struct Laws<R, const C: usize, const W: usize> {
     pub kink_sizes: [R; W],
 }
 
+/// Coefficients of friction in one direction of each slip; see [`Laws`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coefficients<R, const C: usize> {
+    /// Of friction that slips.
+    pub kinetic: [R; C],
+    /// Of friction that sticks, against slipping in this direction.
+    pub fixed: [R; C],
+}
+
 /// The functions whose zeros end a regime, as they are in that regime: smooth ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Functions<T, const C: usize, const W: usize> {
     /// Gaps of contacts, slip velocities of frictions.
     pub rows: [T; C],
-    /// Coefficients of the friction that sticks, or its limit.
+    /// Coefficients of the friction that sticks, or its limit, where slips would go forward.
     pub fixed: [T; C],
     /// Switching functions of kinks.
     pub kinks: [T; W],
@@ -143,6 +152,30 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         v: &[T; N],
         u: &[T; K],
     ) -> Functions<T, C, W>;
+
+    /// Coefficients of friction at a state with these laws, where each slip goes forward, and backward.
+    fn coefficients_at(
+        &self,
+        _t: Self::Scalar,
+        _q: &[Self::Scalar; N],
+        _v: &[Self::Scalar; N],
+        _u: &[Self::Scalar; K],
+        laws: &Laws<Self::Scalar, C, W>,
+    ) -> [Coefficients<Self::Scalar, C>; 2] {
+        [Coefficients { kinetic: laws.kinetic, fixed: laws.fixed }; 2]
+    }
+
+    /// [`Functions::fixed`] where slips would go backward; `None` where that is the same.
+    fn backward_in<T: Real>(
+        _in_regime: &Self::InRegime,
+        _number: impl Fn(Self::Scalar) -> T,
+        _t: T,
+        _q: &[T; N],
+        _v: &[T; N],
+        _u: &[T; K],
+    ) -> Option<[T; C]> {
+        None
+    }
 
     /// What the energy gains where each switching function passes zero upwards, and Σ |summands| of the
     /// energy.

@@ -6,7 +6,7 @@
 //! order.
 
 use super::guards::Guards;
-use super::scene::{entry, most, product, rounding};
+use super::scene::{against, entry, most, product, rounding};
 use super::{Regime, Row, Switching};
 use crate::constraints::{Balance, Equations};
 use crate::linear::{SaddlePoint, Switched};
@@ -108,9 +108,10 @@ where
         if held.active != regime.active
             && let Some(equations) = S::equations_in(&system.in_regime(&held), *t, q, v, inputs)
         {
-            let limits = system.laws_at(*t, q, v, inputs).kinetic;
-            let rows = equations.gradients.iter().zip(limits).enumerate();
-            for (_, (gradient, limit)) in rows.filter(|(row, _)| slips(*row)) {
+            let laws = system.laws_at(*t, q, v, inputs);
+            let coefficients = system.coefficients_at(*t, q, v, inputs, &laws);
+            for (row, gradient) in equations.gradients.iter().enumerate().filter(|(row, _)| slips(*row)) {
+                let limit = entry(&against(&coefficients, entry(&regime.slip, row)).kinetic, row);
                 for (given, &entry) in given.iter_mut().zip(gradient) {
                     *given += (entry * limit).abs();
                 }

@@ -1,6 +1,6 @@
 //! What stands still and what moves at the rows of a system, at one state.
 
-use super::{Laws, Regime, Row, Switching};
+use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::linear::SaddlePoint;
 use crate::number::real::Real;
 use crate::system::state::State;
@@ -85,6 +85,14 @@ impl<R: Real, const C: usize> Scales<R, C> {
     }
 }
 
+/// Those of coefficients forward and backward that are against a slip in the direction of this sign.
+pub(super) fn against<R: Real, const C: usize>(
+    [forward, backward]: &[Coefficients<R, C>; 2],
+    slip: R,
+) -> &Coefficients<R, C> {
+    if (-slip).is_positive() { backward } else { forward }
+}
+
 /// What a row does at a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Status {
@@ -123,6 +131,8 @@ where
     pub(super) inputs: &'a [S::Scalar; K],
     pub(super) kinks: [S::Scalar; W],
     pub(super) laws: Laws<S::Scalar, C, W>,
+    /// Coefficients of friction forward and backward.
+    pub(super) coefficients: [Coefficients<S::Scalar, C>; 2],
     pub(super) status: [Status; C],
     /// Gaps that are zero.
     pub(super) is_closed: [bool; C],
@@ -164,6 +174,7 @@ where
             state: *state,
             inputs,
             kinks,
+            coefficients: system.coefficients_at(t, &q, &v, inputs, &laws),
             laws,
             status: [Status::Apart; C],
             is_closed: [false; C],
@@ -247,6 +258,11 @@ where
                 *v -= v.part(0);
             }
         }
+    }
+
+    /// The coefficients against a slip in the direction of this sign.
+    pub(super) fn against(&self, slip: S::Scalar) -> &Coefficients<S::Scalar, C> {
+        against(&self.coefficients, slip)
     }
 
     /// Whether any contact closes.

@@ -3,7 +3,7 @@
 //! After a while time is known no better than to a part of a short step, in `f32` soon. What happens within
 //! the step is not a matter of that: here only the equations see what time it is.
 
-use super::{Functions, Laws, Regime, Row, Switching};
+use super::{Coefficients, Functions, Laws, Regime, Row, Switching};
 use crate::constraints::Equations;
 use crate::integrator::Dop853;
 use crate::linear::Switched;
@@ -221,6 +221,29 @@ where
     ) -> Functions<T, C, W> {
         let t = number(in_regime.instant) + t;
         S::functions_in(&in_regime.in_regime, number, t, q, v, u)
+    }
+
+    fn coefficients_at(
+        &self,
+        t: S::Scalar,
+        q: &[S::Scalar; N],
+        v: &[S::Scalar; N],
+        u: &[S::Scalar; K],
+        laws: &Laws<S::Scalar, C, W>,
+    ) -> [Coefficients<S::Scalar, C>; 2] {
+        self.system.coefficients_at(self.instant + t, q, v, u, laws)
+    }
+
+    fn backward_in<T: Real>(
+        in_regime: &Self::InRegime,
+        number: impl Fn(S::Scalar) -> T,
+        t: T,
+        q: &[T; N],
+        v: &[T; N],
+        u: &[T; K],
+    ) -> Option<[T; C]> {
+        let t = number(in_regime.instant) + t;
+        S::backward_in(&in_regime.in_regime, number, t, q, v, u)
     }
 
     fn jumps_at(

@@ -3,6 +3,7 @@
 mod balls;
 mod bearings;
 mod corners;
+mod directions;
 mod edges;
 mod friction;
 mod inputs;
