@@ -82,7 +82,7 @@ fn compensation_keeps_what_rounding_takes() {
     assert!((sum - (1.0 + 1e-11)).abs() < 3e-16);
 }
 
-/// [`Driven`] up to a place, beyond which nothing has a value; notes the furthest place that it was asked for.
+/// [`Driven`] up to a place, beyond which nothing has a value; notes the furthest place asked for.
 struct Edge {
     at: f64,
     furthest: core::cell::Cell<f64>,
