@@ -32,6 +32,7 @@ build() {
         cp "$CARGO_TARGET_DIR/$wasm/release/examples/$(basename "$page" .rs).wasm" "$out/"
     done
     cargo run -q --bin gallery >"$out/catalogue.json"
+    cargo run -q --manifest-path ../Cargo.toml -p cargo-lagrange -- equations --json >"$out/equations.json"
     for module in "$out"/*.wasm; do
         size=$(gzip -9 <"$module" | wc -c)
         printf '%7d bytes, compressed %6d: %s\n' "$(wc -c <"$module")" "$size" "$(basename "$module")"
@@ -45,14 +46,14 @@ lint() {
     cargo clippy -q --release --target $wasm --examples -- -D warnings
 }
 
-chromium() {
+browser() {
     local name
     for name in chromium chromium-browser google-chrome; do
-        command -v $name && return
+        type -P $name && return
     done
     { [ "$(id -u)" = 0 ] && apt-get install -y -qq --no-install-recommends chromium fonts-dejavu-core >/dev/null; } ||
         { echo "gallery: no Chromium here" >&2; exit 1; }
-    command -v chromium
+    type -P chromium
 }
 
 check() {
@@ -60,7 +61,7 @@ check() {
     lint
     command -v node >/dev/null || { echo "gallery: no node here" >&2; exit 1; }
     (cd test && npm ci --silent --no-audit --no-fund)
-    CHROMIUM=$(chromium) SITE=$out SCREENS=$PWD/target/screens node --test test/pages.test.mjs
+    CHROMIUM=$(browser) SITE=$out SCREENS=$PWD/target/screens node --test test/pages.test.mjs
 }
 
 serve() {

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use lagrangian::integrator::FixedStep;
 use lagrangian::prelude::*;
-use lagrangian::{DoubleDouble, Sensitive, System};
+use lagrangian::{DoubleDouble, Linearized, Sensitive, System};
 
 /// What a request is about.
 type Answer<'a> = dyn Fn(&Request) -> String + 'a;
@@ -59,7 +59,7 @@ pub fn accelerations<S: System<N, K, Scalar = f64>, const N: usize, const K: usi
 /// Serves derivatives of accelerations, and both in 31 digits.
 pub fn derivatives<S, const N: usize, const K: usize, const D: usize>(robot: &S, names: &[&str; N])
 where
-    S: Sensitive<N, K, 0, 0, D, Scalar = f64>,
+    S: Sensitive<N, K, 0, 0, D, Scalar = f64> + Linearized<N, K>,
 {
     let states = states::<N, K>();
     let constants = robot.constants();

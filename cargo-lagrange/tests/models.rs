@@ -41,7 +41,7 @@ fn outside() -> tempfile::TempDir {
 }
 
 #[test]
-fn equations_are_text_latex_and_json() {
+fn equations_are_text_latex_mathml_and_json() {
     let plain = "mass·length²·θ̈ + mass·length·gravity·sin θ = −damping·θ̇\n";
     assert_eq!(printed(&["equations", "--file", TEMPLATE]), plain);
     assert_eq!(printed(&["lagrange", "equations", "Pendulum", "--file", TEMPLATE]), plain);
@@ -51,6 +51,13 @@ fn equations_are_text_latex_and_json() {
         serde_json::from_str(&printed(&["equations", "--json", "--file", TEMPLATE])).expect("it is JSON");
     assert_eq!(values[0]["text"], plain.trim_end());
     assert_eq!(values[0]["latex"], latex.trim_end());
+    let mathml = printed(&["equations", "--mathml", "--file", TEMPLATE]);
+    assert_eq!(values[0]["mathml"], mathml.trim_end());
+    // What a screen reader says follows from the elements; products and functions have signs that are not seen.
+    assert_eq!(
+        row_of(&mathml),
+        "mass⋅length^2⋅(θ over ¨)+mass⋅length⋅gravity⋅sin\u{2061}θ=−damping⋅(θ over ˙)"
+    );
     assert_eq!((&values[0]["model"], &values[0]["line"]), (&"Pendulum".into(), &16.into()));
 }
 
@@ -62,6 +69,60 @@ fn equations_with_contacts_and_friction_have_all_forms() {
     let form = |name: &str| values[0][name].as_str().unwrap_or_default().to_owned();
     assert!(form("text").contains("mass·y\u{308} + 9.81 mass"), "{}", form("text"));
     assert!(form("latex").contains("\\ddot{y}"), "{}", form("latex"));
+    well_formed(&form("mathml"));
+}
+
+/// The only row of equations in MathML as one line.
+fn row_of(mathml: &str) -> String {
+    fn line(element: roxmltree::Node<'_, '_>) -> String {
+        let parts = || element.children().filter(|child| child.is_element()).map(line);
+        match element.tag_name().name() {
+            "msup" => parts().collect::<Vec<_>>().join("^"),
+            "mover" => format!("({})", parts().collect::<Vec<_>>().join(" over ")),
+            "mi" | "mn" | "mo" => element.text().unwrap_or_default().to_owned(),
+            _ => parts().collect(),
+        }
+    }
+    well_formed(mathml);
+    line(roxmltree::Document::parse(mathml).expect("it is XML").root_element())
+}
+
+/// Every element is one of MathML Core, with as many children as it takes.
+fn well_formed(mathml: &str) {
+    let document = roxmltree::Document::parse(mathml).expect("it is XML");
+    assert_eq!(document.root_element().tag_name().name(), "math");
+    for element in document.descendants().filter(roxmltree::Node::is_element) {
+        let name = element.tag_name();
+        assert_eq!(name.namespace(), Some("http://www.w3.org/1998/Math/MathML"));
+        let children = element.children().filter(roxmltree::Node::is_element).count();
+        let (least, most) = match name.name() {
+            "mi" | "mn" | "mo" | "mtext" => (0, 0),
+            "msup" | "msub" | "mover" | "mfrac" => (2, 2),
+            "math" => (1, 1),
+            "mtr" => (2, 2),
+            "mtd" | "mrow" | "msqrt" | "mtable" => (0, usize::MAX),
+            other => panic!("{other} is no element of MathML Core"),
+        };
+        assert!((least..=most).contains(&children), "{children} in {}: {mathml}", name.name());
+        assert!(children > 0 || most > 0 || element.text().is_some_and(|text| !text.is_empty()), "{mathml}");
+    }
+}
+
+#[test]
+fn every_model_has_equations_in_mathml() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    for file in fs::read_dir(folder).expect("there are examples") {
+        let path = file.expect("it can be listed").path();
+        if path.extension().is_some_and(|extension| extension == "rs") {
+            let shown = path.display().to_string();
+            let values: serde_json::Value =
+                serde_json::from_str(&printed(&["equations", "--json", "--file", &shown]))
+                    .expect("it is JSON");
+            let models = values.as_array().expect("it is a list");
+            assert!(!models.is_empty(), "{shown}");
+            models.iter().for_each(|model| well_formed(model["mathml"].as_str().unwrap_or_default()));
+        }
+    }
 }
 
 #[test]

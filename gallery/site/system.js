@@ -6,7 +6,9 @@ import { Strip } from "./strip.js";
 
 const element = (id) => document.getElementById(id);
 const name = location.search.slice(1).split("&")[0];
-const catalogue = await (await fetch("catalogue.json")).json();
+const [catalogue, equations] = await Promise.all(
+    ["catalogue.json", "equations.json"].map(async (file) => (await fetch(file)).json()),
+);
 const page = catalogue.find((entry) => entry.name === name) ?? catalogue[0];
 const source = await WebAssembly.instantiateStreaming(fetch(`${page.name}.wasm`), {});
 const module = source.instance.exports;
@@ -14,7 +16,9 @@ const module = source.instance.exports;
 document.title = `${page.title} in motion`;
 element("title").textContent = page.title;
 element("about").textContent = page.about;
-element("equations").textContent = page.equations;
+const { mathml } = equations.find(({ file }) => file.endsWith(`/${page.name}.rs`));
+element("equations").innerHTML = mathml;
+element("equations").prepend(page.note);
 element("view").setAttribute("aria-label", `${page.title}, in motion`);
 element("reactions-part").hidden = page.reactions.length === 0;
 

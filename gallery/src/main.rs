@@ -1,4 +1,5 @@
 //! Prints the catalogue of the gallery as JSON: titles, sliders and names, which the pages read.
+//! Equations come from `cargo lagrange equations`, which finds them by the file of a model.
 
 use gallery::models::{
     cart_pole::CartPole, chain::Chain, double_pendulum::DoublePendulum, four_bar::FourBar,
@@ -14,16 +15,11 @@ fn sliders(sliders: &[Slider]) -> String {
     format!("[{}]", sliders.iter().map(entry).collect::<Vec<_>>().join(","))
 }
 
-/// Text as JSON has it: accents on letters stay as they are.
-fn text(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n"))
-}
-
-fn page<M: Model<N>, const N: usize>(name: &str, title: &str, about: &str, equations: &str) -> String {
+/// `note` stands above the equations.
+fn page<M: Model<N>, const N: usize>(name: &str, title: &str, about: &str, note: &str) -> String {
     format!(
-        "{{\"name\":{name:?},\"title\":{title:?},\"about\":{about:?},\"equations\":{},\"parameters\":{},\
+        "{{\"name\":{name:?},\"title\":{title:?},\"about\":{about:?},\"note\":{note:?},\"parameters\":{},\
          \"settings\":{},\"reactions\":{:?},\"view\":{:?},\"conservative\":{},\"coordinates\":{N}}}",
-        text(equations),
         sliders(M::PARAMETERS),
         sliders(M::SETTINGS),
         M::REACTIONS,
@@ -38,50 +34,45 @@ fn main() {
             "double_pendulum",
             "Double pendulum",
             "Two masses on rods: the textbook's chaotic system. Drag a mass and let it go.",
-            DoublePendulum::EQUATIONS,
+            "",
         ),
         page::<CartPole, 2>(
             "cart_pole",
             "Cart and pole",
             "A motor swings the pole up and balances it. Push the cart, or pull the pole down.",
-            CartPole::EQUATIONS,
+            "",
         ),
         page::<ThreeBody, 6>(
             "three_body",
             "Three bodies",
             "Three equal masses follow each other along a figure eight. Change a mass a little, or drag a body away.",
-            ThreeBody::EQUATIONS,
+            "",
         ),
         page::<Top, 3>(
             "top",
             "Spinning top",
             "A top with its tip on the ground. Its orientation is a coordinate, so no attitude is singular.",
-            Top::EQUATIONS,
+            "",
         ),
         page::<FourBar, 3>(
             "four_bar",
             "Four-bar linkage",
             "Three bars and a frame, closed by a constraint. Its multipliers are the force in the hinge.",
-            FourBar::EQUATIONS,
+            "",
         ),
         page::<Block, 3>(
             "rocking_block",
             "Rocking block",
             "A block falls from corner to corner, infinitely often in finite time, until it stands.",
-            &format!("In flight; a contact adds its reaction:\n{}", Block::EQUATIONS),
+            "In flight; a contact adds its reaction:",
         ),
         page::<Belt, 1>(
             "stick_slip",
             "Stick and slip",
             "A belt drags a block along until the spring tears it loose: how a violin string sounds and a brake squeals.",
-            &format!("Without friction, which adds its force:\n{}", Belt::EQUATIONS),
+            "Without friction, which adds its force:",
         ),
-        page::<Chain, 10>(
-            "chain",
-            "Chain of ten links",
-            "A chain falls like a whip. Drag any joint.",
-            Chain::EQUATIONS,
-        ),
+        page::<Chain, 10>("chain", "Chain of ten links", "A chain falls like a whip. Drag any joint.", ""),
     ];
     println!("[{}]", pages.join(",\n"));
 }

@@ -49,6 +49,17 @@ async function accessible(page) {
     assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html)}`), []);
 }
 
+// Equations are set as formulas, and what reads them aloud is told so.
+async function equationsAreRead(page) {
+    assert.match(await page.textContent("#equations math"), /=/);
+    const { height } = await page.locator("#equations math").boundingBox();
+    assert.ok(height > 10, `the equations are ${height} px high`);
+    const session = await page.context().newCDPSession(page);
+    const { nodes } = await session.send("Accessibility.getFullAXTree");
+    const roles = nodes.map((node) => node.role?.value);
+    assert.ok(roles.includes("MathMLMath") && roles.includes("MathMLOperator"), [...new Set(roles)].join(", "));
+}
+
 async function fits(page) {
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(width <= PHONE.width, `the page is ${width} px wide on a phone of ${PHONE.width} px`);
@@ -70,7 +81,7 @@ for (const { name, title, parameters, coordinates, conservative, reactions } of 
         assert.equal(await time(page), stopped);
         await page.click("#run");
         await page.waitForFunction((stopped) => window.gallery.module.time() > stopped, stopped);
-        assert.match(await page.textContent("#equations"), /=/);
+        await equationsAreRead(page);
         assert.equal(await page.isVisible("#reactions-part"), reactions.length > 0);
         await close();
     });

@@ -435,23 +435,13 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 R,
             > as ::core::convert::From<_>>::from(*inputs);
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "cart",
-                        "`cart` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["cart", lagrange::reading::MISREAD]),
                 |take| self.cart(&__coordinates).each_number(take),
                 &[x, <R as lagrange::Zero>::zero()],
                 &[abs_x, <R as lagrange::Zero>::zero()],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "tip",
-                        "`tip` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["tip", lagrange::reading::MISREAD]),
                 |take| self.tip(&__coordinates).each_number(take),
                 &[tip_x, tip_y],
                 &[
@@ -460,23 +450,13 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 ],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["gravity", lagrange::reading::MISREAD]),
                 |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[abs_length * Real::abs(pole_mass) * Real::abs(g) * w1],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "bearing",
-                        "`bearing` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["bearing", lagrange::reading::MISREAD]),
                 |take| self.bearing(&__velocities).each_number(take),
                 &[bearing],
                 &[
@@ -485,12 +465,7 @@ pole_mass·length·ẍ cos θ + pole_mass·length²·θ̈
                 ],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "motor",
-                        "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["motor", lagrange::reading::MISREAD]),
                 |take| self.motor(&__inputs).each_number(take),
                 &[motor, <R as lagrange::Zero>::zero()],
                 &[Real::abs(motor), <R as lagrange::Zero>::zero()],

@@ -575,34 +575,19 @@ mass·ÿ + mass·g = y λ(rod)/√(x² + y²)
                 f64,
             > as ::core::convert::From<_>>::from(state.q);
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "bob",
-                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["bob", lagrange::reading::MISREAD]),
                 |take| self.bob(&__coordinates).each_number(take),
                 &[x, y],
                 &[abs_x, abs_y],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["gravity", lagrange::reading::MISREAD]),
                 |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[Real::abs(mass_2) * Real::abs(g) * abs_y],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "rod",
-                        "`rod` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["rod", lagrange::reading::MISREAD]),
                 |take| self.rod(&__coordinates).each_number(take),
                 &[rod],
                 &[Real::sqrt(abs_x * abs_x + abs_y * abs_y) + Real::abs(length)],

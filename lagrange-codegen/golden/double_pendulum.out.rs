@@ -396,34 +396,19 @@ l₀ m₁ l₁ θ̈₀ cos(θ₀ − θ₁) + m₁ l₁² θ̈₁ + m₁ l₁ g 
                 f64,
             > as ::core::convert::From<_>>::from(state.q);
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "upper",
-                        "`upper` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["upper", lagrange::reading::MISREAD]),
                 |take| self.upper(&__coordinates).each_number(take),
                 &[upper_x, upper_y],
                 &[w3, w4],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "lower",
-                        "`lower` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["lower", lagrange::reading::MISREAD]),
                 |take| self.lower(&__coordinates).each_number(take),
                 &[lower_x, lower_y],
                 &[w3 + abs_l_1 * (abs_sin_theta_1 + abs_theta_1 * abs_cos_theta_1), w5],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["gravity", lagrange::reading::MISREAD]),
                 |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[Real::abs(g) * (abs_l_0 * Real::abs(m_0) * w2 + Real::abs(m_1) * w5)],

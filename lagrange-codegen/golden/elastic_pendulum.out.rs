@@ -390,34 +390,19 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 f64,
             > as ::core::convert::From<_>>::from(*inputs);
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "bob",
-                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["bob", lagrange::reading::MISREAD]),
                 |take| self.bob(&__coordinates).each_number(take),
                 &[bob_x, bob_y],
                 &[abs_r * (abs_sin_theta + abs_theta * abs_cos_theta), w1],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["gravity", lagrange::reading::MISREAD]),
                 |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[Real::abs(mass_2) * Real::abs(g) * w1],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "spring",
-                        "`spring` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["spring", lagrange::reading::MISREAD]),
                 |take| self.spring(&__coordinates).each_number(take),
                 &[spring],
                 &[
@@ -426,12 +411,7 @@ mass·r̈ + stiffness·r − mass·r θ̇² − mass·g cos θ − stiffness·le
                 ],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "motor",
-                        "`motor` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["motor", lagrange::reading::MISREAD]),
                 |take| self.motor(&__inputs).each_number(take),
                 &[motor],
                 &[Real::abs(motor)],

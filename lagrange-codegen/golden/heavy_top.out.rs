@@ -444,12 +444,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                 f64,
             > as ::core::convert::From<_>>::from(state.q);
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "gyroscope",
-                        "`gyroscope` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["gyroscope", lagrange::reading::MISREAD]),
                 |take| self.gyroscope(&__coordinates).each_number(take),
                 &[
                     gyroscope_x,
@@ -481,12 +476,7 @@ along·φ̈ cos θ + along·ψ̈ − along·φ̇ θ̇ sin θ = 0
                 ],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["gravity", lagrange::reading::MISREAD]),
                 |take| self.gravity(&__coordinates).each_number(take),
                 &[gravity],
                 &[abs_arm * Real::abs(mass_2) * Real::abs(g) * w4],

@@ -546,9 +546,14 @@ The first identity that does not hold, and by how much.*/
             let text = "mass·length²·θ\u{308} + mass·length·g sin θ − mass·length²·rate²·sin θ cos θ = 0";
             text
         };
-        /// `EQUATIONS` in LaTeX, an `aligned` environment.
+        ///`EQUATIONS` in LaTeX, an `aligned` environment.
         pub const EQUATIONS_LATEX: &'static str = {
             let text = "\\begin{aligned}\n\\mathrm{mass} \\, {\\mathrm{length}}^{2} \\, \\ddot{\\theta} + \\mathrm{mass} \\, \\mathrm{length} \\, g \\sin \\theta - \\mathrm{mass} \\, {\\mathrm{length}}^{2} \\, {\\mathrm{rate}}^{2} \\, \\sin \\theta \\cos \\theta &= 0\n\\end{aligned}";
+            text
+        };
+        ///`EQUATIONS` in MathML, a `math` element.
+        pub const EQUATIONS_MATHML: &'static str = {
+            let text = "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\"><mtable displaystyle=\"true\">\n<mtr><mtd style=\"text-align: right\"><mrow><mrow><mi>mass</mi><mo>⋅</mo><msup><mi>length</mi><mn>2</mn></msup><mo>⋅</mo><mover accent=\"true\"><mi>θ</mi><mo>¨</mo></mover></mrow><mo>+</mo><mrow><mi>mass</mi><mo>⋅</mo><mi>length</mi><mo>⋅</mo><mi>g</mi><mo>\u{2062}</mo><mrow><mi>sin</mi><mo>\u{2061}</mo><mi>θ</mi></mrow></mrow><mo>−</mo><mrow><mi>mass</mi><mo>⋅</mo><msup><mi>length</mi><mn>2</mn></msup><mo>⋅</mo><msup><mi>rate</mi><mn>2</mn></msup><mo>⋅</mo><mrow><mi>sin</mi><mo>\u{2061}</mo><mi>θ</mi></mrow><mo>\u{2062}</mo><mrow><mi>cos</mi><mo>\u{2061}</mo><mi>θ</mi></mrow></mrow></mrow></mtd><mtd style=\"text-align: left\"><mo>=</mo><mn>0</mn></mtd></mtr>\n</mtable></math>";
             text
         };
     }
@@ -645,12 +650,7 @@ The first identity that does not hold, and by how much.*/
                 f64,
             > as ::core::convert::From<_>>::from(state.q);
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "bob",
-                        "`bob` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["bob", lagrange::reading::MISREAD]),
                 |take| self.bob(&__coordinates, state.t).each_number(take),
                 &[bob_x, bob_y, bob_z],
                 &[
@@ -660,12 +660,7 @@ The first identity that does not hold, and by how much.*/
                 ],
             )?;
             lagrange::reading::compare(
-                lagrange::Function(
-                    &[
-                        "gravity",
-                        "`gravity` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say `allow(misread)` in the attribute if the function loses most of its digits by rounding",
-                    ],
-                ),
+                lagrange::Function(&["gravity", lagrange::reading::MISREAD]),
                 |take| self.gravity(&__coordinates, state.t).each_number(take),
                 &[gravity],
                 &[abs_length * Real::abs(mass_2) * Real::abs(g) * w2],

@@ -25,8 +25,8 @@ pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> Toke
     expansion(args, item, default_crate, false)
 }
 
-/// The same with the constant `EQUATIONS_LATEX`, which otherwise `analysis` asks for, for tools that show
-/// equations.
+/// The same with the constants `EQUATIONS_LATEX` and `EQUATIONS_MATHML`, which otherwise `analysis` asks for,
+/// for tools that show equations.
 pub fn expand_with_formulas(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
     expansion(args, item, default_crate, true)
 }

@@ -13,10 +13,13 @@ pub struct EquationsArguments {
     #[command(flatten)]
     selection: Selection,
     /// In LaTeX, an `aligned` environment.
-    #[arg(long, conflicts_with = "json")]
-    latex: bool,
-    /// As JSON, with both forms.
     #[arg(long)]
+    latex: bool,
+    /// In MathML, a `math` element that browsers set and screen readers read.
+    #[arg(long, conflicts_with = "latex")]
+    mathml: bool,
+    /// As JSON, with all forms.
+    #[arg(long, conflicts_with_all = ["latex", "mathml"])]
     json: bool,
 }
 
@@ -40,13 +43,21 @@ pub struct ExpandArguments {
 
 /// Runs `equations`.
 pub fn equations(arguments: &EquationsArguments) -> Result<(), String> {
-    let is_latex = arguments.latex || arguments.json;
-    let text = |_: &Model, expansion: &Expansion| match &expansion.latex {
-        Some(latex) if arguments.latex => latex.clone(),
+    let has_formulas = arguments.latex || arguments.mathml || arguments.json;
+    let text = |_: &Model, expansion: &Expansion| match &expansion.formulas {
+        Some(formulas) if arguments.latex => formulas.latex.clone(),
+        Some(formulas) if arguments.mathml => formulas.mathml.clone(),
         _ => expansion.equations.clone(),
     };
-    let value = |expansion: &Expansion| json!({ "text": expansion.equations, "latex": expansion.latex });
-    show(&arguments.selection, is_latex, arguments.json, text, value)
+    let value = |expansion: &Expansion| {
+        let formulas = expansion.formulas.as_ref();
+        json!({
+            "text": expansion.equations,
+            "latex": formulas.map(|formulas| &formulas.latex),
+            "mathml": formulas.map(|formulas| &formulas.mathml),
+        })
+    };
+    show(&arguments.selection, has_formulas, arguments.json, text, value)
 }
 
 /// Runs `structure`.
@@ -118,13 +129,13 @@ pub fn expand(arguments: &ExpandArguments) -> Result<(), String> {
 /// Prints something of each model: under its name where there are several, or a JSON array of objects.
 fn show(
     selection: &Selection,
-    latex: bool,
+    formulas: bool,
     as_json: bool,
     text: impl Fn(&Model, &Expansion) -> String,
     value: impl Fn(&Expansion) -> Value,
 ) -> Result<(), String> {
     let models = selection.models()?;
-    let expanded = expanded(&models, latex)?;
+    let expanded = expanded(&models, formulas)?;
     if as_json {
         let values = expanded.iter().map(|(model, expansion)| {
             let mut value = value(expansion);
@@ -143,11 +154,11 @@ fn show(
 }
 
 /// The expansions, or all mistakes of all models.
-fn expanded(models: &[Model], latex: bool) -> Result<Vec<(&Model, Expansion)>, String> {
+fn expanded(models: &[Model], formulas: bool) -> Result<Vec<(&Model, Expansion)>, String> {
     let mut expansions = Vec::new();
     let mut mistakes = Vec::new();
     for model in models {
-        match model.expand(latex) {
+        match model.expand(formulas) {
             Ok(expansion) => expansions.push((model, expansion)),
             Err(more) => mistakes.extend(more.iter().map(ToString::to_string)),
         }

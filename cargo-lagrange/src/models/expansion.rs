@@ -11,12 +11,21 @@ pub struct Expansion {
     file: syn::File,
     /// The equations of motion as text.
     pub equations: String,
-    /// The equations in LaTeX, if they were asked for.
-    pub latex: Option<String>,
+    /// The equations in LaTeX and MathML, if they were asked for.
+    pub formulas: Option<Formulas>,
     /// What was found and left out.
     pub structure: Structure,
     /// Operations of one evaluation of the accelerations.
     pub costs: Costs,
+}
+
+/// The equations as they are typeset.
+#[derive(Default)]
+pub struct Formulas {
+    /// An `aligned` environment of LaTeX.
+    pub latex: String,
+    /// A `math` element.
+    pub mathml: String,
 }
 
 /// The constant `STRUCTURE`.
@@ -40,13 +49,13 @@ pub struct Costs {
 }
 
 impl Model {
-    /// Expands the model, with LaTeX if `latex` says so.
+    /// Expands the model, with formulas if `formulas` says so.
     ///
     /// # Errors
     ///
     /// The messages of the macro.
-    pub fn expand(&self, latex: bool) -> Result<Expansion, Vec<Mistake>> {
-        let expand = if latex { lagrange_codegen::expand_with_formulas } else { lagrange_codegen::expand };
+    pub fn expand(&self, formulas: bool) -> Result<Expansion, Vec<Mistake>> {
+        let expand = if formulas { lagrange_codegen::expand_with_formulas } else { lagrange_codegen::expand };
         let tokens = expand(self.arguments.clone(), self.block.clone(), "::lagrangian");
         let at_attribute =
             |message: String| Mistake { file: self.file.clone(), line: self.line, column: 1, message };
@@ -57,8 +66,8 @@ impl Model {
         if !reader.mistakes.is_empty() {
             return Err(reader.mistakes);
         }
-        let Reader { equations, latex, structure, costs, .. } = reader;
-        Ok(Expansion { file, equations, latex, structure, costs })
+        let Reader { equations, formulas, structure, costs, .. } = reader;
+        Ok(Expansion { file, equations, formulas, structure, costs })
     }
 }
 
@@ -124,7 +133,7 @@ impl<'ast> Visit<'ast> for Blocks {
 struct Reader<'a> {
     model: &'a Model,
     equations: String,
-    latex: Option<String>,
+    formulas: Option<Formulas>,
     structure: Structure,
     costs: Costs,
     mistakes: Vec<Mistake>,
@@ -135,7 +144,7 @@ impl<'a> Reader<'a> {
         Reader {
             model,
             equations: String::new(),
-            latex: None,
+            formulas: None,
             structure: Structure::default(),
             costs: Costs::default(),
             mistakes: Vec::new(),
@@ -169,7 +178,8 @@ impl<'ast> Visit<'ast> for Reader<'_> {
         let value = &constant.expr;
         match constant.ident.to_string().as_str() {
             "EQUATIONS" => self.equations = strings(value).concat(),
-            "EQUATIONS_LATEX" => self.latex = Some(strings(value).concat()),
+            "EQUATIONS_LATEX" => self.formulas.get_or_insert_default().latex = strings(value).concat(),
+            "EQUATIONS_MATHML" => self.formulas.get_or_insert_default().mathml = strings(value).concat(),
             "STRUCTURE" => {
                 for (name, value) in fields(value) {
                     match name.as_str() {

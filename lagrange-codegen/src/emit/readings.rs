@@ -35,13 +35,8 @@ pub(super) fn implementation(emission: &mut Emission<'_>) -> String {
                 }
                 None => (function.name.to_string(), call(function)),
             };
-            let message = format!(
-                "`{name}` returns something else than what the macro read of it: a type, a constant, a trait or a macro in it \
-                 means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say \
-                 `allow(misread)` in the attribute if the function loses most of its digits by rounding"
-            );
             text.push_str(&format!(
-                "lagrange::reading::compare(lagrange::Function(&[{name:?}, {message:?}]), |take| {found}.each_number(take), &[{}], &[{}])?;\n",
+                "lagrange::reading::compare(lagrange::Function(&[{name:?}, lagrange::reading::MISREAD]), |take| {found}.each_number(take), &[{}], &[{}])?;\n",
                 read[range.clone()].join(", "),
                 sizes[range].join(", "),
             ));

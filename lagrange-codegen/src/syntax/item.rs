@@ -38,7 +38,7 @@ pub struct Item {
     pub sensitivities: Vec<Expr>,
     /// Whether what the model can tell about itself is generated.
     pub analysis: bool,
-    /// Whether the equations are written in LaTeX, too.
+    /// Whether the equations are written in LaTeX and MathML, too.
     pub formulas: bool,
     /// The system that a generated test verifies.
     pub verify: Option<syn::Expr>,

@@ -302,4 +302,13 @@ mod tests {
             assert!(rod.factored.get() <= 8, "{} factors", rod.factored.get());
         }
     }
+
+    #[test]
+    fn redundant_rows_determine_a_motion_at_rest_and_at_speed() {
+        let rod = Twofold { factored: Cell::new(0) };
+        for v in [[0.0, 0.0], [0.6, 0.8]] {
+            let state = State::new([0.8, -0.6], v);
+            assert_eq!(check(&rod, &state, rod.saddle_at(0.0, &state.q, &state.v)), Ok(()), "{v:?}");
+        }
+    }
 }

@@ -152,4 +152,11 @@ mod tests {
         assert!(Rows::factor(&[[-1.0, 0.0], [0.0, 1.0]]).is_none());
         assert!(Rows::factor(&[[1.0, 0.0], [0.0, f64::NAN]]).is_none());
     }
+
+    #[test]
+    fn a_pivot_that_is_nothing_but_rounding_is_refused() {
+        // What is left of the first entry is ε: half of the bound for two pivots.
+        assert!(Rows::factor(&[[1.0, 1.0], [1.0, 1.0 + f64::EPSILON]]).is_none());
+        assert!(Rows::factor(&[[1.0, 1.0], [1.0, 1.0 + 32.0 * f64::EPSILON]]).is_some());
+    }
 }

@@ -155,4 +155,15 @@ mod tests {
         assert_eq!(values.solve(&[1.0, 2.0, 3.0], 0.0), [0.0; 3]);
         assert_eq!(values.rank(0.0), 0);
     }
+
+    #[test]
+    fn units_do_not_matter() {
+        let mut noise = Noise(5);
+        for unit in [1e-12, 1e-6, 1e6, 1e12] {
+            let m: [[f64; 6]; 6] = noise.matrix().map(|row: [f64; 6]| row.map(|x| unit * x));
+            let b = noise.vector();
+            let x = SingularValues::new(&m).solve(&b, 0.0);
+            assert!(residual(&m, &x, &b) < 1e-13, "{unit:e}: {x:?}");
+        }
+    }
 }

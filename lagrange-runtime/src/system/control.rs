@@ -35,3 +35,22 @@ impl<R, F: Fn(&State<R, N>) -> [R; K], const N: usize, const K: usize> Control<R
         (self.0)(state)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a control says of its inputs, and whether they are the same at two states.
+    fn said<const K: usize, C: Control<f64, 1, K>>(control: &C) -> (bool, bool) {
+        let [here, there] = [0.0, 1.0].map(|x| control.inputs(&State::new([x], [x])));
+        (C::HELD, here == there)
+    }
+
+    #[test]
+    fn inputs_that_are_held_are_the_same_at_all_states() {
+        assert_eq!(said(&Held([3.0])), (true, true));
+        // Without inputs nothing changes.
+        assert_eq!(said(&Feedback(|_: &State<f64, 1>| [])), (true, true));
+        assert_eq!(said(&Feedback(|state: &State<f64, 1>| [-state.q[0]])), (false, false));
+    }
+}

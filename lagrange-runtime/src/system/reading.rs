@@ -15,6 +15,12 @@ use crate::system::error::magnitude;
 use crate::system::error::{Cause, Function, MotionError};
 use crate::system::state::State;
 
+/// What to say of a function that was misread, after its name. Generated code names it where it compares, so that
+/// builds without comparisons do not carry it.
+pub const MISREAD: &str = "returns something else than what the macro read of it: a type, a constant, a trait or a macro in it \
+    means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say \
+    `allow(misread)` in the attribute if the function loses most of its digits by rounding";
+
 /// What a function with a role can return, as numbers in a fixed order.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no value that a description is made of",
@@ -230,13 +236,14 @@ mod tests {
 
     #[test]
     fn a_number_that_is_off_is_named() {
-        const NAME: Function = Function(&["height", "`height` was misread"]);
+        const NAME: Function = Function(&["height", MISREAD]);
         assert_eq!(
             compare(NAME, |take| [1.0, 2.0].each_number(take), &[1.0, 2.0 + 1e-12], &[1.0, 2.0]),
             Ok(())
         );
         let wrong = compare(NAME, |take| [1.0, 2.0].each_number(take), &[1.0, 2.001], &[1.0, 2.0]);
         assert!(matches!(wrong, Err(Cause::Misread { function: NAME, .. })), "{wrong:?}");
+        assert!(std::format!("{}", wrong.unwrap_err()).starts_with("`height` returns something else than"));
         // Terms that cancel leave what rounding makes of them.
         assert_eq!(compare(NAME, |take| 1e-16.each_number(take), &[0.0], &[1.0]), Ok(()));
         assert!(compare(NAME, |take| 1e-7.each_number(take), &[0.0], &[1.0]).is_err());

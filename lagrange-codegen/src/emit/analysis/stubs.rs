@@ -66,6 +66,7 @@ pub(in crate::emit) fn stubs(item: &Item, scalar: &TokenStream, count: usize, in
         pub const CONSERVED: &'static [&'static str] = &[];
         pub const REGRESSOR: &'static [&'static str] = &[];
         pub const EQUATIONS_LATEX: &'static str = "";
+        pub const EQUATIONS_MATHML: &'static str = "";
         #(#methods)*
         #(#any)*
         #regressor

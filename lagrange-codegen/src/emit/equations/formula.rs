@@ -1,22 +1,44 @@
-//! Expressions as a textbook writes them.
+//! What a formula is before it is written: the same for text, LaTeX and MathML.
 
-use super::symbols::{self, Notation, Symbol};
-use crate::collections::Lookup;
-use crate::expr::{Binary, Exponent, Node, NodeId, Unary, Variable};
-use crate::model::Model;
+use super::symbols::Symbol;
 use crate::number::Number;
 
-/// Writes expressions of a model; shared ones by the names they were given.
-pub(super) struct Writer<'a> {
-    pub model: &'a Model,
-    pub notation: Notation,
-    /// Names of intermediate results.
-    pub names: Lookup<NodeId, String>,
+/// A formula.
+#[derive(Clone, Debug)]
+pub(super) enum Formula {
+    Symbol(Symbol),
+    /// Not negative.
+    Number(Number),
+    /// Terms, and whether each is subtracted.
+    Sum(Vec<(bool, Formula)>),
+    /// A coefficient before a product.
+    Scaled(Number, Box<Formula>),
+    /// Two factors or more, side by side.
+    Product(Vec<Formula>),
+    Fraction(Box<Formula>, Box<Formula>),
+    Power(Box<Formula>, Box<Formula>),
+    Root(Box<Formula>),
+    /// In parentheses.
+    Group(Box<Formula>),
+    /// Between bars.
+    Absolute(Box<Formula>),
+    Application(Application),
+}
+
+/// `sin θ`, `sin²(θ − φ)`, `atan2(y, x)`.
+#[derive(Clone, Debug)]
+pub(super) struct Application {
+    pub name: &'static str,
+    /// A power of the value that is written at the name.
+    pub power: Option<Number>,
+    pub arguments: Vec<Formula>,
+    /// Whether the arguments stand in parentheses.
+    pub is_grouped: bool,
 }
 
 /// Binding strength.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Strength {
+pub(super) enum Strength {
     Sum,
     Product,
     /// `sin θ`: no power can follow.
@@ -24,337 +46,97 @@ enum Strength {
     Atom,
 }
 
-struct Text {
-    text: String,
-    strength: Strength,
-    is_word: bool,
-}
-
-impl Text {
-    fn atom(text: String) -> Text {
-        Text { text, strength: Strength::Atom, is_word: false }
-    }
-}
-
-impl From<Symbol> for Text {
-    fn from(Symbol { text, is_word }: Symbol) -> Text {
-        Text { text, strength: Strength::Atom, is_word }
-    }
-}
-
-impl Writer<'_> {
-    /// An expression.
-    pub fn expression(&self, node: NodeId) -> String {
-        join(self.terms(node, false))
-    }
-
-    /// An expression whose own name, if it has one, is not used: the right-hand side of its definition.
-    pub fn definition(&self, node: NodeId) -> String {
-        join(self.opened(node, false))
-    }
-
-    /// The summands of an expression with their signs: whether each is subtracted.
-    pub fn terms(&self, node: NodeId, negated: bool) -> Vec<(bool, String)> {
-        match self.names.get(&node) {
-            Some(name) => vec![(negated, name.clone())],
-            None => self.opened(node, negated),
+impl Formula {
+    /// How strongly it binds.
+    pub fn strength(&self) -> Strength {
+        match self {
+            Formula::Sum(_) => Strength::Sum,
+            Formula::Scaled(..) | Formula::Product(_) | Formula::Fraction(..) => Strength::Product,
+            Formula::Application(Application { is_grouped: false, .. }) => Strength::Application,
+            Formula::Symbol(_) | Formula::Number(_) | Formula::Power(..) | Formula::Root(_) => Strength::Atom,
+            Formula::Group(_) | Formula::Absolute(_) | Formula::Application(_) => Strength::Atom,
         }
     }
 
-    fn opened(&self, node: NodeId, negated: bool) -> Vec<(bool, String)> {
-        let graph = &self.model.graph;
-        match graph.node(node) {
-            Node::Sum { offset, terms } => {
-                let mut written = Vec::with_capacity(terms.len() + 1);
-                for &(term, coefficient) in terms {
-                    let negative = coefficient.is_negative() != negated;
-                    let size = coefficient.abs();
-                    let is_sum = matches!(graph.node(term), Node::Sum { .. });
-                    if size.is_one() && is_sum {
-                        written.extend(self.terms(term, negative));
-                    } else {
-                        written.push((negative, self.product(Some(size), term)));
-                    }
-                }
-                if !offset.is_zero() {
-                    written.push((offset.is_negative() != negated, self.number(offset.abs())));
-                }
-                written
-            }
-            Node::Constant(value) => vec![(value.is_negative() != negated, self.number(value.abs()))],
-            Node::Variable(_) | Node::Product(_) | Node::Unary(..) | Node::Binary(..) => {
-                vec![(negated, self.product(None, node))]
-            }
+    /// In parentheses where a sum would be read wrong.
+    pub fn as_factor(self) -> Formula {
+        if self.strength() == Strength::Sum { self.grouped() } else { self }
+    }
+
+    /// In parentheses where anything but one thing would be read wrong.
+    pub fn as_atom(self) -> Formula {
+        if self.strength() == Strength::Atom { self } else { self.grouped() }
+    }
+
+    /// In parentheses.
+    pub fn grouped(self) -> Formula {
+        Formula::Group(Box::new(self))
+    }
+
+    /// To a power.
+    pub fn raised(self, power: Formula) -> Formula {
+        Formula::Power(Box::new(self), Box::new(power))
+    }
+
+    /// Factors side by side; 1 without any.
+    pub fn product(mut factors: Vec<Formula>) -> Formula {
+        match factors.len() {
+            0 => Formula::Number(Number::ONE),
+            1 => factors.remove(0),
+            _ => Formula::Product(factors),
         }
     }
 
-    /// A coefficient before a product.
-    fn product(&self, coefficient: Option<Number>, node: NodeId) -> String {
-        let coefficient = coefficient.filter(|coefficient| !coefficient.is_one());
-        let written = self.factor(node);
-        let wrapped =
-            if written.strength == Strength::Sum { self.grouped(&written.text) } else { written.text };
-        match coefficient {
-            Some(coefficient) => format!("{} {wrapped}", self.number(coefficient)),
-            None => wrapped,
+    /// A sum, a summand that is added first where there is one.
+    pub fn sum(mut terms: Vec<(bool, Formula)>) -> Formula {
+        if let Some(first) = terms.iter().position(|(negative, _)| !negative) {
+            let term = terms.remove(first);
+            terms.insert(0, term);
+        }
+        if terms.is_empty() { Formula::Number(Number::ZERO) } else { Formula::Sum(terms) }
+    }
+
+    /// Whether a word begins it: one that needs a sign between it and what stands before.
+    pub fn begins_with_word(&self) -> bool {
+        match self {
+            Formula::Symbol(symbol) => symbol.is_word(),
+            Formula::Power(base, _) => base.begins_with_word(),
+            _ => false,
         }
     }
 
-    fn factor(&self, node: NodeId) -> Text {
-        if let Some(name) = self.names.get(&node) {
-            return Text::atom(name.clone());
-        }
-        match self.model.graph.node(node) {
-            Node::Constant(value) if value.is_negative() => {
-                Text { strength: Strength::Sum, ..Text::atom(format!("−{}", self.number(value.abs()))) }
-            }
-            Node::Constant(value) => Text::atom(self.number(*value)),
-            Node::Variable(variable) => self.variable(*variable),
-            Node::Sum { .. } => {
-                Text { text: join(self.opened(node, false)), strength: Strength::Sum, is_word: false }
-            }
-            Node::Product(factors) => self.fraction(factors),
-            Node::Unary(function, argument) => self.application(*function, *argument, ""),
-            Node::Binary(function, first, second) => {
-                let (first, second) = (self.expression(*first), self.expression(*second));
-                match function {
-                    Binary::Powf => Text::atom(self.raised(&self.grouped(&first), &second)),
-                    Binary::Atan2 => Text::atom(format!(
-                        "{}{}",
-                        self.word("atan2"),
-                        self.grouped(&format!("{first}, {second}"))
-                    )),
-                    Binary::Pivot => Text::atom(first),
-                    Binary::PowfLn => {
-                        let base = self.grouped(&first);
-                        let text = format!("{} {}{base}", self.raised(&base, &second), self.word("ln"));
-                        Text { text, strength: Strength::Application, is_word: false }
-                    }
-                }
-            }
+    /// Whether a word ends it.
+    pub fn ends_with_word(&self) -> bool {
+        match self {
+            Formula::Product(factors) => factors.last().is_some_and(Formula::ends_with_word),
+            _ => self.begins_with_word(),
         }
     }
 
-    fn variable(&self, variable: Variable) -> Text {
-        let (model, notation) = (self.model, self.notation);
-        match variable {
-            Variable::Coordinate(i) => symbols::coordinate(model, notation, i, 0).into(),
-            Variable::Velocity(i) => symbols::coordinate(model, notation, i, 1).into(),
-            Variable::Acceleration(i) => symbols::coordinate(model, notation, i, 2).into(),
-            Variable::Input(i) => symbols::input(model, notation, i).into(),
-            Variable::Multiplier(i) => symbols::multiplier(model, notation, i).into(),
-            Variable::Parameter(i) => symbols::parameter(notation, &model.parameters[i as usize]).into(),
-            Variable::Time => Text::atom("t".to_owned()),
-            Variable::Auxiliary(i) => symbols::symbol(notation, "u", &i.to_string(), 0).into(),
-            Variable::Entry(i) => symbols::symbol(notation, "R", &i.to_string(), 0).into(),
-            Variable::Position(i) => symbols::symbol(notation, "r", &i.to_string(), 0).into(),
-        }
-    }
-
-    /// The place of a factor: parameters, sums, coordinates, their derivatives, functions.
-    fn rank(&self, node: NodeId) -> u32 {
-        match self.model.graph.node(node) {
-            Node::Constant(_) => 0,
-            Node::Variable(Variable::Parameter(_)) => 1,
-            Node::Sum { .. } | Node::Product(_) => 2,
-            Node::Variable(
-                Variable::Time | Variable::Coordinate(_) | Variable::Entry(_) | Variable::Position(_),
-            ) => 3,
-            Node::Variable(Variable::Input(_) | Variable::Auxiliary(_)) => 4,
-            Node::Variable(Variable::Velocity(_)) => 5,
-            Node::Variable(Variable::Acceleration(_) | Variable::Multiplier(_)) => 6,
-            Node::Unary(..) | Node::Binary(..) => 7,
-        }
-    }
-
-    fn fraction(&self, factors: &[(NodeId, Exponent)]) -> Text {
-        let mut sorted = factors.to_vec();
-        sorted.sort_by_key(|&(factor, _)| self.rank(factor));
-        let side = |above: bool| -> Vec<Text> {
-            let of_side = sorted.iter().filter(|(_, exponent)| (exponent.0 > 0) == above);
-            of_side.map(|&(factor, exponent)| self.power(factor, Exponent(exponent.0.abs()))).collect()
-        };
-        let (above, below) = (side(true), side(false));
-        let strength = if above.len() > 1 || !below.is_empty() { Strength::Product } else { Strength::Atom };
-        let above = if above.is_empty() { Text::atom("1".to_owned()) } else { self.juxtaposed(above) };
-        if below.is_empty() {
-            return Text { strength: strength.min(above.strength), ..above };
-        }
-        let several = below.len() > 1;
-        let below = self.juxtaposed(below);
-        let text = match self.notation {
-            Notation::Latex => format!("\\frac{{{}}}{{{}}}", above.text, below.text),
-            Notation::Unicode if several || below.strength < Strength::Atom => {
-                format!("{}/({})", above.text, below.text)
-            }
-            Notation::Unicode => format!("{}/{}", above.text, below.text),
-        };
-        Text { text, strength, is_word: false }
-    }
-
-    /// Factors side by side; words are kept apart by a sign.
-    fn juxtaposed(&self, factors: Vec<Text>) -> Text {
-        let alone = factors.len() == 1;
-        let mut product: Option<Text> = None;
-        for factor in factors {
-            let grouped = factor.strength == Strength::Sum && !alone;
-            let text = if grouped { self.grouped(&factor.text) } else { factor.text };
-            product = Some(match product {
-                None => Text { text, ..factor },
-                Some(before) => {
-                    let separator = match (before.is_word || factor.is_word, self.notation) {
-                        (true, Notation::Unicode) => "·",
-                        (true, Notation::Latex) => " \\, ",
-                        (false, _) => " ",
-                    };
-                    let text = format!("{}{separator}{text}", before.text);
-                    Text { text, strength: Strength::Product, is_word: factor.is_word }
-                }
-            });
-        }
-        product.unwrap_or_else(|| Text::atom("1".to_owned()))
-    }
-
-    /// A positive power.
-    fn power(&self, base: NodeId, exponent: Exponent) -> Text {
-        if exponent.0 == 2 {
-            let written = self.factor(base);
-            if written.strength == Strength::Sum {
-                return Text::atom(self.grouped(&written.text));
-            }
-            return written;
-        }
-        if exponent.0 == 1 {
-            let inner = self.expression(base);
-            return Text::atom(match self.notation {
-                Notation::Latex => format!("\\sqrt{{{inner}}}"),
-                Notation::Unicode if self.factor(base).strength == Strength::Atom => format!("√{inner}"),
-                Notation::Unicode => format!("√({inner})"),
-            });
-        }
-        let power = match exponent.as_integer() {
-            Some(power) => power.to_string(),
-            None => format!("{}/2", exponent.0),
-        };
-        if let Node::Unary(function, argument) = self.model.graph.node(base)
-            && self.names.get(&base).is_none()
-            && exponent.as_integer().is_some()
-            && is_trigonometric(*function)
-        {
-            return self.application(*function, *argument, &power);
-        }
-        let written = self.factor(base);
-        let inner =
-            if written.strength == Strength::Atom { written.text } else { self.grouped(&written.text) };
-        Text { is_word: written.is_word, ..Text::atom(self.raised(&inner, &power)) }
-    }
-
-    fn raised(&self, base: &str, power: &str) -> String {
-        match self.notation {
-            Notation::Latex => format!("{{{base}}}^{{{power}}}"),
-            Notation::Unicode if power.chars().all(|c| c.is_ascii_digit()) => {
-                format!("{base}{}", superscript(power))
-            }
-            Notation::Unicode => format!("{base}^({power})"),
-        }
-    }
-
-    /// `sin θ`, `sin²(θ − φ)`, `exp(x)`.
-    fn application(&self, function: Unary, argument: NodeId, power: &str) -> Text {
-        let inner = self.expression(argument);
-        if function == Unary::Abs {
-            return Text::atom(format!("|{inner}|"));
-        }
-        let inner = if function == Unary::PositivePart { format!("0, {inner}") } else { inner };
-        let name = match function {
-            Unary::PositivePart => "max",
-            Unary::Asin => "arcsin",
-            Unary::Acos => "arccos",
-            Unary::Atan => "arctan",
-            Unary::Asinh => "arsinh",
-            Unary::Acosh => "arcosh",
-            Unary::Atanh => "artanh",
-            Unary::ExpM1 => "expm1",
-            Unary::Ln1p => "ln1p",
-            Unary::Signum => "sgn",
-            Unary::Sin | Unary::Cos | Unary::Tan | Unary::Sinh | Unary::Cosh | Unary::Tanh => function.name(),
-            Unary::Sech | Unary::Exp | Unary::Ln | Unary::Cbrt | Unary::Abs => function.name(),
-        };
-        let raised = match (power.is_empty(), self.notation) {
-            (true, _) => String::new(),
-            (false, Notation::Unicode) => superscript(power),
-            (false, Notation::Latex) => format!("^{{{power}}}"),
-        };
-        let is_atom = self.factor(argument).strength == Strength::Atom;
-        if is_trigonometric(function) && is_atom {
-            let text = format!("{}{raised} {inner}", self.word(name));
-            return Text { text, strength: Strength::Application, is_word: false };
-        }
-        Text::atom(format!("{}{raised}{}", self.word(name), self.grouped(&inner)))
-    }
-
-    fn word(&self, name: &str) -> String {
-        const KNOWN: [&str; 12] =
-            ["sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "max"];
-        match self.notation {
-            Notation::Unicode => name.to_owned(),
-            Notation::Latex if KNOWN.contains(&name) => format!("\\{name}"),
-            Notation::Latex => format!("\\operatorname{{{name}}}"),
-        }
-    }
-
-    fn grouped(&self, text: &str) -> String {
-        match self.notation {
-            Notation::Unicode => format!("({text})"),
-            Notation::Latex => format!("\\left({text}\\right)"),
-        }
-    }
-
-    fn number(&self, value: Number) -> String {
-        const FRACTIONS: [(i128, i128, &str); 7] =
-            [(1, 2, "½"), (1, 3, "⅓"), (2, 3, "⅔"), (1, 4, "¼"), (3, 4, "¾"), (1, 8, "⅛"), (3, 8, "⅜")];
-        let known = FRACTIONS.iter().find(|&&(a, b, _)| value == Number::Ratio(a, b));
-        match (self.notation, known, value) {
-            (Notation::Unicode, Some((_, _, sign)), _) => (*sign).to_owned(),
-            (Notation::Latex, Some((a, b, _)), _) => format!("\\frac{{{a}}}{{{b}}}"),
-            (Notation::Latex, None, Number::Ratio(a, b)) if value.to_string().contains('/') => {
-                format!("\\frac{{{a}}}{{{b}}}")
-            }
-            _ => value.to_string(),
-        }
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        matches!(self, Formula::Number(value) if value.is_zero())
     }
 }
 
-fn is_trigonometric(function: Unary) -> bool {
-    use Unary::{Cos, Cosh, Sech, Sin, Sinh, Tan, Tanh};
-    matches!(function, Sin | Cos | Tan | Sinh | Cosh | Tanh | Sech)
+/// Fractions that have a sign of their own.
+pub(super) const COMMON: [(i128, i128, &str); 7] =
+    [(1, 2, "½"), (1, 3, "⅓"), (2, 3, "⅔"), (1, 4, "¼"), (3, 4, "¾"), (1, 8, "⅛"), (3, 8, "⅜")];
+
+/// Numerator and denominator of a number that is written as a fraction: of a common one, and of one without a
+/// short decimal.
+pub(super) fn fraction(value: Number) -> Option<[i128; 2]> {
+    let Number::Ratio(numerator, denominator) = value else { return None };
+    let is_common = COMMON.iter().any(|&(a, b, _)| (a, b) == (numerator, denominator));
+    (is_common || value.to_string().contains('/')).then_some([numerator, denominator])
 }
 
-fn superscript(digits: &str) -> String {
-    let digit = |c: char| match c {
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        _ => char::from_u32(0x2070 + c.to_digit(10).unwrap_or(0)).unwrap_or(c),
-    };
-    digits.chars().map(digit).collect()
-}
-
-/// `a − b + c`, a summand that is added first where there is one.
-pub(super) fn join(mut terms: Vec<(bool, String)>) -> String {
-    if let Some(first) = terms.iter().position(|(negative, _)| !negative) {
-        let term = terms.remove(first);
-        terms.insert(0, term);
-    }
-    let mut text = String::new();
-    for (negative, term) in terms {
-        text.push_str(match (text.is_empty(), negative) {
-            (true, false) => "",
-            (true, true) => "−",
-            (false, false) => " + ",
-            (false, true) => " − ",
-        });
-        text.push_str(&term);
-    }
-    if text.is_empty() { "0".to_owned() } else { text }
+/// The equations of motion, before they are written.
+pub(super) struct Page {
+    /// Both sides of each.
+    pub rows: Vec<[Formula; 2]>,
+    /// What is said of rows that are left out.
+    pub more: Option<String>,
+    /// Names of intermediate results, and what they stand for.
+    pub definitions: Vec<(Symbol, Formula)>,
 }

@@ -1,23 +1,27 @@
-//! The model as a page of a textbook: `EQUATIONS`, `EQUATIONS_LATEX`, and the documentation of the generated
-//! block.
+//! The model as a page of a textbook: `EQUATIONS`, in text, LaTeX and MathML, and the documentation of the
+//! generated block.
 //!
 //! The equations stand as M a + b = Q − ∂D/∂v + Aᵀλ, a row for each coordinate. What several rows share gets
 //! a name where the rows would be long otherwise, and of large systems only the first rows are written.
 
 mod fold;
 mod formula;
+mod latex;
+mod mathml;
 mod page;
 mod readable;
 mod symbols;
+mod unicode;
+mod writer;
 
 use crate::collections::Lookup;
 use crate::emit::Emission;
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::Model;
 use crate::number::Number;
-use formula::{Writer, join};
+use formula::{Formula, Page};
 pub(super) use page::page;
-use symbols::Notation;
+use writer::Writer;
 
 /// Rows are written while their expressions have at most this many nodes together.
 const MOST: usize = 260;
@@ -93,79 +97,58 @@ impl Equations {
 
     /// The constant `EQUATIONS` as text; its documentation shows them where no page does.
     pub fn constant(&self, model: &Model, has_page: bool) -> String {
-        let plain = self.written(model, Notation::Unicode);
+        let plain = self.text(model);
         let shown =
             if has_page { String::new() } else { format!("\n\n```text\n{}```", fold::folded(&plain)) };
         let doc = format!(
             "The equations of motion as derived, M a + b = Q − ∂D/∂v + Aᵀλ, a line for each coordinate.{shown}"
         );
-        // Of a bare literal rustdoc would show every character beyond ASCII as an escape.
-        format!("#[doc = {doc:?}]\npub const EQUATIONS: &'static str = {{ let text = {plain:?}; text }};\n")
+        constant("EQUATIONS", &doc, &plain)
     }
 
-    /// The constant `EQUATIONS_LATEX`.
+    /// The constants `EQUATIONS_LATEX` and `EQUATIONS_MATHML`.
     pub fn formulas(&self, model: &Model) -> String {
-        let formulas = self.written(model, Notation::Latex);
-        format!(
-            "/// `EQUATIONS` in LaTeX, an `aligned` environment.\n\
-             pub const EQUATIONS_LATEX: &'static str = {{ let text = {formulas:?}; text }};\n"
-        )
+        let page = self.page(model);
+        constant("EQUATIONS_LATEX", "`EQUATIONS` in LaTeX, an `aligned` environment.", &latex::page(&page))
+            + &constant("EQUATIONS_MATHML", "`EQUATIONS` in MathML, a `math` element.", &mathml::page(&page))
     }
 
-    /// The equations as text.
-    fn written(&self, model: &Model, notation: Notation) -> String {
-        let mut writer = Writer { model, notation, names: Lookup::default() };
+    /// The equations as plain text.
+    fn text(&self, model: &Model) -> String {
+        unicode::page(&self.page(model))
+    }
+
+    fn page(&self, model: &Model) -> Page {
+        let mut writer = Writer { model, names: Lookup::default() };
         let mut definitions = Vec::new();
         for (number, &node) in (1..).zip(&self.shared) {
-            let right = writer.definition(node);
-            let name = symbols::symbol(notation, "w", &number.to_string(), 0).text;
-            definitions.push((name.clone(), right));
+            let name = symbols::symbol("w", &number.to_string(), 0);
+            definitions.push((name.clone(), writer.definition(node)));
             writer.names.insert(node, name);
         }
         let side = |nodes: &[NodeId]| {
-            join(
-                nodes
-                    .iter()
-                    .flat_map(|&node| writer.terms(node, false))
-                    .filter(|(_, text)| text != "0")
-                    .collect(),
-            )
+            let terms = nodes.iter().flat_map(|&node| writer.terms(node, false));
+            Formula::sum(terms.filter(|(_, term)| !term.is_zero()).collect())
         };
-        let rows: Vec<(String, String)> =
-            self.rows.iter().map(|(left, right)| (side(left), side(right))).collect();
+        let rows = self.rows.iter().map(|(left, right)| [side(left), side(right)]).collect();
         let more = match self.omitted {
             0 => None,
             1 => Some("and one more equation".to_owned()),
             n if self.rows.is_empty() => Some(format!("{n} equations, too long to be written")),
             n => Some(format!("and {n} more equations")),
         };
-        match notation {
-            Notation::Unicode => {
-                let mut lines: Vec<String> =
-                    rows.into_iter().map(|(left, right)| format!("{left} = {right}")).collect();
-                lines.extend(more.map(|more| format!("… {more}")));
-                if !definitions.is_empty() {
-                    lines.push("where".to_owned());
-                    lines.extend(definitions.into_iter().map(|(name, right)| format!("{name} = {right}")));
-                }
-                lines.join("\n")
-            }
-            Notation::Latex => {
-                let lines: Vec<String> = rows
-                    .into_iter()
-                    .chain(definitions)
-                    .map(|(left, right)| format!("{left} &= {right}"))
-                    .chain(more.map(|more| format!("&\\text{{{more}}}")))
-                    .collect();
-                format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n")).replace('−', "-")
-            }
-        }
+        Page { rows, more, definitions }
     }
+}
+
+fn constant(name: &str, doc: &str, text: &str) -> String {
+    // Of a bare literal rustdoc would show every character beyond ASCII as an escape.
+    format!("#[doc = {doc:?}]\npub const {name}: &'static str = {{ let text = {text:?}; text }};\n")
 }
 
 /// An expression in plain text.
 pub(super) fn expression(model: &Model, node: NodeId) -> String {
-    Writer { model, notation: Notation::Unicode, names: Lookup::default() }.expression(node)
+    unicode::formula(&Writer { model, names: Lookup::default() }.expression(node))
 }
 
 /// Σ M_ij a_j + b_i and Q_i + Σ A_ci λ_c.

@@ -1,8 +1,7 @@
 //! The documentation of the generated block: what a teacher would print.
 
 use super::fold::folded;
-use super::symbols::Notation;
-use super::{Equations, Writer, readable, symbols};
+use super::{Equations, Writer, readable, symbols, unicode};
 use crate::collections::Lookup;
 use crate::emit::Emission;
 use crate::expr::NodeId;
@@ -13,7 +12,7 @@ const LONGEST: u64 = 240;
 
 /// The page as markdown.
 pub(in crate::emit) fn page(emission: &mut Emission<'_>, equations: &Equations, after: Operations) -> String {
-    let plain = equations.written(emission.model, Notation::Unicode);
+    let plain = equations.text(emission.model);
     let mut text = format!("# Model\n\n{}", states(emission));
     text.push_str(&energies(emission));
     text.push_str(&format!("\nEquations of motion:\n\n```text\n{}```\n", folded(&plain)));
@@ -27,7 +26,7 @@ fn states(emission: &Emission<'_>) -> String {
     let mut text = "| place | coordinate | velocity | |\n| --- | --- | --- | --- |\n".to_owned();
     let model = &*emission.model;
     for (i, quantity) in model.coordinates.iter().enumerate().take(MOST) {
-        let symbol = |dots| symbols::coordinate(model, Notation::Unicode, i as u32, dots).text;
+        let symbol = |dots| unicode::symbol(&symbols::coordinate(model, i as u32, dots));
         let cyclic = if emission.facts.cyclic.contains(&i) { "cyclic" } else { "" };
         let (symbol, velocity, written) = (symbol(0), symbol(1), quantity.written());
         let code = if symbol == written { String::new() } else { format!(" `{written}`") };
@@ -52,9 +51,10 @@ fn energies(emission: &mut Emission<'_>) -> String {
         if graph.tree_size(node) <= 2 * LONGEST { readable::with_angles(graph, &[node])[0] } else { node }
     });
     let model = &*emission.model;
-    let writer = Writer { model, notation: Notation::Unicode, names: Lookup::default() };
+    let writer = Writer { model, names: Lookup::default() };
     let written = |symbol: &str, node: NodeId| {
-        (model.graph.tree_size(node) <= LONGEST).then(|| format!("{symbol} = {}\n", writer.expression(node)))
+        (model.graph.tree_size(node) <= LONGEST)
+            .then(|| format!("{symbol} = {}\n", unicode::formula(&writer.expression(node))))
     };
     let mut lines = String::new();
     for (symbol, node) in [("T", kinetic), ("V", potential)] {

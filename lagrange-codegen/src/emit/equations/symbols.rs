@@ -2,20 +2,19 @@
 
 use crate::model::{Model, Parameter};
 
-/// How formulas are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Notation {
-    /// Plain text.
-    Unicode,
-    /// For `$…$`.
-    Latex,
-}
-
-/// A symbol, and whether it is a word that needs a sign between it and its neighbours.
-#[derive(Clone, Debug)]
-pub(super) struct Symbol {
-    pub text: String,
-    pub is_word: bool,
+/// A symbol, before it is written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Symbol {
+    Name {
+        /// The name without the digits that end it.
+        base: String,
+        /// Digits and indices.
+        index: String,
+        /// How often it is differentiated by time.
+        dots: usize,
+    },
+    /// The multiplier of a constraint.
+    Multiplier { constraint: String, index: String },
 }
 
 const GREEK: [(&str, &str); 30] = [
@@ -51,34 +50,49 @@ const GREEK: [(&str, &str); 30] = [
     ("Omega", "Ω"),
 ];
 
+/// The Greek letter of a spelled name.
+pub(super) fn greek(name: &str) -> Option<&'static str> {
+    GREEK.iter().find(|(spelled, _)| *spelled == name).map(|&(_, letter)| letter)
+}
+
+impl Symbol {
+    /// Whether it is a word, which needs a sign between it and its neighbours.
+    pub fn is_word(&self) -> bool {
+        match self {
+            Symbol::Name { base, .. } => greek(base).is_none() && base.chars().nth(1).is_some(),
+            Symbol::Multiplier { .. } => false,
+        }
+    }
+}
+
+/// A name where subscripts can hold words: `cart_mass` is a cart with the subscript mass.
+pub(super) fn stem(base: &str) -> (&str, &str) {
+    match base.split_once('_') {
+        Some((stem, rest)) if !stem.is_empty() && greek(base).is_none() => (stem, rest),
+        _ => (base, ""),
+    }
+}
+
 /// A coordinate with as many dots as it is differentiated by time.
-pub(super) fn coordinate(model: &Model, notation: Notation, i: u32, dots: usize) -> Symbol {
+pub(super) fn coordinate(model: &Model, i: u32, dots: usize) -> Symbol {
     let quantity = &model.coordinates[i as usize];
-    symbol(notation, &quantity.name, &index(quantity.index), dots)
+    symbol(&quantity.name, &index(quantity.index), dots)
 }
 
 /// An input.
-pub(super) fn input(model: &Model, notation: Notation, i: u32) -> Symbol {
+pub(super) fn input(model: &Model, i: u32) -> Symbol {
     let quantity = &model.inputs[i as usize];
-    symbol(notation, &quantity.name, &index(quantity.index), 0)
+    symbol(&quantity.name, &index(quantity.index), 0)
 }
 
 /// The multiplier of a constraint.
-pub(super) fn multiplier(model: &Model, notation: Notation, i: u32) -> Symbol {
+pub(super) fn multiplier(model: &Model, i: u32) -> Symbol {
     let constraint = &model.constraints[i as usize];
-    let text = match notation {
-        Notation::Unicode => format!("λ({})", constraint.written()),
-        Notation::Latex => {
-            let (name, index) = (constraint.name.replace('_', "\\_"), index(constraint.index));
-            let comma = if index.is_empty() { "" } else { "," };
-            format!("\\lambda_{{\\mathrm{{{name}}}{comma}{index}}}")
-        }
-    };
-    Symbol { text, is_word: false }
+    Symbol::Multiplier { constraint: constraint.name.clone(), index: index(constraint.index) }
 }
 
 /// A parameter: `self.m[0]` is m₀.
-pub(super) fn parameter(notation: Notation, parameter: &Parameter) -> Symbol {
+pub(super) fn parameter(parameter: &Parameter) -> Symbol {
     let path = parameter.path.strip_prefix("self.").unwrap_or(&parameter.path);
     let is_plain = |c: char| c.is_alphanumeric() || "_.[]".contains(c);
     let path = if path.chars().all(is_plain) { path } else { parameter.label.as_str() };
@@ -86,7 +100,7 @@ pub(super) fn parameter(notation: Notation, parameter: &Parameter) -> Symbol {
         Some(place) => (&path[..place], path[place..].replace("][", ",").replace(['[', ']'], "")),
         None => (path, String::new()),
     };
-    symbol(notation, base, &indices, 0)
+    symbol(base, &indices, 0)
 }
 
 fn index(index: Option<usize>) -> String {
@@ -94,91 +108,71 @@ fn index(index: Option<usize>) -> String {
 }
 
 /// `theta1` is θ₁, `x` with an index 2 is x₂.
-pub(super) fn symbol(notation: Notation, name: &str, index: &str, dots: usize) -> Symbol {
+pub(super) fn symbol(name: &str, index: &str, dots: usize) -> Symbol {
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let (base, mut lower) = if base.is_empty() { (name, "") } else { name.split_at(base.len()) };
-    let base = if lower.is_empty() { base } else { base.trim_end_matches('_') };
-    let joined = format!("{lower},{index}");
-    if !index.is_empty() {
-        lower = if lower.is_empty() { index } else { &joined };
-    }
-    let greek = GREEK.iter().find(|(spelled, _)| *spelled == base).map(|&(_, letter)| letter);
-    match notation {
-        Notation::Unicode => unicode(greek.unwrap_or(base), lower, dots),
-        Notation::Latex => latex(base, greek.is_some(), lower, dots),
-    }
-}
-
-fn unicode(base: &str, lower: &str, dots: usize) -> Symbol {
-    let is_word = base.chars().nth(1).is_some();
-    let mark = match (dots, is_word) {
-        (0, _) => "",
-        (1, false) => "\u{307}",
-        (_, false) => "\u{308}",
-        (1, true) => "′",
-        (_, true) => "″",
-    };
-    let digit = |c: char| match c.to_digit(10) {
-        Some(digit) => char::from_u32(0x2080 + digit).unwrap_or(c),
-        None => c,
-    };
-    // Letters of an index have no subscript of their own.
-    let lower = if lower.chars().all(|c| c.is_ascii_digit() || c == ',') {
-        lower.chars().map(digit).collect()
-    } else {
-        format!("[{lower}]")
-    };
-    Symbol { text: format!("{base}{mark}{lower}"), is_word }
-}
-
-fn latex(base: &str, is_greek: bool, lower: &str, dots: usize) -> Symbol {
-    let is_word = !is_greek && base.chars().nth(1).is_some();
-    let (stem, rest) = match base.split_once('_') {
-        Some((stem, rest)) if !stem.is_empty() && is_word => (stem, rest.replace('_', "\\_")),
-        _ => (base, String::new()),
-    };
-    let stem = match (is_greek || GREEK.iter().any(|(spelled, _)| *spelled == stem), stem.len() > 1) {
-        (true, _) => latex_letter(stem),
-        (false, true) => format!("\\mathrm{{{}}}", stem.replace('_', "\\_")),
-        (false, false) => stem.to_owned(),
-    };
-    let stem = match dots {
-        0 => stem,
-        1 => format!("\\dot{{{stem}}}"),
-        _ => format!("\\ddot{{{stem}}}"),
-    };
-    let lower = match (rest.is_empty(), lower.is_empty()) {
-        (true, true) => return Symbol { text: stem, is_word },
-        (true, false) => lower.to_owned(),
-        (false, true) => format!("\\mathrm{{{rest}}}"),
-        (false, false) => format!("\\mathrm{{{rest}}},{lower}"),
-    };
-    Symbol { text: format!("{stem}_{{{lower}}}"), is_word }
-}
-
-fn latex_letter(spelled: &str) -> String {
-    format!("\\{}", if spelled == "eps" { "epsilon" } else { spelled })
+    let (base, digits) = if base.is_empty() { (name, "") } else { name.split_at(base.len()) };
+    let base = if digits.is_empty() { base } else { base.trim_end_matches('_') };
+    let index = [digits, index].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(",");
+    Symbol::Name { base: base.to_owned(), index, dots }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::{latex, mathml, unicode};
     use super::*;
 
     #[test]
     fn names_become_symbols() {
         let cases = [
-            ("theta", "", 0, "θ", "\\theta"),
-            ("theta", "0", 2, "θ\u{308}₀", "\\ddot{\\theta}_{0}"),
-            ("x1", "", 1, "x\u{307}₁", "\\dot{x}_{1}"),
-            ("mass", "", 0, "mass", "\\mathrm{mass}"),
-            ("precession", "", 1, "precession′", "\\dot{\\mathrm{precession}}"),
-            ("cart_mass", "", 0, "cart_mass", "\\mathrm{cart}_{\\mathrm{mass}}"),
-            ("m", "0,1", 0, "m₀,₁", "m_{0,1}"),
-            ("omega_2", "", 0, "ω₂", "\\omega_{2}"),
+            ("theta", "", 0, "θ", "\\theta", "<mi>θ</mi>"),
+            (
+                "theta",
+                "0",
+                2,
+                "θ\u{308}₀",
+                "\\ddot{\\theta}_{0}",
+                "<msub><mover accent=\"true\"><mi>θ</mi><mo>¨</mo></mover><mn>0</mn></msub>",
+            ),
+            (
+                "x1",
+                "",
+                1,
+                "x\u{307}₁",
+                "\\dot{x}_{1}",
+                "<msub><mover accent=\"true\"><mi>x</mi><mo>˙</mo></mover><mn>1</mn></msub>",
+            ),
+            ("mass", "", 0, "mass", "\\mathrm{mass}", "<mi>mass</mi>"),
+            (
+                "precession",
+                "",
+                1,
+                "precession′",
+                "\\dot{\\mathrm{precession}}",
+                "<mover accent=\"true\"><mi>precession</mi><mo>˙</mo></mover>",
+            ),
+            (
+                "cart_mass",
+                "",
+                0,
+                "cart_mass",
+                "\\mathrm{cart}_{\\mathrm{mass}}",
+                "<msub><mi>cart</mi><mi>mass</mi></msub>",
+            ),
+            (
+                "m",
+                "0,1",
+                0,
+                "m₀,₁",
+                "m_{0,1}",
+                "<msub><mi>m</mi><mrow><mn>0</mn><mo separator=\"true\">,</mo><mn>1</mn></mrow></msub>",
+            ),
+            ("omega_2", "", 0, "ω₂", "\\omega_{2}", "<msub><mi>ω</mi><mn>2</mn></msub>"),
         ];
-        for (name, index, dots, plain, formula) in cases {
-            assert_eq!(symbol(Notation::Unicode, name, index, dots).text, plain);
-            assert_eq!(symbol(Notation::Latex, name, index, dots).text, formula);
+        for (name, index, dots, plain, formula, element) in cases {
+            let symbol = symbol(name, index, dots);
+            assert_eq!(unicode::symbol(&symbol), plain);
+            assert_eq!(latex::symbol(&symbol), formula);
+            assert_eq!(mathml::symbol(&symbol), element);
         }
     }
 }

@@ -74,3 +74,33 @@ pub(in crate::constraints) fn slopes<S, const N: usize, const K: usize, const C:
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use core::cell::Cell;
+
+    use super::*;
+    use crate::constraints::samples::Twofold;
+
+    #[test]
+    fn a_state_on_the_constraints_is_left_as_it_is_and_costs_no_factors() {
+        for k in 0..100 {
+            let rod = Twofold { factored: Cell::new(0) };
+            let (sine, cosine) = (0.1 * f64::from(k)).sin_cos();
+            let state = State::new([cosine, sine], [-3.0 * sine, 3.0 * cosine]);
+            let mut projected = state;
+            assert_eq!(project(&rod, &mut projected, None), Ok(()));
+            assert_eq!((projected, rod.factored.get()), (state, 0), "{k}");
+        }
+    }
+
+    #[test]
+    fn a_state_beside_the_constraints_is_brought_back_by_the_shortest_way() {
+        let rod = Twofold { factored: Cell::new(0) };
+        let mut state = State::new([0.8 * 1.001, -0.6 * 1.001], [0.6 + 0.08, 0.8 - 0.06]);
+        project(&rod, &mut state, None).unwrap();
+        for (found, expected) in state.iter().zip([0.8, -0.6, 0.6, 0.8]) {
+            assert!((found - expected).abs() < 1e-15, "{state:?}");
+        }
+    }
+}

@@ -81,3 +81,69 @@ fn compensation_keeps_what_rounding_takes() {
     assert_eq!(plain, 1.0);
     assert!((sum - (1.0 + 1e-11)).abs() < 3e-16);
 }
+
+/// [`Driven`] up to a place, beyond which nothing has a value; notes the furthest place asked for.
+struct Edge {
+    at: f64,
+    furthest: core::cell::Cell<f64>,
+}
+
+impl Field<f64, 1> for Edge {
+    fn accelerations(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+        self.furthest.set(self.furthest.get().max(q[0]));
+        if q[0] > self.at { [f64::NAN] } else { Plain.accelerations(t, q, v) }
+    }
+
+    fn cause(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> Cause {
+        if self.accelerations(t, q, v)[0].is_nan() { Cause::NotFinite } else { Cause::StepTooSmall }
+    }
+}
+
+#[test]
+fn a_step_does_not_end_where_accelerations_have_no_value() {
+    // A step whose end lies beyond all its stages, so that these have values.
+    let attempt = |at: f64, h: f64| {
+        let edge = Edge { at, furthest: core::cell::Cell::new(0.0) };
+        let mut motion = Dop853Memory::new(driven(0.3));
+        (motion.start, motion.slopes[0]) = (motion.end, motion.slope_at_end(&edge).unwrap());
+        let result = motion.attempt(&edge, &loose(), h);
+        (result, motion.end.state, edge.furthest.get())
+    };
+    let (mut found, begin) = (0, driven(0.3));
+    for k in 1..20 {
+        let h = 0.05 * f64::from(k);
+        let (_, end, furthest) = attempt(f64::INFINITY, h);
+        let stages = attempt(end.q[0] * (1.0 - f64::EPSILON), h);
+        if furthest == end.q[0] && stages.0.is_err() {
+            assert_eq!((stages.0, stages.1), (Err(Cause::NotFinite), begin));
+            found += 1;
+        }
+    }
+    assert!(found > 0);
+}
+
+/// The same motion twice.
+struct Both;
+
+impl Field<f64, 2> for Both {
+    fn accelerations(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+        core::array::from_fn(|i| Plain.accelerations(t, &[q[i]], &[v[i]])[0])
+    }
+
+    fn cause(&self, _: f64, _: &[f64; 2], _: &[f64; 2]) -> Cause {
+        Cause::NotFinite
+    }
+}
+
+#[test]
+fn the_error_of_motions_side_by_side_is_that_of_one() {
+    let one = driven(0.3);
+    let mut single = Dop853Memory::new(one);
+    single.slopes[0] = single.slope_at_end(&Plain).unwrap();
+    let mut both = Dop853Memory::new(State { t: one.t, q: [one.q[0]; 2], v: [one.v[0]; 2] });
+    both.slopes[0] = both.slope_at_end(&Both).unwrap();
+    let limits = Limits::new();
+    let errors = [single.attempt(&Plain, &limits, 0.5), both.attempt(&Both, &limits, 0.5)];
+    let [Ok(single), Ok(both)] = errors else { panic!("{errors:?}") };
+    assert!(single > 0.0 && (both / single - 1.0).abs() < 1e-14, "{single} {both}");
+}

@@ -394,3 +394,6 @@ fn reach<R: Real>(term: R, order: usize) -> R {
     }
     (-term.ln() / R::from_f64(order as f64)).exp()
 }
+
+#[cfg(test)]
+mod tests;

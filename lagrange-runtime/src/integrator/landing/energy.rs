@@ -143,4 +143,40 @@ mod tests {
             assert_eq!(check.keeps_energy(&end, &footing), is_kept, "{fallen}");
         }
     }
+
+    /// A point that nothing acts on.
+    struct Free;
+
+    impl System<2> for Free {
+        type Scalar = f64;
+        type Method = crate::integrator::Dop853;
+        type Constants = ();
+
+        const CONSERVES_ENERGY: bool = true;
+
+        fn constants(&self) {}
+
+        fn accelerations_at(&self, (): &(), _: f64, _: &[f64; 2], _: &[f64; 2], _: &[f64; 0]) -> [f64; 2] {
+            [0.0; 2]
+        }
+
+        fn energy_at(&self, (): &(), _: f64, _: &[f64; 2], v: &[f64; 2]) -> f64 {
+            0.5 * (v[0] * v[0] + v[1] * v[1])
+        }
+    }
+
+    #[test]
+    fn the_energy_is_known_to_the_tolerance_at_any_speed() {
+        let rod = Twofold { factored: Cell::new(0) };
+        let footing = rod.land_at(&(), &mut State::new([0.8, -0.6], [0.6, 0.8]), None).unwrap();
+        for speed in [1e-9, 1e-3, 1.0, 1e3, 1e9] {
+            let from = State::new([0.8, -0.6], [0.6 * speed, 0.8 * speed]);
+            let limits = Limits::new();
+            let check = Check { system: &Free, constants: &(), inputs: &[], limits: &limits, from: &from };
+            for (change, is_kept) in [(1e-11, true), (1e-8, false)] {
+                let end = State { v: from.v.map(|v| v * (1.0 + change)), ..from }.at_time(1e-3 / speed);
+                assert_eq!(check.keeps_energy(&end, &footing), is_kept, "{change} at {speed}");
+            }
+        }
+    }
 }

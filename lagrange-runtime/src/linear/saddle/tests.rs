@@ -228,6 +228,19 @@ fn a_symmetric_matrix_of_any_signature_is_solved_where_asked() {
 }
 
 #[test]
+fn a_pivot_of_either_sign_is_found_where_the_first_is_none() {
+    for coupling in [1.0, -1.0] {
+        let mass = [[1.0, 0.0, 0.0], [0.0, 0.0, coupling], [0.0, coupling, 0.5]];
+        let saddle = Saddle::factor_indefinite(&mass, &[[1.0, 0.0, 0.0]]);
+        assert_eq!(saddle.defect(), None);
+        let (v, _) = saddle.solve(&[0.0, 2.0 * coupling, 4.0], &[3.0]);
+        for (found, expected) in v.into_iter().zip([3.0, 3.0 * coupling, 2.0]) {
+            assert!((found - expected).abs() < 1e-14, "{v:?}");
+        }
+    }
+}
+
+#[test]
 #[cfg_attr(miri, ignore = "takes minutes there")]
 fn a_diagonal_mass_matrix_has_the_same_solution_both_ways() {
     fn check<const N: usize, const C: usize>() {

@@ -180,3 +180,15 @@ pub(in crate::linear) fn put<T: Copy, const N: usize>(row: &mut [T; N], place: u
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_is_found_above_the_least_and_below() {
+        assert_eq!(best(&[1.0, 3.0, 2.0], 0.5), 1);
+        assert_eq!(best(&[1.0, 3.0, 2.0], 5.0), 1);
+        assert_eq!(best(&[3.0, 1.0, 2.0], 5.0), 0);
+    }
+}

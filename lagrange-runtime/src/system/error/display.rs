@@ -43,8 +43,10 @@ impl fmt::Display for Cause {
                  stay away from this configuration",
                 constraint = Part(*constraint, *name)
             ),
-            // The text comes with the name, so that it is in no program that cannot need it.
-            Self::Misread { function, .. } => out.write_str(function.0[1]),
+            // What is said of it comes with the name, so that it is in no program that cannot need it.
+            Self::Misread { function, .. } => {
+                ["`", function.name(), "` ", function.0[1]].iter().try_for_each(|part| out.write_str(part))
+            }
             Self::Undetermined { constraint, name } => write!(
                 out,
                 "constraint {constraint} depends on the others in this configuration, and neither velocities nor accelerations \

@@ -194,3 +194,12 @@ fn a_row_alone_is_as_independent_as_can_be() {
         assert!(ways.iter().all(|found| found.least == 1.0 && found.are_far_apart()), "{ways:?}");
     }
 }
+
+#[test]
+fn rows_are_taken_in_order_only_where_they_are_clearly_independent() {
+    let mass = diagonal_matrix(&[1.0, 1.0, 1.0]);
+    for (distance, is_clear) in [(1.0, true), (1.0 / 250.0, true), (1.0 / 260.0, false), (0.0, false)] {
+        let scaled = scaled::Scaled::new(&mass, &[[1.0, 0.0, 0.0], [1.0, distance, 0.0]]);
+        assert_eq!(range::Range::in_order(&scaled).is_some(), is_clear, "{distance}");
+    }
+}
