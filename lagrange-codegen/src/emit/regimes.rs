@@ -2,6 +2,7 @@
 //! regime as a struct of numbers.
 
 mod directed;
+mod jumps;
 
 use proc_macro2::TokenStream;
 use quote::format_ident;
@@ -99,8 +100,9 @@ pub(super) fn switching(emission: &Emission<'_>, switching: &mut Regimes) -> Str
     let items = [
         regime(emission, switching),
         laws(emission, switching),
-        jumps(emission, switching),
-        corners(emission, switching),
+        jumps::jumps(emission, switching),
+        jumps::corners(emission, switching),
+        jumps::breaks(emission, switching),
         functions(emission, switching),
         directed::coefficients(emission, switching),
         directed::backward(emission, switching),
@@ -257,48 +259,6 @@ fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     });
     format!(
         "fn laws_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) -> lagrange::Laws<{scalar}, {rows}, {kinks}> {{\n{body}\n}}\n"
-    )
-}
-
-/// `jumps_at`, where a kink stands in the energy.
-fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {
-    let graph = &mut switching.rows.graph;
-    if switching.jumps.iter().all(|&jump| graph.is_zero(jump)) {
-        return String::new();
-    }
-    let size = sizes(graph, &[switching.laws.energy])[0];
-    let mut roots = switching.jumps.clone();
-    roots.extend(vec![size; switching.jumps.len()]);
-    let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
-    let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
-        let (jumps, sizes) = values.split_at(switching.kinks.len());
-        format!("[[{}], [{}]]", jumps.join(", "), sizes.join(", "))
-    });
-    format!(
-        "fn jumps_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) -> [[{scalar}; {kinks}]; 2] {{\n{body}\n}}\n",
-        kinks = switching.kinks.len()
-    )
-}
-
-/// `corners_at`, where momenta or constraints have two values at a kink.
-fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> String {
-    if switching.corners.is_empty() {
-        return String::new();
-    }
-    let functions: Vec<NodeId> = switching.corners.iter().map(|corner| corner.function).collect();
-    let sizes = sizes(&mut switching.rows.graph, &functions);
-    let roots: Vec<NodeId> = switching.corners.iter().map(|corner| corner.gain).chain(sizes).collect();
-    let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
-    let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
-        let (gains, sizes) = values.split_at(switching.corners.len());
-        let visits = switching.corners.iter().zip(gains.iter().zip(sizes));
-        let visits =
-            visits.map(|(corner, (gain, size))| format!("__visit({}, {gain}, {size});", corner.kink));
-        visits.collect::<Vec<String>>().join("\n")
-    });
-    format!(
-        "fn corners_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}, \
-         mut __visit: impl ::core::ops::FnMut(usize, {scalar}, {scalar})) {{\n{body}\n}}\n"
     )
 }
 

@@ -120,6 +120,29 @@ pub(super) fn corners(
     corners
 }
 
+/// A contact whose gap has two values where a kink is.
+#[derive(Clone, Copy, Debug)]
+pub struct Jump {
+    /// The kink.
+    pub kink: usize,
+    /// The row.
+    pub row: usize,
+    /// What it gains where the argument of the kink passes zero upwards.
+    pub gain: NodeId,
+}
+
+/// The gaps that jump at each kink, behind the rows that always hold.
+pub(super) fn breaks(model: &mut Model, equations: &Equations, held: usize, kinks: &[NodeId]) -> Vec<Jump> {
+    let graph = &mut model.graph;
+    let mut breaks = Vec::new();
+    for (kink, &argument) in kinks.iter().enumerate() {
+        let gains = across(graph, argument, &equations.conditions.positions);
+        let jumps = gains.into_iter().enumerate().skip(held).filter(|&(_, gain)| !graph.is_zero(gain));
+        breaks.extend(jumps.map(|(row, gain)| Jump { kink, row, gain }));
+    }
+    breaks
+}
+
 /// What some functions gain where the argument of a kink passes zero upwards.
 fn across(graph: &mut Graph, argument: NodeId, functions: &[NodeId]) -> Vec<NodeId> {
     let one = graph.one();

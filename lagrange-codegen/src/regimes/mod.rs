@@ -9,7 +9,7 @@ mod kinks;
 mod sliding;
 mod switches;
 
-pub use kinks::Corner;
+pub use kinks::{Corner, Jump};
 pub use sliding::Coefficients;
 
 use crate::diagnostics::Diagnostics;
@@ -40,6 +40,8 @@ pub struct Regimes {
     pub jumps: Vec<NodeId>,
     /// What else has two values at a kink, likewise.
     pub corners: Vec<Corner>,
+    /// The gaps that jump at a kink, likewise.
+    pub breaks: Vec<Jump>,
     /// The system of one regime, with its switches as its last parameters.
     pub model: Model,
     /// Gaps and slip velocities in one regime, in the graph of `model`.
@@ -108,6 +110,7 @@ pub fn derive(
     let kink_names = kinks::names(&mut rows, &kinks, &sliding);
     let jumps = kinks::jumps(&mut rows, &laws, &kinks);
     let corners = kinks::corners(&mut rows, &laws, held, &kinks);
+    let breaks = kinks::breaks(&mut rows, &laws, held, &kinks);
     let count = held + contacts.len();
     let mut regime = rows.clone();
     switches.add_kinks(&mut regime, kinks.len());
@@ -162,6 +165,7 @@ pub fn derive(
         kink_names,
         jumps,
         corners,
+        breaks,
         model: regime,
         rows_in,
         fixed_in,

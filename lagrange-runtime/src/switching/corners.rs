@@ -2,7 +2,7 @@
 
 use super::Switching;
 use super::run::{CHANGES, Run};
-use super::scene::{above, entry};
+use super::scene::{above, entry, most};
 use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -27,6 +27,7 @@ where
         let flips = self.memory.flips.get_mut(kink);
         let (Some(side), Some(flips)) = (sides.get_mut(kink), flips) else { return Ok(()) };
         *side = -*side;
+        let side = *side;
         *flips += 1;
         if *flips > CHANGES {
             return Err(Cause::HeldAtKink { kink, name });
@@ -39,7 +40,28 @@ where
         if self.has_corner(kink, state) {
             return Err(Cause::MomentumJumps { kink, name });
         }
-        Ok(())
+        self.leap(kink, side, state)
+    }
+
+    /// Refuses a kink at which the gap of a contact jumps that is closed, or below zero behind the kink: no
+    /// velocity leads there.
+    fn leap(&self, kink: usize, side: S::Scalar, state: &State<S::Scalar, N>) -> Result<(), Cause> {
+        let State { t, q, v } = state;
+        let inputs = &self.control.0;
+        // Gaps as they have been up to the kink.
+        let gaps = S::functions_in(&self.memory.in_regime, |x| x, *t, q, v, inputs).rows;
+        let sizes = self.system.laws_at(*t, q, v, inputs).rows.position_sizes;
+        let mut found = Ok(());
+        self.system.breaks_at(*t, q, v, inputs, |own, row, gain| {
+            let seen = most(entry(&sizes, row), entry(&self.memory.scales.gaps, row));
+            let size = S::Scalar::epsilon().sqrt() * seen;
+            let is_closed = self.memory.regime.active.get(row) == Some(&true);
+            let leaps = is_closed || above(-size, entry(&gaps, row) + side * gain);
+            if own == kink && above(gain.abs(), size) && leaps {
+                found = Err(Cause::GapJumps { constraint: row, name: S::NAMES.constraint(row) });
+            }
+        });
+        found
     }
 
     /// Whether a momentum or the rate of a constraint jumps at a kink, so that velocities do not go through

@@ -202,6 +202,18 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     ) {
     }
 
+    /// Visits gaps that have two values where a switching function is zero: the number of the
+    /// function, the row, and what it gains where the function passes zero upwards.
+    fn breaks_at(
+        &self,
+        _t: Self::Scalar,
+        _q: &[Self::Scalar; N],
+        _v: &[Self::Scalar; N],
+        _u: &[Self::Scalar; K],
+        _visit: impl FnMut(usize, usize, Self::Scalar),
+    ) {
+    }
+
     /// The equations of a mode at a state, factored; `None` of a system without contacts.
     fn equations_in(
         _in_regime: &Self::InRegime,

@@ -267,6 +267,17 @@ where
         self.system.corners_at(self.instant + t, q, v, u, visit);
     }
 
+    fn breaks_at(
+        &self,
+        t: S::Scalar,
+        q: &[S::Scalar; N],
+        v: &[S::Scalar; N],
+        u: &[S::Scalar; K],
+        visit: impl FnMut(usize, usize, S::Scalar),
+    ) {
+        self.system.breaks_at(self.instant + t, q, v, u, visit);
+    }
+
     fn equations_in(
         in_regime: &Self::InRegime,
         t: S::Scalar,

@@ -144,6 +144,14 @@ pub enum Cause {
         /// The function that it stands in.
         name: Name,
     },
+    /// A gap has two values where a switching function is zero, and the contact is closed there or would be
+    /// penetrated.
+    GapJumps {
+        /// Index of the contact, in the order of `Names::constraints`.
+        constraint: usize,
+        /// Its name.
+        name: Name,
+    },
     /// A motion with derivatives meets a switch without speed, so that it has none: a start beside this one
     /// passes by.
     Grazes {
@@ -216,6 +224,7 @@ impl Cause {
             | Self::Penetrates { constraint, name, .. }
             | Self::InvalidContact { constraint, name }
             | Self::NoReaction { constraint, name }
+            | Self::GapJumps { constraint, name }
             | Self::SeveralReactions { constraint, name }
             | Self::EndlessSwitching { constraint, name }
             | Self::Undetermined { constraint, name } => *name = names.constraint(*constraint),

@@ -20,6 +20,7 @@ mod rocking;
 mod slider_crank;
 mod slips;
 mod steps;
+mod steps_of_floors;
 mod woodpecker;
 
 /// Tolerance of the motions.

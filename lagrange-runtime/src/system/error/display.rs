@@ -94,6 +94,11 @@ impl fmt::Display for Cause {
                  smooth there, or let a `#[unilateral]` contact strike",
                 function = Part(*kink, *name)
             ),
+            Self::GapJumps { constraint, name } => write!(
+                out,
+                "{constraint} jumps to where no motion leads: a gap has to be continuous, so describe a step by a gap of its own",
+                constraint = Part(*constraint, *name)
+            ),
             Self::HeldAtKink { kink, name } => write!(
                 out,
                 "the motion is pushed from both sides to where what is switched (`abs`, `signum`, `max`, …) in {function} is zero, \

@@ -1,0 +1,67 @@
+//! What has two values at a kink.
+
+use super::super::Emission;
+use super::super::body::{self, Source};
+use crate::calculus::sizes;
+use crate::expr::NodeId;
+use crate::regimes::Regimes;
+
+/// `jumps_at`, where a kink stands in the energy.
+pub(super) fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {
+    let graph = &mut switching.rows.graph;
+    if switching.jumps.iter().all(|&jump| graph.is_zero(jump)) {
+        return String::new();
+    }
+    let size = sizes(graph, &[switching.laws.energy])[0];
+    let mut roots = switching.jumps.clone();
+    roots.extend(vec![size; switching.jumps.len()]);
+    let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
+    let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
+        let (jumps, sizes) = values.split_at(switching.kinks.len());
+        format!("[[{}], [{}]]", jumps.join(", "), sizes.join(", "))
+    });
+    format!(
+        "fn jumps_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) -> [[{scalar}; {kinks}]; 2] {{\n{body}\n}}\n",
+        kinks = switching.kinks.len()
+    )
+}
+
+/// `corners_at`, where momenta or constraints have two values at a kink.
+pub(super) fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> String {
+    if switching.corners.is_empty() {
+        return String::new();
+    }
+    let functions: Vec<NodeId> = switching.corners.iter().map(|corner| corner.function).collect();
+    let sizes = sizes(&mut switching.rows.graph, &functions);
+    let roots: Vec<NodeId> = switching.corners.iter().map(|corner| corner.gain).chain(sizes).collect();
+    let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
+    let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |values| {
+        let (gains, sizes) = values.split_at(switching.corners.len());
+        let visits = switching.corners.iter().zip(gains.iter().zip(sizes));
+        let visits =
+            visits.map(|(corner, (gain, size))| format!("__visit({}, {gain}, {size});", corner.kink));
+        visits.collect::<Vec<String>>().join("\n")
+    });
+    format!(
+        "fn corners_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}, \
+         mut __visit: impl ::core::ops::FnMut(usize, {scalar}, {scalar})) {{\n{body}\n}}\n"
+    )
+}
+
+/// `breaks_at`, where gaps jump at a kink.
+pub(super) fn breaks(emission: &Emission<'_>, switching: &Regimes) -> String {
+    if switching.breaks.is_empty() {
+        return String::new();
+    }
+    let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
+    let roots: Vec<NodeId> = switching.breaks.iter().map(|jump| jump.gain).collect();
+    let body = body::plain(&switching.rows, scalar, &roots, Source::Slices, |gains| {
+        let visits = switching.breaks.iter().zip(gains);
+        let visits = visits.map(|(jump, gain)| format!("__visit({}, {}, {gain});", jump.kink, jump.row));
+        visits.collect::<Vec<String>>().join("\n")
+    });
+    format!(
+        "fn breaks_at(&self, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}, \
+         mut __visit: impl ::core::ops::FnMut(usize, usize, {scalar})) {{\n{body}\n}}\n"
+    )
+}

@@ -1,0 +1,55 @@
+//! Gaps that jump: no step moves a body.
+
+use lagrangian::prelude::*;
+
+use super::TIGHT;
+use crate::support::close::{close, close_on};
+
+/// A particle over a floor with a step at x = 1.
+struct Stairs {
+    step: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Stairs {
+    #[point(mass = 2.0)]
+    fn particle(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[potential]
+    fn weight(&self, q: &Coordinates) -> f64 {
+        20.0 * q.y
+    }
+
+    #[unilateral]
+    fn floor(&self, q: &Coordinates) -> f64 {
+        if q.x < 1.0 { q.y } else { q.y - self.step }
+    }
+}
+
+#[test]
+fn no_step_moves_a_body() {
+    // It lies on the floor, or flies lower than the step is high.
+    for (step, height) in [(0.3, 0.0), (-0.3, 0.0), (0.3, 1.3)] {
+        let stairs = Stairs { step };
+        let mut motion = stairs.simulate(State::new([0.0, height], [2.0, 0.0])).with_tolerance(TIGHT);
+        let error = motion.advance_to(1.0).unwrap_err();
+        assert!(matches!(error.cause, Cause::GapJumps { name, .. } if name.as_str() == "floor"), "{error}");
+        assert!(error.to_string().contains("`floor` jumps"), "{error}");
+        close(error.t, 0.5, 1e-14);
+        close_on(1.0, motion.state().q[1], if height > 0.0 { 0.05 } else { 0.0 }, 1e-13);
+    }
+}
+
+#[test]
+fn what_flies_over_a_step_lands_behind_it() {
+    for step in [0.3, -0.3] {
+        let stairs = Stairs { step };
+        let mut motion = stairs.simulate(State::new([0.0, 1.8], [4.0, 0.0])).with_tolerance(TIGHT);
+        let over = motion.advance_to_switch(9.0).unwrap().expect("it comes over the step");
+        close(over.state.t, 0.25, 1e-14);
+        let lands = motion.advance_to_switch(9.0).unwrap().expect("it lands");
+        close(lands.state.t, ((1.8 - step) / 5.0_f64).sqrt(), 1e-14);
+    }
+}
