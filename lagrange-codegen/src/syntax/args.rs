@@ -266,7 +266,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
 }
 
 /// Settles the lengths of the declared arrays, which may be constants of the impl block.
-/// Left out are groups whose length is wrong; the mistake is reported.
+/// One whose length is wrong has one place, so that what is named after it is there; the mistake is reported.
 pub fn groups(
     declarations: &[Declaration],
     constants: &[Constant],
@@ -274,13 +274,11 @@ pub fn groups(
 ) -> Vec<Group> {
     declarations
         .iter()
-        .filter_map(|declaration| {
-            let length = match &declaration.length {
-                None => None,
-                Some(expr) => Some(length(&declaration.ident, expr, constants, translator)?),
-            };
+        .map(|declaration| {
+            let settled = |expr| length(&declaration.ident, expr, constants, translator).unwrap_or(1);
+            let length = declaration.length.as_ref().map(settled);
             let origin = translator.origin(declaration.ident.span());
-            Some(Group { ident: declaration.ident.clone(), kind: declaration.kind, length, origin })
+            Group { ident: declaration.ident.clone(), kind: declaration.kind, length, origin }
         })
         .collect()
 }

@@ -59,8 +59,10 @@ pub fn is_role(attribute: &Attribute) -> bool {
     name(attribute).is_some_and(|name| known(&name) || misspelt(&name).is_some()) || conditional()
 }
 
+/// The word of an attribute. Behind a `::` stands a crate, which is no attribute: the word is meant.
 fn name(attribute: &Attribute) -> Option<String> {
-    attribute.path().get_ident().map(Ident::to_string)
+    let segments = &attribute.path().segments;
+    (segments.len() == 1).then(|| segments[0].ident.to_string())
 }
 
 fn known(name: &str) -> bool {

@@ -52,11 +52,13 @@ fn pieces(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
     for (place, tree) in trees.iter().enumerate() {
         let (before, rest) = (place.checked_sub(1).map(|place| &trees[place]), &trees[place..]);
         let is_pointer = before.is_some_and(|before| is_punct(before, '*'));
-        if declares && !is_pointer && begins(rest) {
+        let is_keyword = is_word(tree, &["fn"]);
+        // Behind a keyword alone another item may begin, but a second keyword begins none.
+        let is_open = declares || (is_function && !is_keyword);
+        if is_open && !is_pointer && begins(rest) {
             pieces.push(Vec::new());
             (declares, is_function) = (false, false);
         }
-        let is_keyword = is_word(tree, &["fn"]);
         is_function |= is_keyword || (!declares && is_called(rest));
         // A keyword that stands twice declares once.
         declares |= (is_function && !is_keyword) || is_word(tree, &["type"]) || is_constant(rest);
@@ -131,6 +133,9 @@ fn item_of((place, piece): (usize, Vec<TokenTree>)) -> Option<ImplItem> {
 fn function(place: usize, piece: Vec<TokenTree>) -> Option<ImplItemFn> {
     let keyword = piece.iter().position(|tree| is_word(tree, &["fn"]));
     let start = keyword.or_else(|| (0..piece.len()).find(|&place| is_called(&piece[place..])))?;
+    if piece.len() == 1 {
+        return None;
+    }
     let (head, rest) = piece.split_at(start);
     let attributes: Vec<Attribute> = head.iter().filter_map(attribute).collect();
     let qualifiers = head.iter().filter(|tree| is_word(tree, &["pub", "const"]));
@@ -154,7 +159,8 @@ fn function(place: usize, piece: Vec<TokenTree>) -> Option<ImplItemFn> {
     Some(function)
 }
 
-/// The attribute in brackets, from where it can be read.
+/// The attribute in brackets, from where it can be read, and of several ways to read it the one that is a
+/// role.
 fn attribute(tree: &TokenTree) -> Option<Attribute> {
     let TokenTree::Group(group) = tree else { return None };
     if group.delimiter() != Delimiter::Bracket {
@@ -170,7 +176,9 @@ fn attribute(tree: &TokenTree) -> Option<Attribute> {
         let attribute = Attribute::parse_outer.parse2(quote!(#[#word])).ok()?.pop();
         attribute.filter(role::is_role)
     };
-    (0..inside.len()).find_map(from).or_else(|| (0..inside.len()).find_map(role))
+    let read: Vec<Attribute> = (0..inside.len()).filter_map(from).collect();
+    let known = read.iter().find(|attribute| role::is_role(attribute)).or(read.first());
+    known.cloned().or_else(|| (0..inside.len()).find_map(role))
 }
 
 /// A function of the parameters and the return type that can be read.

@@ -15,8 +15,8 @@ use crate::system::error::magnitude;
 use crate::system::error::{Cause, Function, MotionError};
 use crate::system::state::State;
 
-/// What to say of a function that was misread, after its name. Generated code names it where it compares, so that
-/// builds without comparisons do not carry it.
+/// What to say of a function that was misread, after its name. Generated code names it where it compares, so
+/// that builds without comparisons do not carry it.
 pub const MISREAD: &str = "returns something else than what the macro read of it: a type, a constant, a trait or a macro in it \
     means something else here than usual, or an axis or a quaternion is not of unit length; mend that, or say \
     `allow(misread)` in the attribute if the function loses most of its digits by rounding";

@@ -59,12 +59,12 @@ impl Formula {
     }
 
     /// In parentheses where a sum would be read wrong.
-    pub fn as_factor(self) -> Formula {
+    pub fn into_factor(self) -> Formula {
         if self.strength() == Strength::Sum { self.grouped() } else { self }
     }
 
     /// In parentheses where anything but one thing would be read wrong.
-    pub fn as_atom(self) -> Formula {
+    pub fn into_atom(self) -> Formula {
         if self.strength() == Strength::Atom { self } else { self.grouped() }
     }
 

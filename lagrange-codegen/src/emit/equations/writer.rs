@@ -58,7 +58,7 @@ impl Writer<'_> {
                     if size.is_one() && is_sum {
                         written.extend(self.terms(term, negative));
                     } else {
-                        let factor = self.expression(term).as_factor();
+                        let factor = self.expression(term).into_factor();
                         let scaled =
                             if size.is_one() { factor } else { Formula::Scaled(size, Box::new(factor)) };
                         written.push((negative, scaled));
@@ -144,7 +144,7 @@ impl Writer<'_> {
     /// A positive power.
     fn power(&self, base: NodeId, exponent: Exponent) -> Formula {
         let power = match exponent.as_integer() {
-            Some(1) => return self.expression(base).as_factor(),
+            Some(1) => return self.expression(base).into_factor(),
             _ if exponent.0 == 1 => return Formula::Root(Box::new(self.expression(base))),
             Some(power) => Number::Ratio(power.into(), 1),
             None => Number::Ratio(exponent.0.into(), 2),
@@ -156,7 +156,7 @@ impl Writer<'_> {
         {
             return self.application(*function, *argument, Some(power));
         }
-        self.expression(base).as_atom().raised(Formula::Number(power))
+        self.expression(base).into_atom().raised(Formula::Number(power))
     }
 
     fn application(&self, function: Unary, argument: NodeId, power: Option<Number>) -> Formula {
