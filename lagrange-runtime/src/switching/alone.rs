@@ -1,20 +1,20 @@
 //! Accelerations and reactions at a state alone, without a motion that leads there.
 
 use super::choice::{Choice, sides};
-use super::scene::{Known, Scales, Scene, against};
+use super::scene::{Known, Scales, Scene, Status, above, against, entry, extent, rounding};
 use super::{Regime, Row, Switching};
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::state::State;
 
-/// The regime that goes on from a state alone, without a motion that leads there.
-fn at_state<S, const N: usize, const K: usize, const C: usize, const W: usize>(
-    system: &S,
+/// A state alone, without a motion that leads there, and the regime that goes on from it.
+fn at_state<'a, S, const N: usize, const K: usize, const C: usize, const W: usize>(
+    system: &'a S,
     t: S::Scalar,
     q: &[S::Scalar; N],
     v: &[S::Scalar; N],
-    u: &[S::Scalar; K],
-) -> Option<Choice<S::Scalar, N, C, W>>
+    u: &'a [S::Scalar; K],
+) -> Option<(Scene<'a, S, N, K, C, W>, Choice<S::Scalar, N, C, W>)>
 where
     S: Switching<N, K, C, W>,
 {
@@ -24,7 +24,8 @@ where
     let state = State { t, q: *q, v: *v };
     let known = Known { closed: [false; C], fired: None, settled: true };
     let scene = Scene::new(system, &state, u, kinks, &Scales::new(), &known);
-    scene.choose(&open, None).ok()
+    let choice = scene.choose(&open, None).ok()?;
+    Some((scene, choice))
 }
 
 /// Accelerations at a state; NaN where the laws of contact have no solution.
@@ -48,7 +49,7 @@ where
         return in_regime.accelerations_at(&in_regime.constants(), t, q, v, u);
     }
     let none = || [S::Scalar::from_f64(f64::NAN); N];
-    at_state(system, t, q, v, u).map_or_else(none, |choice| choice.accelerations)
+    at_state(system, t, q, v, u).map_or_else(none, |(_, choice)| choice.accelerations)
 }
 
 /// The multipliers of all rows at a state, and whether the motion determines each; NaN where the laws of
@@ -66,7 +67,7 @@ where
     S: Switching<N, K, C, W>,
 {
     let none = || ([S::Scalar::from_f64(f64::NAN); C], false);
-    let Some(choice) = at_state(system, t, q, v, u) else { return none() };
+    let Some((scene, choice)) = at_state(system, t, q, v, u) else { return none() };
     let mut multipliers = choice.multipliers;
     // What slips is no constraint: its force is that of its law, against the slip.
     let laws = system.laws_at(t, q, &choice.velocities, u);
@@ -85,5 +86,44 @@ where
         let load = normal.map_or(num_traits::One::one(), |normal| choice.multipliers[normal].abs());
         multipliers[row] = -(against(&coefficients, slip).kinetic[row] * load * direction);
     }
-    (multipliers, choice.is_unique)
+    (multipliers, scene.determines(&choice))
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// Whether the motion determines each reaction: what touches and rests may bear, whether it does in this
+    /// choice or not, and none of these rows depends on the others.
+    fn determines(&self, choice: &Choice<S::Scalar, N, C, W>) -> bool {
+        let zero = num_traits::Zero::zero();
+        let stays = |row: usize| {
+            let Some(gradient) = self.gradients.get(row) else { return false };
+            let size = extent(gradient, &choice.sizes.accelerations) + entry(&self.gamma, row).abs();
+            !above(self.rate(row, &choice.accelerations).abs(), rounding::<S::Scalar>() * size)
+        };
+        let touches = |row: usize| matches!(self.status[row], Status::Touches | Status::Meets) && stays(row);
+        let mut regime = choice.regime;
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let bears = match *kind {
+                Row::Unilateral => touches(row),
+                Row::Friction { normal, .. } => {
+                    let is_rough = self.coefficients.iter().any(|side| entry(&side.fixed, row) != zero);
+                    let is_pressed =
+                        normal.is_none_or(|normal| S::ROWS[normal] != Row::Unilateral || touches(normal));
+                    self.status[row] == Status::Rests && is_rough && is_pressed && stays(row)
+                }
+                Row::Bilateral | Row::Load => false,
+            };
+            if bears {
+                (regime.active[row], regime.slip[row]) = (true, zero);
+            }
+        }
+        let State { t, q, .. } = &self.state;
+        let in_regime = self.system.in_regime(&regime);
+        S::equations_in(&in_regime, *t, q, &choice.velocities, self.inputs).is_some_and(|equations| {
+            let independence = equations.balance().independence;
+            independence.rank == independence.rows
+        })
+    }
 }

@@ -27,9 +27,7 @@ pub(super) struct Choice<R, const N: usize, const C: usize, const W: usize> {
     pub(super) later: R,
     pub(super) accelerations: [R; N],
     pub(super) multipliers: [R; C],
-    /// Whether the motion determines each multiplier.
-    pub(super) is_unique: bool,
-    sizes: Sizes<R, N>,
+    pub(super) sizes: Sizes<R, N>,
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
@@ -178,7 +176,6 @@ where
             later,
             accelerations: balance.accelerations,
             multipliers: balance.multipliers,
-            is_unique: balance.independence.rank == balance.independence.rows,
             sizes,
         })
     }
