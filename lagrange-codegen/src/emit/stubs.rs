@@ -102,7 +102,14 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
             }
         }
     });
-    let over = item.jacobians.then(|| over_any(&format_ident!("__Over"), count, inputs));
+    let over = item.jacobians.then(|| {
+        let over = over_any(&format_ident!("__Over"), count, inputs);
+        let sizes = (count, inputs);
+        // Lanes of motions have series.
+        let smooth =
+            (!switches).then(|| smooth(&quote!(<R: lagrange::Real>), &quote!(__Over<R>), &quote!(R), sizes));
+        quote!(#over #smooth)
+    });
     let reactions = (!held.is_empty()).then(|| constraints::record(item, &held));
     let constrained = (!held.is_empty()).then(|| {
         let record = constraints::record_ident(item);
@@ -119,17 +126,7 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
     let regimes = switches.then(|| contacts::implementations(item, &held, &quote!(#scalar), (count, inputs)));
     // Otherwise fixed steps are those through switches.
     let smooth = (!switches).then(|| {
-        quote! {
-            impl #impl_generics lagrange::Smooth<#count, #inputs> for #self_ty #where_clause {
-                type JetConstants = ();
-                type Tables<const ORDERS: usize> = ();
-                fn jet_constants(&self) {}
-                fn jet_at<const ORDERS: usize>(
-                    &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count], _: &[#scalar; #inputs],
-                    _: #scalar, _: usize, _: &mut (), _: &mut lagrange::Series<#scalar, #count, ORDERS>
-                ) -> bool { loop {} }
-            }
-        }
+        smooth(&quote!(#impl_generics), &quote!(#self_ty #where_clause), &quote!(#scalar), (count, inputs))
     });
     let certificate = item.analysis.then(|| analysis::certificate(item, &quote!(#scalar), count, inputs));
     let (named_events, guards) = super::events::stubs(item, count);
@@ -188,6 +185,26 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
             #over
             #smooth
         };
+    }
+}
+
+/// The series of a type.
+fn smooth(
+    generics: &TokenStream,
+    ty: &TokenStream,
+    scalar: &TokenStream,
+    (count, inputs): (usize, usize),
+) -> TokenStream {
+    quote! {
+        impl #generics lagrange::Smooth<#count, #inputs> for #ty {
+            type JetConstants = ();
+            type Tables<const ORDERS: usize> = ();
+            fn jet_constants(&self) {}
+            fn jet_at<const ORDERS: usize>(
+                &self, _: &(), _: #scalar, _: &[#scalar; #count], _: &[#scalar; #count], _: &[#scalar; #inputs],
+                _: #scalar, _: usize, _: &mut (), _: &mut lagrange::Series<#scalar, #count, ORDERS>
+            ) -> bool { loop {} }
+        }
     }
 }
 
