@@ -1,7 +1,7 @@
 //! Accelerations and reactions at a state alone, without a motion that leads there.
 
 use super::choice::{Choice, sides};
-use super::scene::{Known, Scales, Scene, Status, above, against, entry, extent, rounding};
+use super::scene::{Known, Scales, Scene, against};
 use super::{Regime, Row, Switching};
 use crate::number::real::Real;
 use crate::system::System;
@@ -52,8 +52,8 @@ where
     at_state(system, t, q, v, u).map_or_else(none, |(_, choice)| choice.accelerations)
 }
 
-/// The multipliers of all rows at a state, and whether the motion determines each; NaN where the laws of
-/// contact have no solution.
+/// The multipliers of all rows at a state, and whether the motion determines each: if not, the shortest
+/// that are possible. NaN where the laws of contact have no solution.
 #[doc(hidden)]
 #[must_use]
 pub fn multipliers<S, const N: usize, const K: usize, const C: usize, const W: usize>(
@@ -68,62 +68,51 @@ where
 {
     let none = || ([S::Scalar::from_f64(f64::NAN); C], false);
     let Some((scene, choice)) = at_state(system, t, q, v, u) else { return none() };
-    let mut multipliers = choice.multipliers;
+    let v = &choice.velocities;
     // What slips is no constraint: its force is that of its law, against the slip.
-    let laws = system.laws_at(t, q, &choice.velocities, u);
-    let coefficients = system.coefficients_at(t, q, &choice.velocities, u, &laws);
-    for (row, kind) in S::ROWS.iter().enumerate() {
-        let Row::Friction { normal, pair } = *kind else { continue };
-        let carrier = pair.map_or(row, |other| row.min(other));
-        let slip = choice.regime.slip[carrier];
-        if choice.regime.active[row] || slip == num_traits::Zero::zero() {
-            continue;
+    let with_slips = |regime: &Regime<_, C, W>, drags: &[S::Scalar; C], mut multipliers: [S::Scalar; C]| {
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            if let Row::Friction { normal, .. } = *kind
+                && !regime.active[row]
+            {
+                let load = normal.map_or(num_traits::One::one(), |normal| multipliers[normal].abs());
+                multipliers[row] = drags[row] * load;
+            }
         }
-        let direction = match pair {
-            None => slip,
-            Some(other) => laws.rows.rates[row] / laws.rows.rates[row].hypot(laws.rows.rates[other]),
-        };
-        let load = normal.map_or(num_traits::One::one(), |normal| choice.multipliers[normal].abs());
-        multipliers[row] = -(against(&coefficients, slip).kinetic[row] * load * direction);
+        multipliers
+    };
+    let multipliers = with_slips(&choice.regime, &scene.drags(&choice.regime, v), choice.multipliers);
+    let bearing = scene.bearing(&choice);
+    if scene.determines(&bearing, v) {
+        return (multipliers, true);
     }
-    (multipliers, scene.determines(&choice))
+    let drags = scene.drags(&bearing, v);
+    let shortest = scene.shortest(&bearing, &drags, &multipliers);
+    (shortest.map_or(multipliers, |shortest| with_slips(&bearing, &drags, shortest)), false)
 }
 
 impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
 where
     S: Switching<N, K, C, W>,
 {
-    /// Whether the motion determines each reaction: what touches and rests may bear, whether it does in this
-    /// choice or not, and none of these rows depends on the others.
-    fn determines(&self, choice: &Choice<S::Scalar, N, C, W>) -> bool {
-        let zero = num_traits::Zero::zero();
-        let stays = |row: usize| {
-            let Some(gradient) = self.gradients.get(row) else { return false };
-            let size = extent(gradient, &choice.sizes.accelerations) + entry(&self.gamma, row).abs();
-            !above(self.rate(row, &choice.accelerations).abs(), rounding::<S::Scalar>() * size)
-        };
-        let touches = |row: usize| matches!(self.status[row], Status::Touches | Status::Meets) && stays(row);
-        let mut regime = choice.regime;
-        for (row, kind) in S::ROWS.iter().enumerate() {
-            let bears = match *kind {
-                Row::Unilateral => touches(row),
-                Row::Friction { normal, .. } => {
-                    let is_rough = self.coefficients.iter().any(|side| entry(&side.fixed, row) != zero);
-                    let is_pressed =
-                        normal.is_none_or(|normal| S::ROWS[normal] != Row::Unilateral || touches(normal));
-                    self.status[row] == Status::Rests && is_rough && is_pressed && stays(row)
-                }
-                Row::Bilateral | Row::Load => false,
-            };
-            if bears {
-                (regime.active[row], regime.slip[row]) = (true, zero);
-            }
-        }
+    /// The frictions that slip in a regime at these velocities, for each unit of the reactions that drive
+    /// them, or as they are where their size is given; zero of what does not slip.
+    fn drags(&self, regime: &Regime<S::Scalar, C, W>, v: &[S::Scalar; N]) -> [S::Scalar; C] {
         let State { t, q, .. } = &self.state;
-        let in_regime = self.system.in_regime(&regime);
-        S::equations_in(&in_regime, *t, q, &choice.velocities, self.inputs).is_some_and(|equations| {
-            let independence = equations.balance().independence;
-            independence.rank == independence.rows
+        let laws = self.system.laws_at(*t, q, v, self.inputs);
+        let coefficients = self.system.coefficients_at(*t, q, v, self.inputs, &laws);
+        let rates = &laws.rows.rates;
+        core::array::from_fn(|row| {
+            let Row::Friction { pair, .. } = S::ROWS[row] else { return num_traits::Zero::zero() };
+            let slip = regime.slip[pair.map_or(row, |other| row.min(other))];
+            if regime.active[row] || slip == num_traits::Zero::zero() {
+                return num_traits::Zero::zero();
+            }
+            let direction = match pair {
+                None => slip,
+                Some(other) => rates[row] / rates[row].hypot(rates[other]),
+            };
+            -(against(&coefficients, slip).kinetic[row] * direction)
         })
     }
 }

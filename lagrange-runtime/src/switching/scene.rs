@@ -145,7 +145,7 @@ where
     /// γ of all rows.
     pub(super) gamma: [S::Scalar; C],
     /// Units in which no coordinate is larger than another.
-    units: [S::Scalar; N],
+    pub(super) units: [S::Scalar; N],
 }
 
 impl<'a, S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'a, S, N, K, C, W>

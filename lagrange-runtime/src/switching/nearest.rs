@@ -1,0 +1,116 @@
+//! The point of a polyhedron that is nearest to the origin.
+//!
+//! Of the x with pⱼ · x ≥ dⱼ the shortest is a sum of rows, x = Σ yⱼ pⱼ with yⱼ ≥ 0. Least squares with
+//! unknowns that are not negative find it: with u from min |Σ uⱼ (pⱼ, dⱼ) − (0, 1)|, y is u over 1 − Σ uⱼ dⱼ.
+//! Only rows whose residual asks for them enter, so those that do are independent (Lawson and Hanson,
+//! *Solving Least Squares Problems*, chapter 23).
+
+use super::scene::{above, most, product, rounding};
+use crate::linear::Lu;
+use crate::number::real::Real;
+
+/// The y of the shortest x; `None` where no x is that near. Rows that are zero ask for nothing.
+pub(super) fn nearest<R: Real, const C: usize>(rows: &[[R; C]; C], bounds: &[R; C]) -> Option<[R; C]> {
+    let (zero, one) = (R::zero(), R::one());
+    // Rows of unit length, and the largest of the bounds for a unit.
+    let scales = rows.each_ref().map(|row| {
+        let length = product(row, row).sqrt();
+        if length.is_positive() { length.recip() } else { zero }
+    });
+    let far = (0..C).fold(zero, |far, j| most(far, bounds[j] * scales[j]));
+    if !far.is_positive() {
+        return Some([zero; C]);
+    }
+    let asked: [R; C] = core::array::from_fn(|j| bounds[j] * scales[j] / far);
+    let gram: [[R; C]; C] = core::array::from_fn(|i| {
+        core::array::from_fn(|j| product(&rows[i], &rows[j]) * scales[i] * scales[j] + asked[i] * asked[j])
+    });
+    let (mut enters, mut u) = ([false; C], [zero; C]);
+    // Each round makes the residual shorter, so none of the sets comes twice.
+    for _ in 0..8 * C {
+        let lacks = |j: usize| asked[j] - product(&gram[j], &u);
+        let free = (0..C).filter(|&j| !enters[j] && scales[j].is_positive());
+        let most_lacking = free.fold(None, |most: Option<(usize, R)>, j| {
+            let lack = lacks(j);
+            if most.is_none_or(|(_, other)| above(lack, other)) { Some((j, lack)) } else { most }
+        });
+        let Some((j, _)) = most_lacking.filter(|&(_, lack)| above(lack, rounding())) else {
+            let rest = one - product(&asked, &u);
+            return above(rest, rounding()).then(|| core::array::from_fn(|j| u[j] / rest * far * scales[j]));
+        };
+        enters[j] = true;
+        // Back to where the first of them is zero, as long as one would be negative.
+        while enters.contains(&true) {
+            let matrix = core::array::from_fn(|i| {
+                core::array::from_fn(|j| match (enters[i] && enters[j], i == j) {
+                    (true, _) => gram[i][j],
+                    (false, true) => one,
+                    (false, false) => zero,
+                })
+            });
+            let wanted = core::array::from_fn(|i| if enters[i] { asked[i] } else { zero });
+            let next = Lu::factor(matrix).ok()?.solve(wanted);
+            let first = (0..C).filter(|&j| enters[j] && !next[j].is_positive());
+            let first = first.fold(None, |first: Option<(usize, R)>, j| {
+                let share = if u[j].is_positive() { u[j] / (u[j] - next[j]) } else { zero };
+                if first.is_none_or(|(_, other)| above(other, share)) { Some((j, share)) } else { first }
+            });
+            let Some((leaves, share)) = first else {
+                u = next;
+                break;
+            };
+            for (u, next) in u.iter_mut().zip(next) {
+                *u += share * (next - *u);
+            }
+            (enters[leaves], u[leaves]) = (false, zero);
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn close<const C: usize>(rows: [[f64; C]; C], bounds: [f64; C], x: [f64; C]) {
+        let y = nearest(&rows, &bounds).unwrap();
+        assert!(y.iter().all(|&y| y >= 0.0), "{y:?}");
+        for (i, &wanted) in x.iter().enumerate() {
+            let found: f64 = (0..C).map(|j| y[j] * rows[j][i]).sum();
+            assert!((found - wanted).abs() < 1e-12 * (1.0 + wanted.abs()), "{found} instead of {wanted}");
+        }
+    }
+
+    #[test]
+    fn an_origin_that_meets_all_bounds_is_the_nearest() {
+        close([[1.0, 0.0], [0.0, 1.0]], [-1.0, 0.0], [0.0, 0.0]);
+    }
+
+    #[test]
+    fn the_nearest_point_lies_on_an_edge_or_in_a_corner() {
+        close([[1.0, 1.0], [0.0, 1.0]], [2.0, -5.0], [1.0, 1.0]);
+        close([[1.0, 0.0], [1.0, 1.0]], [3.0, 4.0], [3.0, 1.0]);
+        close([[1e-6, 0.0], [1e6, 1e6]], [3e-6, 4e6], [3.0, 1.0]);
+    }
+
+    #[test]
+    fn a_bound_that_another_one_hides_leaves_again() {
+        // The first row lacks most, and the others meet it beyond its zero.
+        close(
+            [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0]],
+            [1.0, 4.0, 4.0],
+            [8.0 / 3.0, 4.0 / 3.0, 4.0 / 3.0],
+        );
+    }
+
+    #[test]
+    fn rows_twice_and_rows_of_zero_do_no_harm() {
+        close([[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0; 3]], [2.0, 2.0, 1.0], [1.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn bounds_that_contradict_have_no_point() {
+        assert_eq!(nearest(&[[1.0, 0.0], [-1.0, 0.0]], &[1.0, 1.0]), None);
+    }
+}

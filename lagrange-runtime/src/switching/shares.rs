@@ -1,0 +1,193 @@
+//! How rows share what they bear, where the motion does not tell.
+//!
+//! A table on four legs, or a ladder between rough surfaces, has more reactions than equations. Contacts push
+//! and friction has its limits, so not all reactions that give the motion are possible. Of those that are,
+//! the ones of least Σ λ² are taken, as for constraints that depend on each other.
+
+use super::choice::{Choice, is_limit};
+use super::nearest::nearest;
+use super::scene::{Scene, Status, above, entry, extent, most, product, rounding};
+use super::turning::TURNS;
+use super::{Regime, Row, Switching};
+use crate::linear::{SaddlePoint, Switched};
+use crate::number::real::Real;
+use crate::system::state::State;
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// The regime in which everything holds that may bear: what touches and rests, whether it bears in this
+    /// choice or not. What slips there slips.
+    pub(super) fn bearing(&self, choice: &Choice<S::Scalar, N, C, W>) -> Regime<S::Scalar, C, W> {
+        let zero = num_traits::Zero::zero();
+        let stays = |row: usize| {
+            let Some(gradient) = self.gradients.get(row) else { return false };
+            let size = extent(gradient, &choice.sizes.accelerations) + entry(&self.gamma, row).abs();
+            !above(self.rate(row, &choice.accelerations).abs(), rounding::<S::Scalar>() * size)
+        };
+        let touches = |row: usize| matches!(self.status[row], Status::Touches | Status::Meets) && stays(row);
+        let mut regime = choice.regime;
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            let bears = match *kind {
+                Row::Unilateral => touches(row),
+                Row::Friction { normal, pair } => {
+                    let is_rough = self.coefficients.iter().any(|side| entry(&side.fixed, row) != zero);
+                    let is_pressed =
+                        normal.is_none_or(|normal| S::ROWS[normal] != Row::Unilateral || touches(normal));
+                    let is_still = stays(row) && pair.is_none_or(stays);
+                    self.status[row] == Status::Rests && is_rough && is_pressed && is_still
+                }
+                Row::Bilateral | Row::Load => false,
+            };
+            if bears {
+                (regime.active[row], regime.slip[row]) = (true, zero);
+            } else if let Row::Friction { normal: Some(normal), pair } = *kind
+                && self.status[row] == Status::Slips
+                && touches(normal)
+                && pair.is_none_or(|other| row < other)
+            {
+                let is_backward = pair.is_none() && (-self.laws.rows.rates[row]).is_positive();
+                let one: S::Scalar = num_traits::One::one();
+                regime.slip[row] = if is_backward { -one } else { one };
+            }
+        }
+        regime
+    }
+
+    /// Whether the motion determines each reaction: none of the rows that may bear depends on the others.
+    pub(super) fn determines(&self, bearing: &Regime<S::Scalar, C, W>, v: &[S::Scalar; N]) -> bool {
+        let State { t, q, .. } = &self.state;
+        let in_regime = self.system.in_regime(bearing);
+        S::equations_in(&in_regime, *t, q, v, self.inputs).is_some_and(|equations| {
+            let independence = equations.balance().independence;
+            independence.rank == independence.rows
+        })
+    }
+
+    /// The shortest of all reactions that are possible and give the same motion as these; `drags` are the
+    /// frictions that slip, for each unit of the reactions that drive them. `None` of loads, which are sizes
+    /// of forces, so that what is possible is no convex set.
+    pub(super) fn shortest(
+        &self,
+        bearing: &Regime<S::Scalar, C, W>,
+        drags: &[S::Scalar; C],
+        known: &[S::Scalar; C],
+    ) -> Option<[S::Scalar; C]> {
+        if S::ROWS.contains(&Row::Load) {
+            return None;
+        }
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let rows = self.driving(bearing, drags);
+        let mut mass = [[zero; N]; N];
+        for (i, (row, &unit)) in mass.iter_mut().zip(&self.units).enumerate() {
+            row[i] = if unit.is_positive() { (unit * unit).recip() } else { num_traits::One::one() };
+        }
+        let active = core::array::from_fn(|row| bearing.activity(row));
+        let saddle = Switched::factor(&mass, &rows, &[[zero; N]; C], &active);
+        // The shortest multipliers that give the same forces.
+        let project = |multipliers: &[S::Scalar; C]| {
+            let mut against = [zero; N];
+            for ((row, &multiplier), &active) in rows.iter().zip(multipliers).zip(&active) {
+                for (force, &entry) in against.iter_mut().zip(row) {
+                    *force -= active * multiplier * entry;
+                }
+            }
+            saddle.solve(&against, &[zero; C]).1
+        };
+        let base = project(known);
+        let size = product(known, known).sqrt();
+        let mut toward = base;
+        for _ in 0..TURNS {
+            let (mut free, mut lacks) = ([[zero; C]; C], [zero; C]);
+            for row in 0..C {
+                let Some((cut, bound)) = self.cut(row, bearing, &toward) else { continue };
+                let held = project(&cut);
+                let rest: [S::Scalar; C] = core::array::from_fn(|i| cut[i] - held[i]);
+                // What the motion determines is not to be chosen.
+                let share = S::Scalar::epsilon().sqrt();
+                if above(product(&rest, &rest), share * share * product(&cut, &cut)) {
+                    (free[row], lacks[row]) = (rest, bound - product(&cut, &base));
+                }
+            }
+            let pushes = nearest(&free, &lacks)?;
+            let found: [S::Scalar; C] = core::array::from_fn(|i| {
+                free.iter().zip(&pushes).fold(base[i], |sum, (row, &push)| sum + push * row[i])
+            });
+            let is_possible = (0..C).all(|row| {
+                let Some((cut, bound)) = self.cut(row, bearing, &found) else { return true };
+                let slack = product(&cut, &cut).sqrt() * size + bound.abs();
+                !above(bound - product(&cut, &found), rounding::<S::Scalar>() * slack)
+            });
+            if is_possible {
+                return Some(core::array::from_fn(|row| match S::ROWS[row] {
+                    Row::Unilateral => most(found[row], zero),
+                    _ => found[row],
+                }));
+            }
+            // A friction at its limit has the direction that it would have without.
+            let cuts: [_; C] = core::array::from_fn(|row| self.cut(row, bearing, &toward));
+            let mut next = found;
+            for (row, (cut, &push)) in cuts.iter().zip(&pushes).enumerate() {
+                if let (Row::Friction { pair, .. }, Some((cut, _))) = (S::ROWS[row], cut) {
+                    for own in [Some(row), pair].into_iter().flatten() {
+                        next[own] -= push * cut[own];
+                    }
+                }
+            }
+            toward = next;
+        }
+        None
+    }
+
+    /// Gradients of rows with those of the frictions that they drive.
+    fn driving(&self, bearing: &Regime<S::Scalar, C, W>, drags: &[S::Scalar; C]) -> [[S::Scalar; N]; C] {
+        let mut rows = self.gradients;
+        for (row, kind) in S::ROWS.iter().enumerate() {
+            if let Row::Friction { normal: Some(normal), .. } = *kind
+                && !bearing.active[row]
+            {
+                let drag = drags[row] * bearing.side[normal];
+                for (entry, &slip) in rows[normal].iter_mut().zip(&self.gradients[row]) {
+                    *entry += drag * slip;
+                }
+            }
+        }
+        rows
+    }
+
+    /// What a row allows: all multipliers whose product with the first is no less than the second. Of a
+    /// friction in the direction that it has among these multipliers.
+    fn cut(
+        &self,
+        row: usize,
+        bearing: &Regime<S::Scalar, C, W>,
+        multipliers: &[S::Scalar; C],
+    ) -> Option<([S::Scalar; C], S::Scalar)> {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let mut cut = [zero; C];
+        match S::ROWS[row] {
+            _ if !bearing.active[row] => None,
+            Row::Bilateral | Row::Load if !is_limit(&S::ROWS, row) => None,
+            Row::Bilateral | Row::Load | Row::Unilateral => {
+                cut[row] = bearing.side[row];
+                Some((cut, zero))
+            }
+            // A pair has one cut.
+            Row::Friction { pair: Some(other), .. } if other < row => None,
+            Row::Friction { normal, pair } => {
+                let size = multipliers[row].hypot(pair.map_or(zero, |other| multipliers[other]));
+                if !size.is_positive() {
+                    return None;
+                }
+                for own in [Some(row), pair].into_iter().flatten() {
+                    cut[own] = -multipliers[own] / size;
+                }
+                let coefficient = self.against(cut[row]).fixed[row];
+                let Some(normal) = normal else { return Some((cut, -coefficient)) };
+                cut[normal] = bearing.side[normal] * coefficient;
+                Some((cut, zero))
+            }
+        }
+    }
+}
