@@ -1,7 +1,7 @@
 //! Accelerations and reactions at a state alone, without a motion that leads there.
 
 use super::choice::{Choice, sides};
-use super::scene::{Known, Scales, Scene, against};
+use super::scene::{Known, Scales, Scene};
 use super::{Regime, Row, Switching};
 use crate::number::real::Real;
 use crate::system::System;
@@ -89,30 +89,4 @@ where
     let drags = scene.drags(&bearing, v);
     let shortest = scene.shortest(&bearing, &drags, &multipliers);
     (shortest.map_or(multipliers, |shortest| with_slips(&bearing, &drags, shortest)), false)
-}
-
-impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
-where
-    S: Switching<N, K, C, W>,
-{
-    /// The frictions that slip in a regime at these velocities, for each unit of the reactions that drive
-    /// them, or as they are where their size is given; zero of what does not slip.
-    fn drags(&self, regime: &Regime<S::Scalar, C, W>, v: &[S::Scalar; N]) -> [S::Scalar; C] {
-        let State { t, q, .. } = &self.state;
-        let laws = self.system.laws_at(*t, q, v, self.inputs);
-        let coefficients = self.system.coefficients_at(*t, q, v, self.inputs, &laws);
-        let rates = &laws.rows.rates;
-        core::array::from_fn(|row| {
-            let Row::Friction { pair, .. } = S::ROWS[row] else { return num_traits::Zero::zero() };
-            let slip = regime.slip[pair.map_or(row, |other| row.min(other))];
-            if regime.active[row] || slip == num_traits::Zero::zero() {
-                return num_traits::Zero::zero();
-            }
-            let direction = match pair {
-                None => slip,
-                Some(other) => rates[row] / rates[row].hypot(rates[other]),
-            };
-            -(against(&coefficients, slip).kinetic[row] * direction)
-        })
-    }
 }

@@ -166,7 +166,14 @@ where
         };
         let has_begun = (0..C).any(begins);
         let velocities = if has_begun { self.begun(&regime, begins)? } else { self.state.v };
-        let (balance, sizes) = self.balance(&regime, &velocities)?;
+        let (mut balance, sizes) = self.balance(&regime, &velocities)?;
+        // Where rows depend on each other there are other reactions as well.
+        if balance.independence.rank < balance.independence.rows
+            && let Some(shortest) =
+                self.shortest(&regime, &self.drags(&regime, &velocities), &balance.multipliers)
+        {
+            balance.multipliers = shortest;
+        }
         let zero = num_traits::Zero::zero();
         let later =
             if has_begun { self.later(begins, &velocities, &balance, &sizes).unwrap_or(zero) } else { zero };

@@ -6,7 +6,7 @@
 
 use super::choice::{Choice, is_limit};
 use super::nearest::nearest;
-use super::scene::{Scene, Status, above, entry, extent, most, product, rounding};
+use super::scene::{Scene, Status, above, against, entry, extent, most, product, rounding};
 use super::turning::TURNS;
 use super::{Regime, Row, Switching};
 use crate::linear::{SaddlePoint, Switched};
@@ -29,27 +29,23 @@ where
         let touches = |row: usize| matches!(self.status[row], Status::Touches | Status::Meets) && stays(row);
         let mut regime = choice.regime;
         for (row, kind) in S::ROWS.iter().enumerate() {
-            let bears = match *kind {
-                Row::Unilateral => touches(row),
-                Row::Friction { normal, pair } => {
-                    let is_rough = self.coefficients.iter().any(|side| entry(&side.fixed, row) != zero);
-                    let is_pressed =
-                        normal.is_none_or(|normal| S::ROWS[normal] != Row::Unilateral || touches(normal));
-                    let is_still = stays(row) && pair.is_none_or(stays);
-                    self.status[row] == Status::Rests && is_rough && is_pressed && is_still
-                }
-                Row::Bilateral | Row::Load => false,
+            let Row::Friction { normal, pair } = *kind else {
+                regime.active[row] = regime.active[row] || *kind == Row::Unilateral && touches(row);
+                continue;
             };
-            if bears {
-                (regime.active[row], regime.slip[row]) = (true, zero);
-            } else if let Row::Friction { normal: Some(normal), pair } = *kind
-                && self.status[row] == Status::Slips
-                && touches(normal)
-                && pair.is_none_or(|other| row < other)
-            {
-                let is_backward = pair.is_none() && (-self.laws.rows.rates[row]).is_positive();
-                let one: S::Scalar = num_traits::One::one();
-                regime.slip[row] = if is_backward { -one } else { one };
+            let is_rough = self.coefficients.iter().any(|side| entry(&side.fixed, row) != zero);
+            let is_pressed =
+                normal.is_none_or(|normal| S::ROWS[normal] != Row::Unilateral || touches(normal));
+            match self.status[row] {
+                Status::Rests if stays(row) && pair.is_none_or(stays) => {
+                    (regime.active[row], regime.slip[row]) = (is_rough && is_pressed, zero);
+                }
+                Status::Slips if is_pressed && pair.is_none_or(|other| row < other) => {
+                    let is_backward = pair.is_none() && (-self.laws.rows.rates[row]).is_positive();
+                    let one: S::Scalar = num_traits::One::one();
+                    regime.slip[row] = if is_backward { -one } else { one };
+                }
+                _ => {}
             }
         }
         regime
@@ -62,6 +58,27 @@ where
         S::equations_in(&in_regime, *t, q, v, self.inputs).is_some_and(|equations| {
             let independence = equations.balance().independence;
             independence.rank == independence.rows
+        })
+    }
+
+    /// The frictions that slip in a regime at these velocities, for each unit of the reactions that drive
+    /// them, or as they are where their size is given; zero of what does not slip.
+    pub(super) fn drags(&self, regime: &Regime<S::Scalar, C, W>, v: &[S::Scalar; N]) -> [S::Scalar; C] {
+        let State { t, q, .. } = &self.state;
+        let laws = self.system.laws_at(*t, q, v, self.inputs);
+        let coefficients = self.system.coefficients_at(*t, q, v, self.inputs, &laws);
+        let rates = &laws.rows.rates;
+        core::array::from_fn(|row| {
+            let Row::Friction { pair, .. } = S::ROWS[row] else { return num_traits::Zero::zero() };
+            let slip = regime.slip[pair.map_or(row, |other| row.min(other))];
+            if regime.active[row] || slip == num_traits::Zero::zero() {
+                return num_traits::Zero::zero();
+            }
+            let direction = match pair {
+                None => slip,
+                Some(other) => rates[row] / rates[row].hypot(rates[other]),
+            };
+            -(against(&coefficients, slip).kinetic[row] * direction)
         })
     }
 

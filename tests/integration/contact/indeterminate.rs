@@ -247,9 +247,12 @@ impl Groove {
 #[test]
 fn a_block_in_a_groove_presses_no_more_than_its_frictions_need() {
     let sum = 20.0 * 0.5_f64.sqrt();
-    for (pull, mu) in [(2.0, 1.5), (2.0, 0.8), (12.0, 0.9)] {
+    for (pull, mu) in [(2.0, 1.5), (2.0, 0.8), (12.0, 0.9), (14.0, 0.55)] {
         let half: f64 = 0.5 * pull;
-        let reactions = Groove { pull, mu }.simulate(State::at_rest([0.0; 3])).reactions();
+        let groove = Groove { pull, mu };
+        let mut motion = groove.simulate(State::at_rest([0.0; 3]));
+        assert_eq!(motion.advance_to(1.0).unwrap().q, [0.0; 3]);
+        let reactions = motion.reactions();
         assert!(!reactions.are_unique());
         let free = 0.5 * sum;
         let normal = if free.hypot(half) <= mu * free {
