@@ -26,7 +26,7 @@ mod pieces;
 mod polynomial;
 mod zeros;
 
-pub(crate) use falling::{Before, Fall, clear, falls, reach, stays_above};
+pub(crate) use falling::{Before, Fall, clear, falls, reach, rises, stays_above};
 pub(crate) use polynomial::{Polynomial, Unresolved};
 pub(crate) use zeros::Zeros;
 

@@ -28,6 +28,9 @@ pub(crate) const TERMS: usize = HIGHEST + 1;
 /// the end of a step it is small beside the rest, as a rule.
 pub(crate) const FEW: usize = HIGHEST / 4 + 1;
 
+/// The number of coefficients of the very first: what keeps far from zero needs no more.
+pub(crate) const LEAST: usize = 3;
+
 /// A number known by its value alone, and the bound of its roundings.
 pub(crate) type Rounded<R> = Taylor<R, 1>;
 
@@ -75,7 +78,9 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
             degree -= 1;
         }
         variable.degree = degree;
-        let beyond = terms.fold(R::zero(), |sum, term| sum + term.abs());
+        // Four sums, of which none waits for another.
+        let beyond = terms.fold([R::zero(); 4], |[a, b, c, d], term| [b, c, d, a + term.abs()]);
+        let beyond = beyond.iter().fold(R::zero(), |sum, &part| sum + part);
         variable.error = R::epsilon() * (variable.extent() + beyond) + beyond;
         variable
     }

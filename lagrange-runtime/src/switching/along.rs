@@ -8,9 +8,11 @@ use super::guards::{Guard, Guards};
 use super::reactions::Borne;
 use super::scene::above;
 use super::{Functions, Switching};
-use crate::motion::roots::{Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach, stays_above};
+use crate::motion::roots::{
+    Before, Fall, Kind, Side, Unresolved, Zero, clear, falls, reach, rises, stays_above,
+};
 use crate::number::real::{Ordered, Real, larger, smaller};
-use crate::series::taylor::{FEW, Rounded, TERMS, Taylor, powers};
+use crate::series::taylor::{FEW, LEAST, Rounded, TERMS, Taylor, powers};
 use crate::system::error::Cause;
 use crate::system::method::Terms;
 use crate::system::state::State;
@@ -98,7 +100,7 @@ where
     /// looked at by itself is one of the `attempts`.
     pub(super) fn first_along(
         &mut self,
-        start: &State<S::Scalar, N>,
+        [start, end]: [&State<S::Scalar, N>; 2],
         terms: &Terms<'_, S::Scalar, N>,
         fired: Option<Guard>,
         relative: S::Scalar,
@@ -111,15 +113,20 @@ where
             return Ok(None);
         }
         let (zero, one): (S::Scalar, S::Scalar) = (num_traits::Zero::zero(), num_traits::One::one());
-        // What has fired is zero where the step starts, and needs more than a glance.
-        if self.along().any(|guard| fired != Some(guard)) {
-            self.glance(&Path::new(start, terms, &powers, &borne));
-            if self.along().next().is_none() {
-                return Ok(None);
-            }
-            if !self.has_reactions() {
-                borne.reactions = [Taylor::constant(num_traits::Zero::zero()); C];
-            }
+        let fallen = self.fallen(end);
+        // The shortest polynomials tell of what keeps away from zero alone.
+        if fired.is_none() && fallen == 0 {
+            self.glance(&Path::<_, N, C, LEAST>::new(start, terms, &powers, &borne), fired);
+        }
+        // What has fallen where the step ends needs its place.
+        if self.along().nth(fallen).is_some() {
+            self.glance(&Path::<_, N, C, FEW>::new(start, terms, &powers, &borne), fired);
+        }
+        if self.along().next().is_none() {
+            return Ok(None);
+        }
+        if !self.has_reactions() {
+            borne.reactions = [Taylor::constant(zero); C];
         }
         let half = S::Scalar::from_f64(0.5);
         let shortest = half.powi(HALVINGS);
@@ -178,8 +185,7 @@ where
             let mut earliest: Option<First<S::Scalar>> = None;
             for guard in self.along() {
                 let series = guarded.get(guard);
-                let begins =
-                    from == zero && (fired == Some(guard) || self.is_held(guard) && is_below(series));
+                let begins = from == zero && self.begins_at_zero(guard, series, fired);
                 let before = if begins { Before::Zero } else { Before::Unknown };
                 if let Some(fall) = falls(series, before)
                     && earliest.is_none_or(|(other, _)| fall.place < other.place)
@@ -229,16 +235,28 @@ where
     }
 
     /// Ends to look at guards that do not come near zero on the whole of the step, as far as polynomials of
-    /// low order bound that.
-    fn glance(&mut self, path: &Path<S::Scalar, N, C, FEW>) {
+    /// low order bound that. What has fired is zero where the step starts.
+    fn glance<const T: usize>(&mut self, path: &Path<S::Scalar, N, C, T>, fired: Option<Guard>) {
         let functions = self.along_part(path);
         for guard in (0..C).map(Guard::Row).chain((0..W).map(Guard::Kink)) {
+            if !self.along().any(|other| other == guard) {
+                continue;
+            }
             let bound = functions.get(guard);
-            let is_along = self.along().any(|other| other == guard);
-            if is_along && bound.is_whole && stays_above(bound) {
+            let begins = self.begins_at_zero(guard, bound, fired);
+            let before = if begins { Before::Zero } else { Before::Unknown };
+            if bound.is_whole && (stays_above(bound) || rises(bound, before)) {
                 self.pass(guard);
             }
         }
+    }
+
+    /// How many gaps, slips and kinks are below zero where the step ends.
+    fn fallen(&self, end: &State<S::Scalar, N>) -> usize {
+        let zero: S::Scalar = num_traits::Zero::zero();
+        let guarded = self.guarded(|x| x, end.t, [&end.q, &end.v], &[zero; C]);
+        let is_reaction = |guard| matches!(guard, Guard::Row(row) if self.is_reaction(row));
+        self.along().filter(|&guard| !is_reaction(guard) && *guarded.get(guard) < zero).count()
     }
 
     /// The guards along a part of the step.
@@ -312,13 +330,16 @@ where
         None
     }
 
-    /// Whether a guard is a gap or a reaction, which a regime begins with as they are.
-    fn is_held(&self, guard: Guard) -> bool {
-        matches!(guard, Guard::Row(row) if S::ROWS[row] == super::Row::Unilateral || self.is_reaction(row))
+    /// Whether a guard is zero where the step starts, whatever its series says: what has fired, and what a
+    /// regime begins with as it is, a gap or a reaction. Below zero has been decided there.
+    fn begins_at_zero<const T: usize>(
+        &self,
+        guard: Guard,
+        series: &Taylor<S::Scalar, T>,
+        fired: Option<Guard>,
+    ) -> bool {
+        let is_held = matches!(guard, Guard::Row(row)
+            if S::ROWS[row] == super::Row::Unilateral || self.is_reaction(row));
+        fired == Some(guard) || is_held && series.start() < num_traits::Zero::zero()
     }
-}
-
-/// Whether what a regime holds starts below zero: as far as that is possible it has been decided there.
-fn is_below<R: Ordered>(series: &Taylor<R>) -> bool {
-    series.start() < R::zero()
 }

@@ -242,7 +242,8 @@ where
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let mut fall = None;
         if let Some(terms) = terms {
-            let found = guards.first_along(&start, &terms, memory.fired, self.limits.relative, attempts)?;
+            let found =
+                guards.first_along([&start, &end], &terms, memory.fired, self.limits.relative, attempts)?;
             fall = found.map(|found| {
                 let sizes = terms.sizes(&start, found.0.place);
                 (found, sizes, terms.length * terms.unit, terms.residue)

@@ -42,14 +42,12 @@ pub(crate) struct Fall<R> {
 /// Where on \[0, 1] a guard falls through zero first, if it does.
 pub(crate) fn falls<R: Ordered>(guard: &Taylor<R>, before: Before) -> Option<Fall<R>> {
     let zero = R::zero();
-    let (first, noise) = (guard.start(), guard.error);
+    let first = guard.start();
     // What the others take away at most leaves it above zero.
-    if first + guard.down() > noise {
+    if first + guard.down() > guard.error {
         return None;
     }
-    let extent = guard.extent();
-    let summed = R::from_f64(2.0 * guard.degree as f64 + 2.0) * R::epsilon();
-    let noise = noise + summed * extent;
+    let noise = self::noise(guard);
     let mut powers = guard.coefficients;
     let starts_at_zero = match before {
         Before::Unknown if first < -noise => return Some(Fall { place: zero, fallen: zero }),
@@ -144,11 +142,16 @@ fn to_bernstein<R: Ordered>(powers: &mut [R]) {
     }
 }
 
+/// What bounds the roundings of a guard and of sums of its terms.
+fn noise<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> R {
+    let summed = R::from_f64(2.0 * guard.degree as f64 + 2.0) * R::epsilon();
+    guard.error + summed * guard.extent()
+}
+
 /// Whether a guard is above zero on the whole of its interval, by more than its roundings.
 pub(crate) fn stays_above<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> bool {
     let terms = guard.terms();
-    let summed = R::from_f64(2.0 * guard.degree as f64 + 2.0) * R::epsilon();
-    let noise = guard.error + summed * guard.extent();
+    let noise = noise(guard);
     if guard.start() + guard.down() > noise {
         return true;
     }
@@ -159,6 +162,21 @@ pub(crate) fn stays_above<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> b
     let part = part.get_mut(..terms.len()).unwrap_or_default();
     to_bernstein(part);
     part.iter().all(|&term| term > noise)
+}
+
+/// Whether a guard, whose series is whole but for what its error bounds, rises from where it starts and does
+/// not come back: whether what it gains is a positive multiple of the time, by more than that error. What is
+/// left of high orders is a multiple of time as well, and what is none is rounding, within which nothing
+/// falls.
+pub(crate) fn rises<R: Ordered, const T: usize>(guard: &Taylor<R, T>, before: Before) -> bool {
+    if before == Before::Unknown && guard.start() < R::zero() {
+        return false;
+    }
+    let noise = noise(guard);
+    let mut gains = guard.coefficients;
+    let gains = gains.get_mut(1..=guard.degree).unwrap_or_default();
+    to_bernstein(gains);
+    !gains.is_empty() && gains.iter().all(|&term| term > noise)
 }
 
 /// Those of a polynomial of this much more than itself.

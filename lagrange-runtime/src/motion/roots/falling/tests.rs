@@ -138,3 +138,24 @@ fn what_is_nothing_but_roundings_is_clear_everywhere() {
     guard.error = 1e-19;
     assert_eq!(clear(&guard, guard.error), 0.0625);
 }
+
+#[test]
+fn what_rises_from_zero_is_told_from_what_comes_back() {
+    // From zero, or a rounding beside it.
+    for start in [0.0, 1e-17, -1e-17] {
+        let along = |roots: &[f64], error| {
+            let mut guard = -with_roots(roots, 0.0);
+            (guard.coefficients[0], guard.error) = (start, error);
+            guard
+        };
+        let begins = if start < 0.0 { Before::Zero } else { Before::Unknown };
+        assert!(rises(&along(&[0.0, 1.5], 1e-3), begins));
+        assert!(rises(&along(&[0.0, 1.5, 1.7], 1e-3), Before::Zero));
+        assert!(!rises(&along(&[0.0, 0.9], 1e-3), begins));
+        assert!(!rises(&along(&[0.0, 0.3, 0.9], 1e-3), begins));
+        // It comes back to within its error.
+        assert!(!rises(&along(&[0.0, 1.001], 1e-2), begins));
+        assert_eq!(rises(&along(&[0.0, 1.5], 1e-3), Before::Unknown), start >= 0.0);
+    }
+    assert!(!rises(&Taylor::<f64>::constant(0.0), Before::Zero));
+}
