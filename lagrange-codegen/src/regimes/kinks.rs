@@ -120,7 +120,7 @@ pub(super) fn corners(
     corners
 }
 
-/// A contact whose gap has two values where a kink is.
+/// A contact or constraint whose function has two values where a kink is.
 #[derive(Clone, Copy, Debug)]
 pub struct Jump {
     /// The kink.
@@ -131,13 +131,13 @@ pub struct Jump {
     pub gain: NodeId,
 }
 
-/// The gaps that jump at each kink, behind the rows that always hold.
-pub(super) fn breaks(model: &mut Model, equations: &Equations, held: usize, kinks: &[NodeId]) -> Vec<Jump> {
+/// The gaps and constraints that jump at each kink.
+pub(super) fn breaks(model: &mut Model, equations: &Equations, kinks: &[NodeId]) -> Vec<Jump> {
     let graph = &mut model.graph;
     let mut breaks = Vec::new();
     for (kink, &argument) in kinks.iter().enumerate() {
         let gains = across(graph, argument, &equations.conditions.positions);
-        let jumps = gains.into_iter().enumerate().skip(held).filter(|&(_, gain)| !graph.is_zero(gain));
+        let jumps = gains.into_iter().enumerate().filter(|&(_, gain)| !graph.is_zero(gain));
         breaks.extend(jumps.map(|(row, gain)| Jump { kink, row, gain }));
     }
     breaks

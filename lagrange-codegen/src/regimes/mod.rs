@@ -90,8 +90,9 @@ pub fn derive(
     is_smooth: bool,
     diagnostics: &mut Diagnostics,
 ) -> Option<Regimes> {
-    // A step of the energy leaves no trace in the equations.
-    if model.contacts.is_empty() && is_smooth && !kinks::are_in(model, energy) {
+    // A step of the energy or of a constraint leaves no trace in the equations.
+    let mut steps = model.constraints.iter().map(|constraint| constraint.value).chain([energy]);
+    if model.contacts.is_empty() && is_smooth && !steps.any(|function| kinks::are_in(model, function)) {
         return None;
     }
     let mut rows = model.clone();
@@ -110,7 +111,7 @@ pub fn derive(
     let kink_names = kinks::names(&mut rows, &kinks, &sliding);
     let jumps = kinks::jumps(&mut rows, &laws, &kinks);
     let corners = kinks::corners(&mut rows, &laws, held, &kinks);
-    let breaks = kinks::breaks(&mut rows, &laws, held, &kinks);
+    let breaks = kinks::breaks(&mut rows, &laws, &kinks);
     let count = held + contacts.len();
     let mut regime = rows.clone();
     switches.add_kinks(&mut regime, kinks.len());

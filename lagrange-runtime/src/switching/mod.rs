@@ -204,7 +204,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
     ) {
     }
 
-    /// Visits gaps that have two values where a switching function is zero: the number of the
+    /// Visits gaps and constraints that have two values where a switching function is zero: the number of the
     /// function, the row, and what it gains where the function passes zero upwards.
     fn breaks_at(
         &self,

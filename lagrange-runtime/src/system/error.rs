@@ -145,9 +145,9 @@ pub enum Cause {
         name: Name,
     },
     /// A gap has two values where a switching function is zero, and the contact is closed there or would be
-    /// penetrated.
+    /// penetrated; or a constraint has two values there.
     GapJumps {
-        /// Index of the contact, in the order of `Names::constraints`.
+        /// Index of the contact or constraint, in the order of `Names::constraints`.
         constraint: usize,
         /// Its name.
         name: Name,

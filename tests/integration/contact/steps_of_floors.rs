@@ -53,3 +53,37 @@ fn what_flies_over_a_step_lands_behind_it() {
         close(lands.state.t, ((1.8 - step) / 5.0_f64).sqrt(), 1e-14);
     }
 }
+
+/// A bead on a wire that goes on at another height from x = 1.
+struct Torn {
+    step: f64,
+}
+
+#[lagrangian(coordinates = [x, y])]
+impl Torn {
+    #[point(mass = 2.0)]
+    fn bead(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[holonomic]
+    fn wire(&self, q: &Coordinates) -> f64 {
+        if q.x < 1.0 { q.y - 0.2 * q.x * q.x } else { q.y - 0.2 * q.x * q.x - self.step }
+    }
+}
+
+#[test]
+fn no_bead_leaps_from_wire_to_wire() {
+    for step in [0.3, -0.3] {
+        let torn = Torn { step };
+        let mut motion = torn.simulate(State::new([0.0, 0.0], [2.0, 0.0])).with_tolerance(TIGHT);
+        let error = motion.advance_to(2.0).unwrap_err();
+        assert!(matches!(error.cause, Cause::GapJumps { name, .. } if name.as_str() == "wire"), "{error}");
+        close(motion.state().q[0], 1.0, 1e-13);
+    }
+    let whole = Torn { step: 0.0 };
+    let mut motion = whole.simulate(State::new([0.0, 0.0], [2.0, 0.0])).with_tolerance(TIGHT);
+    let end = *motion.advance_to(1.0).unwrap();
+    assert!(end.q[0] > 1.0);
+    close(end.q[1], 0.2 * end.q[0] * end.q[0], 1e-13);
+}

@@ -48,7 +48,7 @@ pub(super) fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> Strin
     )
 }
 
-/// `breaks_at`, where gaps jump at a kink.
+/// `breaks_at`, where gaps or constraints jump at a kink.
 pub(super) fn breaks(emission: &Emission<'_>, switching: &Regimes) -> String {
     if switching.breaks.is_empty() {
         return String::new();

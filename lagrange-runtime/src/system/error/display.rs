@@ -96,7 +96,7 @@ impl fmt::Display for Cause {
             ),
             Self::GapJumps { constraint, name } => write!(
                 out,
-                "{constraint} jumps to where no motion leads: a gap has to be continuous, so describe a step by a gap of its own",
+                "{constraint} jumps to where no motion leads: a gap or constraint has to be continuous, so describe a step by a gap of its own",
                 constraint = Part(*constraint, *name)
             ),
             Self::HeldAtKink { kink, name } => write!(
