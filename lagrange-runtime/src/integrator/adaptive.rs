@@ -36,6 +36,11 @@ where
     {
         const {
             assert!(
+                C::HELD || !S::SWITCHED,
+                "this system has contacts or dry friction, and goes through them with inputs that are held: write a law of the \
+                 state as a `#[force]`, or set the inputs at the times of a controller (`set_inputs`, then `advance_by`)"
+            );
+            assert!(
                 !S::SWITCHED,
                 "this system has contacts or dry friction, which `Dop853` alone does not see: use `simulate(…)`"
             );

@@ -71,6 +71,10 @@ where
 
     /// Takes the inputs from a function of the state (continuous feedback) from here on, by [`Dop853`]:
     /// nothing is known of the derivatives of such a function.
+    ///
+    /// A system with contacts or dry friction goes through them with inputs that are held. There this does
+    /// not compile: write a law of the state as a `#[force]`, or set the inputs at the times of a controller
+    /// (`set_inputs`, then `advance_by`).
     #[inline]
     #[must_use]
     pub fn with_control<F>(self, control: F) -> Simulation<'a, S, Feedback<F>, Dop853, N, K>
