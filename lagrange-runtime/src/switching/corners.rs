@@ -43,8 +43,8 @@ where
         self.leap(kink, side, state)
     }
 
-    /// Refuses a kink at which a constraint jumps, or the gap of a contact that is closed, or below zero behind
-    /// the kink: no velocity leads there.
+    /// Refuses a kink at which a constraint jumps, or the gap of a contact that is closed, or below zero
+    /// behind the kink: no velocity leads there.
     fn leap(&self, kink: usize, side: S::Scalar, state: &State<S::Scalar, N>) -> Result<(), Cause> {
         let State { t, q, v } = state;
         let inputs = &self.control.0;

@@ -57,8 +57,8 @@ fn a_ladder_between_rough_surfaces_has_more_reactions_than_equations() {
     }
 }
 
-/// Of n at the foot the others follow: h = cot φ (n − W/2) at the head, −h along the floor, W − n up the wall.
-/// Without limits Σ λ² is least at n = W/2.
+/// Of n at the foot the others follow: h = cot φ (n − W/2) at the head, −h along the floor, W − n up the
+/// wall. Without limits Σ λ² is least at n = W/2.
 #[test]
 fn a_ladder_has_the_shortest_reactions_that_frictions_allow() {
     let (weight, cot) = (3.0 * 9.81, 1.2_f64.tan().recip());
@@ -242,8 +242,8 @@ impl Groove {
     }
 }
 
-/// Each side bears half: n + t = W/√2 with half of the pull along the groove. The shortest has t = n; where the
-/// limit is less, t² + (P/2)² = μ² n².
+/// Each side bears half: n + t = W/√2 with half of the pull along the groove. The shortest has t = n; where
+/// the limit is less, t² + (P/2)² = μ² n².
 #[test]
 fn a_block_in_a_groove_presses_no_more_than_its_frictions_need() {
     let sum = 20.0 * 0.5_f64.sqrt();
