@@ -85,6 +85,7 @@ where
     /// The shortest of all reactions that are possible and give the same motion as these; `drags` are the
     /// frictions that slip, for each unit of the reactions that drive them. `None` of loads, which are sizes
     /// of forces, so that what is possible is no convex set.
+    #[cold]
     pub(super) fn shortest(
         &self,
         bearing: &Regime<S::Scalar, C, W>,
