@@ -43,8 +43,12 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
         Self { rows, units }
     }
 
-    fn reach(&self) -> Reach<N, C> {
-        let mut reach = self.rows.map(|row| row.map(|entry| entry != R::zero()));
+    /// A row that drives friction may meet any coordinate through it.
+    fn reach(&self, drives: impl Fn(usize) -> bool) -> Reach<N, C> {
+        let mut reach = core::array::from_fn(|row| {
+            let drives = drives(row);
+            self.rows[row].map(|entry| drives || entry != R::zero())
+        });
         for _ in 1..C {
             let last = reach;
             for own in &mut reach {
@@ -120,6 +124,14 @@ where
         given
     }
 
+    /// Whether a reaction drives friction that slips.
+    fn drives(&self, row: usize) -> bool {
+        let slips = |own: usize| entry(&self.regime.slip, own) != num_traits::Zero::zero();
+        S::ROWS.iter().enumerate().any(|(own, kind)| {
+            matches!(kind, Row::Friction { normal: Some(normal), .. } if *normal == row && slips(own))
+        })
+    }
+
     fn equations(
         &self,
         state: &State<S::Scalar, N>,
@@ -146,7 +158,7 @@ where
         let Balance { multipliers, .. } = equations.balance();
         let levers = Levers::new(&equations);
         let forces = core::array::from_fn(|i| self.force(&equations, i) * levers.units[i]);
-        let mut sizes = levers.sizes(&levers.reach(), &multipliers, &forces);
+        let mut sizes = levers.sizes(&levers.reach(|row| self.drives(row)), &multipliers, &forces);
         equations.saddle.bound_loads(&mut sizes);
         [multipliers, sizes]
     }
@@ -192,7 +204,7 @@ where
             sums = core::array::from_fn(|row| sums[row] + last[1][row]);
             order += num_traits::One::one();
         }
-        let mut sizes = levers.sizes(&levers.reach(), &sums, &forces);
+        let mut sizes = levers.sizes(&levers.reach(|row| self.drives(row)), &sums, &forces);
         equations.saddle.bound_loads(&mut sizes);
         let [before, last] = last;
         let share = relative.sqrt();
