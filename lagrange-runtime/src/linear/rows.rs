@@ -2,16 +2,10 @@
 //!
 //! Velocities are eliminated from the last to the first. What hangs on a link is declared after it, so a
 //! tree fills no entry: the zeros of M, which are passed over, are zeros of L (Featherstone, *Rigid Body
-//! Dynamics Algorithms*, section 6.3). Columns are solved for many at a time, side by side on vectors,
-//! because what one waits for the others do not.
+//! Dynamics Algorithms*, section 6.3). All columns are solved for side by side, in vectors of a row: what one
+//! waits for the others do not, and nothing is put in another order before.
 
 use crate::number::real::Real;
-
-/// Columns that are solved for side by side: eight vectors of four, each with one result under way, fill
-/// the time that a result takes.
-pub(crate) const COLUMNS: usize = 32;
-/// Those of a last few.
-pub(crate) const FEW: usize = 16;
 
 /// The factors of a symmetric positive definite matrix.
 #[derive(Clone, Copy, Debug)]
@@ -48,52 +42,76 @@ impl<const N: usize> Places<N> {
 }
 
 impl<R: Real, const N: usize> Rows<R, N> {
-    /// Factors a matrix, of which only the lower triangle is read; `None` where a pivot is not positive
+    /// Factors a matrix, of which only the lower triangle counts; `None` where a pivot is not positive
     /// beyond rounding, by the bound of `Ldlt`.
     pub fn factor(matrix: &[[R; N]; N]) -> Option<Self> {
-        let mut factor = *matrix;
-        let mut inverse = [R::zero(); N];
-        let (mut rows, mut columns) = (Places::new(), Places::new());
+        let mut factors = Rows {
+            factor: *matrix,
+            inverse: [R::zero(); N],
+            rows: Places::new(),
+            columns: Places::new(),
+        };
         let mut threshold = R::zero();
         let ulps = R::epsilon() + R::epsilon();
         for k in (0..N).rev() {
             threshold += ulps;
-            let row = factor[k];
+            let row = factors.factor[k];
             let pivot = row[k];
             if !((pivot - threshold * matrix[k][k]).is_positive() && pivot.is_positive()) {
                 return None;
             }
-            inverse[k] = pivot.recip();
+            let inverse = pivot.recip();
+            factors.inverse[k] = inverse;
             for i in (0..k).filter(|&i| row[i] != R::zero()) {
-                rows.push(k, i);
-                columns.push(i, k);
-                let l = row[i] * inverse[k];
-                factor[k][i] = l;
-                for j in rows.of(k) {
-                    factor[i][j] = R::mul_add(-l, row[j], factor[i][j]);
-                }
+                factors.rows.push(k, i);
+                factors.columns.push(i, k);
+                let l = row[i] * inverse;
+                factors.factor[k][i] = l;
+                // The whole row, on vectors: to pass over its zeros would take longer.
+                subtract(&mut factors.factor[i], l, &row);
             }
         }
-        Some(Self { factor, inverse, rows, columns })
+        Some(factors)
     }
 
-    /// Solves for some columns in place.
-    pub fn solve<const W: usize>(&self, right: &mut [[R; W]; N]) {
+    /// Solves for the columns of three matrices in place.
+    pub fn solve<const K: usize>(
+        &self,
+        first: &mut [[R; N]; N],
+        second: &mut [[R; N]; N],
+        third: &mut [[R; K]; N],
+    ) {
         for k in (0..N).rev() {
-            let mut load = right[k];
+            let (mut one, mut two, mut three) = (first[k], second[k], third[k]);
             for i in self.columns.of(k) {
-                subtract(&mut load, self.factor[i][k], &right[i]);
+                let l = self.factor[i][k];
+                subtract(&mut one, l, &first[i]);
+                subtract(&mut two, l, &second[i]);
+                subtract(&mut three, l, &third[i]);
             }
-            right[k] = load;
+            (first[k], second[k], third[k]) = (one, two, three);
         }
         for k in 0..N {
-            let mut value = right[k].map(|load| load * self.inverse[k]);
+            let inverse = self.inverse[k];
+            let (mut one, mut two, mut three) = (first[k], second[k], third[k]);
+            scale(&mut one, inverse);
+            scale(&mut two, inverse);
+            scale(&mut three, inverse);
             for i in self.rows.of(k) {
-                subtract(&mut value, self.factor[k][i], &right[i]);
+                let l = self.factor[k][i];
+                subtract(&mut one, l, &first[i]);
+                subtract(&mut two, l, &second[i]);
+                subtract(&mut three, l, &third[i]);
             }
-            right[k] = value;
+            (first[k], second[k], third[k]) = (one, two, three);
         }
     }
+}
+
+/// row ← factor · row.
+#[inline(always)]
+fn scale<R: Real, const W: usize>(row: &mut [R; W], factor: R) {
+    row.iter_mut().for_each(|entry| *entry *= factor);
 }
 
 /// row ← row − l · other.
@@ -124,24 +142,31 @@ mod tests {
         core::array::from_fn(|i| core::array::from_fn(|j| (0..7).map(|k| roots[k][i] * roots[k][j]).sum()))
     }
 
+    fn are_solved<const W: usize>(factors: &Lu<f64, 7>, right: &[[f64; W]; 7], found: &[[f64; W]; 7]) {
+        for j in 0..W {
+            let x = factors.solve(core::array::from_fn(|i| right[i][j]));
+            let size = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+            for i in 0..7 {
+                assert!((x[i] - found[i][j]).abs() <= 1e-12 * size, "{} {}", x[i], found[i][j]);
+            }
+        }
+    }
+
     #[test]
     fn all_columns_are_those_of_elimination_with_pivots() {
         let mut noise = Noise(3);
         for _ in 0..20 {
             let m = tree(&mut noise);
-            let mut right: [[f64; COLUMNS]; 7] = core::array::from_fn(|_| noise.vector());
-            let given = right;
+            let (mut first, mut second) = (noise.matrix(), noise.matrix());
+            let mut third: [[f64; 5]; 7] = core::array::from_fn(|_| noise.vector());
+            let given = (first, second, third);
             let factors = Rows::factor(&m).unwrap();
             assert_eq!(factors.factor[6][3..5], [0.0, 0.0], "a tree fills nothing");
-            factors.solve(&mut right);
+            factors.solve(&mut first, &mut second, &mut third);
             let other = Lu::factor(m).unwrap();
-            for j in 0..COLUMNS {
-                let x = other.solve(core::array::from_fn(|i| given[i][j]));
-                let size = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-                for i in 0..7 {
-                    assert!((x[i] - right[i][j]).abs() <= 1e-12 * size, "{} {}", x[i], right[i][j]);
-                }
-            }
+            are_solved(&other, &given.0, &first);
+            are_solved(&other, &given.1, &second);
+            are_solved(&other, &given.2, &third);
         }
     }
 

@@ -20,7 +20,7 @@ mod tests;
 
 use crate::number::real::Real;
 use crate::system::linearized::Linearization;
-use composite::{Composite, Pair, Vector};
+use composite::{Composite, Pair, Vector, each};
 
 /// Coordinates that move the same bodies.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +147,7 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
 
     /// To the point of a group from that of another.
     fn arm(&self, to: usize, from: usize) -> Vector<R> {
-        [0, 1, 2].map(|i| self.points[to][i] - self.points[from][i])
+        each(|i| self.points[to][i] - self.points[from][i])
     }
 
     fn screw(&self, coordinate: usize) -> Pair<R> {

@@ -33,7 +33,7 @@ impl<R: Real> Pair<R> {
 
     /// The sum with a multiple.
     pub fn plus(&self, factor: R, other: &Self) -> Self {
-        let both = |a: &Vector<R>, b: &Vector<R>| [0, 1, 2].map(|i| R::mul_add(factor, b[i], a[i]));
+        let both = |a: &Vector<R>, b: &Vector<R>| each(|i| R::mul_add(factor, b[i], a[i]));
         Pair(both(&self.0, &other.0), both(&self.1, &other.1))
     }
 
@@ -56,27 +56,29 @@ impl<R: Real> Pair<R> {
 
     /// A twist about a point that lies at an arm from that of `self`.
     pub fn at(&self, arm: &Vector<R>) -> Self {
-        Pair(self.0, sum(&self.1, &cross(&self.0, arm)))
+        Pair(self.0, plus_cross(&self.1, &self.0, arm))
     }
 
     /// A twist about the point that its own point is counted from.
     pub fn from(&self, point: &Vector<R>) -> Self {
-        Pair(self.0, sum(&self.1, &cross(point, &self.0)))
+        Pair(self.0, plus_cross(&self.1, point, &self.0))
     }
 
     /// A wrench, likewise.
     pub fn wrench_from(&self, point: &Vector<R>) -> Self {
-        Pair(sum(&self.0, &cross(point, &self.1)), self.1)
+        Pair(plus_cross(&self.0, point, &self.1), self.1)
     }
 
     /// How a twist changes what it carries: self × twist.
     pub fn moves(&self, twist: &Self) -> Self {
-        Pair(cross(&self.0, &twist.0), sum(&cross(&self.0, &twist.1), &cross(&self.1, &twist.0)))
+        let linear = plus_cross(&cross(&self.0, &twist.1), &self.1, &twist.0);
+        Pair(cross(&self.0, &twist.0), linear)
     }
 
     /// How it changes a wrench: self ×* wrench.
     pub fn turns(&self, wrench: &Self) -> Self {
-        Pair(sum(&cross(&self.0, &wrench.0), &cross(&self.1, &wrench.1)), cross(&self.0, &wrench.1))
+        let angular = plus_cross(&cross(&self.0, &wrench.0), &self.1, &wrench.1);
+        Pair(angular, cross(&self.0, &wrench.1))
     }
 }
 
@@ -115,7 +117,7 @@ impl<R: Real> Composite<R> {
             column[k] -= half;
             let mut gyration = cross(spin, &column);
             for i in 0..3 {
-                gyration[i] += crossed[k][i] - moment[i] * velocity[k];
+                gyration[i] += R::mul_add(-moment[i], velocity[k], crossed[k][i]);
             }
             gyration[k] += along;
             bodies.gyration[k] = gyration;
@@ -127,12 +129,13 @@ impl<R: Real> Composite<R> {
     pub fn add(&mut self, other: &Self, arm: &Vector<R>) {
         let Composite { mass, moment, inertia, gyration, momentum, force } = other;
         // About the other point: h + m d, J + (d·h′ + d·h) 1 − d h′ᵀ − h dᵀ, G + (d·P) 1 − P dᵀ.
-        let carried: Vector<R> = [0, 1, 2].map(|i| R::mul_add(*mass, arm[i], moment[i]));
+        let carried: Vector<R> = each(|i| R::mul_add(*mass, arm[i], moment[i]));
         let (round, along) = (dot(arm, &carried) + dot(arm, moment), dot(arm, momentum));
         for k in 0..3 {
             for i in 0..3 {
-                self.inertia[k][i] += inertia[k][i] - arm[k] * carried[i] - moment[k] * arm[i];
-                self.gyration[k][i] += gyration[k][i] - momentum[i] * arm[k];
+                let shift = R::mul_add(-arm[k], carried[i], inertia[k][i]);
+                self.inertia[k][i] += R::mul_add(-moment[k], arm[i], shift);
+                self.gyration[k][i] += R::mul_add(-momentum[i], arm[k], gyration[k][i]);
             }
             self.inertia[k][k] += round;
             self.gyration[k][k] += along;
@@ -145,37 +148,51 @@ impl<R: Real> Composite<R> {
 
     /// I x.
     pub fn times(&self, Pair(angular, linear): &Pair<R>) -> Pair<R> {
-        let [tx, ty, tz] = cross(&self.moment, linear);
-        let [fx, fy, fz] = cross(angular, &self.moment);
-        let turned =
-            [dot(&self.inertia[0], angular), dot(&self.inertia[1], angular), dot(&self.inertia[2], angular)];
-        let pushed = linear.map(|part| self.mass * part);
-        Pair(sum(&turned, &[tx, ty, tz]), sum(&pushed, &[fx, fy, fz]))
+        let turned = each(|i| dot(&self.inertia[i], angular));
+        let pushed = each(|i| self.mass * linear[i]);
+        Pair(plus_cross(&turned, &self.moment, linear), plus_cross(&pushed, angular, &self.moment))
     }
 
     /// B x.
     pub fn gyrates(&self, Pair(x, _): &Pair<R>) -> Pair<R> {
         let [a, b, c] = &self.gyration;
-        let torque = [0, 1, 2].map(|i| R::mul_add(a[i], x[0], R::mul_add(b[i], x[1], c[i] * x[2])));
+        let torque = each(|i| R::mul_add(a[i], x[0], R::mul_add(b[i], x[1], c[i] * x[2])));
         Pair(torque, cross(x, &self.momentum)).doubled()
     }
 
     /// The angular part of Bᵀ x, the only one.
     pub fn gyrates_back(&self, Pair(angular, linear): &Pair<R>) -> Vector<R> {
         let across = cross(&self.momentum, linear);
-        let half = [0, 1, 2].map(|k| dot(&self.gyration[k], angular) + across[k]);
+        let half = each(|k| dot(&self.gyration[k], angular) + across[k]);
         sum(&half, &half)
     }
 }
 
-fn cross<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
+/// A vector by its components. The compiler calls a function for `map` of an array.
+#[inline(always)]
+pub(super) fn each<R>(part: impl Fn(usize) -> R) -> Vector<R> {
+    [part(0), part(1), part(2)]
 }
 
+#[inline(always)]
+fn cross<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
+    let part = |i: usize, j: usize| R::mul_add(a[i], b[j], -(a[j] * b[i]));
+    [part(1, 2), part(2, 0), part(0, 1)]
+}
+
+/// c + a × b.
+#[inline(always)]
+fn plus_cross<R: Real>(c: &Vector<R>, a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
+    let part = |k: usize, i: usize, j: usize| R::mul_add(a[i], b[j], R::mul_add(-a[j], b[i], c[k]));
+    [part(0, 1, 2), part(1, 2, 0), part(2, 0, 1)]
+}
+
+#[inline(always)]
 fn dot<R: Real>(a: &Vector<R>, b: &Vector<R>) -> R {
     R::mul_add(a[0], b[0], R::mul_add(a[1], b[1], a[2] * b[2]))
 }
 
+#[inline(always)]
 fn sum<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
-    [0, 1, 2].map(|i| a[i] + b[i])
+    each(|i| a[i] + b[i])
 }
