@@ -42,36 +42,55 @@ impl<const N: usize> Places<N> {
 }
 
 impl<R: Real, const N: usize> Rows<R, N> {
-    /// Factors a matrix, of which only the lower triangle counts; `None` where a pivot is not positive
-    /// beyond rounding, by the bound of `Ldlt`.
-    pub fn factor(matrix: &[[R; N]; N]) -> Option<Self> {
-        let mut factors = Rows {
-            factor: *matrix,
-            inverse: [R::zero(); N],
-            rows: Places::new(),
-            columns: Places::new(),
-        };
+    /// Of no matrix.
+    pub fn new() -> Self {
+        let zero = R::zero();
+        Rows { factor: [[zero; N]; N], inverse: [zero; N], rows: Places::new(), columns: Places::new() }
+    }
+
+    /// Factors a matrix, of which only the lower triangle counts, for the first time; false where a pivot is
+    /// not positive beyond rounding, by the bound of `Ldlt`.
+    #[must_use]
+    pub fn factor(&mut self, matrix: &[[R; N]; N]) -> bool {
+        self.factor = *matrix;
         let mut threshold = R::zero();
         let ulps = R::epsilon() + R::epsilon();
         for k in (0..N).rev() {
             threshold += ulps;
-            let row = factors.factor[k];
+            let row = self.factor[k];
             let pivot = row[k];
             if !((pivot - threshold * matrix[k][k]).is_positive() && pivot.is_positive()) {
-                return None;
+                return false;
             }
             let inverse = pivot.recip();
-            factors.inverse[k] = inverse;
+            self.inverse[k] = inverse;
             for i in (0..k).filter(|&i| row[i] != R::zero()) {
-                factors.rows.push(k, i);
-                factors.columns.push(i, k);
+                self.rows.push(k, i);
+                self.columns.push(i, k);
                 let l = row[i] * inverse;
-                factors.factor[k][i] = l;
+                self.factor[k][i] = l;
                 // The whole row, on vectors: to pass over its zeros would take longer.
-                subtract(&mut factors.factor[i], l, &row);
+                subtract(&mut self.factor[i], l, &row);
             }
         }
-        Some(factors)
+        true
+    }
+
+    /// Solves for one column in place.
+    pub fn solve_one(&self, right: &mut [R; N]) {
+        for k in (0..N).rev() {
+            let value = right[k];
+            for i in self.rows.of(k) {
+                right[i] = R::mul_add(-self.factor[k][i], value, right[i]);
+            }
+        }
+        for k in 0..N {
+            let mut value = right[k] * self.inverse[k];
+            for i in self.rows.of(k) {
+                value = R::mul_add(-self.factor[k][i], right[i], value);
+            }
+            right[k] = value;
+        }
     }
 
     /// Solves for the columns of three matrices in place.
@@ -142,6 +161,11 @@ mod tests {
         core::array::from_fn(|i| core::array::from_fn(|j| (0..7).map(|k| roots[k][i] * roots[k][j]).sum()))
     }
 
+    fn factors<const N: usize>(matrix: &[[f64; N]; N]) -> Option<Rows<f64, N>> {
+        let mut factors = Rows::new();
+        factors.factor(matrix).then_some(factors)
+    }
+
     fn are_solved<const W: usize>(factors: &Lu<f64, 7>, right: &[[f64; W]; 7], found: &[[f64; W]; 7]) {
         for j in 0..W {
             let x = factors.solve(core::array::from_fn(|i| right[i][j]));
@@ -160,10 +184,13 @@ mod tests {
             let (mut first, mut second) = (noise.matrix(), noise.matrix());
             let mut third: [[f64; 5]; 7] = core::array::from_fn(|_| noise.vector());
             let given = (first, second, third);
-            let factors = Rows::factor(&m).unwrap();
+            let factors = factors(&m).unwrap();
+            let mut one = given.0.map(|row| row[0]);
+            factors.solve_one(&mut one);
             assert_eq!(factors.factor[6][3..5], [0.0, 0.0], "a tree fills nothing");
             factors.solve(&mut first, &mut second, &mut third);
             let other = Lu::factor(m).unwrap();
+            are_solved(&other, &given.0.map(|row| [row[0]]), &one.map(|x| [x]));
             are_solved(&other, &given.0, &first);
             are_solved(&other, &given.1, &second);
             are_solved(&other, &given.2, &third);
@@ -172,16 +199,16 @@ mod tests {
 
     #[test]
     fn what_is_not_definite_is_refused() {
-        assert!(Rows::factor(&[[0.0, 0.0], [0.0, 1.0]]).is_none());
-        assert!(Rows::factor(&[[1.0, 1.0], [1.0, 1.0]]).is_none());
-        assert!(Rows::factor(&[[-1.0, 0.0], [0.0, 1.0]]).is_none());
-        assert!(Rows::factor(&[[1.0, 0.0], [0.0, f64::NAN]]).is_none());
+        assert!(factors(&[[0.0, 0.0], [0.0, 1.0]]).is_none());
+        assert!(factors(&[[1.0, 1.0], [1.0, 1.0]]).is_none());
+        assert!(factors(&[[-1.0, 0.0], [0.0, 1.0]]).is_none());
+        assert!(factors(&[[1.0, 0.0], [0.0, f64::NAN]]).is_none());
     }
 
     #[test]
     fn a_pivot_that_is_nothing_but_rounding_is_refused() {
         // What is left of the first entry is ε: half of the bound for two pivots.
-        assert!(Rows::factor(&[[1.0, 1.0], [1.0, 1.0 + f64::EPSILON]]).is_none());
-        assert!(Rows::factor(&[[1.0, 1.0], [1.0, 1.0 + 32.0 * f64::EPSILON]]).is_some());
+        assert!(factors(&[[1.0, 1.0], [1.0, 1.0 + f64::EPSILON]]).is_none());
+        assert!(factors(&[[1.0, 1.0], [1.0, 1.0 + 32.0 * f64::EPSILON]]).is_some());
     }
 }

@@ -22,6 +22,39 @@ pub struct Linearization<R, const N: usize> {
     pub by_v: [[R; N]; N],
 }
 
+/// M in factors, and the derivatives of r = f − M a at the accelerations of the motion.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Factored<R, const N: usize> {
+    factors: Rows<R, N>,
+    /// Whether M is positive definite and the accelerations are finite.
+    is_sound: bool,
+    /// ∂r/∂q.
+    pub by_q: [[R; N]; N],
+    /// ∂r/∂v.
+    pub by_v: [[R; N]; N],
+}
+
+impl<R: Real, const N: usize> Factored<R, N> {
+    /// Without anything.
+    pub(crate) fn new() -> Self {
+        let zero = [[R::zero(); N]; N];
+        Factored { factors: Rows::new(), is_sound: false, by_q: zero, by_v: zero }
+    }
+
+    /// Factors M; whether it is positive definite.
+    pub(crate) fn factor(&mut self, mass: &[[R; N]; N]) -> bool {
+        self.is_sound = self.factors.factor(mass);
+        self.is_sound
+    }
+
+    /// Turns forces into accelerations.
+    pub(crate) fn accelerate(&mut self, forces: &mut [R; N]) {
+        self.factors.solve_one(forces);
+        self.is_sound = forces.iter().all(|a| a.is_finite());
+    }
+}
+
 /// Derivatives of the accelerations; rows are accelerations.
 ///
 /// With x = (q, v) the motion near a state is ẋ = A x + B u, where A has the rows (0, 1) and (`by_q`,
@@ -75,6 +108,26 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         u: &[Self::Scalar; K],
     ) -> [[Self::Scalar; K]; N];
 
+    /// What [`Linearized::jacobians`] solves.
+    #[doc(hidden)]
+    fn factored_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> Factored<Self::Scalar, N> {
+        let mut factored = Factored::new();
+        let a = self.accelerations_at(constants, t, q, v, u);
+        if a.iter().all(|a| a.is_finite()) {
+            let Linearization { mass, by_q, by_v } = self.linearization_at(constants, t, q, v, &a, u);
+            factored.factor(&mass);
+            (factored.by_q, factored.by_v) = (by_q, by_v);
+        }
+        factored
+    }
+
     /// ∂a/∂q, ∂a/∂v and ∂a/∂u at a state under the inputs `u`: M⁻¹ times the derivatives of r at the
     /// accelerations there.
     ///
@@ -90,26 +143,53 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
     {
         let constants = self.constants();
         let State { t, q, v } = state;
-        let failed = || MotionError { cause: diagnose(self, &constants, *t, q, v), t: *t };
-        let a = self.accelerations_at(&constants, *t, q, v, u);
-        if !a.iter().all(|a| a.is_finite()) {
-            return Err(failed());
-        }
-        let mut linearization = self.linearization_at(&constants, *t, q, v, &a, u);
+        let mut factored = self.factored_at(&constants, *t, q, v, u);
         let mut by_u = self.by_inputs_at(&constants, *t, q, v, u);
-        match Rows::factor(&linearization.mass) {
-            Some(factors) => factors.solve(&mut linearization.by_q, &mut linearization.by_v, &mut by_u),
-            None => {
-                check_masses(self, &constants, state)?;
-                pivoted(&mut linearization, &mut by_u).ok_or_else(failed)?;
-            }
+        if factored.is_sound {
+            factored.factors.solve(&mut factored.by_q, &mut factored.by_v, &mut by_u);
+        } else {
+            pivoted(self, &constants, state, u, &mut factored, &mut by_u)?;
         }
-        let Linearization { by_q, by_v, .. } = &linearization;
+        let Factored { by_q, by_v, .. } = &factored;
         if !(are_finite(by_q) && are_finite(by_v) && are_finite(&by_u)) {
-            return Err(failed());
+            return Err(failed(self, &constants, state));
         }
         Ok(Jacobians { by_q: by_columns(by_q), by_v: by_columns(by_v), by_u: by_columns(&by_u) })
     }
+}
+
+fn failed<S: System<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    State { t, q, v }: &State<S::Scalar, N>,
+) -> MotionError<S::Scalar> {
+    MotionError { cause: diagnose(system, constants, *t, q, v), t: *t }
+}
+
+/// The same by pivots, of an M that is not positive definite.
+#[cold]
+fn pivoted<S: Linearized<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &State<S::Scalar, N>,
+    u: &[S::Scalar; K],
+    factored: &mut Factored<S::Scalar, N>,
+    by_u: &mut [[S::Scalar; K]; N],
+) -> Result<(), MotionError<S::Scalar>> {
+    let failed = || failed(system, constants, state);
+    let State { t, q, v } = state;
+    let a = system.accelerations_at(constants, *t, q, v, u);
+    if !a.iter().all(|a| a.is_finite()) {
+        return Err(failed());
+    }
+    check_masses(system, constants, state)?;
+    let Linearization { mass, by_q, by_v } = system.linearization_at(constants, *t, q, v, &a, u);
+    let factors = Lu::factor(mass).map_err(|_| failed())?;
+    (factored.by_q, factored.by_v) = (by_q, by_v);
+    by_column(&factors, &mut factored.by_q);
+    by_column(&factors, &mut factored.by_v);
+    by_column(&factors, by_u);
+    Ok(())
 }
 
 /// Whether all numbers are finite. Zero times a number is zero, or else no number; sums of these side by
@@ -120,19 +200,6 @@ fn are_finite<R: Real, const N: usize, const W: usize>(rows: &[[R; W]; N]) -> bo
         sums.iter_mut().zip(row).for_each(|(sum, &x)| *sum += R::zero() * x);
     }
     sums.iter().all(|sum| sum.is_finite())
-}
-
-/// The same by pivots, of an M that is not positive definite.
-#[cold]
-fn pivoted<R: Real, const N: usize, const K: usize>(
-    Linearization { mass, by_q, by_v }: &mut Linearization<R, N>,
-    by_u: &mut [[R; K]; N],
-) -> Option<()> {
-    let factors = Lu::factor(*mass).ok()?;
-    by_column(&factors, by_q);
-    by_column(&factors, by_v);
-    by_column(&factors, by_u);
-    Some(())
 }
 
 fn by_column<R: Real, const N: usize, const W: usize>(factors: &Lu<R, N>, rows: &mut [[R; W]; N]) {

@@ -158,11 +158,13 @@ impl Interpreter<'_> {
                 }
                 match text(path).as_str() {
                     "f64::INFINITY" | "f32::INFINITY" => Ok(Value::Number(f64::INFINITY)),
-                    // Where gradients can differ from zero.
-                    path if path.ends_with(">::PATTERN") => match self.expansion.constants.get("PATTERN") {
-                        Some(pattern) => self.expression(pattern, locals),
-                        None => unknown(path),
-                    },
+                    // Where gradients can differ from zero, and the groups of screws.
+                    path if path.ends_with(">::PATTERN") || path.ends_with(">::GROUPS") => {
+                        match self.expansion.constants.get(path.rsplit("::").next().unwrap_or_default()) {
+                            Some(constant) => self.expression(constant, locals),
+                            None => unknown(path),
+                        }
+                    }
                     _ => self.parameter(expr),
                 }
             }

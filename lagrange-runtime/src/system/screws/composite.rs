@@ -8,18 +8,22 @@ pub(super) type Vector<R> = [R; 3];
 #[derive(Clone, Copy)]
 pub(super) struct Pair<R>(pub Vector<R>, pub Vector<R>);
 
+/// Mass, first moment, and moments of inertia about a point.
+#[derive(Clone, Copy)]
+pub(super) struct Inertia<R> {
+    mass: R,
+    moment: Vector<R>,
+    turning: [Vector<R>; 3],
+}
+
 /// Bodies as one, at a state.
 #[derive(Clone, Copy)]
 pub(super) struct Composite<R> {
-    mass: R,
-    moment: Vector<R>,
-    inertia: [Vector<R>; 3],
+    pub inertia: Inertia<R>,
     /// The columns of G.
     gyration: [Vector<R>; 3],
     /// P.
     momentum: Vector<R>,
-    /// F.
-    pub force: Pair<R>,
 }
 
 impl<R: Real> Pair<R> {
@@ -82,75 +86,66 @@ impl<R: Real> Pair<R> {
     }
 }
 
-impl<R: Real> Composite<R> {
-    pub fn zero() -> Self {
-        let nothing = [R::zero(); 3];
-        Composite {
-            mass: R::zero(),
-            moment: nothing,
-            inertia: [nothing; 3],
-            gyration: [nothing; 3],
-            momentum: nothing,
-            force: Pair::zero(),
-        }
-    }
-
-    pub fn of(
-        &[mass, hx, hy, hz, xx, xy, xz, yy, yz, zz]: &[R; 10],
-        twist: &Pair<R>,
-        acceleration: &Pair<R>,
-    ) -> Self {
-        let (moment, inertia) = ([hx, hy, hz], [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]);
-        let mut bodies = Composite { mass, moment, inertia, ..Composite::zero() };
-        let momentum = bodies.times(twist);
-        bodies.momentum = momentum.1;
-        bodies.force = bodies.times(acceleration).sum(&twist.turns(&momentum));
-        // G x = ω × (J x − ½ tr J x) − (h × v) × x − v × (h × x).
-        let Pair(spin, velocity) = twist;
-        let half = (xx + yy + zz) * R::from_f64(0.5);
-        let [cx, cy, cz] = cross(&moment, velocity);
-        let along = dot(velocity, &moment);
-        let zero = R::zero();
-        let crossed = [[zero, -cz, cy], [cz, zero, -cx], [-cy, cx, zero]];
-        for k in 0..3 {
-            let mut column = inertia[k];
-            column[k] -= half;
-            let mut gyration = cross(spin, &column);
-            for i in 0..3 {
-                gyration[i] += R::mul_add(-moment[i], velocity[k], crossed[k][i]);
-            }
-            gyration[k] += along;
-            bodies.gyration[k] = gyration;
-        }
-        bodies
-    }
-
-    /// Adds bodies whose point lies at an arm from that of `self`.
-    pub fn add(&mut self, other: &Self, arm: &Vector<R>) {
-        let Composite { mass, moment, inertia, gyration, momentum, force } = other;
-        // About the other point: h + m d, J + (d·h′ + d·h) 1 − d h′ᵀ − h dᵀ, G + (d·P) 1 − P dᵀ.
-        let carried: Vector<R> = each(|i| R::mul_add(*mass, arm[i], moment[i]));
-        let (round, along) = (dot(arm, &carried) + dot(arm, moment), dot(arm, momentum));
-        for k in 0..3 {
-            for i in 0..3 {
-                let shift = R::mul_add(-arm[k], carried[i], inertia[k][i]);
-                self.inertia[k][i] += R::mul_add(-moment[k], arm[i], shift);
-                self.gyration[k][i] += R::mul_add(-momentum[i], arm[k], gyration[k][i]);
-            }
-            self.inertia[k][k] += round;
-            self.gyration[k][k] += along;
-        }
-        self.mass += *mass;
-        self.moment = sum(&self.moment, &carried);
-        self.momentum = sum(&self.momentum, momentum);
-        self.force = self.force.sum(&force.wrench_from(arm));
+impl<R: Real> Inertia<R> {
+    pub fn of(&[mass, hx, hy, hz, xx, xy, xz, yy, yz, zz]: &[R; 10]) -> Self {
+        Inertia { mass, moment: [hx, hy, hz], turning: [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]] }
     }
 
     /// I x.
+    #[inline]
     pub fn times(&self, Pair(angular, linear): &Pair<R>) -> Pair<R> {
-        let turned = each(|i| dot(&self.inertia[i], angular));
+        let turned = each(|i| dot(&self.turning[i], angular));
         let pushed = each(|i| self.mass * linear[i]);
         Pair(plus_cross(&turned, &self.moment, linear), plus_cross(&pushed, angular, &self.moment))
+    }
+}
+
+impl<R: Real> Composite<R> {
+    pub fn zero() -> Self {
+        let nothing = [R::zero(); 3];
+        let inertia = Inertia { mass: R::zero(), moment: nothing, turning: [nothing; 3] };
+        Composite { inertia, gyration: [nothing; 3], momentum: nothing }
+    }
+
+    pub fn of(inertia: &[R; 10], Pair(spin, velocity): &Pair<R>) -> Self {
+        let inertia = Inertia::of(inertia);
+        let Inertia { mass, moment, turning } = &inertia;
+        let momentum = plus_cross(&each(|i| *mass * velocity[i]), spin, moment);
+        // G x = ω × (J x − ½ tr J x) − (h × v) × x − v × (h × x).
+        let half = (turning[0][0] + turning[1][1] + turning[2][2]) * R::from_f64(0.5);
+        let [cx, cy, cz] = cross(moment, velocity);
+        let along = dot(velocity, moment);
+        let zero = R::zero();
+        let crossed = [[zero, -cz, cy], [cz, zero, -cx], [-cy, cx, zero]];
+        let mut gyration = crossed;
+        for k in 0..3 {
+            let mut column = turning[k];
+            column[k] -= half;
+            let turned = plus_cross(&crossed[k], spin, &column);
+            gyration[k] = each(|i| R::mul_add(-moment[i], velocity[k], turned[i]));
+            gyration[k][k] += along;
+        }
+        Composite { inertia, gyration, momentum }
+    }
+
+    /// Adds bodies whose point lies at an arm from that of `self`.
+    pub fn add(&mut self, Composite { inertia, gyration, momentum }: &Self, arm: &Vector<R>) {
+        let Inertia { mass, moment, turning } = inertia;
+        // About the other point: h + m d, J + (d·h′ + d·h) 1 − d h′ᵀ − h dᵀ, G + (d·P) 1 − P dᵀ.
+        let carried = each(|i| R::mul_add(*mass, arm[i], moment[i]));
+        let (round, along) = (dot(arm, &carried) + dot(arm, moment), dot(arm, momentum));
+        for k in 0..3 {
+            for i in 0..3 {
+                let shift = R::mul_add(-arm[k], carried[i], turning[k][i]);
+                self.inertia.turning[k][i] += R::mul_add(-moment[k], arm[i], shift);
+                self.gyration[k][i] += R::mul_add(-momentum[i], arm[k], gyration[k][i]);
+            }
+            self.inertia.turning[k][k] += round;
+            self.gyration[k][k] += along;
+        }
+        self.inertia.mass += *mass;
+        self.inertia.moment = sum(&self.inertia.moment, &carried);
+        self.momentum = sum(&self.momentum, momentum);
     }
 
     /// B x.
