@@ -6,7 +6,7 @@ use super::{Group, Screws};
 use crate::number::real::Real;
 
 /// Coordinates that are taken together with another one, on vectors.
-pub(super) const LANES: usize = 4;
+pub(super) const LANES: usize = 8;
 
 type Matrix<R, const N: usize> = [[R; N]; N];
 
@@ -24,10 +24,8 @@ impl<R: Real, const N: usize, const G: usize> Masses<R, N, G> {
         groups: &[Group; G],
         motion: &Motion<R, N, G>,
     ) -> Self {
-        let mut composites = [Composite::zero(); G];
-        for (place, composite) in composites.iter_mut().enumerate() {
-            *composite = Composite::of(&screws.inertias[place], &motion.twists[place]);
-        }
+        let bodies = |place| Composite::of(&screws.inertias[place], &motion.twists[place]);
+        let mut composites: [Composite<R>; G] = core::array::from_fn(bodies);
         for (place, group) in groups.iter().enumerate().rev() {
             let own = composites[place];
             if let Some(parent) = composites.get_mut(group.parent) {
@@ -49,7 +47,9 @@ impl<R: Real, const N: usize, const G: usize> Masses<R, N, G> {
                     masses.matrix[i][j] = screws.screw(i).dot(&momentum);
                 }
                 path.put(above + k, j, screw.from(point).parts());
-                path.masses(j, &momentum.wrench_from(point), above, &mut masses.matrix);
+                if above > 0 {
+                    path.masses(j, &momentum.wrench_from(point), above, &mut masses.matrix);
+                }
             }
         }
         masses
@@ -93,7 +93,9 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
                     by_v[i][j] = -other.dot(&moving.by_v);
                 }
                 path.put(above + k, j, parts.iter().flat_map(|part| part.from(point).parts()));
-                path.derivatives(j, &moving.from(point), above, [&mut *by_q, &mut *by_v]);
+                if above > 0 {
+                    path.derivatives(j, &moving.from(point), above, [&mut *by_q, &mut *by_v]);
+                }
             }
             if group.given < C {
                 for &i in group.coordinates {
@@ -133,24 +135,42 @@ impl<R: Real> Moving<R> {
 /// The coordinates on the way to a group.
 struct Path<R, const N: usize, const S: usize> {
     coordinates: [usize; N],
-    /// What belongs to some coordinates side by side.
-    blocks: [[[R; LANES]; S]; N],
+    /// What belongs to the coordinates, side by side.
+    rows: [[R; N]; S],
 }
 
 impl<R: Real, const N: usize, const S: usize> Path<R, N, S> {
     fn new() -> Self {
-        Path { coordinates: [0; N], blocks: [[[R::zero(); LANES]; S]; N] }
+        Path { coordinates: [0; N], rows: [[R::zero(); N]; S] }
     }
 
     fn put(&mut self, place: usize, coordinate: usize, parts: impl IntoIterator<Item = R>) {
         self.coordinates[place] = coordinate;
-        let block = &mut self.blocks[place / LANES];
-        block.iter_mut().zip(parts).for_each(|(row, part)| row[place % LANES] = part);
+        self.rows.iter_mut().zip(parts).for_each(|(row, part)| row[place] = part);
     }
 
-    /// The first coordinates, which move more bodies, block by block.
-    fn above(&self, count: usize) -> impl Iterator<Item = (&[usize], &[[R; LANES]; S])> {
-        self.coordinates[..count].chunks(LANES).zip(&self.blocks)
+    /// The first coordinates, which move more bodies, some at a time: a block may begin with some of the one
+    /// before, so that it ends within the rows.
+    fn above(&self, count: usize) -> impl Iterator<Item = (usize, &[usize])> {
+        let blocks = (0..count).step_by(LANES);
+        blocks.map(move |first| {
+            let first = first.min(N.saturating_sub(LANES));
+            (first, &self.coordinates[first..count.min(first + LANES)])
+        })
+    }
+
+    /// A part of a row; where the rows are shorter, all of it.
+    #[inline(always)]
+    fn part(&self, row: usize, first: usize) -> [R; LANES] {
+        let row = &self.rows[row][first..];
+        match row.first_chunk() {
+            Some(part) => *part,
+            None => {
+                let mut part = [R::zero(); LANES];
+                part.iter_mut().zip(row).for_each(|(part, &entry)| *part = entry);
+                part
+            }
+        }
     }
 }
 
@@ -158,17 +178,25 @@ impl<R: Real, const N: usize> Path<R, N, 6> {
     /// Entries of M of a coordinate with the first ones.
     #[inline]
     fn masses(&self, j: usize, momentum: &Pair<R>, count: usize, mass: &mut Matrix<R, N>) {
-        let momentum = momentum.parts();
-        for (coordinates, block) in self.above(count) {
-            let mut inertia = [R::zero(); LANES];
-            for (&part, screw) in momentum.iter().zip(block) {
-                add(&mut inertia, part, screw);
-            }
-            for (&i, inertia) in coordinates.iter().zip(inertia) {
-                mass[i][j] = inertia;
-                mass[j][i] = inertia;
+        let mut entries = [R::zero(); LANES];
+        for (first, coordinates) in self.above(count) {
+            self.along(momentum, first, &mut entries);
+            for (&i, &entry) in coordinates.iter().zip(&entries) {
+                mass[i][j] = entry;
+                mass[j][i] = entry;
             }
         }
+    }
+
+    /// Components of a wrench along some screws. A function of its own, which ends with stores side by side:
+    /// in a loop that scatters results the compiler takes numbers one by one.
+    #[inline(never)]
+    fn along(&self, wrench: &Pair<R>, first: usize, components: &mut [R; LANES]) {
+        let mut sums = [R::zero(); LANES];
+        for (i, part) in wrench.parts().into_iter().enumerate() {
+            add(&mut sums, part, &self.part(i, first));
+        }
+        *components = sums;
     }
 }
 
@@ -176,23 +204,10 @@ impl<R: Real, const N: usize> Path<R, N, 18> {
     /// Derivatives of a coordinate with the first ones.
     #[inline]
     fn derivatives(&self, j: usize, moving: &Moving<R>, count: usize, [of_q, of_v]: [&mut Matrix<R, N>; 2]) {
-        let Moving { momentum, by_q, by_v, back } = moving;
-        let (momentum, doubled) = (momentum.parts(), momentum.doubled().parts());
-        let (by_q, by_v) = (by_q.parts(), by_v.parts());
-        for (coordinates, block) in self.above(count) {
-            let nothing = [R::zero(); LANES];
-            let (mut across, mut ahead, mut below, mut behind) = (nothing, nothing, nothing, nothing);
-            for i in 0..6 {
-                let (screw, rate, second) = (&block[i], &block[6 + i], &block[12 + i]);
-                add(&mut across, by_q[i], screw);
-                add(&mut ahead, by_v[i], screw);
-                add(&mut below, momentum[i], second);
-                add(&mut behind, doubled[i], rate);
-            }
-            for (i, &back) in back.iter().enumerate() {
-                add(&mut below, back, &block[6 + i]);
-                add(&mut behind, back, &block[i]);
-            }
+        let mut products = [[R::zero(); LANES]; 4];
+        for (first, coordinates) in self.above(count) {
+            self.products(moving, first, &mut products);
+            let [across, ahead, below, behind] = &products;
             for (lane, &i) in coordinates.iter().enumerate() {
                 of_q[i][j] = -across[lane];
                 of_v[i][j] = -ahead[lane];
@@ -200,6 +215,28 @@ impl<R: Real, const N: usize> Path<R, N, 18> {
                 of_v[j][i] = -behind[lane];
             }
         }
+    }
+
+    /// What stands in the derivatives by q and v of some coordinates with one that they carry, less the sign:
+    /// their rows, then their columns. Apart for the same reason.
+    #[inline(never)]
+    fn products(&self, moving: &Moving<R>, first: usize, products: &mut [[R; LANES]; 4]) {
+        let Moving { momentum, by_q, by_v, back } = moving;
+        let (momentum, by_q, by_v) = (momentum.parts(), by_q.parts(), by_v.parts());
+        let nothing = [R::zero(); LANES];
+        let (mut across, mut ahead, mut below, mut behind) = (nothing, nothing, nothing, nothing);
+        for i in 0..6 {
+            add(&mut across, by_q[i], &self.part(i, first));
+            add(&mut ahead, by_v[i], &self.part(i, first));
+            add(&mut below, momentum[i], &self.part(12 + i, first));
+            add(&mut behind, momentum[i], &self.part(6 + i, first));
+        }
+        behind.iter_mut().for_each(|sum| *sum += *sum);
+        for (i, &back) in back.iter().enumerate() {
+            add(&mut below, back, &self.part(6 + i, first));
+            add(&mut behind, back, &self.part(i, first));
+        }
+        *products = [across, ahead, below, behind];
     }
 }
 
