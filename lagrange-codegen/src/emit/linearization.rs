@@ -93,8 +93,8 @@ fn free(
     });
     let factored = factored.map_or(String::new(), |body| {
         format!(
-            "#[inline]\nfn factored_at({place}, {inputs_only}) -> lagrange::Factored<{scalar}, {count}> \
-             {{\n{body}\n}}\n"
+            "#[inline]\nfn factored_at({place}, {inputs_only}, \
+             matrices: &mut lagrange::Factored<{scalar}, {count}>) {{\n{body}}}\n"
         )
     });
     let linearized = format!(

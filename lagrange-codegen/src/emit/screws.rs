@@ -58,7 +58,7 @@ pub(super) fn bodies(
                 text.push_str(&format!("matrices.{name}[{i}][{j}] = matrices.{name}[{i}][{j}] + {entry};\n"));
             }
         }
-        text + "matrices"
+        text
     };
     let residual_at = body::simplified(emission, rest, |rest| {
         let mut text = format!("let mut residual = lagrange::screws::residual({});\n", with("accelerations"));
@@ -69,12 +69,15 @@ pub(super) fn bodies(
     });
     let linearization_at = body::simplified(emission, derivatives, |derivatives| {
         let given = with("accelerations");
-        format!("let mut matrices = lagrange::screws::linearization({given});\n{}", added(derivatives))
+        format!(
+            "let mut matrices = lagrange::screws::linearization({given});\n{}matrices",
+            added(derivatives)
+        )
     });
     let factored_at = body::simplified(emission, &[rest, derivatives].concat(), |values| {
         let (rest, derivatives) = values.split_at(rest.len());
-        let given = with(&format!("&[{}]", rest.join(", ")));
-        format!("let mut matrices = lagrange::screws::factored({given});\n{}", added(derivatives))
+        let given = with(&format!("&[{}], matrices", rest.join(", ")));
+        format!("lagrange::screws::factored({given});\n{}", added(derivatives))
     });
     Bodies { residual_at, linearization_at, factored_at }
 }

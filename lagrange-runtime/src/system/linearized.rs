@@ -37,7 +37,7 @@ pub struct Factored<R, const N: usize> {
 
 impl<R: Real, const N: usize> Factored<R, N> {
     /// Without anything.
-    pub(crate) fn new() -> Self {
+    fn new() -> Self {
         let zero = [[R::zero(); N]; N];
         Factored { factors: Rows::new(), is_sound: false, by_q: zero, by_v: zero }
     }
@@ -108,7 +108,7 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         u: &[Self::Scalar; K],
     ) -> [[Self::Scalar; K]; N];
 
-    /// What [`Linearized::jacobians`] solves.
+    /// What [`Linearized::jacobians`] solves, into matrices of zeros.
     #[doc(hidden)]
     fn factored_at(
         &self,
@@ -117,15 +117,14 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         q: &[Self::Scalar; N],
         v: &[Self::Scalar; N],
         u: &[Self::Scalar; K],
-    ) -> Factored<Self::Scalar, N> {
-        let mut factored = Factored::new();
+        matrices: &mut Factored<Self::Scalar, N>,
+    ) {
         let a = self.accelerations_at(constants, t, q, v, u);
         if a.iter().all(|a| a.is_finite()) {
             let Linearization { mass, by_q, by_v } = self.linearization_at(constants, t, q, v, &a, u);
-            factored.factor(&mass);
-            (factored.by_q, factored.by_v) = (by_q, by_v);
+            matrices.factor(&mass);
+            (matrices.by_q, matrices.by_v) = (by_q, by_v);
         }
-        factored
     }
 
     /// ∂a/∂q, ∂a/∂v and ∂a/∂u at a state under the inputs `u`: M⁻¹ times the derivatives of r at the
@@ -143,7 +142,8 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
     {
         let constants = self.constants();
         let State { t, q, v } = state;
-        let mut factored = self.factored_at(&constants, *t, q, v, u);
+        let mut factored = Factored::new();
+        self.factored_at(&constants, *t, q, v, u, &mut factored);
         let mut by_u = self.by_inputs_at(&constants, *t, q, v, u);
         if factored.is_sound {
             factored.factors.solve(&mut factored.by_q, &mut factored.by_v, &mut by_u);

@@ -83,8 +83,9 @@ pub fn residual<R: Real, const N: usize, const G: usize, const C: usize, const P
     v: &[R; N],
     a: &[R; N],
 ) -> [R; N] {
-    let motion = Motion::of(screws, groups, v);
-    let forces = motion.forces(screws, groups, &screws.pushed(groups, a));
+    let mut motion = Motion::new();
+    motion.fill(screws, groups, v);
+    let forces = motion.forces(screws, groups, Some(&screws.pushed(groups, a)));
     screws.along(groups, &forces)
 }
 
@@ -96,8 +97,9 @@ pub fn linearization<R: Real, const N: usize, const G: usize, const C: usize, co
     v: &[R; N],
     a: &[R; N],
 ) -> Linearization<R, N> {
-    let motion = Motion::of(screws, groups, v);
-    let masses = Masses::of(screws, groups, &motion);
+    let (mut motion, mut masses) = (Motion::new(), Masses::new());
+    motion.fill(screws, groups, v);
+    masses.fill(screws, groups, &motion);
     let zero = [[R::zero(); N]; N];
     let mut result = Linearization { mass: masses.matrix, by_q: zero, by_v: zero };
     screws.derivatives(groups, &motion, &masses, a, [&mut result.by_q, &mut result.by_v]);
@@ -105,24 +107,22 @@ pub fn linearization<R: Real, const N: usize, const G: usize, const C: usize, co
 }
 
 /// The same at the accelerations of the motion under other forces `rest`, which M gives by the way.
-#[must_use]
 pub fn factored<R: Real, const N: usize, const G: usize, const C: usize, const P: usize>(
     screws: &Screws<R, N, G, C, P>,
     groups: &[Group; G],
     v: &[R; N],
     rest: &[R; N],
-) -> Factored<R, N> {
-    let motion = Motion::of(screws, groups, v);
-    let masses = Masses::of(screws, groups, &motion);
-    let mut result = Factored::new();
+    result: &mut Factored<R, N>,
+) {
+    let (mut motion, mut masses) = (Motion::new(), Masses::new());
+    motion.fill(screws, groups, v);
+    masses.fill(screws, groups, &motion);
     if result.factor(&masses.matrix) {
-        let resting = [Pair::zero(); G];
-        let mut a = screws.along(groups, &motion.forces(screws, groups, &resting));
+        let mut a = screws.along(groups, &motion.forces(screws, groups, None));
         a.iter_mut().zip(rest).for_each(|(force, &rest)| *force += rest);
         result.accelerate(&mut a);
         screws.derivatives(groups, &motion, &masses, &a, [&mut result.by_q, &mut result.by_v]);
     }
-    result
 }
 
 impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Screws<R, N, G, C, P> {

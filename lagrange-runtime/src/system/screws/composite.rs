@@ -101,6 +101,12 @@ impl<R: Real> Inertia<R> {
 }
 
 impl<R: Real> Composite<R> {
+    pub fn zero() -> Self {
+        let nothing = [R::zero(); 3];
+        let inertia = Inertia { mass: R::zero(), moment: nothing, turning: [nothing; 3] };
+        Composite { inertia, gyration: [nothing; 3], momentum: nothing }
+    }
+
     pub fn of(inertia: &[R; 10], Pair(spin, velocity): &Pair<R>) -> Self {
         let inertia = Inertia::of(inertia);
         let Inertia { mass, moment, turning } = &inertia;

@@ -16,25 +16,31 @@ pub(super) struct Motion<R, const N: usize, const G: usize> {
 }
 
 impl<R: Real, const N: usize, const G: usize> Motion<R, N, G> {
-    pub fn of<const C: usize, const P: usize>(
-        screws: &Screws<R, N, G, C, P>,
-        groups: &[Group; G],
-        v: &[R; N],
-    ) -> Self {
+    /// Of nothing. What is as large is filled in where it stands, because a result would be copied.
+    pub fn new() -> Self {
         let nothing = Pair::zero();
-        let mut motion = Motion {
+        Motion {
             twists: [nothing; G],
             rates: [nothing; N],
             accelerations: [nothing; G],
             forces: [nothing; G],
-        };
+        }
+    }
+
+    #[inline(never)]
+    pub fn fill<const C: usize, const P: usize>(
+        &mut self,
+        screws: &Screws<R, N, G, C, P>,
+        groups: &[Group; G],
+        v: &[R; N],
+    ) {
         for (place, group) in groups.iter().enumerate() {
-            let (mut twist, mut acceleration) = match motion.twists.get(group.parent) {
+            let (mut twist, mut acceleration) = match self.twists.get(group.parent) {
                 Some(twist) => {
                     let arm = screws.arm(place, group.parent);
-                    (twist.at(&arm), motion.accelerations[group.parent].at(&arm))
+                    (twist.at(&arm), self.accelerations[group.parent].at(&arm))
                 }
-                None => (nothing, screws.free()),
+                None => (Pair::zero(), screws.free()),
             };
             for &j in group.coordinates {
                 twist = twist.plus(v[j], &screws.screw(j));
@@ -45,27 +51,28 @@ impl<R: Real, const N: usize, const G: usize> Motion<R, N, G> {
                     None => twist.moves(&screws.screw(j)),
                 };
                 acceleration = acceleration.plus(v[j], &rate);
-                motion.rates[j] = rate;
+                self.rates[j] = rate;
             }
             let inertia = Inertia::of(&screws.inertias[place]);
-            motion.forces[place] = inertia.times(&acceleration).sum(&twist.turns(&inertia.times(&twist)));
-            (motion.twists[place], motion.accelerations[place]) = (twist, acceleration);
+            self.forces[place] = inertia.times(&acceleration).sum(&twist.turns(&inertia.times(&twist)));
+            (self.twists[place], self.accelerations[place]) = (twist, acceleration);
         }
-        motion
     }
 
-    /// F of all that each group moves, with what accelerations of coordinates add to A.
+    /// F of all that each group moves, with what accelerations of coordinates add to A, if there are any.
     pub fn forces<const C: usize, const P: usize>(
         &self,
         screws: &Screws<R, N, G, C, P>,
         groups: &[Group; G],
-        pushed: &[Pair<R>; G],
+        pushed: Option<&[Pair<R>; G]>,
     ) -> [Pair<R>; G] {
         let mut forces = self.forces;
         for (place, group) in groups.iter().enumerate().rev() {
-            let own = Inertia::of(&screws.inertias[place]).times(&pushed[place]);
-            let force = forces[place].sum(&own);
-            forces[place] = force;
+            if let Some(pushed) = pushed {
+                let own = Inertia::of(&screws.inertias[place]).times(&pushed[place]);
+                forces[place] = forces[place].sum(&own);
+            }
+            let force = forces[place];
             if let Some(parent) = forces.get_mut(group.parent) {
                 *parent = parent.sum(&force.wrench_from(&screws.arm(place, group.parent)));
             }

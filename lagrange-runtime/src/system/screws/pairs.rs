@@ -19,20 +19,28 @@ pub(super) struct Masses<R, const N: usize, const G: usize> {
 }
 
 impl<R: Real, const N: usize, const G: usize> Masses<R, N, G> {
-    pub fn of<const C: usize, const P: usize>(
+    /// Of nothing.
+    pub fn new() -> Self {
+        Masses { composites: [Composite::zero(); G], momenta: [Pair::zero(); N], matrix: [[R::zero(); N]; N] }
+    }
+
+    #[inline(never)]
+    pub fn fill<const C: usize, const P: usize>(
+        &mut self,
         screws: &Screws<R, N, G, C, P>,
         groups: &[Group; G],
         motion: &Motion<R, N, G>,
-    ) -> Self {
-        let bodies = |place| Composite::of(&screws.inertias[place], &motion.twists[place]);
-        let mut composites: [Composite<R>; G] = core::array::from_fn(bodies);
+    ) {
+        let Masses { composites, momenta, matrix } = self;
+        for (place, composite) in composites.iter_mut().enumerate() {
+            *composite = Composite::of(&screws.inertias[place], &motion.twists[place]);
+        }
         for (place, group) in groups.iter().enumerate().rev() {
             let own = composites[place];
             if let Some(parent) = composites.get_mut(group.parent) {
                 parent.add(&own, &screws.arm(place, group.parent));
             }
         }
-        let mut masses = Masses { composites, momenta: [Pair::zero(); N], matrix: [[R::zero(); N]; N] };
         let mut path = Path::<R, N, 6>::new();
         let mut ends = [0; G];
         for (place, group) in groups.iter().enumerate() {
@@ -41,18 +49,17 @@ impl<R: Real, const N: usize, const G: usize> Masses<R, N, G> {
             let point = &screws.points[place];
             for (k, &j) in group.coordinates.iter().enumerate() {
                 let screw = screws.screw(j);
-                let momentum = masses.composites[place].inertia.times(&screw);
-                masses.momenta[j] = momentum;
+                let momentum = composites[place].inertia.times(&screw);
+                momenta[j] = momentum;
                 for &i in group.coordinates {
-                    masses.matrix[i][j] = screws.screw(i).dot(&momentum);
+                    matrix[i][j] = screws.screw(i).dot(&momentum);
                 }
                 path.put(above + k, j, screw.from(point).parts());
                 if above > 0 {
-                    path.masses(j, &momentum.wrench_from(point), above, &mut masses.matrix);
+                    path.masses(j, &momentum.wrench_from(point), above, matrix);
                 }
             }
         }
-        masses
     }
 }
 
@@ -68,7 +75,7 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
         [by_q, by_v]: [&mut Matrix<R, N>; 2],
     ) {
         let pushed = self.pushed(groups, a);
-        let forces = motion.forces(self, groups, &pushed);
+        let forces = motion.forces(self, groups, Some(&pushed));
         let second_rates = motion.second_rates(self, groups, &pushed, a);
         let mut path = Path::<R, N, 18>::new();
         let mut ends = [0; G];
