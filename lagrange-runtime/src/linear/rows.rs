@@ -7,6 +7,9 @@
 
 use crate::number::real::Real;
 
+/// The longest vectors of doubles.
+const LANES: usize = 8;
+
 /// The factors of a symmetric positive definite matrix.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rows<R, const N: usize> {
@@ -69,8 +72,8 @@ impl<R: Real, const N: usize> Rows<R, N> {
                 self.columns.push(i, k);
                 let l = row[i] * inverse;
                 self.factor[k][i] = l;
-                // The whole row, on vectors: to pass over its zeros would take longer.
-                subtract(&mut self.factor[i], l, &row);
+                // Vectors up to the diagonal: to pass over zeros would take longer.
+                subtract_first(i + 1, &mut self.factor[i], l, &row);
             }
         }
         true
@@ -123,6 +126,20 @@ impl<R: Real, const N: usize> Rows<R, N> {
                 subtract(&mut three, l, &third[i]);
             }
             (first[k], second[k], third[k]) = (one, two, three);
+        }
+    }
+}
+
+/// The same of at least the first `count` entries.
+#[inline(always)]
+fn subtract_first<R: Real, const W: usize>(count: usize, row: &mut [R; W], l: R, other: &[R; W]) {
+    let ((blocks, rest), (others, other_rest)) = (row.as_chunks_mut::<LANES>(), other.as_chunks::<LANES>());
+    for (block, other) in blocks.iter_mut().zip(others).take(count.div_ceil(LANES)) {
+        subtract(block, l, other);
+    }
+    if count > W - rest.len() {
+        for (entry, &other) in rest.iter_mut().zip(other_rest) {
+            *entry = R::mul_add(-l, other, *entry);
         }
     }
 }

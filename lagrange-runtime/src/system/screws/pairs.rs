@@ -54,7 +54,8 @@ impl<R: Real, const N: usize, const G: usize> Masses<R, N, G> {
                 for &i in group.coordinates {
                     matrix[i][j] = screws.screw(i).dot(&momentum);
                 }
-                path.put(above + k, j, screw.from(point).parts());
+                path.coordinates[above + k] = j;
+                put(&mut path.rows, above + k, &screw.from(point));
                 if above > 0 {
                     path.masses(j, &momentum.wrench_from(point), above, matrix);
                 }
@@ -99,7 +100,10 @@ impl<R: Real, const N: usize, const G: usize, const C: usize, const P: usize> Sc
                     by_q[i][j] = -other.dot(&moving.by_q);
                     by_v[i][j] = -other.dot(&moving.by_v);
                 }
-                path.put(above + k, j, parts.iter().flat_map(|part| part.from(point).parts()));
+                path.coordinates[above + k] = j;
+                for (part, rows) in parts.iter().zip(path.rows.as_chunks_mut::<6>().0) {
+                    put(rows, above + k, &part.from(point));
+                }
                 if above > 0 {
                     path.derivatives(j, &moving.from(point), above, [&mut *by_q, &mut *by_v]);
                 }
@@ -149,11 +153,6 @@ struct Path<R, const N: usize, const S: usize> {
 impl<R: Real, const N: usize, const S: usize> Path<R, N, S> {
     fn new() -> Self {
         Path { coordinates: [0; N], rows: [[R::zero(); N]; S] }
-    }
-
-    fn put(&mut self, place: usize, coordinate: usize, parts: impl IntoIterator<Item = R>) {
-        self.coordinates[place] = coordinate;
-        self.rows.iter_mut().zip(parts).for_each(|(row, part)| row[place] = part);
     }
 
     /// The first coordinates, which move more bodies, some at a time: a block may begin with some of the one
@@ -244,6 +243,13 @@ impl<R: Real, const N: usize> Path<R, N, 18> {
             add(&mut behind, back, &self.part(i, first));
         }
         *products = [across, ahead, below, behind];
+    }
+}
+
+#[inline(always)]
+fn put<R: Real, const N: usize>(rows: &mut [[R; N]; 6], place: usize, pair: &Pair<R>) {
+    for (row, part) in rows.iter_mut().zip(pair.parts()) {
+        row[place] = part;
     }
 }
 
