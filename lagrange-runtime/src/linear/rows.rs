@@ -51,18 +51,24 @@ impl<R: Real, const N: usize> Rows<R, N> {
         Rows { factor: [[zero; N]; N], inverse: [zero; N], rows: Places::new(), columns: Places::new() }
     }
 
-    /// Factors a matrix, of which only the lower triangle counts, for the first time; false where a pivot is
-    /// not positive beyond rounding, by the bound of `Ldlt`.
+    /// Where the matrix is put.
+    pub fn matrix(&mut self) -> &mut [[R; N]; N] {
+        &mut self.factor
+    }
+
+    /// Factors the matrix, of which only the lower triangle counts; false where a pivot is not positive beyond
+    /// rounding, by the bound of `Ldlt`.
     #[must_use]
-    pub fn factor(&mut self, matrix: &[[R; N]; N]) -> bool {
-        self.factor = *matrix;
+    pub fn factor(&mut self) -> bool {
+        (self.rows.counts, self.columns.counts) = ([0; N], [0; N]);
+        let diagonal: [R; N] = core::array::from_fn(|k| self.factor[k][k]);
         let mut threshold = R::zero();
         let ulps = R::epsilon() + R::epsilon();
         for k in (0..N).rev() {
             threshold += ulps;
             let row = self.factor[k];
             let pivot = row[k];
-            if !((pivot - threshold * matrix[k][k]).is_positive() && pivot.is_positive()) {
+            if !((pivot - threshold * diagonal[k]).is_positive() && pivot.is_positive()) {
                 return false;
             }
             let inverse = pivot.recip();
@@ -180,7 +186,8 @@ mod tests {
 
     fn factors<const N: usize>(matrix: &[[f64; N]; N]) -> Option<Rows<f64, N>> {
         let mut factors = Rows::new();
-        factors.factor(matrix).then_some(factors)
+        *factors.matrix() = *matrix;
+        factors.factor().then_some(factors)
     }
 
     fn are_solved<const W: usize>(factors: &Lu<f64, 7>, right: &[[f64; W]; 7], found: &[[f64; W]; 7]) {

@@ -42,9 +42,14 @@ impl<R: Real, const N: usize> Factored<R, N> {
         Factored { factors: Rows::new(), is_sound: false, by_q: zero, by_v: zero }
     }
 
+    /// Where M is put.
+    pub(crate) fn mass(&mut self) -> &mut [[R; N]; N] {
+        self.factors.matrix()
+    }
+
     /// Factors M; whether it is positive definite.
-    pub(crate) fn factor(&mut self, mass: &[[R; N]; N]) -> bool {
-        self.is_sound = self.factors.factor(mass);
+    pub(crate) fn factor(&mut self) -> bool {
+        self.is_sound = self.factors.factor();
         self.is_sound
     }
 
@@ -122,7 +127,8 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         let a = self.accelerations_at(constants, t, q, v, u);
         if a.iter().all(|a| a.is_finite()) {
             let Linearization { mass, by_q, by_v } = self.linearization_at(constants, t, q, v, &a, u);
-            matrices.factor(&mass);
+            *matrices.mass() = mass;
+            matrices.factor();
             (matrices.by_q, matrices.by_v) = (by_q, by_v);
         }
     }

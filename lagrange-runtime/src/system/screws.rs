@@ -99,9 +99,9 @@ pub fn linearization<R: Real, const N: usize, const G: usize, const C: usize, co
 ) -> Linearization<R, N> {
     let (mut motion, mut masses) = (Motion::new(), Masses::new());
     motion.fill(screws, groups, v);
-    masses.fill(screws, groups, &motion);
     let zero = [[R::zero(); N]; N];
-    let mut result = Linearization { mass: masses.matrix, by_q: zero, by_v: zero };
+    let mut result = Linearization { mass: zero, by_q: zero, by_v: zero };
+    masses.fill(screws, groups, &motion, &mut result.mass);
     screws.derivatives(groups, &motion, &masses, a, [&mut result.by_q, &mut result.by_v]);
     result
 }
@@ -116,8 +116,8 @@ pub fn factored<R: Real, const N: usize, const G: usize, const C: usize, const P
 ) {
     let (mut motion, mut masses) = (Motion::new(), Masses::new());
     motion.fill(screws, groups, v);
-    masses.fill(screws, groups, &motion);
-    if result.factor(&masses.matrix) {
+    masses.fill(screws, groups, &motion, result.mass());
+    if result.factor() {
         let mut a = screws.along(groups, &motion.forces(screws, groups, None));
         a.iter_mut().zip(rest).for_each(|(force, &rest)| *force += rest);
         result.accelerate(&mut a);

@@ -10,28 +10,29 @@ pub(super) const LANES: usize = 8;
 
 type Matrix<R, const N: usize> = [[R; N]; N];
 
-/// Bodies that move as one, and M.
+/// Bodies that move as one.
 pub(super) struct Masses<R, const N: usize, const G: usize> {
     composites: [Composite<R>; G],
     /// I S of each coordinate.
     momenta: [Pair<R>; N],
-    pub matrix: Matrix<R, N>,
 }
 
 impl<R: Real, const N: usize, const G: usize> Masses<R, N, G> {
     /// Of nothing.
     pub fn new() -> Self {
-        Masses { composites: [Composite::zero(); G], momenta: [Pair::zero(); N], matrix: [[R::zero(); N]; N] }
+        Masses { composites: [Composite::zero(); G], momenta: [Pair::zero(); N] }
     }
 
+    /// Also M, into a matrix of zeros.
     #[inline(never)]
     pub fn fill<const C: usize, const P: usize>(
         &mut self,
         screws: &Screws<R, N, G, C, P>,
         groups: &[Group; G],
         motion: &Motion<R, N, G>,
+        matrix: &mut Matrix<R, N>,
     ) {
-        let Masses { composites, momenta, matrix } = self;
+        let Masses { composites, momenta } = self;
         for (place, composite) in composites.iter_mut().enumerate() {
             *composite = Composite::of(&screws.inertias[place], &motion.twists[place]);
         }
