@@ -3,7 +3,7 @@
 //! All derivatives are those of the residual r = f(t, q, v, u) − M(t, q, v) a at given accelerations, so that
 //! no inverse of M is differentiated and stiff forces keep their structure.
 
-use nalgebra::{ArrayStorage, SMatrix};
+use nalgebra::SMatrix;
 
 use crate::linear::{Lu, Rows};
 use crate::number::real::Real;
@@ -160,7 +160,12 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         if !(are_finite(by_q) && are_finite(by_v) && are_finite(&by_u)) {
             return Err(failed(self, &constants, state));
         }
-        Ok(Jacobians { by_q: by_columns(by_q), by_v: by_columns(by_v), by_u: by_columns(&by_u) })
+        let mut jacobians =
+            Jacobians { by_q: SMatrix::zeros(), by_v: SMatrix::zeros(), by_u: SMatrix::zeros() };
+        put_columns(by_q, &mut jacobians.by_q);
+        put_columns(by_v, &mut jacobians.by_v);
+        put_columns(&by_u, &mut jacobians.by_u);
+        Ok(jacobians)
     }
 }
 
@@ -215,8 +220,10 @@ fn by_column<R: Real, const N: usize, const W: usize>(factors: &Lu<R, N>, rows: 
     }
 }
 
-/// The same matrix as nalgebra has it: column by column.
-#[inline(always)]
-fn by_columns<R: Real, const N: usize, const W: usize>(rows: &[[R; W]; N]) -> SMatrix<R, N, W> {
-    SMatrix::from_array_storage(ArrayStorage(core::array::from_fn(|j| core::array::from_fn(|i| rows[i][j]))))
+/// The same matrix as nalgebra has it: column by column. Filled in where it stands, because a result would be
+/// copied.
+fn put_columns<R: Real, const N: usize, const W: usize>(rows: &[[R; W]; N], matrix: &mut SMatrix<R, N, W>) {
+    for (j, column) in matrix.data.0.iter_mut().enumerate() {
+        column.iter_mut().zip(rows).for_each(|(entry, row)| *entry = row[j]);
+    }
 }
