@@ -56,8 +56,8 @@ impl<R: Real, const N: usize> Rows<R, N> {
         &mut self.factor
     }
 
-    /// Factors the matrix, of which only the lower triangle counts; false where a pivot is not positive beyond
-    /// rounding, by the bound of `Ldlt`.
+    /// Factors the matrix, of which only the lower triangle counts; false where a pivot is not positive
+    /// beyond rounding, by the bound of `Ldlt`.
     #[must_use]
     pub fn factor(&mut self) -> bool {
         (self.rows.counts, self.columns.counts) = ([0; N], [0; N]);
