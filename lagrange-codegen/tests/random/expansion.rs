@@ -21,7 +21,8 @@ pub struct Expansion {
     pub surface: Functions,
     /// The items of `impl Smooth`.
     pub smooth: Functions,
-    /// The functions of `impl Linearized`, `Carried`, `Tangent`, `Parametric` and `Sensitive`, where they are asked for.
+    /// The functions of `impl Linearized`, `Carried`, `Tangent`, `Parametric` and `Sensitive`, where they are
+    /// asked for.
     pub derivatives: Functions,
     /// The constants of these and of `Surface`.
     pub constants: BTreeMap<String, Expr>,
