@@ -107,7 +107,7 @@ pub mod __private {
     pub use crate::number::real::{Ordered, Real};
     pub use crate::system::attitude;
     pub use crate::system::error::{Cause, Function, MotionError};
-    pub use crate::system::linearized::{Linearization, Linearized};
+    pub use crate::system::linearized::{Factored, Linearization, Linearized};
     pub use crate::system::name::{Name, Names};
     pub use crate::system::proved::{
         Autonomous, Conservative, ConstantMass, Cyclic, Holonomic, Scleronomic, Separable,

@@ -17,6 +17,8 @@ const OUTLINED: usize = 32;
 pub(super) struct Items {
     /// Of `Linearized`.
     pub linearized: String,
+    /// Where bodies hang on each other, `Carried`.
+    pub carried: Option<screws::Carried>,
     /// Of `Tangent`.
     pub tangent: String,
     /// Of `Parametric`.
@@ -28,12 +30,14 @@ pub(super) fn linearization(emission: &mut Emission<'_>) -> Items {
     name_accelerations(emission.model);
     let derived = Linearization::of(emission.model, emission.equations);
     let parametric = parametric(emission, &derived.by_p);
+    let place = Signature::of(emission).place;
+    let carried = derived.screws.as_ref().map(|screws| screws::carried(emission, screws, &place));
     let (linearized, tangent) = if emission.equations.conditions.count() == 0 {
-        free(emission, derived)
+        free(emission, derived, carried.as_ref())
     } else {
         constrained(emission, derived)
     };
-    Items { linearized, tangent, parametric }
+    Items { linearized, carried, tangent, parametric }
 }
 
 /// Argument lists that several functions share.
@@ -56,23 +60,29 @@ impl Signature {
 }
 
 /// Without constraints.
-fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String) {
-    let Linearization { screws, forces, by_u, .. } = derived;
+fn free(
+    emission: &mut Emission<'_>,
+    derived: Linearization,
+    carried: Option<&screws::Carried>,
+) -> (String, String) {
+    let Linearization { forces, by_u, .. } = derived;
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let scalar = &emission.scalar.to_string();
     let vector = emission.vector_type();
     let Signature { place, given, inputs: inputs_only } = Signature::of(emission);
 
     let zero = scalar::zero(&emission.scalar);
-    let derivatives = flat(forces.by_q).into_iter().chain(flat(forces.by_v));
-    let (residual, matrices) = match &screws {
-        Some(screws) => screws::bodies(emission, screws, &forces.values, derivatives.collect()),
+    let derivatives: Vec<NodeId> = flat(forces.by_q).into_iter().chain(flat(forces.by_v)).collect();
+    let (residual, matrices, factored) = match carried {
+        Some(carried) => {
+            let bodies = screws::bodies(emission, carried, &forces.values, &derivatives);
+            (bodies.residual_at, bodies.linearization_at, Some(bodies.factored_at))
+        }
         None => {
             let residual =
                 body::simplified(emission, &forces.values, |values| format!("[{}]", values.join(", ")));
-            let mut roots = mass(emission);
-            roots.extend(derivatives);
-            (residual, body::simplified(emission, &roots, |values| dense(&zero, count, values)))
+            let roots = [mass(emission), derivatives].concat();
+            (residual, body::simplified(emission, &roots, |values| dense(&zero, count, values)), None)
         }
     };
     let by_u: Vec<NodeId> = by_u.into_iter().flatten().collect();
@@ -81,8 +91,14 @@ fn free(emission: &mut Emission<'_>, derived: Linearization) -> (String, String)
         let rows: Vec<String> = rows.collect();
         if inputs == 0 { format!("[[]; {count}]") } else { format!("[{}]", rows.join(", ")) }
     });
+    let factored = factored.map_or(String::new(), |body| {
+        format!(
+            "#[inline]\nfn factored_at({place}, {inputs_only}, \
+             matrices: &mut lagrange::Factored<{scalar}, {count}>) {{\n{body}}}\n"
+        )
+    });
     let linearized = format!(
-        "#[inline]\nfn residual_at({place}, {given}) -> {vector} {{\n{residual}\n}}\n\
+        "{factored}#[inline]\nfn residual_at({place}, {given}) -> {vector} {{\n{residual}\n}}\n\
          #[inline]\nfn linearization_at({place}, {given}) -> lagrange::Linearization<{scalar}, {count}> \
          {{\n{matrices}\n}}\n\
          #[inline]\nfn by_inputs_at({place}, {inputs_only}) -> [[{scalar}; {inputs}]; {count}] {{\n{by_inputs}\n}}\n"

@@ -164,9 +164,12 @@ pub(crate) fn emit(
     });
     let parameters = tokens::Parameters::new(emission.model, diagnostics);
     let (system, methods) = (parameters.parse(&system), parameters.parse(&methods));
-    let linearization = linearization.map(|linearization::Items { linearized, tangent, parametric }| {
-        [linearized, tangent, parametric].map(|text| parameters.parse(&text))
-    });
+    let linearization =
+        linearization.map(|linearization::Items { linearized, carried, tangent, parametric }| {
+            let carried =
+                carried.map(|carried| [carried.path, carried.items].map(|text| parameters.parse(&text)));
+            ([linearized, tangent, parametric].map(|text| parameters.parse(&text)), carried)
+        });
 
     let Item { self_ty, generics, crate_path, cleaned, .. } = emission.item;
     let smooth = smooth.map(|text| parameters.parse(&text));
@@ -245,9 +248,20 @@ pub(crate) fn emit(
             }
         }
     });
-    let linearization = linearization.map(|[linearized, tangent, parametric]| {
+    let linearization = linearization.map(|([linearized, tangent, parametric], carried)| {
         let held = emission.equations.conditions.count();
+        let carried = carried.map(|[path, items]| {
+            quote! {
+                #[automatically_derived]
+                #[allow(clippy::all, unused_variables)]
+                impl #impl_generics #path for #self_ty #where_clause {
+                    #items
+                }
+            }
+        });
         quote! {
+            #carried
+
             #[automatically_derived]
             #[allow(clippy::all, unused_variables)]
             impl #impl_generics lagrange::Linearized<#count, #inputs> for #self_ty #where_clause {

@@ -19,6 +19,8 @@ const RESERVED: &[&str] = &[
     "constants",
     "accelerations",
     "matrices",
+    "screws",
+    "residual",
     "place",
     "multipliers",
     "linearization",

@@ -5,47 +5,85 @@ use super::{Emission, body, scalar};
 use crate::expr::NodeId;
 use crate::mechanics::Screws;
 
-/// The bodies of `residual_at` and `linearization_at`, from the other forces and their derivatives by
-/// coordinates and then by velocities, row by row.
+/// The implementation of the runtime's `Carried`.
+pub(super) struct Carried {
+    /// Its name with the sizes.
+    pub path: String,
+    /// Its items.
+    pub items: String,
+}
+
+/// Bodies of functions of `Linearized`.
+pub(super) struct Bodies {
+    pub residual_at: String,
+    pub linearization_at: String,
+    pub factored_at: String,
+}
+
+/// What turns a state into screws; `place` are the arguments.
+pub(super) fn carried(emission: &mut Emission<'_>, screws: &Screws, place: &str) -> Carried {
+    let (count, inputs) = (emission.count(), emission.model.inputs.len());
+    let (groups, rates, changes) = (screws.groups.len(), screws.rates.len(), screws.changes.len());
+    let state = body::simplified(emission, &screws.nodes(), |values| literal(screws, values));
+    let items = format!(
+        "const GROUPS: [lagrange::screws::Group; {groups}] = {};\n\
+         #[inline]\nfn screws_at({place}) -> lagrange::screws::Screws<{}, {count}, {groups}, {rates}, {changes}> \
+         {{\n{state}\n}}\n",
+        table(screws),
+        emission.scalar,
+    );
+    Carried {
+        path: format!("lagrange::screws::Carried<{count}, {inputs}, {groups}, {rates}, {changes}>"),
+        items,
+    }
+}
+
+/// The bodies, from the other forces and their derivatives by coordinates and then by velocities, row by row.
 pub(super) fn bodies(
     emission: &mut Emission<'_>,
-    screws: &Screws,
+    carried: &Carried,
     rest: &[NodeId],
-    derivatives: Vec<NodeId>,
-) -> (String, String) {
+    derivatives: &[NodeId],
+) -> Bodies {
     let (count, zero) = (emission.count(), scalar::zero(&emission.scalar));
-    let nodes = screws.nodes();
-    let groups = groups(screws);
-    let residual = body::simplified(emission, &[nodes.as_slice(), rest].concat(), |values| {
-        let (values, rest) = values.split_at(nodes.len());
-        let mut text = literal(screws, values);
-        text.push_str(&format!(
-            "let mut residual = lagrange::screws::residual(&screws, &{groups}, v, accelerations);\n"
-        ));
-        for (i, force) in rest.iter().enumerate().filter(|(_, force)| **force != zero) {
-            text.push_str(&format!("residual[{i}] = residual[{i}] + {force};\n"));
-        }
-        text + "residual"
-    });
-    let matrices = body::simplified(emission, &[nodes.as_slice(), &derivatives].concat(), |values| {
-        let (values, derivatives) = values.split_at(nodes.len());
-        let mut text = literal(screws, values);
-        text.push_str(&format!(
-            "let mut matrices = lagrange::screws::linearization(&screws, &{groups}, v, accelerations);\n"
-        ));
+    let itself = format!("<Self as {}>", carried.path);
+    let with = |given: &str| {
+        format!("&{itself}::screws_at(self, _constants, t, q, v), &{itself}::GROUPS, v, {given}")
+    };
+    let added = |derivatives: &[String]| {
+        let mut text = String::new();
         for (name, entries) in ["by_q", "by_v"].into_iter().zip(derivatives.chunks(count * count)) {
             for (place, entry) in entries.iter().enumerate().filter(|(_, entry)| **entry != zero) {
                 let (i, j) = (place / count, place % count);
                 text.push_str(&format!("matrices.{name}[{i}][{j}] = matrices.{name}[{i}][{j}] + {entry};\n"));
             }
         }
-        text + "matrices"
+        text
+    };
+    let residual_at = body::simplified(emission, rest, |rest| {
+        let mut text = format!("let mut residual = lagrange::screws::residual({});\n", with("accelerations"));
+        for (i, force) in rest.iter().enumerate().filter(|(_, force)| **force != zero) {
+            text.push_str(&format!("residual[{i}] = residual[{i}] + {force};\n"));
+        }
+        text + "residual"
     });
-    (residual, matrices)
+    let linearization_at = body::simplified(emission, derivatives, |derivatives| {
+        let given = with("accelerations");
+        format!(
+            "let mut matrices = lagrange::screws::linearization({given});\n{}matrices",
+            added(derivatives)
+        )
+    });
+    let factored_at = body::simplified(emission, &[rest, derivatives].concat(), |values| {
+        let (rest, derivatives) = values.split_at(rest.len());
+        let given = with(&format!("&[{}], matrices", rest.join(", ")));
+        format!("lagrange::screws::factored({given});\n{}", added(derivatives))
+    });
+    Bodies { residual_at, linearization_at, factored_at }
 }
 
 /// The table of groups.
-fn groups(screws: &Screws) -> String {
+fn table(screws: &Screws) -> String {
     let groups = screws.groups.iter().map(|group| {
         let parent = group.parent.unwrap_or(screws.groups.len());
         let (coordinates, given) = (&group.coordinates, group.given.unwrap_or(screws.rates.len()));
@@ -56,7 +94,7 @@ fn groups(screws: &Screws) -> String {
     format!("[{}]", groups.collect::<Vec<_>>().join(", "))
 }
 
-/// The statement that puts values in the places of the nodes.
+/// The struct with values in the places of the nodes.
 fn literal(screws: &Screws, values: &[String]) -> String {
     let mut values = values.iter();
     let mut row = |size: usize| {
@@ -72,8 +110,8 @@ fn literal(screws: &Screws, values: &[String]) -> String {
     let (changes, inertias) = (rows(screws.changes.len(), 6), rows(screws.inertias.len(), 10));
     let gravity = row(3);
     format!(
-        "let screws = lagrange::screws::Screws {{ points: {points}, screws: {of_coordinates}, rates: [{}], \
-         changes: {changes}, inertias: {inertias}, gravity: {gravity} }};\n",
+        "lagrange::screws::Screws {{ points: {points}, screws: {of_coordinates}, rates: [{}], \
+         changes: {changes}, inertias: {inertias}, gravity: {gravity} }}",
         rates.join(", ")
     )
 }

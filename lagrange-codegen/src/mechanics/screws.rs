@@ -34,7 +34,7 @@ pub struct Screws {
     pub points: Vec<Vector>,
     /// The screw of each coordinate about the point of its group: angular part, linear part.
     pub screws: Vec<[NodeId; 6]>,
-    /// Their first and second rates along the motion, where they are given.
+    /// Their first and second rates along a motion without accelerations, where they are given.
     pub rates: Vec<[[NodeId; 6]; 2]>,
     /// Their derivatives by the coordinates of the group, where rates are given.
     pub changes: Vec<[NodeId; 6]>,
@@ -57,13 +57,10 @@ impl Screws {
         let count = model.coordinates.len();
         let moved = Moved::of(&model.graph, &parts, count)?;
         let groups = groups(&moved.sets)?;
-        let mut deriving = Deriving { parts, sets: moved.sets, direction: Vec::new() };
         let graph = &mut model.graph;
-        deriving.direction = turning_direction(graph, count, &[]);
-        for i in 0..count as u32 {
-            let velocity = graph.variable(Variable::Velocity(i));
-            deriving.direction.push((velocity, graph.variable(Variable::Acceleration(i))));
-        }
+        // Velocities stay: the runtime adds what accelerations change.
+        let direction = turning_direction(graph, count, &[]);
+        let deriving = Deriving { parts, sets: moved.sets, direction };
         let mut screws = deriving.screws(graph, groups);
         let (gravity, falling) = weight::gravity(model, &deriving.parts);
         screws.gravity = gravity;
@@ -84,7 +81,7 @@ impl Screws {
 struct Deriving {
     parts: Vec<Part>,
     sets: Vec<Vec<bool>>,
-    /// Of total time derivatives.
+    /// Of total time derivatives at velocities that stay.
     direction: Vec<(NodeId, NodeId)>,
 }
 

@@ -208,6 +208,15 @@ fn responses(
         (by_u, nothing),
         (rows(&by_parameters, "forces")?, rows(&by_parameters, "conditions")?),
     ];
+    let mut agreements = Agreements::new();
+    if let Some(factored) = run.of_system("factored_at") {
+        let factored = factored.map_err(understood)?;
+        let parts = [("by_q", "factored_at.by_q", &solved.by_q), ("by_v", "factored_at.by_v", &solved.by_v)];
+        for (field, name, wanted) in parts {
+            let found = rows(&factored, field)?.concat();
+            agreements.push((name, compare(name, &found, &wanted.forces.concat())?));
+        }
+    }
     const NAMES: [[&str; 2]; 5] = [
         ["accelerations by q", "multipliers by q"],
         ["accelerations by v", "multipliers by v"],
@@ -216,7 +225,6 @@ fn responses(
         ["accelerations by p", "multipliers by p"],
     ];
     let matrix = saddle(rows(&variation, "mass")?, &rows(&variation, "gradients")?);
-    let mut agreements = Agreements::new();
     for ((names, (forces, conditions)), by) in NAMES.into_iter().zip(found).zip(solved.parts()) {
         let width = forces.first().map_or(0, Vec::len);
         let right = |j: usize| -> Vec<f64> {

@@ -21,7 +21,8 @@ pub struct Expansion {
     pub surface: Functions,
     /// The items of `impl Smooth`.
     pub smooth: Functions,
-    /// The functions of `impl Linearized`, `Tangent`, `Parametric` and `Sensitive`, where they are asked for.
+    /// The functions of `impl Linearized`, `Carried`, `Tangent`, `Parametric` and `Sensitive`, where they are
+    /// asked for.
     pub derivatives: Functions,
     /// The constants of these and of `Surface`.
     pub constants: BTreeMap<String, Expr>,
@@ -63,7 +64,7 @@ impl Expansion {
                         expansion.constants.extend(constants(&block));
                         collect(block, &mut expansion.surface)?;
                     }
-                    Some("Linearized" | "Tangent" | "Parametric" | "Sensitive") => {
+                    Some("Linearized" | "Carried" | "Tangent" | "Parametric" | "Sensitive") => {
                         expansion.constants.extend(constants(&block));
                         collect(block, &mut expansion.derivatives)?;
                     }

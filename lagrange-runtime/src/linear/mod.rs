@@ -32,7 +32,7 @@ pub(crate) use independence::{CLEAR, determined};
 pub use inverse::{Inverse, RecursionStep};
 pub use ldlt::Ldlt;
 pub use lu::Lu;
-pub(crate) use rows::{COLUMNS, FEW, Rows};
+pub(crate) use rows::Rows;
 pub(crate) use saddle::TangentSpace;
 pub use saddle::{Defect, Diagonal, Load, Saddle, SaddlePoint, Sparse, Switched};
 pub use schur::Schur;

@@ -2,16 +2,13 @@
 //!
 //! Velocities are eliminated from the last to the first. What hangs on a link is declared after it, so a
 //! tree fills no entry: the zeros of M, which are passed over, are zeros of L (Featherstone, *Rigid Body
-//! Dynamics Algorithms*, section 6.3). Columns are solved for many at a time, side by side on vectors,
-//! because what one waits for the others do not.
+//! Dynamics Algorithms*, section 6.3). All columns are solved for side by side, in vectors of a row: what one
+//! waits for the others do not, and nothing is put in another order before.
 
 use crate::number::real::Real;
 
-/// Columns that are solved for side by side: eight vectors of four, each with one result under way, fill
-/// the time that a result takes.
-pub(crate) const COLUMNS: usize = 32;
-/// Those of a last few.
-pub(crate) const FEW: usize = 16;
+/// The longest vectors of doubles.
+const LANES: usize = 8;
 
 /// The factors of a symmetric positive definite matrix.
 #[derive(Clone, Copy, Debug)]
@@ -48,52 +45,115 @@ impl<const N: usize> Places<N> {
 }
 
 impl<R: Real, const N: usize> Rows<R, N> {
-    /// Factors a matrix, of which only the lower triangle is read; `None` where a pivot is not positive
+    /// Of no matrix.
+    pub fn new() -> Self {
+        let zero = R::zero();
+        Rows { factor: [[zero; N]; N], inverse: [zero; N], rows: Places::new(), columns: Places::new() }
+    }
+
+    /// Where the matrix is put.
+    pub fn matrix(&mut self) -> &mut [[R; N]; N] {
+        &mut self.factor
+    }
+
+    /// Factors the matrix, of which only the lower triangle counts; false where a pivot is not positive
     /// beyond rounding, by the bound of `Ldlt`.
-    pub fn factor(matrix: &[[R; N]; N]) -> Option<Self> {
-        let mut factor = *matrix;
-        let mut inverse = [R::zero(); N];
-        let (mut rows, mut columns) = (Places::new(), Places::new());
+    #[must_use]
+    pub fn factor(&mut self) -> bool {
+        (self.rows.counts, self.columns.counts) = ([0; N], [0; N]);
+        let diagonal: [R; N] = core::array::from_fn(|k| self.factor[k][k]);
         let mut threshold = R::zero();
         let ulps = R::epsilon() + R::epsilon();
         for k in (0..N).rev() {
             threshold += ulps;
-            let row = factor[k];
+            let row = self.factor[k];
             let pivot = row[k];
-            if !((pivot - threshold * matrix[k][k]).is_positive() && pivot.is_positive()) {
-                return None;
+            if !((pivot - threshold * diagonal[k]).is_positive() && pivot.is_positive()) {
+                return false;
             }
-            inverse[k] = pivot.recip();
+            let inverse = pivot.recip();
+            self.inverse[k] = inverse;
             for i in (0..k).filter(|&i| row[i] != R::zero()) {
-                rows.push(k, i);
-                columns.push(i, k);
-                let l = row[i] * inverse[k];
-                factor[k][i] = l;
-                for j in rows.of(k) {
-                    factor[i][j] = R::mul_add(-l, row[j], factor[i][j]);
-                }
+                self.rows.push(k, i);
+                self.columns.push(i, k);
+                let l = row[i] * inverse;
+                self.factor[k][i] = l;
+                // Vectors up to the diagonal: to pass over zeros would take longer.
+                subtract_first(i + 1, &mut self.factor[i], l, &row);
             }
         }
-        Some(Self { factor, inverse, rows, columns })
+        true
     }
 
-    /// Solves for some columns in place.
-    pub fn solve<const W: usize>(&self, right: &mut [[R; W]; N]) {
+    /// Solves for one column in place.
+    pub fn solve_one(&self, right: &mut [R; N]) {
         for k in (0..N).rev() {
-            let mut load = right[k];
-            for i in self.columns.of(k) {
-                subtract(&mut load, self.factor[i][k], &right[i]);
+            let value = right[k];
+            for i in self.rows.of(k) {
+                right[i] = R::mul_add(-self.factor[k][i], value, right[i]);
             }
-            right[k] = load;
         }
         for k in 0..N {
-            let mut value = right[k].map(|load| load * self.inverse[k]);
+            let mut value = right[k] * self.inverse[k];
             for i in self.rows.of(k) {
-                subtract(&mut value, self.factor[k][i], &right[i]);
+                value = R::mul_add(-self.factor[k][i], right[i], value);
             }
             right[k] = value;
         }
     }
+
+    /// Solves for the columns of three matrices in place.
+    pub fn solve<const K: usize>(
+        &self,
+        first: &mut [[R; N]; N],
+        second: &mut [[R; N]; N],
+        third: &mut [[R; K]; N],
+    ) {
+        for k in (0..N).rev() {
+            let (mut one, mut two, mut three) = (first[k], second[k], third[k]);
+            for i in self.columns.of(k) {
+                let l = self.factor[i][k];
+                subtract(&mut one, l, &first[i]);
+                subtract(&mut two, l, &second[i]);
+                subtract(&mut three, l, &third[i]);
+            }
+            (first[k], second[k], third[k]) = (one, two, three);
+        }
+        for k in 0..N {
+            let inverse = self.inverse[k];
+            let (mut one, mut two, mut three) = (first[k], second[k], third[k]);
+            scale(&mut one, inverse);
+            scale(&mut two, inverse);
+            scale(&mut three, inverse);
+            for i in self.rows.of(k) {
+                let l = self.factor[k][i];
+                subtract(&mut one, l, &first[i]);
+                subtract(&mut two, l, &second[i]);
+                subtract(&mut three, l, &third[i]);
+            }
+            (first[k], second[k], third[k]) = (one, two, three);
+        }
+    }
+}
+
+/// The same of at least the first `count` entries.
+#[inline(always)]
+fn subtract_first<R: Real, const W: usize>(count: usize, row: &mut [R; W], l: R, other: &[R; W]) {
+    let ((blocks, rest), (others, other_rest)) = (row.as_chunks_mut::<LANES>(), other.as_chunks::<LANES>());
+    for (block, other) in blocks.iter_mut().zip(others).take(count.div_ceil(LANES)) {
+        subtract(block, l, other);
+    }
+    if count > W - rest.len() {
+        for (entry, &other) in rest.iter_mut().zip(other_rest) {
+            *entry = R::mul_add(-l, other, *entry);
+        }
+    }
+}
+
+/// row ← factor · row.
+#[inline(always)]
+fn scale<R: Real, const W: usize>(row: &mut [R; W], factor: R) {
+    row.iter_mut().for_each(|entry| *entry *= factor);
 }
 
 /// row ← row − l · other.
@@ -124,39 +184,55 @@ mod tests {
         core::array::from_fn(|i| core::array::from_fn(|j| (0..7).map(|k| roots[k][i] * roots[k][j]).sum()))
     }
 
-    #[test]
-    fn all_columns_are_those_of_elimination_with_pivots() {
-        let mut noise = Noise(3);
-        for _ in 0..20 {
-            let m = tree(&mut noise);
-            let mut right: [[f64; COLUMNS]; 7] = core::array::from_fn(|_| noise.vector());
-            let given = right;
-            let factors = Rows::factor(&m).unwrap();
-            assert_eq!(factors.factor[6][3..5], [0.0, 0.0], "a tree fills nothing");
-            factors.solve(&mut right);
-            let other = Lu::factor(m).unwrap();
-            for j in 0..COLUMNS {
-                let x = other.solve(core::array::from_fn(|i| given[i][j]));
-                let size = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-                for i in 0..7 {
-                    assert!((x[i] - right[i][j]).abs() <= 1e-12 * size, "{} {}", x[i], right[i][j]);
-                }
+    fn factors<const N: usize>(matrix: &[[f64; N]; N]) -> Option<Rows<f64, N>> {
+        let mut factors = Rows::new();
+        *factors.matrix() = *matrix;
+        factors.factor().then_some(factors)
+    }
+
+    fn are_solved<const W: usize>(factors: &Lu<f64, 7>, right: &[[f64; W]; 7], found: &[[f64; W]; 7]) {
+        for j in 0..W {
+            let x = factors.solve(core::array::from_fn(|i| right[i][j]));
+            let size = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+            for i in 0..7 {
+                assert!((x[i] - found[i][j]).abs() <= 1e-12 * size, "{} {}", x[i], found[i][j]);
             }
         }
     }
 
     #[test]
+    fn all_columns_are_those_of_elimination_with_pivots() {
+        let mut noise = Noise(3);
+        for _ in 0..20 {
+            let m = tree(&mut noise);
+            let (mut first, mut second) = (noise.matrix(), noise.matrix());
+            let mut third: [[f64; 5]; 7] = core::array::from_fn(|_| noise.vector());
+            let given = (first, second, third);
+            let factors = factors(&m).unwrap();
+            let mut one = given.0.map(|row| row[0]);
+            factors.solve_one(&mut one);
+            assert_eq!(factors.factor[6][3..5], [0.0, 0.0], "a tree fills nothing");
+            factors.solve(&mut first, &mut second, &mut third);
+            let other = Lu::factor(m).unwrap();
+            are_solved(&other, &given.0.map(|row| [row[0]]), &one.map(|x| [x]));
+            are_solved(&other, &given.0, &first);
+            are_solved(&other, &given.1, &second);
+            are_solved(&other, &given.2, &third);
+        }
+    }
+
+    #[test]
     fn what_is_not_definite_is_refused() {
-        assert!(Rows::factor(&[[0.0, 0.0], [0.0, 1.0]]).is_none());
-        assert!(Rows::factor(&[[1.0, 1.0], [1.0, 1.0]]).is_none());
-        assert!(Rows::factor(&[[-1.0, 0.0], [0.0, 1.0]]).is_none());
-        assert!(Rows::factor(&[[1.0, 0.0], [0.0, f64::NAN]]).is_none());
+        assert!(factors(&[[0.0, 0.0], [0.0, 1.0]]).is_none());
+        assert!(factors(&[[1.0, 1.0], [1.0, 1.0]]).is_none());
+        assert!(factors(&[[-1.0, 0.0], [0.0, 1.0]]).is_none());
+        assert!(factors(&[[1.0, 0.0], [0.0, f64::NAN]]).is_none());
     }
 
     #[test]
     fn a_pivot_that_is_nothing_but_rounding_is_refused() {
         // What is left of the first entry is ε: half of the bound for two pivots.
-        assert!(Rows::factor(&[[1.0, 1.0], [1.0, 1.0 + f64::EPSILON]]).is_none());
-        assert!(Rows::factor(&[[1.0, 1.0], [1.0, 1.0 + 32.0 * f64::EPSILON]]).is_some());
+        assert!(factors(&[[1.0, 1.0], [1.0, 1.0 + f64::EPSILON]]).is_none());
+        assert!(factors(&[[1.0, 1.0], [1.0, 1.0 + 32.0 * f64::EPSILON]]).is_some());
     }
 }

@@ -5,7 +5,7 @@
 
 use nalgebra::SMatrix;
 
-use crate::linear::{COLUMNS, FEW, Lu, Rows};
+use crate::linear::{Lu, Rows};
 use crate::number::real::Real;
 use crate::system::error::MotionError;
 use crate::system::state::State;
@@ -20,6 +20,44 @@ pub struct Linearization<R, const N: usize> {
     pub by_q: [[R; N]; N],
     /// ∂r/∂v.
     pub by_v: [[R; N]; N],
+}
+
+/// M in factors, and the derivatives of r = f − M a at the accelerations of the motion.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Factored<R, const N: usize> {
+    factors: Rows<R, N>,
+    /// Whether M is positive definite and the accelerations are finite.
+    is_sound: bool,
+    /// ∂r/∂q.
+    pub by_q: [[R; N]; N],
+    /// ∂r/∂v.
+    pub by_v: [[R; N]; N],
+}
+
+impl<R: Real, const N: usize> Factored<R, N> {
+    /// Without anything.
+    fn new() -> Self {
+        let zero = [[R::zero(); N]; N];
+        Factored { factors: Rows::new(), is_sound: false, by_q: zero, by_v: zero }
+    }
+
+    /// Where M is put.
+    pub(crate) fn mass(&mut self) -> &mut [[R; N]; N] {
+        self.factors.matrix()
+    }
+
+    /// Factors M; whether it is positive definite.
+    pub(crate) fn factor(&mut self) -> bool {
+        self.is_sound = self.factors.factor();
+        self.is_sound
+    }
+
+    /// Turns forces into accelerations.
+    pub(crate) fn accelerate(&mut self, forces: &mut [R; N]) {
+        self.factors.solve_one(forces);
+        self.is_sound = forces.iter().all(|a| a.is_finite());
+    }
 }
 
 /// Derivatives of the accelerations; rows are accelerations.
@@ -75,6 +113,26 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
         u: &[Self::Scalar; K],
     ) -> [[Self::Scalar; K]; N];
 
+    /// What [`Linearized::jacobians`] solves, into matrices of zeros.
+    #[doc(hidden)]
+    fn factored_at(
+        &self,
+        constants: &Self::Constants,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+        matrices: &mut Factored<Self::Scalar, N>,
+    ) {
+        let a = self.accelerations_at(constants, t, q, v, u);
+        if a.iter().all(|a| a.is_finite()) {
+            let Linearization { mass, by_q, by_v } = self.linearization_at(constants, t, q, v, &a, u);
+            *matrices.mass() = mass;
+            matrices.factor();
+            (matrices.by_q, matrices.by_v) = (by_q, by_v);
+        }
+    }
+
     /// ∂a/∂q, ∂a/∂v and ∂a/∂u at a state under the inputs `u`: M⁻¹ times the derivatives of r at the
     /// accelerations there.
     ///
@@ -90,130 +148,82 @@ pub trait Linearized<const N: usize, const K: usize = 0>: System<N, K> {
     {
         let constants = self.constants();
         let State { t, q, v } = state;
-        let failed = || MotionError { cause: diagnose(self, &constants, *t, q, v), t: *t };
-        let a = self.accelerations_at(&constants, *t, q, v, u);
-        if !a.iter().all(|a| a.is_finite()) {
-            return Err(failed());
-        }
-        let linearization = self.linearization_at(&constants, *t, q, v, &a, u);
-        let by_u = self.by_inputs_at(&constants, *t, q, v, u);
-        let jacobians = match Rows::factor(&linearization.mass) {
-            Some(factors) => solved(&factors, &linearization, &by_u),
-            None => {
-                check_masses(self, &constants, state)?;
-                pivoted(&linearization, &by_u).ok_or_else(failed)?
-            }
-        };
-        let Jacobians { by_q, by_v, by_u } = &jacobians;
-        let finite = [by_q.as_slice(), by_v.as_slice(), by_u.as_slice()].into_iter().all(are_finite);
-        if finite { Ok(jacobians) } else { Err(failed()) }
-    }
-}
-
-/// Whether all numbers are finite. Zero times a number is zero, or else no number; sums of these side by
-/// side ask no question until the end.
-fn are_finite<R: Real>(numbers: &[R]) -> bool {
-    let (chunks, rest) = numbers.as_chunks::<FEW>();
-    let mut sums = [R::zero(); FEW];
-    for numbers in chunks {
-        sums.iter_mut().zip(numbers).for_each(|(sum, &x)| *sum += R::zero() * x);
-    }
-    sums.iter().chain(rest).all(|x| x.is_finite())
-}
-
-/// M⁻¹ times the columns of three matrices, which stand beside each other.
-#[inline(never)]
-fn solved<R: Real, const N: usize, const K: usize>(
-    factors: &Rows<R, N>,
-    linearization: &Linearization<R, N>,
-    by_u: &[[R; K]; N],
-) -> Jacobians<R, N, K> {
-    let mut jacobians = Jacobians { by_q: SMatrix::zeros(), by_v: SMatrix::zeros(), by_u: SMatrix::zeros() };
-    let (mut first, count) = (0, N + N + K);
-    while first < count {
-        first = if count - first > FEW {
-            side_by_side::<R, N, K, COLUMNS>(factors, linearization, by_u, first, &mut jacobians)
+        let mut factored = Factored::new();
+        self.factored_at(&constants, *t, q, v, u, &mut factored);
+        let mut by_u = self.by_inputs_at(&constants, *t, q, v, u);
+        if factored.is_sound {
+            factored.factors.solve(&mut factored.by_q, &mut factored.by_v, &mut by_u);
         } else {
-            side_by_side::<R, N, K, FEW>(factors, linearization, by_u, first, &mut jacobians)
-        };
+            pivoted(self, &constants, state, u, &mut factored, &mut by_u)?;
+        }
+        let Factored { by_q, by_v, .. } = &factored;
+        if !(are_finite(by_q) && are_finite(by_v) && are_finite(&by_u)) {
+            return Err(failed(self, &constants, state));
+        }
+        let mut jacobians =
+            Jacobians { by_q: SMatrix::zeros(), by_v: SMatrix::zeros(), by_u: SMatrix::zeros() };
+        put_columns(by_q, &mut jacobians.by_q);
+        put_columns(by_v, &mut jacobians.by_v);
+        put_columns(&by_u, &mut jacobians.by_u);
+        Ok(jacobians)
     }
-    jacobians
+}
+
+fn failed<S: System<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    State { t, q, v }: &State<S::Scalar, N>,
+) -> MotionError<S::Scalar> {
+    MotionError { cause: diagnose(system, constants, *t, q, v), t: *t }
 }
 
 /// The same by pivots, of an M that is not positive definite.
 #[cold]
-fn pivoted<R: Real, const N: usize, const K: usize>(
-    Linearization { mass, by_q, by_v }: &Linearization<R, N>,
-    by_u: &[[R; K]; N],
-) -> Option<Jacobians<R, N, K>> {
-    let factors = Lu::factor(*mass).ok()?;
-    let mut jacobians = Jacobians { by_q: SMatrix::zeros(), by_v: SMatrix::zeros(), by_u: SMatrix::zeros() };
-    by_column(&factors, by_q, &mut jacobians.by_q);
-    by_column(&factors, by_v, &mut jacobians.by_v);
-    by_column(&factors, by_u, &mut jacobians.by_u);
-    Some(jacobians)
-}
-
-/// Solves for some columns from the `first` on; the next.
-fn side_by_side<R: Real, const N: usize, const K: usize, const W: usize>(
-    factors: &Rows<R, N>,
-    Linearization { by_q, by_v, .. }: &Linearization<R, N>,
-    by_u: &[[R; K]; N],
-    first: usize,
-    jacobians: &mut Jacobians<R, N, K>,
-) -> usize {
-    let mut columns = [[R::zero(); W]; N];
-    for (i, columns) in columns.iter_mut().enumerate() {
-        take(columns, first, 0, &by_q[i]);
-        take(columns, first, N, &by_v[i]);
-        take(columns, first, N + N, &by_u[i]);
+fn pivoted<S: Linearized<N, K>, const N: usize, const K: usize>(
+    system: &S,
+    constants: &S::Constants,
+    state: &State<S::Scalar, N>,
+    u: &[S::Scalar; K],
+    factored: &mut Factored<S::Scalar, N>,
+    by_u: &mut [[S::Scalar; K]; N],
+) -> Result<(), MotionError<S::Scalar>> {
+    let failed = || failed(system, constants, state);
+    let State { t, q, v } = state;
+    let a = system.accelerations_at(constants, *t, q, v, u);
+    if !a.iter().all(|a| a.is_finite()) {
+        return Err(failed());
     }
-    factors.solve(&mut columns);
-    put(&columns, first, 0, &mut jacobians.by_q);
-    put(&columns, first, N, &mut jacobians.by_v);
-    put(&columns, first, N + N, &mut jacobians.by_u);
-    first + W
+    check_masses(system, constants, state)?;
+    let Linearization { mass, by_q, by_v } = system.linearization_at(constants, *t, q, v, &a, u);
+    let factors = Lu::factor(mass).map_err(|_| failed())?;
+    (factored.by_q, factored.by_v) = (by_q, by_v);
+    by_column(&factors, &mut factored.by_q);
+    by_column(&factors, &mut factored.by_v);
+    by_column(&factors, by_u);
+    Ok(())
 }
 
-/// The columns from `first` on that a matrix has, which begins at `offset`: in the target, and in the matrix.
-fn common<const W: usize>(
-    first: usize,
-    offset: usize,
-    width: usize,
-) -> Option<(core::ops::Range<usize>, usize)> {
-    let (low, high) = (first.max(offset), (first + W).min(offset + width));
-    (low < high).then(|| (low - first..high - first, low - offset))
+/// Whether all numbers are finite. Zero times a number is zero, or else no number; sums of these side by
+/// side ask no question until the end.
+fn are_finite<R: Real, const N: usize, const W: usize>(rows: &[[R; W]; N]) -> bool {
+    let mut sums = [R::zero(); W];
+    for row in rows {
+        sums.iter_mut().zip(row).for_each(|(sum, &x)| *sum += R::zero() * x);
+    }
+    sums.iter().all(|sum| sum.is_finite())
 }
 
-fn take<R: Real, const C: usize, const W: usize>(
-    columns: &mut [R; W],
-    first: usize,
-    offset: usize,
-    row: &[R; C],
-) {
-    if let Some((range, from)) = common::<W>(first, offset, C) {
-        columns[range].iter_mut().zip(&row[from..]).for_each(|(column, &entry)| *column = entry);
+fn by_column<R: Real, const N: usize, const W: usize>(factors: &Lu<R, N>, rows: &mut [[R; W]; N]) {
+    for j in 0..W {
+        let column = factors.solve(core::array::from_fn(|i| rows[i][j]));
+        rows.iter_mut().zip(column).for_each(|(row, entry)| row[j] = entry);
     }
 }
 
-fn put<R: Real, const N: usize, const C: usize, const W: usize>(
-    columns: &[[R; W]; N],
-    first: usize,
-    offset: usize,
-    matrix: &mut SMatrix<R, N, C>,
-) {
-    let Some((range, from)) = common::<W>(first, offset, C) else { return };
-    for (column, target) in range.zip(&mut matrix.data.0[from..]) {
-        target.iter_mut().zip(columns).for_each(|(entry, row)| *entry = row[column]);
-    }
-}
-
-fn by_column<R: Real, const N: usize, const C: usize>(
-    factors: &Lu<R, N>,
-    rows: &[[R; C]; N],
-    matrix: &mut SMatrix<R, N, C>,
-) {
+/// The same matrix as nalgebra has it: column by column. Filled in where it stands, because a result would be
+/// copied.
+fn put_columns<R: Real, const N: usize, const W: usize>(rows: &[[R; W]; N], matrix: &mut SMatrix<R, N, W>) {
     for (j, column) in matrix.data.0.iter_mut().enumerate() {
-        *column = factors.solve(core::array::from_fn(|i| rows[i][j]));
+        column.iter_mut().zip(rows).for_each(|(entry, row)| *entry = row[j]);
     }
 }

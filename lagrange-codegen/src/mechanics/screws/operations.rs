@@ -5,23 +5,23 @@
 use super::Screws;
 
 /// Inertia, momentum and force of what a group moves.
-const BODIES: usize = 197;
+const BODIES: usize = 266;
 /// Those of a group added to what carries it.
-const CARRIED: usize = 155;
+const CARRIED: usize = 194;
 /// The rates of a coordinate along the motion, where they are given, and where they are not.
 const GIVEN: usize = 72;
 const RATES: usize = 132;
 /// What a coordinate does to the bodies that it moves.
-const COORDINATE: usize = 306;
+const COORDINATE: usize = 318;
 /// A coordinate with one of its group.
 const WITHIN: usize = 33;
 /// What a coordinate does, about the common point, and with those that move more bodies, [`LANES`] of them in
 /// one operation on vectors.
-const ABOVE: usize = 42;
-const BLOCK: usize = 72;
-const LANES: usize = 4;
+const ABOVE: usize = 48;
+const BLOCK: usize = 73;
+const LANES: usize = 8;
 /// A change of a screw within its group.
-const CHANGE: usize = 12;
+const CHANGE: usize = 24;
 
 impl Screws {
     /// Operations of M and the derivatives, once a state is turned into screws.

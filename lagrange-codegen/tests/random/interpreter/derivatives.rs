@@ -48,7 +48,8 @@ impl Interpreter<'_> {
             (
                 "lagrange::Linearized::residual_at"
                 | "lagrange::Linearized::linearization_at"
-                | "lagrange::Linearized::by_inputs_at",
+                | "lagrange::Linearized::by_inputs_at"
+                | "lagrange::screws::Carried::screws_at",
                 _,
             ) => {
                 let name = function.rsplit("::").next().unwrap_or_default();
@@ -59,6 +60,9 @@ impl Interpreter<'_> {
                     true => forces.residual(),
                     false => forces.linearization(),
                 })
+            }
+            ("lagrange::screws::factored", [screws, groups, v, rest]) => {
+                Forces::in_motion(screws, groups, v, rest).map(|forces| forces.linearization())
             }
             _ => return None,
         })

@@ -80,6 +80,7 @@ impl Interpreter<'_> {
             "u" | "_u" => Ok(Value::numbers(u)),
             "accelerations" => Ok(Value::numbers(accelerations)),
             "place" => Ok(self.place_of_derivatives()),
+            "matrices" => Ok(Value::Unit),
             other => unknown(format!("the parameter `{other}`")),
         };
         Some(
@@ -101,7 +102,10 @@ impl Interpreter<'_> {
             return unknown(format!("`{}` takes {} arguments", function.sig.ident, names.len()));
         }
         let mut locals: Locals = names.into_iter().zip(arguments).collect();
-        match self.block(&function.block, &mut locals) {
+        let result = self.block(&function.block, &mut locals);
+        match result {
+            // What the function fills in.
+            Ok(Value::Unit) => Ok(locals.remove("matrices").unwrap_or(Value::Unit)),
             // `?` in a function that returns a result.
             Err(Stop::Failure(cause)) => Ok(Value::Result(Err(cause))),
             other => other,
@@ -158,11 +162,13 @@ impl Interpreter<'_> {
                 }
                 match text(path).as_str() {
                     "f64::INFINITY" | "f32::INFINITY" => Ok(Value::Number(f64::INFINITY)),
-                    // Where gradients can differ from zero.
-                    path if path.ends_with(">::PATTERN") => match self.expansion.constants.get("PATTERN") {
-                        Some(pattern) => self.expression(pattern, locals),
-                        None => unknown(path),
-                    },
+                    // Where gradients can differ from zero, and the groups of screws.
+                    path if path.ends_with(">::PATTERN") || path.ends_with(">::GROUPS") => {
+                        match self.expansion.constants.get(path.rsplit("::").next().unwrap_or_default()) {
+                            Some(constant) => self.expression(constant, locals),
+                            None => unknown(path),
+                        }
+                    }
                     _ => self.parameter(expr),
                 }
             }
@@ -271,6 +277,16 @@ impl Interpreter<'_> {
                 }
                 _ => unknown(text(call)),
             },
+            Expr::Call(call) if text(&call.func) == "lagrange::screws::factored" => {
+                let mut arguments = self.expressions(&call.args, locals)?;
+                arguments.pop();
+                let matrices = self.call_path(&path_of(&call.func), arguments)?;
+                match call.args.last() {
+                    Some(place) => *self.place(place, locals)? = matrices,
+                    None => return unknown(text(call)),
+                }
+                Ok(Value::Unit)
+            }
             Expr::Call(call) if matches!(call.args.last(), Some(Expr::Closure(_))) => {
                 self.with_closure(call, locals).unwrap_or_else(|| unknown(text(call)))
             }

@@ -1,7 +1,7 @@
 //! Inertia forces of bodies and their derivatives from screws, body by body as they are defined, all about
 //! one point: nothing is added up over bodies before a pair of coordinates asks.
 
-use super::value::unknown;
+use super::value::{solved, unknown};
 use super::{Run, Value};
 
 type Six = [f64; 6];
@@ -68,13 +68,6 @@ impl Forces {
                     given.get(group.given + k).map_or_else(|| moves(&twist, &screw), |rates| rates[0]);
                 acceleration = plus(&plus(&acceleration, v[j], &forces.rates[j][0]), a[j], &screw);
             }
-            for (k, &j) in group.coordinates.iter().enumerate() {
-                let screw = forces.screws[j];
-                forces.rates[j][1] = match given.get(group.given + k) {
-                    Some(rates) => plus(&rates[1], 1.0, &moves(&fall, &screw)),
-                    None => plus(&moves(&acceleration, &screw), 1.0, &moves(&twist, &forces.rates[j][0])),
-                };
-            }
             // What moves a screw changes it.
             for &i in &group.coordinates {
                 let mut above = group.parent;
@@ -91,11 +84,33 @@ impl Forces {
                     }
                 }
             }
+            // Of rates that are given, what accelerations change them by is not.
+            for (k, &i) in group.coordinates.iter().enumerate() {
+                let screw = forces.screws[i];
+                forces.rates[i][1] = match given.get(group.given + k) {
+                    Some(rates) => {
+                        let changes = forces.changes[i].iter().zip(&a);
+                        let driven = changes.fold(rates[1], |sum, (change, &a)| plus(&sum, a, change));
+                        plus(&driven, 1.0, &moves(&fall, &screw))
+                    }
+                    None => plus(&moves(&acceleration, &screw), 1.0, &moves(&twist, &forces.rates[i][0])),
+                };
+            }
             forces.groups.push(group);
             forces.twists.push(twist);
             forces.accelerations.push(acceleration);
         }
         Ok(forces)
+    }
+
+    /// At the accelerations that other forces give.
+    pub fn in_motion(record: &Value, groups: &Value, v: &Value, rest: &Value) -> Run<Forces> {
+        let rest = rest.to_numbers()?;
+        let resting = Forces::of(record, groups, v, &Value::numbers(&vec![0.0; rest.len()]))?;
+        let mass = resting.linearization().field("mass")?.to_rows()?;
+        let forces = resting.residual().to_numbers()?;
+        let total: Vec<f64> = forces.iter().zip(&rest).map(|(force, rest)| force + rest).collect();
+        Forces::of(record, groups, v, &solved(&mass, &total)?)
     }
 
     /// Each body with the coordinates that move it.

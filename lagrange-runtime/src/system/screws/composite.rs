@@ -8,18 +8,22 @@ pub(super) type Vector<R> = [R; 3];
 #[derive(Clone, Copy)]
 pub(super) struct Pair<R>(pub Vector<R>, pub Vector<R>);
 
+/// Mass, first moment, and moments of inertia about a point.
+#[derive(Clone, Copy)]
+pub(super) struct Inertia<R> {
+    mass: R,
+    moment: Vector<R>,
+    turning: [Vector<R>; 3],
+}
+
 /// Bodies as one, at a state.
 #[derive(Clone, Copy)]
 pub(super) struct Composite<R> {
-    mass: R,
-    moment: Vector<R>,
-    inertia: [Vector<R>; 3],
+    pub inertia: Inertia<R>,
     /// The columns of G.
     gyration: [Vector<R>; 3],
     /// P.
     momentum: Vector<R>,
-    /// F.
-    pub force: Pair<R>,
 }
 
 impl<R: Real> Pair<R> {
@@ -33,7 +37,7 @@ impl<R: Real> Pair<R> {
 
     /// The sum with a multiple.
     pub fn plus(&self, factor: R, other: &Self) -> Self {
-        let both = |a: &Vector<R>, b: &Vector<R>| [0, 1, 2].map(|i| R::mul_add(factor, b[i], a[i]));
+        let both = |a: &Vector<R>, b: &Vector<R>| each(|i| R::mul_add(factor, b[i], a[i]));
         Pair(both(&self.0, &other.0), both(&self.1, &other.1))
     }
 
@@ -56,126 +60,134 @@ impl<R: Real> Pair<R> {
 
     /// A twist about a point that lies at an arm from that of `self`.
     pub fn at(&self, arm: &Vector<R>) -> Self {
-        Pair(self.0, sum(&self.1, &cross(&self.0, arm)))
+        Pair(self.0, plus_cross(&self.1, &self.0, arm))
     }
 
     /// A twist about the point that its own point is counted from.
     pub fn from(&self, point: &Vector<R>) -> Self {
-        Pair(self.0, sum(&self.1, &cross(point, &self.0)))
+        Pair(self.0, plus_cross(&self.1, point, &self.0))
     }
 
     /// A wrench, likewise.
     pub fn wrench_from(&self, point: &Vector<R>) -> Self {
-        Pair(sum(&self.0, &cross(point, &self.1)), self.1)
+        Pair(plus_cross(&self.0, point, &self.1), self.1)
     }
 
     /// How a twist changes what it carries: self × twist.
     pub fn moves(&self, twist: &Self) -> Self {
-        Pair(cross(&self.0, &twist.0), sum(&cross(&self.0, &twist.1), &cross(&self.1, &twist.0)))
+        let linear = plus_cross(&cross(&self.0, &twist.1), &self.1, &twist.0);
+        Pair(cross(&self.0, &twist.0), linear)
     }
 
     /// How it changes a wrench: self ×* wrench.
     pub fn turns(&self, wrench: &Self) -> Self {
-        Pair(sum(&cross(&self.0, &wrench.0), &cross(&self.1, &wrench.1)), cross(&self.0, &wrench.1))
+        let angular = plus_cross(&cross(&self.0, &wrench.0), &self.1, &wrench.1);
+        Pair(angular, cross(&self.0, &wrench.1))
+    }
+}
+
+impl<R: Real> Inertia<R> {
+    pub fn of(&[mass, hx, hy, hz, xx, xy, xz, yy, yz, zz]: &[R; 10]) -> Self {
+        Inertia { mass, moment: [hx, hy, hz], turning: [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]] }
+    }
+
+    /// I x.
+    #[inline]
+    pub fn times(&self, Pair(angular, linear): &Pair<R>) -> Pair<R> {
+        let turned = each(|i| dot(&self.turning[i], angular));
+        let pushed = each(|i| self.mass * linear[i]);
+        Pair(plus_cross(&turned, &self.moment, linear), plus_cross(&pushed, angular, &self.moment))
     }
 }
 
 impl<R: Real> Composite<R> {
     pub fn zero() -> Self {
         let nothing = [R::zero(); 3];
-        Composite {
-            mass: R::zero(),
-            moment: nothing,
-            inertia: [nothing; 3],
-            gyration: [nothing; 3],
-            momentum: nothing,
-            force: Pair::zero(),
-        }
+        let inertia = Inertia { mass: R::zero(), moment: nothing, turning: [nothing; 3] };
+        Composite { inertia, gyration: [nothing; 3], momentum: nothing }
     }
 
-    pub fn of(
-        &[mass, hx, hy, hz, xx, xy, xz, yy, yz, zz]: &[R; 10],
-        twist: &Pair<R>,
-        acceleration: &Pair<R>,
-    ) -> Self {
-        let (moment, inertia) = ([hx, hy, hz], [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]);
-        let mut bodies = Composite { mass, moment, inertia, ..Composite::zero() };
-        let momentum = bodies.times(twist);
-        bodies.momentum = momentum.1;
-        bodies.force = bodies.times(acceleration).sum(&twist.turns(&momentum));
+    pub fn of(inertia: &[R; 10], Pair(spin, velocity): &Pair<R>) -> Self {
+        let inertia = Inertia::of(inertia);
+        let Inertia { mass, moment, turning } = &inertia;
+        let momentum = plus_cross(&each(|i| *mass * velocity[i]), spin, moment);
         // G x = ω × (J x − ½ tr J x) − (h × v) × x − v × (h × x).
-        let Pair(spin, velocity) = twist;
-        let half = (xx + yy + zz) * R::from_f64(0.5);
-        let [cx, cy, cz] = cross(&moment, velocity);
-        let along = dot(velocity, &moment);
+        let half = (turning[0][0] + turning[1][1] + turning[2][2]) * R::from_f64(0.5);
+        let [cx, cy, cz] = cross(moment, velocity);
+        let along = dot(velocity, moment);
         let zero = R::zero();
         let crossed = [[zero, -cz, cy], [cz, zero, -cx], [-cy, cx, zero]];
+        let mut gyration = crossed;
         for k in 0..3 {
-            let mut column = inertia[k];
+            let mut column = turning[k];
             column[k] -= half;
-            let mut gyration = cross(spin, &column);
-            for i in 0..3 {
-                gyration[i] += crossed[k][i] - moment[i] * velocity[k];
-            }
-            gyration[k] += along;
-            bodies.gyration[k] = gyration;
+            let turned = plus_cross(&crossed[k], spin, &column);
+            gyration[k] = each(|i| R::mul_add(-moment[i], velocity[k], turned[i]));
+            gyration[k][k] += along;
         }
-        bodies
+        Composite { inertia, gyration, momentum }
     }
 
     /// Adds bodies whose point lies at an arm from that of `self`.
-    pub fn add(&mut self, other: &Self, arm: &Vector<R>) {
-        let Composite { mass, moment, inertia, gyration, momentum, force } = other;
+    pub fn add(&mut self, Composite { inertia, gyration, momentum }: &Self, arm: &Vector<R>) {
+        let Inertia { mass, moment, turning } = inertia;
         // About the other point: h + m d, J + (d·h′ + d·h) 1 − d h′ᵀ − h dᵀ, G + (d·P) 1 − P dᵀ.
-        let carried: Vector<R> = [0, 1, 2].map(|i| R::mul_add(*mass, arm[i], moment[i]));
+        let carried = each(|i| R::mul_add(*mass, arm[i], moment[i]));
         let (round, along) = (dot(arm, &carried) + dot(arm, moment), dot(arm, momentum));
         for k in 0..3 {
             for i in 0..3 {
-                self.inertia[k][i] += inertia[k][i] - arm[k] * carried[i] - moment[k] * arm[i];
-                self.gyration[k][i] += gyration[k][i] - momentum[i] * arm[k];
+                let shift = R::mul_add(-arm[k], carried[i], turning[k][i]);
+                self.inertia.turning[k][i] += R::mul_add(-moment[k], arm[i], shift);
+                self.gyration[k][i] += R::mul_add(-momentum[i], arm[k], gyration[k][i]);
             }
-            self.inertia[k][k] += round;
+            self.inertia.turning[k][k] += round;
             self.gyration[k][k] += along;
         }
-        self.mass += *mass;
-        self.moment = sum(&self.moment, &carried);
+        self.inertia.mass += *mass;
+        self.inertia.moment = sum(&self.inertia.moment, &carried);
         self.momentum = sum(&self.momentum, momentum);
-        self.force = self.force.sum(&force.wrench_from(arm));
-    }
-
-    /// I x.
-    pub fn times(&self, Pair(angular, linear): &Pair<R>) -> Pair<R> {
-        let [tx, ty, tz] = cross(&self.moment, linear);
-        let [fx, fy, fz] = cross(angular, &self.moment);
-        let turned =
-            [dot(&self.inertia[0], angular), dot(&self.inertia[1], angular), dot(&self.inertia[2], angular)];
-        let pushed = linear.map(|part| self.mass * part);
-        Pair(sum(&turned, &[tx, ty, tz]), sum(&pushed, &[fx, fy, fz]))
     }
 
     /// B x.
     pub fn gyrates(&self, Pair(x, _): &Pair<R>) -> Pair<R> {
         let [a, b, c] = &self.gyration;
-        let torque = [0, 1, 2].map(|i| R::mul_add(a[i], x[0], R::mul_add(b[i], x[1], c[i] * x[2])));
+        let torque = each(|i| R::mul_add(a[i], x[0], R::mul_add(b[i], x[1], c[i] * x[2])));
         Pair(torque, cross(x, &self.momentum)).doubled()
     }
 
     /// The angular part of Bᵀ x, the only one.
     pub fn gyrates_back(&self, Pair(angular, linear): &Pair<R>) -> Vector<R> {
         let across = cross(&self.momentum, linear);
-        let half = [0, 1, 2].map(|k| dot(&self.gyration[k], angular) + across[k]);
+        let half = each(|k| dot(&self.gyration[k], angular) + across[k]);
         sum(&half, &half)
     }
 }
 
-fn cross<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
+/// A vector by its components. The compiler calls a function for `map` of an array.
+#[inline(always)]
+pub(super) fn each<R>(part: impl Fn(usize) -> R) -> Vector<R> {
+    [part(0), part(1), part(2)]
 }
 
+#[inline(always)]
+fn cross<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
+    let part = |i: usize, j: usize| R::mul_add(a[i], b[j], -(a[j] * b[i]));
+    [part(1, 2), part(2, 0), part(0, 1)]
+}
+
+/// c + a × b.
+#[inline(always)]
+fn plus_cross<R: Real>(c: &Vector<R>, a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
+    let part = |k: usize, i: usize, j: usize| R::mul_add(a[i], b[j], R::mul_add(-a[j], b[i], c[k]));
+    [part(0, 1, 2), part(1, 2, 0), part(2, 0, 1)]
+}
+
+#[inline(always)]
 fn dot<R: Real>(a: &Vector<R>, b: &Vector<R>) -> R {
     R::mul_add(a[0], b[0], R::mul_add(a[1], b[1], a[2] * b[2]))
 }
 
+#[inline(always)]
 fn sum<R: Real>(a: &Vector<R>, b: &Vector<R>) -> Vector<R> {
-    [0, 1, 2].map(|i| a[i] + b[i])
+    each(|i| a[i] + b[i])
 }

@@ -1,6 +1,7 @@
 //! How many operations the loops take. The engine weighs them against sweeps for each variable: its numbers
 //! (`mechanics/screws/operations.rs`) are these.
 
+use super::pairs::LANES;
 use super::*;
 use crate::number::real::tests::{Minimal, operations};
 
@@ -18,29 +19,37 @@ fn counted<const N: usize, const G: usize, const C: usize, const P: usize>(group
     operations(|| linearization(&screws, &groups, &[one; N], &[one; N]))
 }
 
-const BODIES: usize = 197;
-const CARRIED: usize = 155;
+const BODIES: usize = 266;
+const CARRIED: usize = 194;
 const GIVEN: usize = 72;
 const RATES: usize = 132;
-const COORDINATE: usize = 306;
+const COORDINATE: usize = 318;
 const WITHIN: usize = 33;
-const ABOVE: usize = 42;
-const BLOCK: usize = 72;
-const CHANGE: usize = 12;
+const ABOVE: usize = 48;
+const BLOCK: usize = 73;
+const CHANGE: usize = 24;
 
 #[test]
 fn operations_are_those_that_the_engine_takes_them_for() {
     let link = |parent, coordinates| Group { parent, coordinates, given: 0 };
-    // A vector of four is four numbers here.
+    // A vector is as many numbers here.
     let block = LANES * BLOCK;
     let alone = BODIES + RATES + COORDINATE + WITHIN;
     let carried = alone + CARRIED + ABOVE + block;
     assert_eq!(counted::<1, 1, 0, 0>([link(1, &[0])]), alone);
     assert_eq!(counted::<2, 2, 0, 0>([link(2, &[0]), link(0, &[1])]), alone + carried);
     assert_eq!(counted::<2, 1, 0, 0>([link(1, &[0, 1])]), 2 * (alone + WITHIN) - BODIES);
-    // The sixth link has five coordinates on its way, which are two vectors.
-    let chain = [link(6, &[0]), link(0, &[1]), link(1, &[2]), link(2, &[3]), link(3, &[4]), link(4, &[5])];
-    assert_eq!(counted::<6, 6, 0, 0>(chain), alone + 5 * carried + block);
+    let within = 2 * (alone + WITHIN) - BODIES;
+    let both = within + CARRIED + 2 * (ABOVE + block);
+    assert_eq!(counted::<3, 2, 0, 0>([link(2, &[0]), link(0, &[1, 2])]), alone + both);
+    // The tenth link has nine coordinates on its way, which are two vectors.
+    let chain = core::array::from_fn(|place| {
+        link(
+            place.checked_sub(1).unwrap_or(10),
+            [&[0], &[1], &[2], &[3], &[4], &[5], &[6], &[7], &[8], &[9]][place],
+        )
+    });
+    assert_eq!(counted::<10, 10, 0, 0>(chain), alone + 9 * carried + block);
     let base = [Group { parent: 1, coordinates: &[0, 1, 2, 3, 4, 5], given: 0 }];
     assert_eq!(counted::<6, 1, 6, 36>(base), BODIES + 6 * (GIVEN + COORDINATE) + 36 * (WITHIN + CHANGE));
 }
