@@ -15,7 +15,10 @@
 //!
 //! So the series obeys the constraints at every order, although they are differentiated once only.
 //!
-//! No time derivative, no Coriolis term and no inverse is ever formed. `auxiliary` makes p and f polynomial,
+//! Where a momentum is Σ a b and the force has all terms of Σ a′ b, as with points at given positions, d/dt s
+//! = f − Σ a′ b with s′ = Σ a b′ has fewer products (`parts`).
+//!
+//! No Coriolis term and no inverse is ever formed. `auxiliary` makes p and f polynomial,
 //! `recurrence` sorts the operations of the polynomial by when their coefficients of one order are known.
 //! Pryce and Nedialkov (*Solving differential-algebraic equations by Taylor series*, BIT 2005) have the
 //! mathematics.

@@ -71,10 +71,13 @@ pub(super) fn by_parts(
         let mut parts = Vec::with_capacity(groups.len());
         for (coefficient, pairs) in groups {
             let index = (rates.auxiliaries.len() + added.len()) as u32;
-            let products: Vec<_> =
-                pairs.iter().map(|&(a, b)| (graph.mul(a, b), Number::ONE)).collect();
+            let products: Vec<_> = pairs.iter().map(|&(a, b)| (graph.mul(a, b), Number::ONE)).collect();
             let value = graph.sum(Number::ZERO, &products);
-            added.push(Auxiliary { origin: value, value: Value::Same(value), relation: Relation::Chain(pairs) });
+            added.push(Auxiliary {
+                origin: value,
+                value: Value::Same(value),
+                relation: Relation::Chain(pairs),
+            });
             parts.push((graph.variable(Variable::Auxiliary(index)), coefficient));
         }
         roots[i] = graph.sum(Number::ZERO, &parts);
@@ -92,12 +95,9 @@ fn terms(graph: &mut Graph, momentum: NodeId, rates: &Rates<'_>) -> Option<Vec<T
     let mut found = Vec::with_capacity(sum.len());
     for (node, coefficient) in sum {
         let factors = graph.factors(node);
-        let (known, rest): (Vec<_>, Vec<_>) = factors
-            .iter()
-            .copied()
-            .partition(|&(factor, exponent)| {
-                exponent.as_integer().is_some_and(|power| power > 0) && rates.of(graph, factor).is_some()
-            });
+        let (known, rest): (Vec<_>, Vec<_>) = factors.iter().copied().partition(|&(factor, exponent)| {
+            exponent.as_integer().is_some_and(|power| power > 0) && rates.of(graph, factor).is_some()
+        });
         if rest.is_empty() {
             return None;
         }
@@ -211,4 +211,64 @@ fn quotient(
     }
     left.retain(|&(_, exponent)| exponent.0 != 0);
     Some(left)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flow(graph: &mut Graph, value: NodeId, rate: NodeId) -> Auxiliary {
+        let origin = graph.constant(Number::ZERO);
+        Auxiliary { origin, value: Value::Same(value), relation: Relation::Flow(rate) }
+    }
+
+    #[test]
+    fn a_rod_needs_the_rates_of_its_momentum_alone() {
+        let mut graph = Graph::default();
+        let [v, w] = [0, 1].map(|i| graph.variable(Variable::Velocity(i)));
+        let [sine, cosine] = [0, 1].map(|i| graph.variable(Variable::Auxiliary(i)));
+        let (flow_of_sine, product) = (graph.mul(v, cosine), graph.mul(v, sine));
+        let flow_of_cosine = graph.neg(product);
+        let auxiliaries = [flow(&mut graph, sine, flow_of_sine), flow(&mut graph, cosine, flow_of_cosine)];
+        // What the rod carries moves with (x, y).
+        let x = graph.sum(Number::ZERO, &[(flow_of_sine, Number::ONE), (w, Number::ONE)]);
+        let y = graph.sum(Number::ZERO, &[(product, Number::ONE), (w, Number::integer(2))]);
+        let [along, across] = [graph.mul(cosine, x), graph.mul(sine, y)];
+        let momentum = graph.add(along, across);
+        // −s (v x + 49) + v c y
+        let turned = graph.mul(v, x);
+        let pulled = graph.sum(Number::integer(49), &[(turned, Number::ONE)]);
+        let [lost, gained] =
+            [graph.mul(sine, pulled), graph.product(&[(v, ONCE), (cosine, ONCE), (y, ONCE)])];
+        let force = graph.sub(gained, lost);
+        let rates = Rates { direction: &[], auxiliaries: &auxiliaries };
+
+        let mut roots = [momentum, force];
+        let added = by_parts(&mut graph, &mut roots, 1, &rates);
+        let weight = graph.scale(sine, Number::integer(-49));
+        assert_eq!(roots, [graph.variable(Variable::Auxiliary(2)), weight]);
+        let [Auxiliary { relation: Relation::Chain(terms), .. }] = &added[..] else { panic!("{added:?}") };
+        assert_eq!(terms.len(), 2);
+        assert!([(cosine, x), (sine, y)].iter().all(|term| terms.contains(term)));
+
+        // With another sign nothing cancels.
+        let mut roots = [momentum, graph.add(gained, lost)];
+        let before = roots;
+        assert!(by_parts(&mut graph, &mut roots, 1, &rates).is_empty());
+        assert_eq!(roots, before);
+    }
+
+    #[test]
+    fn a_momentum_that_is_conserved_stays() {
+        let mut graph = Graph::default();
+        let [r, angle] = [0, 1].map(|i| graph.variable(Variable::Coordinate(i)));
+        let [rate, turn] = [0, 1].map(|i| graph.variable(Variable::Velocity(i)));
+        let square = graph.powi(r, 2);
+        let momentum = graph.mul(square, turn);
+        let mut roots = [momentum, graph.zero()];
+        let direction = [(r, rate), (angle, turn)];
+        let rates = Rates { direction: &direction, auxiliaries: &[] };
+        assert!(by_parts(&mut graph, &mut roots, 1, &rates).is_empty());
+        assert_eq!(roots[0], momentum);
+    }
 }
