@@ -63,7 +63,7 @@ pub enum Relation<T> {
 pub(super) struct Rewriter<'g> {
     pub graph: &'g mut Graph,
     /// The direction (v, 0, 1) of (q, v, t).
-    direction: Vec<(NodeId, NodeId)>,
+    pub direction: Vec<(NodeId, NodeId)>,
     images: Lookup<NodeId, NodeId>,
     powers: Lookup<(NodeId, Exponent), NodeId>,
     pub auxiliaries: Vec<Auxiliary>,

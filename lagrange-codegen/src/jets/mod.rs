@@ -15,7 +15,10 @@
 //!
 //! So the series obeys the constraints at every order, although they are differentiated once only.
 //!
-//! No time derivative, no Coriolis term and no inverse is ever formed. `auxiliary` makes p and f polynomial,
+//! Where a momentum is Σ a b and the force has all terms of Σ a′ b, as with points at given positions, d/dt s
+//! = f − Σ a′ b with s′ = Σ a b′ has fewer products (`parts`).
+//!
+//! No Coriolis term and no inverse is ever formed. `auxiliary` makes p and f polynomial,
 //! `recurrence` sorts the operations of the polynomial by when their coefficients of one order are known.
 //! Pryce and Nedialkov (*Solving differential-algebraic equations by Taylor series*, BIT 2005) have the
 //! mathematics.
@@ -23,6 +26,7 @@
 mod auxiliary;
 mod bundles;
 mod conditions;
+mod parts;
 mod recurrence;
 mod rewriting;
 mod steep;
@@ -69,10 +73,15 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     }
     let mut best: Option<Jets> = None;
     for form in forms {
-        for meeting in [false, true] {
-            let jets = recurrences(&mut model.graph, shape, &equations.turning, &form, meeting).ok()?;
-            if best.as_ref().is_none_or(|best| jets.cost() < best.cost()) {
-                best = Some(jets);
+        for by_parts in [false, true] {
+            for meeting in [false, true] {
+                let proposal = Proposal { by_parts, meeting };
+                let jets = recurrences(&mut model.graph, shape, &equations.turning, &form, proposal).ok()?;
+                if let Some(jets) = jets
+                    && best.as_ref().is_none_or(|best| jets.cost() < best.cost())
+                {
+                    best = Some(jets);
+                }
             }
         }
     }
@@ -83,17 +92,36 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     best
 }
 
-/// The recurrences of d/dt p = f for the roots p, f, and of a constrained system Aᵀμ, w and dw/dt.
+/// An equal form of polynomial equations.
+#[derive(Clone, Copy)]
+struct Proposal {
+    /// Momenta integrated by parts.
+    by_parts: bool,
+    /// Products multiplied out where flows need them.
+    meeting: bool,
+}
+
+/// The recurrences of d/dt p = f for the roots p, f, and of a constrained system Aᵀμ, w and dw/dt; `None`
+/// where there is nothing to integrate by parts.
 fn recurrences(
     graph: &mut Graph,
     shape: Shape,
     turning: &[usize],
     roots: &[NodeId],
-    meeting: bool,
-) -> Result<Jets, NotSmooth> {
+    Proposal { by_parts, meeting }: Proposal,
+) -> Result<Option<Jets>, NotSmooth> {
     let mut rewriter = Rewriter::new(graph, shape.coordinates, turning);
     let mut polynomials = rewriter.polynomials(roots)?;
     let mut auxiliaries = std::mem::take(&mut rewriter.auxiliaries);
+    if by_parts {
+        let direction = std::mem::take(&mut rewriter.direction);
+        let rates = parts::Rates { direction: &direction, auxiliaries: &auxiliaries };
+        let added = parts::by_parts(graph, &mut polynomials, shape.coordinates, &rates);
+        if added.is_empty() {
+            return Ok(None);
+        }
+        auxiliaries.extend(added);
+    }
     if meeting {
         let flow = |auxiliary: &Auxiliary| match auxiliary.relation {
             Relation::Flow(rate) => Some(rate),
@@ -110,7 +138,7 @@ fn recurrences(
         polynomials.extend(operands(&auxiliary.value));
     }
     let program = plan(graph, &polynomials);
-    Ok(Jets::of(program, auxiliaries, shape))
+    Ok(Some(Jets::of(program, auxiliaries, shape)))
 }
 
 fn operands(value: &Value<NodeId>) -> Vec<NodeId> {

@@ -116,6 +116,21 @@ pub enum Sums {
     Many(Tiles),
 }
 
+impl Sums {
+    fn of(jets: &Jets, factors: &[Factor], numbers: Numbers) -> Sums {
+        let mut places: Lookup<Operand, usize> = Lookup::default();
+        for (place, factor) in factors.iter().enumerate() {
+            places.insert(factor.operand, place);
+        }
+        let place = |operand: Operand| places.get(&operand).copied().unwrap_or_default();
+        if jets.lanes.len() > FEW {
+            Sums::Many(Tiles::of(&jets.lanes, numbers, &place))
+        } else {
+            Sums::Few(jets.lanes.iter().map(|lane| [place(lane.left), place(lane.right)]).collect())
+        }
+    }
+}
+
 /// A slot that holds the coefficient of a slot of the recurrences.
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficient {
@@ -150,8 +165,13 @@ impl Expansions {
     /// Plans them.
     pub fn plan(model: &mut Model, equations: &Equations, solution: &Solution, jets: &Jets) -> Expansions {
         let plain = plan(model, equations, solution, jets, Numbers::Plain);
-        let differs = plain.solvers.iter().any(|solver| matches!(solver.by, By::Inverse { .. }));
-        let carrying = differs.then(|| plan(model, equations, solution, jets, Numbers::Carrying));
+        let carrying = if plain.solvers.iter().any(|solver| matches!(solver.by, By::Inverse { .. })) {
+            Some(plan(model, equations, solution, jets, Numbers::Carrying))
+        } else if matches!(plain.sums, Sums::Many(_)) {
+            Some(Expansion { sums: Sums::of(jets, &plain.factors, Numbers::Carrying), ..plain.clone() })
+        } else {
+            None
+        };
         Expansions { plain, carrying }
     }
 
@@ -221,16 +241,7 @@ fn plan(
     order.complete();
     let factors = order.factors();
     let carried = order.carried(&velocities);
-    let mut places: Lookup<Operand, usize> = Lookup::default();
-    for (place, factor) in factors.iter().enumerate() {
-        places.insert(factor.operand, place);
-    }
-    let place = |operand: Operand| places.get(&operand).copied().unwrap_or_default();
-    let sums = if jets.lanes.len() > FEW {
-        Sums::Many(Tiles::of(&jets.lanes, &place))
-    } else {
-        Sums::Few(jets.lanes.iter().map(|lane| [place(lane.left), place(lane.right)]).collect())
-    };
+    let sums = Sums::of(jets, &factors, numbers);
     let Order { program, found, values, .. } = order;
     Expansion {
         program,

@@ -1,7 +1,7 @@
 //! The coefficient of a slot as a sum of products with what is known at the point of expansion.
 
 use super::order::{Operand, Order};
-use super::terms::{Term, literal};
+use super::terms::{Term, chain, literal};
 use crate::jets::{Relation, Series};
 use crate::number::Number;
 use crate::schedule::{Given, Instruction, Program, Slot};
@@ -103,15 +103,19 @@ impl Order<'_> {
             Relation::Flow(_) => {}
             Relation::Same(slot) => terms.push(Term::plain(false, Operand::Coefficient(*slot))),
             Relation::Chain(arguments) => {
+                let mut sum = None;
                 for (&(slope, argument), lane) in arguments.iter().zip(lanes) {
                     if self.jets.moves(slope) {
-                        let (sum, index) =
-                            (self.given(Given::Convolution(lane as u32)), self.given(Given::Index));
-                        let share = self.program.push(Instruction::Div(sum, index));
-                        terms.push(Term::plain(false, Operand::Known(share)));
+                        let lane = self.given(Given::Convolution(lane as u32));
+                        sum = chain(&mut self.program, sum, [Term::plain(false, lane)]);
                     }
                     let slope = self.values[slope.index()];
                     terms.push(Term::product(false, slope, Operand::Coefficient(argument)));
+                }
+                if let Some(sum) = sum {
+                    let index = self.given(Given::Index);
+                    let share = self.program.push(Instruction::Div(sum, index));
+                    terms.push(Term::plain(false, Operand::Known(share)));
                 }
             }
             Relation::Power(base, exponent) => {

@@ -1,5 +1,6 @@
 //! The tables of systems with many products: columns of factors, and the sweep over them, tile by tile.
 
+use super::Numbers;
 use crate::jets::{Bundle, Lane, Operand, bundles};
 
 /// A tile sums at most so many numbers: as many as the registers of common vector units hold.
@@ -59,17 +60,19 @@ pub struct Pattern {
 
 impl Tiles {
     /// Lays out all lanes.
-    pub(super) fn of(lanes: &[Lane], place: &impl Fn(Operand) -> usize) -> Tiles {
+    pub(super) fn of(lanes: &[Lane], numbers: Numbers, place: &impl Fn(Operand) -> usize) -> Tiles {
         let mut tiles = Tiles { lanes: vec![0; lanes.len()], ..Tiles::default() };
         for bundle in bundles(lanes) {
-            tiles.bundle(&bundle, place);
+            tiles.bundle(&bundle, numbers, place);
         }
         // Rows of whole lines of a cache.
-        tiles.columns = tiles.columns.next_multiple_of(8);
+        if numbers == Numbers::Plain {
+            tiles.columns = tiles.columns.next_multiple_of(8);
+        }
         tiles
     }
 
-    fn bundle(&mut self, bundle: &Bundle, place_of: &impl Fn(Operand) -> usize) {
+    fn bundle(&mut self, bundle: &Bundle, numbers: Numbers, place_of: &impl Fn(Operand) -> usize) {
         let instances = bundle.instances();
         let products = bundle.products.len().min(PRODUCTS);
         let mut first = 0;
@@ -82,6 +85,10 @@ impl Tiles {
             // Fewer than a half of a wide tile stand better in a smaller one.
             while width > 8 && width > left {
                 width /= 2;
+            }
+            // Room that is not used fills up vectors. What is a vector itself has no use for it.
+            if numbers == Numbers::Carrying {
+                width = width.min(left);
             }
             let base = self.columns;
             for (place, column) in bundle.columns.iter().enumerate() {

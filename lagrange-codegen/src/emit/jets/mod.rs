@@ -23,8 +23,8 @@ use names::{Of, label_auxiliaries};
 /// Rows of the tables are padded to a multiple of this many lanes.
 const WIDTH: usize = 4;
 
-/// The most sums that an order makes anew. Where there are more, it overwrites those of the order before,
-/// which saves setting them to zero.
+/// The most sums that an order makes anew. Where there are more, or where they are vectors, it overwrites
+/// those of the order before, which saves setting them to zero.
 const FRESH: usize = 32;
 
 /// The items of the trait, as text.
@@ -273,7 +273,11 @@ impl Pass<'_> {
                 let zero = scalar::zero(scalar);
                 let made = format!("let mut inner: [{scalar}; {sums}] = [{zero}; {sums}];\n");
                 let sum = "tables.interior::<Products, _>(order, &mut inner);\n";
-                if *sums > FRESH { (made, sum.to_owned()) } else { (String::new(), made + sum) }
+                if *sums > FRESH || *scalar != self.emission.item.scalar {
+                    (made, sum.to_owned())
+                } else {
+                    (String::new(), made + sum)
+                }
             }
         }
     }
