@@ -44,6 +44,10 @@ use recurrence::Shape;
 pub use recurrence::{Coefficient, Jets, Lane, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
 
+/// Up to this many lanes, the outermost terms of the interior sums are kept out of the tables: their sweep
+/// would wait for the row that was just written, which more lanes hide behind each other.
+pub const FEW: usize = 16;
+
 /// Beyond this many nodes only the plainest forms are compared: each costs time in proportion to the nodes.
 const COMPARABLE: usize = 4_000;
 
@@ -77,7 +81,10 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
             for meeting in [false, true] {
                 let proposal = Proposal { by_parts, meeting };
                 let jets = recurrences(&mut model.graph, shape, &equations.turning, &form, proposal).ok()?;
+                // An order of few products takes as long as the way from its velocities to its sums, which
+                // rates b′ make longer.
                 if let Some(jets) = jets
+                    && (!by_parts || jets.lanes.len() > FEW)
                     && best.as_ref().is_none_or(|best| jets.cost() < best.cost())
                 {
                     best = Some(jets);

@@ -23,7 +23,7 @@ mod tiles;
 mod values;
 
 use crate::collections::Lookup;
-use crate::jets::{Jets, Operand};
+use crate::jets::{FEW, Jets, Operand};
 use crate::mechanics::Equations;
 use crate::model::Model;
 use crate::schedule::{Given, Instruction, Program, Slot};
@@ -33,10 +33,6 @@ pub use saddle::SaddlePoint;
 pub use solution::{By, Solver};
 use solution::{Start, inverses, valued};
 pub use tiles::{Pattern, Tile, Tiles};
-
-/// Up to this many lanes, the outermost terms of the interior sums are kept out of the tables: their sweep
-/// would wait for the row that was just written, which more lanes hide behind each other.
-const FEW: usize = 16;
 
 /// What kind of numbers an expansion is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
