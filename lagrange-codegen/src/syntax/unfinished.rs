@@ -60,12 +60,12 @@ fn pieces(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
             (declares, is_function) = (false, false);
         }
         is_function |= is_keyword || (!declares && is_called(rest));
-        // A keyword that stands twice declares once.
-        declares |= (is_function && !is_keyword) || is_word(tree, &["type"]) || is_constant(rest);
         if is_punct(tree, ';') && !declares {
-            // It ends nothing.
+            // It ends nothing, not even what has no more than a keyword.
             continue;
         }
+        // A keyword that stands twice declares once.
+        declares |= (is_function && !is_keyword) || is_word(tree, &["type"]) || is_constant(rest);
         let ends = match tree {
             TokenTree::Punct(punct) => punct.as_char() == ';',
             TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
