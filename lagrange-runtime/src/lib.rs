@@ -137,7 +137,8 @@ pub mod __private {
     pub mod saddle {
         //! Saddle-point systems of constrained mechanics.
         pub use crate::linear::{
-            Diagonal, Load, Pattern, Saddle, SaddlePoint, Schur, Sparse, SparseRows, Switched,
+            Diagonal, Load, Parts, Pattern, Saddle, SaddlePoint, Schur, Sparse, SparseRows, Switched,
+            SwitchedRows,
         };
     }
     pub mod jets {

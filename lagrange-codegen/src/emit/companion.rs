@@ -28,17 +28,17 @@ pub(super) fn companion(
     contacts: Option<&Contacts<'_>>,
     constrained: impl Fn(&Emission<'_>) -> String,
 ) -> TokenStream {
-    let (system, constants, surface) = match emission.solution.saddle {
+    let (system, constants, surface, parts) = match emission.solution.saddle {
         Some(method) => {
             let all = constraints::system(emission, method);
-            (all.system, all.constants, Some((all.surface, constrained(emission))))
+            (all.system, all.constants, Some((all.surface, constrained(emission))), all.parts)
         }
-        None => (system::system(emission).0, system::NO_CONSTANTS.to_owned(), None),
+        None => (system::system(emission).0, system::NO_CONSTANTS.to_owned(), None, String::new()),
     };
     let system = contacts.map_or(system, |contacts| contacts(emission, &constants));
     let smooth = emission.jets.zip(emission.orders).filter(|_| contacts.is_none());
     let smooth = smooth.map(|(jets, orders)| jets::jets(emission, jets, orders));
-    let mut methods = energy(emission);
+    let mut methods = energy(emission) + &parts;
     if system.contains("self.mass_matrix(") {
         methods.push_str(&methods::mass_matrix(emission));
     }

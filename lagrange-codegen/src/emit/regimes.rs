@@ -283,15 +283,20 @@ fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
     )
 }
 
-/// `equations_in` of a system with contacts.
+/// `equations_in` and `rows_in` of a system with contacts.
 fn equations(emission: &Emission<'_>, rows: usize) -> String {
     let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
     let (count, given) = (emission.count(), emission.model.inputs.len());
+    let place = format!("__in_regime: &Self::InRegime, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}");
+    let constants = format!("let constants = lagrange::System::<{count}, {given}>::constants(__in_regime);");
     format!(
-        "fn equations_in(__in_regime: &Self::InRegime, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) \
+        "fn equations_in({place}) \
          -> ::core::option::Option<lagrange::Equations<lagrange::saddle::Switched<{scalar}, {count}, {rows}>, {scalar}, {count}, {rows}>> {{\n\
-         let constants = lagrange::System::<{count}, {given}>::constants(__in_regime);\n\
-         ::core::option::Option::Some(lagrange::Surface::<{count}, {given}, {rows}>::equations_at(__in_regime, &constants, t, q, v, u))\n}}\n"
+         {constants}\n\
+         ::core::option::Option::Some(lagrange::Surface::<{count}, {given}, {rows}>::equations_at(__in_regime, &constants, t, q, v, u))\n}}\n\
+         fn rows_in({place}) -> ::core::option::Option<lagrange::saddle::SwitchedRows<{scalar}, {count}, {rows}>> {{\n\
+         {constants}\n\
+         ::core::option::Option::Some(__in_regime.parts_at(&constants, t, q, v, u).rows())\n}}\n"
     )
 }
 

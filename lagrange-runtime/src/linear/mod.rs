@@ -34,7 +34,7 @@ pub use ldlt::Ldlt;
 pub use lu::Lu;
 pub(crate) use rows::Rows;
 pub(crate) use saddle::TangentSpace;
-pub use saddle::{Defect, Diagonal, Load, Saddle, SaddlePoint, Sparse, Switched};
+pub use saddle::{Defect, Diagonal, Load, Parts, Saddle, SaddlePoint, Sparse, Switched, SwitchedRows};
 pub use schur::Schur;
 pub(crate) use singular_values::SingularValues;
 pub(crate) use symmetric::diagonalise;

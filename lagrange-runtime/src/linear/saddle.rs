@@ -33,6 +33,7 @@ use crate::number::real::Real;
 mod diagonal;
 mod loads;
 mod partition;
+mod parts;
 pub(super) mod range;
 mod reduced;
 pub(super) mod redundant;
@@ -45,6 +46,7 @@ pub(super) mod vectors;
 
 pub use diagonal::Diagonal;
 pub use loads::Load;
+pub use parts::{Parts, Rows as SwitchedRows};
 pub use sparse::Sparse;
 pub use switched::Switched;
 pub(crate) use tangent_space::TangentSpace;

@@ -2,7 +2,7 @@
 
 use super::choice::sides;
 use super::run::Run;
-use super::scene::{Known, Scene, above, against, extent, most, rounding};
+use super::scene::{Known, Scene, above, against, entry, extent, most, rounding};
 use super::{Coefficients, Laws, Regime, Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
@@ -104,6 +104,14 @@ where
         state: &State<S::Scalar, N>,
         laws: &Laws<S::Scalar, C, W>,
     ) -> Result<[bool; C], Cause> {
+        let mut closed = [false; C];
+        let is_below = |row: usize| {
+            S::ROWS[row] == Row::Unilateral
+                && above(num_traits::Zero::zero(), entry(&laws.rows.positions, row))
+        };
+        if !(0..C).any(is_below) {
+            return Ok(closed);
+        }
         let share = S::Scalar::from_f64(1.0 / 16.0) * S::Scalar::epsilon().sqrt();
         let known = Known { closed: [false; C], fired: None, settled: true };
         let scene = Scene::new(
@@ -114,12 +122,8 @@ where
             &self.memory.scales,
             &known,
         );
-        let mut closed = [false; C];
-        for (row, kind) in S::ROWS.iter().enumerate() {
+        for row in (0..C).filter(|&row| is_below(row)) {
             let gap = laws.rows.positions[row];
-            if *kind != Row::Unilateral || !above(num_traits::Zero::zero(), gap) {
-                continue;
-            }
             let by_state = extent(&scene.gradients[row], &state.q);
             let size = most(most(laws.rows.position_sizes[row], self.memory.scales.gaps[row]), by_state);
             // A gap of one coordinate is as large as its own size: then the others tell what is small.

@@ -34,7 +34,7 @@ mod trials;
 mod turning;
 
 use crate::constraints::{Equations, Residuals};
-use crate::linear::Switched;
+use crate::linear::{SaddlePoint, Switched, SwitchedRows};
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::name::Name;
@@ -225,6 +225,18 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         _u: &[Self::Scalar; K],
     ) -> Option<Equations<Switched<Self::Scalar, N, C>, Self::Scalar, N, C>> {
         None
+    }
+
+    /// What [`equations_in`](Self::equations_in) knows without factors.
+    fn rows_in(
+        in_regime: &Self::InRegime,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+        u: &[Self::Scalar; K],
+    ) -> Option<SwitchedRows<Self::Scalar, N, C>> {
+        let Equations { saddle, gradients, forces, gamma } = Self::equations_in(in_regime, t, q, v, u)?;
+        Some(SwitchedRows { gradients, gamma, forces, units: saddle.units() })
     }
 }
 

@@ -1,7 +1,6 @@
 //! What stands still and what moves at the rows of a system, at one state.
 
 use super::{Coefficients, Laws, Regime, Row, Switching};
-use crate::linear::SaddlePoint;
 use crate::number::real::Real;
 use crate::system::state::State;
 
@@ -165,8 +164,8 @@ where
         let (mut gradients, mut gamma) = ([[num_traits::Zero::zero(); N]; C], [num_traits::Zero::zero(); C]);
         let mut units = [num_traits::Zero::zero(); N];
         let all = Regime { active: [true; C], kinks, ..Regime::open(&S::ROWS) };
-        if let Some(equations) = S::equations_in(&system.in_regime(&all), t, &q, &v, inputs) {
-            (gradients, gamma, units) = (equations.gradients, equations.gamma, equations.saddle.units());
+        if let Some(rows) = S::rows_in(&system.in_regime(&all), t, &q, &v, inputs) {
+            (gradients, gamma, units) = (rows.gradients, rows.gamma, rows.units);
         }
         let speeds = core::array::from_fn(|row| most(scales.speeds[row], laws.rows.rate_sizes[row]));
         let mut scene = Self {

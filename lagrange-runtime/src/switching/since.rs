@@ -6,7 +6,7 @@
 use super::{Coefficients, Functions, Laws, Regime, Row, Switching};
 use crate::constraints::Equations;
 use crate::integrator::Dop853;
-use crate::linear::Switched;
+use crate::linear::{Switched, SwitchedRows};
 use crate::number::real::Real;
 use crate::system::System;
 use crate::system::error::Cause;
@@ -286,5 +286,15 @@ where
         u: &[S::Scalar; K],
     ) -> Option<Equations<Switched<S::Scalar, N, C>, S::Scalar, N, C>> {
         S::equations_in(&in_regime.in_regime, in_regime.instant + t, q, v, u)
+    }
+
+    fn rows_in(
+        in_regime: &Self::InRegime,
+        t: S::Scalar,
+        q: &[S::Scalar; N],
+        v: &[S::Scalar; N],
+        u: &[S::Scalar; K],
+    ) -> Option<SwitchedRows<S::Scalar, N, C>> {
+        S::rows_in(&in_regime.in_regime, in_regime.instant + t, q, v, u)
     }
 }

@@ -18,6 +18,8 @@ pub(in crate::emit) struct Implementations {
     pub constants: String,
     /// The items of `Surface`.
     pub surface: String,
+    /// The inherent function that these call, of a system with rows that can be switched off.
+    pub parts: String,
     /// The operations of one evaluation of the accelerations.
     pub operations: Operations,
 }
@@ -84,7 +86,7 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
              {{\nlagrange::constraints::tangential::<Self, {count}, {given}, {held}>(self, state, change)\n}}\n"
         )
     };
-    let apart = if emission.is_over
+    let lands = if emission.is_over
         && emission.model.baumgarte.is_none()
         && [Some(method), emission.solution.saddle_of_series].into_iter().all(decides_apart)
     {
@@ -101,6 +103,10 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
         "#[inline]\nfn energy_at(&self, _constants: &Self::Constants, {place}) -> {scalar} \
          {{\nself.energy(&lagrange::State {{ t, q: *q, v: *v }})\n}}\n"
     );
+    let (equations, parts) = match method {
+        Saddle::Switched { .. } => apart(emission, method, &equations),
+        Saddle::Diagonal | Saddle::Sparse | Saddle::Whole { .. } => (equations, String::new()),
+    };
     let surface = format!(
         "type Saddle = {};\n{}\
          #[inline]\nfn equations_at(&self, constants: &Self::Constants, {place}, u: &{inputs}) \
@@ -111,7 +117,32 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
         pattern(emission, method),
         gradients_type(emission, method)
     );
-    Implementations { system: system + &project + &apart + &energy, constants, surface, operations }
+    Implementations { system: system + &project + &lands + &energy, constants, surface, parts, operations }
+}
+
+/// The body of `equations_at` and an inherent function that evaluates without factoring, which is its `body`.
+fn apart(emission: &Emission<'_>, method: Saddle, body: &str) -> (String, String) {
+    let scalar = &emission.scalar;
+    let (vector, inputs) = (emission.vector_type(), emission.input_type());
+    let (count, given, held) =
+        (emission.count(), emission.model.inputs.len(), emission.equations.conditions.count());
+    let (shares, named) = if emission.equations.conditions.has_loads() {
+        (format!("[[{scalar}; {held}]; {held}]"), "shares")
+    } else {
+        ("()".to_owned(), "shares: ()")
+    };
+    let equations = format!(
+        "let lagrange::saddle::Parts {{ mass, gradients, coupling, active, {named}, forces, gamma }} = \
+         self.parts_at(constants, t, q, v, u);\n\
+         lagrange::Equations {{ saddle: {}, gradients, forces, gamma }}",
+        factored(emission, method)
+    );
+    let parts = format!(
+        "#[inline]\nfn parts_at(&self, constants: &<Self as lagrange::System<{count}, {given}>>::Constants, \
+         t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}) \
+         -> lagrange::saddle::Parts<{scalar}, {count}, {held}, {shares}> {{\n{body}\n}}\n"
+    );
+    (equations, parts)
 }
 
 /// Whether lanes of a vector need decide nothing together where constraints are clearly independent.
@@ -174,12 +205,19 @@ fn equations(emission: &mut Emission<'_>, method: Saddle) -> (String, String, St
     text.push_str(&mass_and_gradients(emission, method, take(mass.len()), take(count * held)));
     let (gamma, forces) = (take(held), take(count));
     text.push_str(&filled_switches(emission, &take(extra.len())));
-    text.push_str(&format!(
-        "lagrange::Equations {{ saddle: {}, gradients, forces: [{}], gamma: [{}] }}",
-        factored(emission, method),
-        forces.join(", "),
-        gamma.join(", ")
-    ));
+    let (forces, gamma) = (forces.join(", "), gamma.join(", "));
+    text.push_str(&match method {
+        Saddle::Switched { .. } => {
+            let shares = if emission.equations.conditions.has_loads() { "shares" } else { "shares: ()" };
+            format!(
+                "lagrange::saddle::Parts {{ mass, gradients, coupling, active, {shares}, forces: [{forces}], gamma: [{gamma}] }}"
+            )
+        }
+        Saddle::Diagonal | Saddle::Sparse | Saddle::Whole { .. } => format!(
+            "lagrange::Equations {{ saddle: {}, gradients, forces: [{forces}], gamma: [{gamma}] }}",
+            factored(emission, method)
+        ),
+    });
     let parameters = body::parameters(model, scalar, &fixed.reads);
     let constants = format!("{parameters}{}[{}]", body::assemble(&fixed), fixed.outputs.join(", "));
     let constants_type = format!("[{scalar}; {}]", hoisted.len());

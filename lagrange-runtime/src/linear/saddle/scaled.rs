@@ -60,7 +60,7 @@ impl<R: Real, const N: usize, const C: usize> Scaled<R, N, C> {
 
 /// 1/√M\[i]\[i] where that exists in all lanes.
 #[inline(always)]
-fn units<R: Real, const N: usize, const C: usize>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> [R; N] {
+pub(super) fn units<R: Real, const N: usize, const C: usize>(mass: &[[R; N]; N], a: &[[R; N]; C]) -> [R; N] {
     let mut units = [R::zero(); N];
     let mut all = true;
     for i in 0..N {

@@ -1,0 +1,45 @@
+//! A system with rows that can be switched off, before it is factored.
+
+use super::scaled::units;
+use crate::number::real::Real;
+
+/// M, A, friction and forces at a state; `L` has the factors of the sums that are loads.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts<R, const N: usize, const C: usize, L = ()> {
+    /// The lower triangle of M.
+    pub mass: [[R; N]; N],
+    /// A, of the active rows.
+    pub gradients: [[R; N]; C],
+    /// What a reaction adds to the force of its row.
+    pub coupling: [[R; N]; C],
+    /// One for a row that is active, else zero.
+    pub active: [R; C],
+    /// Factors of the sums.
+    pub shares: L,
+    /// All forces except those of constraints, minus the bias.
+    pub forces: [R; N],
+    /// γ: the value of A a for which the second derivatives of the constraints vanish.
+    pub gamma: [R; C],
+}
+
+/// What is known of the rows of a system without its factors.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows<R, const N: usize, const C: usize> {
+    /// A, of the active rows.
+    pub gradients: [[R; N]; C],
+    /// γ of these.
+    pub gamma: [R; C],
+    /// All forces except those of constraints, minus the bias.
+    pub forces: [R; N],
+    /// Units in which no coordinate is larger than another.
+    pub units: [R; N],
+}
+
+impl<R: Real, const N: usize, const C: usize, L> Parts<R, N, C, L> {
+    /// What needs no factors.
+    #[inline]
+    pub fn rows(&self) -> Rows<R, N, C> {
+        let Self { gradients, gamma, forces, .. } = *self;
+        Rows { gradients, gamma, forces, units: units(&self.mass, &self.gradients) }
+    }
+}
