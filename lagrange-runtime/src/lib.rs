@@ -149,7 +149,7 @@ pub mod __private {
     }
     pub use crate::analysis::verify::{self, Certificate, Verifiable, Violation};
     pub use crate::switching::{
-        self, Coefficients, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching,
+        self, Coefficients, Functions, Hybrid, Laws, NamedRows, Regime, Row, Switching, Wanted,
     };
     pub use crate::system::System;
     pub use crate::system::structure::{Cost, Costs, Structure};

@@ -106,6 +106,8 @@ pub(super) struct Writer<'a> {
     texts: Vec<Option<Text>>,
     partner: Vec<Option<Slot>>,
     statements: Vec<String>,
+    /// Names that statements of the present part assign, where they are declared elsewhere.
+    declared: Option<Vec<String>>,
     /// What all parts so far read.
     pub reads: Reads,
 }
@@ -163,6 +165,7 @@ impl<'a> Writer<'a> {
             texts,
             partner,
             statements: Vec::new(),
+            declared: None,
             reads,
         }
     }
@@ -183,6 +186,24 @@ impl<'a> Writer<'a> {
             self.visit(slot, names);
         }
         std::mem::take(&mut self.statements)
+    }
+
+    /// The same as assignments, behind the names that they assign.
+    pub fn assigned(&mut self, outputs: &[Slot], names: &mut Names) -> (Vec<String>, Vec<String>) {
+        self.declared = Some(Vec::new());
+        let statements = self.part(outputs, names);
+        (self.declared.take().unwrap_or_default(), statements)
+    }
+
+    /// Begins a statement that gives values to names.
+    fn binding(&mut self, names: &[&str], pattern: String) -> String {
+        match &mut self.declared {
+            Some(declared) => {
+                declared.extend(names.iter().map(|&name| name.to_owned()));
+                pattern
+            }
+            None => format!("let {pattern}"),
+        }
     }
 
     /// The expression of a result.
@@ -235,7 +256,9 @@ impl<'a> Writer<'a> {
     fn bind(&mut self, slot: Slot, text: &Text, names: &mut Names) -> Text {
         let wish = self.wishes[slot.index()].take();
         let name = names.claim(wish.or_else(|| describe(self.model, self.program, slot, 0)));
-        self.statements.push(format!("let {name}{} = {};", self.annotation(), text.text));
+        let annotation = if self.declared.is_some() { String::new() } else { self.annotation() };
+        let to = self.binding(&[&name], format!("{name}{annotation}"));
+        self.statements.push(format!("{to} = {};", text.text));
         Text { text: name, strength: Strength::Atom }
     }
 
@@ -247,7 +270,8 @@ impl<'a> Writer<'a> {
         };
         let mut name = |slot: Slot| names.claim(describe(self.model, self.program, slot, 0));
         let (sine_name, cosine_name) = (name(sine), name(cosine));
-        self.statements.push(format!("let ({sine_name}, {cosine_name}) = Real::sin_cos({angle});"));
+        let to = self.binding(&[&sine_name, &cosine_name], format!("({sine_name}, {cosine_name})"));
+        self.statements.push(format!("{to} = Real::sin_cos({angle});"));
         for (slot, name) in [(sine, sine_name), (cosine, cosine_name)] {
             self.texts[slot.index()] = Some(Text { text: name, strength: Strength::Atom });
         }

@@ -2,10 +2,10 @@
 //! regime as a struct of numbers.
 
 mod directed;
+mod functions;
 mod jumps;
 
 use proc_macro2::TokenStream;
-use quote::format_ident;
 
 use super::body::{self, Source};
 use super::constraints::record_ident;
@@ -103,7 +103,7 @@ pub(super) fn switching(emission: &Emission<'_>, switching: &mut Regimes) -> Str
         jumps::jumps(emission, switching),
         jumps::corners(emission, switching),
         jumps::breaks(emission, switching),
-        functions(emission, switching),
+        functions::functions(emission, switching),
         directed::coefficients(emission, switching),
         directed::backward(emission, switching),
         if switching.has_contacts() { equations(emission, switching.rows()) } else { String::new() },
@@ -262,32 +262,12 @@ fn laws(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     )
 }
 
-/// `functions_in`: gaps, slip velocities and switching functions in one regime, over any numbers.
-fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
-    let numbers = Scalar::Generic(format_ident!("{NUMBER}"));
-    let roots: Vec<NodeId> =
-        switching.rows_in.iter().chain(&switching.fixed_in[0]).chain(&switching.kinks_in).copied().collect();
-    let (rows, kinks) = (switching.rows_in.len(), switching.kinks_in.len());
-    let body = body::plain(&switching.model, &numbers, &roots, Source::Numbers, |values| {
-        let (each, kinks) = values.split_at(2 * rows);
-        let lists = [&each[..rows], &each[rows..], kinks].map(|values| values.join(", "));
-        format!(
-            "lagrange::Functions {{ rows: [{}], fixed: [{}], kinks: [{}] }}",
-            lists[0], lists[1], lists[2]
-        )
-    });
-    let (scalar, count, given) = (&emission.scalar, emission.count(), emission.model.inputs.len());
-    format!(
-        "fn functions_in<{NUMBER}: lagrange::Real>(\n__in_regime: &Self::InRegime, __number: impl ::core::ops::Fn({scalar}) -> {NUMBER}, \
-         t: {NUMBER}, q: &[{NUMBER}; {count}], v: &[{NUMBER}; {count}], u: &[{NUMBER}; {given}],\n) -> lagrange::Functions<{NUMBER}, {rows}, {kinks}> {{\n{body}\n}}\n"
-    )
-}
-
 /// `equations_in` and `rows_in` of a system with contacts.
 fn equations(emission: &Emission<'_>, rows: usize) -> String {
     let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
     let (count, given) = (emission.count(), emission.model.inputs.len());
-    let place = format!("__in_regime: &Self::InRegime, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}");
+    let place =
+        format!("__in_regime: &Self::InRegime, t: {scalar}, q: &{vector}, v: &{vector}, u: &{inputs}");
     let constants = format!("let constants = lagrange::System::<{count}, {given}>::constants(__in_regime);");
     format!(
         "fn equations_in({place}) \

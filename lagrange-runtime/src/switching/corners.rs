@@ -1,8 +1,8 @@
 //! The way through a kink, and corners of what it stands in.
 
-use super::Switching;
 use super::run::{CHANGES, Run};
 use super::scene::{above, entry, most};
+use super::{Switching, Wanted};
 use crate::number::real::{Ordered, Real};
 use crate::system::control::Held;
 use crate::system::error::Cause;
@@ -49,7 +49,8 @@ where
         let State { t, q, v } = state;
         let inputs = &self.control.0;
         // Gaps as they have been up to the kink.
-        let gaps = S::functions_in(&self.memory.in_regime, |x| x, *t, q, v, inputs).rows;
+        let wanted = Wanted { rows: [true; C], fixed: [false; C], kinks: [false; W] };
+        let gaps = S::functions_in(&self.memory.in_regime, |x| x, *t, q, v, inputs, &wanted).rows;
         let sizes = self.system.laws_at(*t, q, v, inputs).rows.position_sizes;
         let mut found = Ok(());
         self.system.breaks_at(*t, q, v, inputs, |own, row, gain| {

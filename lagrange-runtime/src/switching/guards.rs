@@ -1,6 +1,7 @@
 //! Guards: what ends a regime where it falls through zero.
 
 mod values;
+mod watch;
 
 use super::scene::{Scales, most, rounding};
 use super::{Functions, Regime, Row, Switching};
@@ -10,6 +11,7 @@ use crate::series::taylor::{Rounded, Taylor};
 use crate::system::error::Cause;
 use crate::system::state::State;
 use values::Values;
+use watch::Watch;
 
 /// Evaluations of all guards that are kept: those of a polynomial of degree 16, and what tests it.
 const KEPT: usize = 24;
@@ -22,18 +24,6 @@ const HALVINGS: i32 = 24;
 pub(super) enum Guard {
     Row(usize),
     Kink(usize),
-}
-
-/// What each guard is, in a regime.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Watch<R, const C: usize, const W: usize> {
-    /// Rows that have a guard.
-    rows: [bool; C],
-    /// Slip velocities in two directions where the step starts: while the slip has a part in the same
-    /// direction it has not turned back.
-    directions: [R; C],
-    /// Kinks that are looked at.
-    kinks: [bool; W],
 }
 
 /// The guards of a regime.
@@ -98,17 +88,6 @@ where
         W == 0 && !self.watch.rows.contains(&true)
     }
 
-    /// Ends to look at a guard.
-    pub(super) fn pass(&mut self, guard: Guard) {
-        let watched = match guard {
-            Guard::Row(row) => self.watch.rows.get_mut(row),
-            Guard::Kink(kink) => self.watch.kinks.get_mut(kink),
-        };
-        if let Some(is_watched) = watched {
-            *is_watched = false;
-        }
-    }
-
     /// Whether nothing but samples tell of a guard: of a reaction without a polynomial, and of each where a
     /// method has none.
     fn is_sampled(&self, guard: Guard) -> bool {
@@ -155,7 +134,7 @@ where
         reactions: &[T; C],
     ) -> Functions<T, C, W> {
         let u = self.inputs.map(number);
-        let mut functions = S::functions_in(self.in_regime, number, t, q, v, &u);
+        let mut functions = S::functions_in(self.in_regime, number, t, q, v, &u, &self.wanted());
         let backward = S::backward_in(self.in_regime, number, t, q, v, &u);
         let Functions { rows, fixed, kinks } = &mut functions;
         let backward = backward.as_ref().unwrap_or(fixed);
@@ -226,9 +205,10 @@ where
     /// One of the guards at a state with its derivatives.
     pub(super) fn varying(&self, guard: Guard, state: &State<S::Scalar, N>) -> S::Scalar {
         let State { t, q, v } = state;
+        let own = self.only(guard);
         let reactions =
-            if self.has_reactions() { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
-        *self.guarded(|x| x, *t, [q, v], &reactions).get(guard)
+            if own.has_reactions() { self.multipliers(state)[0] } else { [num_traits::Zero::zero(); C] };
+        *own.guarded(|x| x, *t, [q, v], &reactions).get(guard)
     }
 
     /// One of the guards at a state, likewise.
@@ -238,7 +218,7 @@ where
         state: &State<S::Scalar, N>,
         sizes: &State<S::Scalar, N>,
     ) -> Rounded<S::Scalar> {
-        *self.guards_at(state, sizes).get(guard)
+        *self.only(guard).guards_at(state, sizes).get(guard)
     }
 
     /// All guards at a state that are looked at by samples.

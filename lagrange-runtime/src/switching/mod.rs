@@ -115,6 +115,17 @@ pub struct Functions<T, const C: usize, const W: usize> {
     pub kinks: [T; W],
 }
 
+/// Which of the functions of a regime are asked for: the others are zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wanted<const C: usize, const W: usize> {
+    /// Gaps and slip velocities.
+    pub rows: [bool; C],
+    /// Coefficients of the friction that sticks.
+    pub fixed: [bool; C],
+    /// Switching functions.
+    pub kinks: [bool; W],
+}
+
 /// A system whose equations switch, with `C` rows of constraints and `W` kinks.
 pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usize>: System<N, K> {
     /// The equations in one mode.
@@ -128,6 +139,9 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
 
     /// Whether time stands in none of the equations and laws: what is at rest then stays so.
     const AUTONOMOUS: bool = false;
+
+    /// Coordinates and velocities that stand in the functions of regimes.
+    const GUARDED: [[bool; N]; 2] = [[true; N]; 2];
 
     /// The user's function that each kink stands in.
     const KINKS: [Name; W] = [Name::NONE; W];
@@ -153,6 +167,7 @@ pub trait Switching<const N: usize, const K: usize, const C: usize, const W: usi
         q: &[T; N],
         v: &[T; N],
         u: &[T; K],
+        wanted: &Wanted<C, W>,
     ) -> Functions<T, C, W>;
 
     /// Coefficients of friction at a state with these laws, where each slip goes forward, and backward.

@@ -3,7 +3,7 @@
 //! After a while time is known no better than to a part of a short step, in `f32` soon. What happens within
 //! the step is not a matter of that: here only the equations see what time it is.
 
-use super::{Coefficients, Functions, Laws, Regime, Row, Switching};
+use super::{Coefficients, Functions, Laws, Regime, Row, Switching, Wanted};
 use crate::constraints::Equations;
 use crate::integrator::Dop853;
 use crate::linear::{Switched, SwitchedRows};
@@ -218,9 +218,10 @@ where
         q: &[T; N],
         v: &[T; N],
         u: &[T; K],
+        wanted: &Wanted<C, W>,
     ) -> Functions<T, C, W> {
         let t = number(in_regime.instant) + t;
-        S::functions_in(&in_regime.in_regime, number, t, q, v, u)
+        S::functions_in(&in_regime.in_regime, number, t, q, v, u, wanted)
     }
 
     fn coefficients_at(

@@ -7,7 +7,7 @@ mod friction;
 mod impacts;
 mod kinks;
 
-use super::{Functions, Hybrid, Laws, Regime, Row, Switching};
+use super::{Functions, Hybrid, Laws, Regime, Row, Switching, Wanted};
 use crate::constraints::{self, Equations, Footing, Residuals, Surface};
 use crate::integrator::Dop853;
 use crate::linear::Switched;
@@ -135,6 +135,7 @@ impl<T: Toy<N, C, W>, const N: usize, const C: usize, const W: usize> Switching<
         q: &[R; N],
         v: &[R; N],
         _: &[R; 0],
+        _: &Wanted<C, W>,
     ) -> Functions<R, C, W> {
         let toy = &in_regime.toy;
         let (gradients, offsets, drift) = (toy.gradients(), toy.offsets(), toy.drift());

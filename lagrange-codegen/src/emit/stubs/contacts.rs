@@ -46,7 +46,8 @@ pub(super) fn implementations(
             ) -> lagrange::Laws<#scalar, #rows, 0> { loop {} }
             fn functions_in<__Number: lagrange::Real>(
                 _: &Self::InRegime, _: impl ::core::ops::Fn(#scalar) -> __Number,
-                _: __Number, _: &[__Number; #count], _: &[__Number; #count], _: &[__Number; #inputs]
+                _: __Number, _: &[__Number; #count], _: &[__Number; #count], _: &[__Number; #inputs],
+                _: &lagrange::Wanted<#rows, 0>
             ) -> lagrange::Functions<__Number, #rows, 0> { loop {} }
         }
 

@@ -1,0 +1,66 @@
+//! Which guards are looked at.
+
+use super::super::{Row, Switching, Wanted};
+use super::{Guard, Guards};
+use crate::number::real::Ordered;
+
+/// What each guard is, in a regime.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
+    /// Rows that have a guard.
+    pub(super) rows: [bool; C],
+    /// Slip velocities in two directions where the step starts: while the slip has a part in the same
+    /// direction it has not turned back.
+    pub(super) directions: [R; C],
+    /// Kinks that are looked at.
+    pub(super) kinks: [bool; W],
+}
+
+impl<R, const C: usize, const W: usize> Watch<R, C, W> {
+    /// Whether a guard is looked at.
+    fn of(&mut self, guard: Guard) -> Option<&mut bool> {
+        match guard {
+            Guard::Row(row) => self.rows.get_mut(row),
+            Guard::Kink(kink) => self.kinks.get_mut(kink),
+        }
+    }
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Guards<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+    S::Scalar: Ordered,
+{
+    /// Ends to look at a guard.
+    pub(in crate::switching) fn pass(&mut self, guard: Guard) {
+        if let Some(is_watched) = self.watch.of(guard) {
+            *is_watched = false;
+        }
+    }
+
+    /// The same with one of its guards alone.
+    pub(super) fn only(&self, guard: Guard) -> Self {
+        let mut watch = Watch { rows: [false; C], kinks: [false; W], ..self.watch };
+        if let Some(is_watched) = watch.of(guard) {
+            *is_watched = true;
+        }
+        Self { watch, ..*self }
+    }
+
+    /// The functions that the guards are made of which are looked at.
+    pub(super) fn wanted(&self) -> Wanted<C, W> {
+        let mut wanted = Wanted { rows: [false; C], fixed: [false; C], kinks: self.watch.kinks };
+        for row in (0..C).filter(|&row| self.watch.rows[row]) {
+            match S::ROWS[row] {
+                Row::Bilateral | Row::Load => {}
+                Row::Friction { .. } if self.regime.active[row] => wanted.fixed[row] = true,
+                Row::Unilateral if self.regime.active[row] => {}
+                Row::Unilateral | Row::Friction { pair: None, .. } => wanted.rows[row] = true,
+                Row::Friction { pair: Some(other), .. } => {
+                    (wanted.rows[row], wanted.rows[other]) = (true, true);
+                }
+            }
+        }
+        wanted
+    }
+}
