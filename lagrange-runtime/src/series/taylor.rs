@@ -85,6 +85,42 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         variable
     }
 
+    /// All numbers of a state along a step, from rows of their terms, order by order; those that are not
+    /// `read` do not change.
+    #[inline]
+    pub(crate) fn all_along<const N: usize>(
+        values: &[R; N],
+        rows: &[[R; N]],
+        powers: &[R; TERMS],
+        read: &[bool; N],
+    ) -> [Self; N] {
+        let mut all = values.map(Self::constant);
+        let (kept, rest) = rows.split_at_checked(T - 1).unwrap_or((rows, &[]));
+        let (own, others) = powers.split_at_checked(T).unwrap_or((powers, &[]));
+        let ((groups, few), (by_groups, _)) = (rest.as_chunks::<4>(), others.as_chunks::<4>());
+        let by_few = others.get(4 * groups.len()..).unwrap_or_default();
+        for (i, number) in all.iter_mut().enumerate().filter(|(i, _)| read[*i]) {
+            let places = number.coefficients.iter_mut().zip(own).skip(1);
+            for (order, ((to, &power), row)) in (1..).zip(places.zip(kept)) {
+                *to = row[i] * power;
+                if !to.is_zero() {
+                    number.degree = order;
+                }
+            }
+            // Four sums, of which none waits for another.
+            let mut sums = [R::zero(); 4];
+            for (rows, powers) in groups.iter().zip(by_groups) {
+                sums = core::array::from_fn(|k| sums[k] + (rows[k][i] * powers[k]).abs());
+            }
+            let beyond = few
+                .iter()
+                .zip(by_few)
+                .fold(sum(&sums, |sum| sum), |beyond, (row, &power)| beyond + (row[i] * power).abs());
+            number.error = R::epsilon() * (number.extent() + beyond) + beyond;
+        }
+        all
+    }
+
     /// The same in the unit `scale`.
     #[cfg(test)]
     pub(crate) fn variable(value: R, terms: impl Iterator<Item = R>, scale: R) -> Self {

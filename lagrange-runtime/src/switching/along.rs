@@ -44,20 +44,18 @@ struct Path<R, const N: usize, const C: usize, const T: usize = TERMS> {
 type First<R> = (Fall<R>, Guard);
 
 impl<R: Ordered, const N: usize, const C: usize, const T: usize> Path<R, N, C, T> {
-    /// Along the whole step, whose length has these powers.
+    /// Along the whole step, whose length has these powers, of what is read of coordinates and velocities.
     fn new(
         start: &State<R, N>,
         terms: &Terms<'_, R, N>,
         powers: &[R; TERMS],
         borne: &Borne<R, N, C>,
+        [q, v]: &[[bool; N]; 2],
     ) -> Self {
-        let along = |numbers: &[R; N], rows: &[[R; N]]| {
-            core::array::from_fn(|i| Taylor::along(numbers[i], rows.iter().map(|row| row[i]), powers))
-        };
         let mut whole = Self {
             t: Taylor::along(start.t, core::iter::once(terms.unit), powers),
-            q: along(&start.q, terms.q),
-            v: along(&start.v, terms.v),
+            q: Taylor::all_along(&start.q, terms.q, powers, q),
+            v: Taylor::all_along(&start.v, terms.v, powers, v),
             reactions: borne.reactions.each_ref().map(Taylor::shortened),
             roundings: borne.roundings,
             time: (terms.length * terms.unit).abs(),
@@ -116,11 +114,11 @@ where
         let fallen = self.fallen(end);
         // The shortest polynomials tell of what keeps away from zero alone.
         if fired.is_none() && fallen == 0 {
-            self.glance(&Path::<_, N, C, LEAST>::new(start, terms, &powers, &borne), fired);
+            self.glance(&Path::<_, N, C, LEAST>::new(start, terms, &powers, &borne, &S::GUARDED), fired);
         }
         // What has fallen where the step ends needs its place.
         if self.along().nth(fallen).is_some() {
-            self.glance(&Path::<_, N, C, FEW>::new(start, terms, &powers, &borne), fired);
+            self.glance(&Path::<_, N, C, FEW>::new(start, terms, &powers, &borne, &S::GUARDED), fired);
         }
         if self.along().next().is_none() {
             return Ok(None);
@@ -131,7 +129,7 @@ where
         let half = S::Scalar::from_f64(0.5);
         let shortest = half.powi(HALVINGS);
         let clearest = half.powi(CLEAREST);
-        let path = Path::new(start, terms, &powers, &borne);
+        let path = Path::new(start, terms, &powers, &borne, &S::GUARDED);
         let (mut from, mut width) = (zero, one);
         loop {
             let cut;

@@ -37,10 +37,8 @@ struct Levers<R, const N: usize, const C: usize> {
 type Reach<const N: usize, const C: usize> = [[bool; N]; C];
 
 impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
-    fn new(equations: &Equations<Switched<R, N, C>, R, N, C>) -> Self {
-        let units = equations.saddle.units();
-        let rows = equations.gradients.map(|row| core::array::from_fn(|i| row[i] * units[i]));
-        Self { rows, units }
+    fn new(gradients: &[[R; N]; C], units: [R; N]) -> Self {
+        Self { rows: gradients.map(|row| core::array::from_fn(|i| row[i] * units[i])), units }
     }
 
     /// A row that drives friction may meet any coordinate through it.
@@ -57,6 +55,9 @@ impl<R: Real, const N: usize, const C: usize> Levers<R, N, C> {
                         *own = core::array::from_fn(|i| own[i] || other[i]);
                     }
                 }
+            }
+            if reach == last {
+                break;
             }
         }
         reach
@@ -140,13 +141,9 @@ where
         S::equations_in(self.in_regime, *t, q, v, self.inputs)
     }
 
-    /// The size of the force at a coordinate, without reactions.
-    fn force(
-        &self,
-        equations: &Equations<Switched<S::Scalar, N, C>, S::Scalar, N, C>,
-        coordinate: usize,
-    ) -> S::Scalar {
-        entry(&equations.forces, coordinate).abs() + entry(&self.given, coordinate)
+    /// The sizes of forces at coordinates in these units, without reactions.
+    fn sizes_of(&self, forces: &[S::Scalar; N], units: &[S::Scalar; N]) -> [S::Scalar; N] {
+        core::array::from_fn(|i| (entry(forces, i).abs() + entry(&self.given, i)) * entry(units, i))
     }
 
     /// The multipliers at a state, and the forces at their rows that they are differences of.
@@ -156,8 +153,8 @@ where
             return [[S::Scalar::from_f64(f64::NAN); C], [zero; C]];
         };
         let Balance { multipliers, .. } = equations.balance();
-        let levers = Levers::new(&equations);
-        let forces = core::array::from_fn(|i| self.force(&equations, i) * levers.units[i]);
+        let levers = Levers::new(&equations.gradients, equations.saddle.units());
+        let forces = self.sizes_of(&equations.forces, &levers.units);
         let mut sizes = levers.sizes(&levers.reach(|row| self.drives(row)), &multipliers, &forces);
         equations.saddle.bound_loads(&mut sizes);
         [multipliers, sizes]
@@ -174,9 +171,10 @@ where
         let zero: S::Scalar = num_traits::Zero::zero();
         let mut borne =
             Borne { roundings: [zero; N], reactions: [Taylor::constant(zero); C], is_known: false };
-        let Some(equations) = self.equations(start) else { return borne };
-        let levers = Levers::new(&equations);
-        let mut forces = core::array::from_fn(|i| self.force(&equations, i) * levers.units[i]);
+        let State { t, q, v } = start;
+        let Some(known) = S::rows_in(self.in_regime, *t, q, v, self.inputs) else { return borne };
+        let levers = Levers::new(&known.gradients, known.units);
+        let mut forces = self.sizes_of(&known.forces, &levers.units);
         let rows = || {
             let rows = terms.reactions.chunks_exact(C.max(1)).take(terms.v.len());
             rows.filter_map(|row| <&[S::Scalar; C]>::try_from(row).ok())
@@ -189,32 +187,51 @@ where
             let gained = terms.v.first().map_or(zero, |row| (terms.length * row[i]).abs());
             rounding * (gained + time * all[i] * levers.units[i])
         });
-        let Some(first) = first.filter(|_| self.has_reactions()) else { return borne };
+        if first.is_none() || !self.has_reactions() {
+            return borne;
+        }
         let (mut sums, mut last) = ([zero; C], [[zero; C]; 2]);
         let paces =
             levers.units.map(|unit| if unit.is_positive() { (terms.unit * unit).recip() } else { zero });
-        let mut order: S::Scalar = num_traits::One::one();
-        for ((row, speeds), &power) in rows().zip(terms.v).zip(powers) {
-            let power = power.abs();
+        // Reactions of rows that are not active are zero.
+        let reacts: [bool; C] = core::array::from_fn(|row| {
+            matches!(S::ROWS[row], Row::Bilateral | Row::Load) || self.regime.active[row]
+        });
+        let mut place: S::Scalar = zero;
+        for (order, ((row, speeds), &power)) in rows().zip(terms.v).zip(powers).enumerate() {
+            let size = power.abs();
+            place += num_traits::One::one();
             // What accelerates is borne as well.
             for (force, (&speed, &pace)) in forces.iter_mut().zip(speeds.iter().zip(&paces)) {
-                *force += power * (order * speed * pace).abs();
+                *force += size * (place * speed * pace).abs();
             }
-            last = [last[1], row.map(|term| power * term.abs())];
-            sums = core::array::from_fn(|row| sums[row] + last[1][row]);
-            order += num_traits::One::one();
+            for own in (0..C).filter(|&own| reacts[own]) {
+                let term = if order == 0 { row[own] } else { row[own] * power };
+                let magnitude = size * row[own].abs();
+                (last[0][own], last[1][own]) = (last[1][own], magnitude);
+                sums[own] += magnitude;
+                let reaction = &mut borne.reactions[own];
+                if let Some(to) = reaction.coefficients.get_mut(order) {
+                    *to = term;
+                    if term != zero {
+                        reaction.degree = order;
+                    }
+                }
+            }
         }
         let mut sizes = levers.sizes(&levers.reach(|row| self.drives(row)), &sums, &forces);
-        equations.saddle.bound_loads(&mut sizes);
+        // What loads are made of their factors tell.
+        if S::ROWS.contains(&Row::Load)
+            && let Some(equations) = self.equations(start)
+        {
+            equations.saddle.bound_loads(&mut sizes);
+        }
         let [before, last] = last;
         let share = relative.sqrt();
         borne.is_known = (0..C).all(|row| before[row] + last[row] <= share * sizes[row]);
-        borne.reactions = core::array::from_fn(|row| {
-            let along = rows().skip(1).map(|terms| terms[row]);
-            let mut reaction = Taylor::along(first[row], along, powers);
+        for (row, reaction) in borne.reactions.iter_mut().enumerate() {
             reaction.error = rounding * sizes[row] + before[row] + last[row];
-            reaction
-        });
+        }
         borne
     }
 }
