@@ -86,20 +86,21 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
     }
 
     /// All numbers of a state along a step, from rows of their terms, order by order; those that are not
-    /// `read` do not change.
-    #[inline]
+    /// `read` are zero.
+    #[inline(always)]
     pub(crate) fn all_along<const N: usize>(
         values: &[R; N],
         rows: &[[R; N]],
         powers: &[R; TERMS],
         read: &[bool; N],
     ) -> [Self; N] {
-        let mut all = values.map(Self::constant);
+        let mut all = [Self::constant(R::zero()); N];
         let (kept, rest) = rows.split_at_checked(T - 1).unwrap_or((rows, &[]));
         let (own, others) = powers.split_at_checked(T).unwrap_or((powers, &[]));
         let ((groups, few), (by_groups, _)) = (rest.as_chunks::<4>(), others.as_chunks::<4>());
         let by_few = others.get(4 * groups.len()..).unwrap_or_default();
         for (i, number) in all.iter_mut().enumerate().filter(|(i, _)| read[*i]) {
+            number.coefficients[0] = values[i];
             let places = number.coefficients.iter_mut().zip(own).skip(1);
             for (order, ((to, &power), row)) in (1..).zip(places.zip(kept)) {
                 *to = row[i] * power;

@@ -143,23 +143,24 @@ fn to_bernstein<R: Ordered>(powers: &mut [R]) {
 }
 
 /// What bounds the roundings of a guard and of sums of its terms.
+#[inline]
 fn noise<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> R {
     let summed = R::from_f64(2.0 * guard.degree as f64 + 2.0) * R::epsilon();
     guard.error + summed * guard.extent()
 }
 
 /// Whether a guard is above zero on the whole of its interval, by more than its roundings.
+#[inline]
 pub(crate) fn stays_above<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> bool {
-    let terms = guard.terms();
     let noise = noise(guard);
-    if guard.start() + guard.down() > noise {
-        return true;
-    }
-    if !(guard.start() > noise && guard.end() > noise) {
-        return false;
-    }
+    guard.start() + guard.down() > noise
+        || guard.start() > noise && guard.end() > noise && is_bounded(guard, noise)
+}
+
+/// Whether coefficients of Bernstein are above the roundings.
+fn is_bounded<R: Ordered, const T: usize>(guard: &Taylor<R, T>, noise: R) -> bool {
     let mut part = guard.coefficients;
-    let part = part.get_mut(..terms.len()).unwrap_or_default();
+    let part = part.get_mut(..=guard.degree).unwrap_or_default();
     to_bernstein(part);
     part.iter().all(|&term| term > noise)
 }
