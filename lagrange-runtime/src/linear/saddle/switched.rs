@@ -31,6 +31,12 @@ pub struct Switched<R, const N: usize, const C: usize> {
 enum Jam<R, const C: usize> {
     /// No reaction drives friction.
     None,
+    /// That of one row does: the matrix is one but for its column. Its own entry is inverted.
+    Single {
+        row: usize,
+        inverse: R,
+        column: [R; C],
+    },
     Regular(Lu<R, C>),
     /// The same of given loads, which depend on reactions.
     Loaded(Lu<R, C>, Loads<R, C>),
@@ -82,7 +88,7 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
         let saddle = Saddle::with_active::<DEFINITE>(mass, a, &active);
         let mut this = Self { saddle, driven: [[R::zero(); N]; C], jam: Jam::None };
         let mut matrix = [[R::zero(); C]; C];
-        let mut is_coupled = loaded.is_some();
+        let (mut coupled, mut last) = (0, 0);
         let is_load =
             |row: usize| loaded.is_some_and(|(_, loads)| loads.iter().any(|load| load.row() == row));
         for (j, (row, &is_active)) in coupling.iter().zip(&active).enumerate() {
@@ -92,7 +98,7 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
             if !is_active && !is_load(j) || row.iter().all(|&x| x == R::zero()) {
                 continue;
             }
-            is_coupled = true;
+            (coupled, last) = (coupled + 1, j);
             let (driven, reaction) = this.saddle.solve(row, &[R::zero(); C]);
             put(&mut this.driven, j, driven);
             for (entries, x) in matrix.iter_mut().zip(reaction) {
@@ -107,7 +113,9 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
                 }
             }
         }
-        if is_coupled {
+        if loaded.is_none() && coupled == 1 {
+            this.jam = Jam::single(&matrix, last);
+        } else if loaded.is_some() || coupled > 0 {
             this.jam = Lu::factor(matrix).map_or(Jam::Singular, |lu| match loaded {
                 None => Jam::Regular(lu),
                 Some((shares, table)) => {
@@ -157,6 +165,24 @@ impl<R: Real, const N: usize, const C: usize> Switched<R, N, C> {
     }
 }
 
+impl<R: Real, const C: usize> Jam<R, C> {
+    /// Of a matrix that is one but for a column. With that row first it is triangular, and solving by
+    /// substitution needs no pivots.
+    #[inline]
+    fn single(matrix: &[[R; C]; C], row: usize) -> Self {
+        let column: [R; C] = core::array::from_fn(|i| pick(&matrix[i], row));
+        let own = pick(&column, row);
+        // The entry is a sum of one and what friction makes of the reaction.
+        let size = R::one() + (own - R::one()).abs();
+        let ulps = R::from_f64(2.0 * C as f64) * R::epsilon();
+        if (own.abs() - ulps * size).is_positive() {
+            Jam::Single { row, inverse: own.recip(), column }
+        } else {
+            Jam::Singular
+        }
+    }
+}
+
 impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Switched<R, N, C> {
     type Gradients = [[R; N]; C];
 
@@ -170,6 +196,16 @@ impl<R: Real, const N: usize, const C: usize> SaddlePoint<R, N, C> for Switched<
         let (v, kappa) = self.saddle.solve(r, y);
         match &self.jam {
             Jam::None => (v, kappa),
+            Jam::Single { row, inverse, column } => {
+                let (mut v, mut kappa) = (v, kappa);
+                let own = pick(&kappa, *row) * *inverse;
+                add_scaled(&mut kappa, column, -own);
+                put(&mut kappa, *row, own);
+                if let Some(driven) = self.driven.get(*row) {
+                    add_scaled(&mut v, driven, own);
+                }
+                (v, kappa)
+            }
             Jam::Regular(lu) => self.driven(v, lu.solve(kappa)),
             Jam::Loaded(lu, loads) => self.driven(v, loads.solve(&lu.solve(kappa))),
             Jam::Singular => ([R::from_f64(f64::NAN); N], [R::from_f64(f64::NAN); C]),
