@@ -46,7 +46,8 @@ fn the_compiler_reports_mistakes_where_they_are() {
     if !cases::is_known_compiler() {
         return;
     }
-    let own = &stems("rs") - &(&cases::of_the_macro() & &stems("stderr"));
+    let others = &(&cases::of_the_macro() & &stems("stderr")) | &cases::of_builds();
+    let own = &stems("rs") - &others;
     assert!(own.len() > 30, "{own:?}");
     let report = |name: String| {
         let source = Path::new(&cases::directory()).join(format!("{name}.rs"));
@@ -54,6 +55,23 @@ fn the_compiler_reports_mistakes_where_they_are() {
         (name, text)
     };
     compare(own.into_iter().map(report).collect());
+}
+
+/// Constants in generic functions are evaluated where these are compiled. The place is in the library, so the
+/// message alone is compared.
+#[test]
+fn a_build_reports_what_checks_do_not() {
+    if !cases::is_known_compiler() {
+        return;
+    }
+    let report = |name: String| {
+        let source = Path::new(&cases::directory()).join(format!("{name}.rs"));
+        let messages = compiled(&source, "bin", "obj").into_iter();
+        let errors = messages.filter(|text| text.starts_with("error["));
+        let first = |text: String| text.lines().next().unwrap_or_default().to_owned() + "\n\n";
+        (name, errors.map(first).collect())
+    };
+    compare(cases::of_builds().into_iter().map(report).collect());
 }
 
 /// Compares the messages about each case with those beside it, or writes them.
@@ -76,23 +94,31 @@ fn compare(found: BTreeMap<String, String>) {
     assert!(wrong.is_empty(), "{} of {} cases\n{}", wrong.len(), found.len(), wrong.join("\n"));
 }
 
-/// What the compiler says of a crate, each message with the name of the case that it is about.
-fn messages_about(source: &Path, kind: &str) -> Vec<(String, String)> {
+/// What the compiler says of a crate of which this is made.
+fn compiled(source: &Path, kind: &str, made: &str) -> Vec<String> {
     let deps = std::env::current_exe().expect("the test is a file");
     let deps = deps.parent().expect("it stands in a folder");
     let mut compiler = Command::new(cases::compiler());
-    compiler.args(["--edition=2024", "--emit=metadata", "--error-format=json", "--verbose", "-Adead_code"]);
+    compiler.args(["--edition=2024", "--error-format=json", "--verbose", "-Adead_code"]);
+    compiler.arg(format!("--emit={made}"));
     compiler.arg(format!("--crate-type={kind}")).arg("--out-dir").arg(env!("CARGO_TARGET_TMPDIR"));
     compiler.arg("-L").arg(format!("dependency={}", deps.display()));
     compiler.arg("--extern").arg(format!("lagrangian={}", newest(deps, "liblagrangian-").display()));
     // What a user of cargo is told.
     let output = compiler.env("CARGO_CRATE_NAME", "case").arg(source).output().expect("rustc runs");
     let output = String::from_utf8(output.stderr).expect("rustc writes text");
+    let rendered = |line: &str| {
+        let message: serde_json::Value = serde_json::from_str(line).expect("rustc writes JSON");
+        message["rendered"].as_str().expect("a message has a text").to_owned()
+    };
+    output.lines().map(rendered).collect()
+}
+
+/// What it says, each message with the name of the case that it is about.
+fn messages_about(source: &Path, kind: &str) -> Vec<(String, String)> {
     let place = format!("{}/", cases::directory());
     let mut messages = Vec::new();
-    for line in output.lines() {
-        let message: serde_json::Value = serde_json::from_str(line).expect("rustc writes JSON");
-        let text = message["rendered"].as_str().expect("a message has a text");
+    for text in compiled(source, kind, "metadata") {
         // Without a place it says how many errors there were.
         let Some((_, name)) = text.split_once(&place) else { continue };
         let (name, _) = name.split_once(".rs:").expect("a place is a line of a file");
