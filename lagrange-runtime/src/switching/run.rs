@@ -82,6 +82,11 @@ where
             if scene.has_impact() {
                 scales.strike(&scene.status, &scene.laws);
                 (state.v, *impulses) = scene.impact()?;
+                if S::Scalar::PARTS > 1
+                    && let Some(cause) = scene.struck_together(known.fired, impulses, self.limits.relative)
+                {
+                    return Err(cause);
+                }
                 known = Known { closed: scene.is_closed, fired: None, settled: true };
                 later = Scene::new(self.system, state, inputs, present.kinks, scales, &known);
                 scene = &later;

@@ -8,12 +8,13 @@
 //! Equations with Discontinuous Righthand Sides*; Leine and Nijmeijer, *Dynamics and Bifurcations of
 //! Non-Smooth Mechanical Systems*, chapter 7), which is never written down.
 //!
-//! There are no derivatives where ġ is zero, and where two guards are zero at once. A motion known to its
+//! There are no derivatives where ġ is zero, and where two guards are zero at once, or one where a contact
+//! touches by chance that has a part in the impact. A motion known to its
 //! tolerance is there if the time of the zero is not known to any digit of ġ, or not which of two is first.
 
 use super::guards::{Guard, Guards};
 use super::run::Run;
-use super::scene::{above, most, rounding};
+use super::scene::{Scene, above, most, rounding};
 use super::{Regime, Row, Switching};
 use crate::number::real::{Ordered, Real};
 use crate::system::System;
@@ -71,7 +72,7 @@ where
             };
             Some(Cause::Grazes { switch, name })
         };
-        let Some(doubt) = doubt else { return Ok(crossing.later()) };
+        let Some(doubt) = doubt else { return self.directed(guard, crossing.later()) };
         // Where nothing jumps, it does not matter when.
         let mut after = *state;
         let regime = switched(self, &mut after)?;
@@ -83,6 +84,20 @@ where
             |x: S::Scalar, y: S::Scalar| (x - y).part(0).abs() <= part * (x.part(0).abs() + y.part(0).abs());
         let pairs = state.v.iter().zip(v).chain(a.iter().zip(&b));
         if pairs.into_iter().all(|(&x, &y)| stays(x, y)) { Ok(num_traits::Zero::zero()) } else { Err(doubt) }
+    }
+
+    /// The time by which a guard fires later, if the motion goes on from there. A load has no direction where
+    /// it is zero, so that its slopes are made of roundings.
+    fn directed(&self, guard: Guard, later: S::Scalar) -> Result<S::Scalar, Cause> {
+        match guard {
+            Guard::Row(row) if S::ROWS.get(row) == Some(&Row::Load) => {
+                let limits =
+                    |kind: &Row| matches!(kind, Row::Friction { normal, .. } if *normal == Some(row));
+                let friction = S::ROWS.iter().position(limits).unwrap_or(row);
+                Err(Cause::Grazes { switch: friction, name: S::NAMES.constraint(friction) })
+            }
+            _ => Ok(later),
+        }
     }
 
     /// Where a slip in two directions ends it has lost its direction, and friction with it: accelerations are
@@ -193,6 +208,45 @@ where
         };
         let other = self.guards().all().find(|other| *other != guard && coincides(other))?;
         Some(Cause::SwitchesCoincide { name: self.name(guard), other: self.name(other) })
+    }
+}
+
+impl<S, const N: usize, const K: usize, const C: usize, const W: usize> Scene<'_, S, N, K, C, W>
+where
+    S: Switching<N, K, C, W>,
+{
+    /// Why an impact with these impulses has no derivatives: a contact beside the one that has fired has a
+    /// part in it, and its gap varies. Of motions beside this one it is open at the time of the impact, and
+    /// is struck after it, if at all. The gap of a contact that holds does not vary.
+    #[cold]
+    pub(super) fn struck_together(
+        &self,
+        fired: Option<usize>,
+        impulses: &[S::Scalar; C],
+        tolerance: S::Scalar,
+    ) -> Option<Cause> {
+        let part = most(tolerance, rounding());
+        let varies = |row: usize| {
+            let gap = self.laws.rows.positions[row];
+            (1..S::Scalar::PARTS).any(|slope| {
+                let terms = self.gradients[row].iter().zip(&self.state.q);
+                let size = terms.fold(num_traits::Zero::zero(), |size: S::Scalar, (&entry, q)| {
+                    size + (entry.part(0) * q.part(slope)).abs()
+                });
+                above(gap.part(slope).abs(), part * size)
+            })
+        };
+        let is_struck = |row: &usize| {
+            S::ROWS[*row] == Row::Unilateral
+                && fired != Some(*row)
+                && impulses[*row].part(0).abs().is_positive()
+                && varies(*row)
+        };
+        let other = S::NAMES.constraint((0..C).find(is_struck)?);
+        Some(match fired {
+            Some(fired) => Cause::SwitchesCoincide { name: S::NAMES.constraint(fired), other },
+            None => Cause::SwitchesCoincide { name: other, other: Name::NONE },
+        })
     }
 }
 

@@ -5,5 +5,6 @@ mod friction;
 mod impacts;
 mod kinks;
 mod tables;
+mod together;
 
 const TIGHT: f64 = 1e-13;
