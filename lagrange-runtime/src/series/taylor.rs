@@ -85,7 +85,7 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         variable
     }
 
-    /// All numbers of a state along a step, from rows of their terms, order by order; those that are not
+    /// The numbers of a state along a step, from rows of their terms, order by order; those that are not
     /// `read` are zero.
     #[inline(always)]
     pub(crate) fn all_along<const N: usize>(
@@ -95,31 +95,49 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         read: &[bool; N],
     ) -> [Self; N] {
         let mut all = [Self::constant(R::zero()); N];
-        let (kept, rest) = rows.split_at_checked(T - 1).unwrap_or((rows, &[]));
-        let (own, others) = powers.split_at_checked(T).unwrap_or((powers, &[]));
-        let ((groups, few), (by_groups, _)) = (rest.as_chunks::<4>(), others.as_chunks::<4>());
-        let by_few = others.get(4 * groups.len()..).unwrap_or_default();
         for (i, number) in all.iter_mut().enumerate().filter(|(i, _)| read[*i]) {
-            number.coefficients[0] = values[i];
-            let places = number.coefficients.iter_mut().zip(own).skip(1);
-            for (order, ((to, &power), row)) in (1..).zip(places.zip(kept)) {
-                *to = row[i] * power;
-                if !to.is_zero() {
-                    number.degree = order;
-                }
+            // The very first look is what most steps take.
+            if T <= LEAST {
+                number.grow(values[i], rows, i, powers);
+            } else {
+                number.grow_apart(values[i], rows, i, powers);
             }
-            // Four sums, of which none waits for another.
-            let mut sums = [R::zero(); 4];
-            for (rows, powers) in groups.iter().zip(by_groups) {
-                sums = core::array::from_fn(|k| sums[k] + (rows[k][i] * powers[k]).abs());
-            }
-            let beyond = few
-                .iter()
-                .zip(by_few)
-                .fold(sum(&sums, |sum| sum), |beyond, (row, &power)| beyond + (row[i] * power).abs());
-            number.error = R::epsilon() * (number.extent() + beyond) + beyond;
         }
         all
+    }
+
+    /// Makes one of them of a number that is zero, for all coordinates by the same code.
+    #[inline(never)]
+    fn grow_apart<const N: usize>(&mut self, value: R, rows: &[[R; N]], i: usize, powers: &[R; TERMS]) {
+        self.grow(value, rows, i, powers);
+    }
+
+    /// The same, in line.
+    #[inline(always)]
+    fn grow<const N: usize>(&mut self, value: R, rows: &[[R; N]], i: usize, powers: &[R; TERMS]) {
+        let term = |(row, &power): (&[R; N], &R)| row.get(i).copied().unwrap_or(R::zero()) * power;
+        let (kept, rest) = rows.split_at_checked(T - 1).unwrap_or((rows, &[]));
+        let (own, others) = powers.split_at_checked(T).unwrap_or((powers, &[]));
+        if let Some(first) = self.coefficients.first_mut() {
+            *first = value;
+        }
+        let places = self.coefficients.iter_mut().zip(own).skip(1);
+        for (order, ((to, power), row)) in (1..).zip(places.zip(kept)) {
+            *to = term((row, power));
+            if !to.is_zero() {
+                self.degree = order;
+            }
+        }
+        // Four sums, of which none waits for another.
+        let ((groups, few), (by_groups, _)) = (rest.as_chunks::<4>(), others.as_chunks::<4>());
+        let mut sums = [R::zero(); 4];
+        for (rows, powers) in groups.iter().zip(by_groups) {
+            sums = core::array::from_fn(|k| sums[k] + term((&rows[k], &powers[k])).abs());
+        }
+        let by_few = others.get(4 * groups.len()..).unwrap_or_default();
+        let few = few.iter().zip(by_few).map(|pair| term(pair).abs());
+        let beyond = few.fold(sum(&sums, |sum| sum), |beyond, term| beyond + term);
+        self.error = R::epsilon() * (self.extent() + beyond) + beyond;
     }
 
     /// The same in the unit `scale`.
@@ -238,18 +256,9 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         self
     }
 
-    /// A bound of the terms that a product leaves away: of each factor those with which a term of the other
-    /// one has too high an order.
+    /// A bound of the terms that a product leaves away.
     fn left(&self, other: &Self) -> R {
-        let (mut left, mut beyond) = (R::zero(), R::zero());
-        let mut others = other.terms().iter().enumerate().rev().peekable();
-        for (order, &term) in self.terms().iter().enumerate() {
-            while let Some((_, &next)) = others.next_if(|(other, _)| order + other >= T) {
-                beyond += next.abs();
-            }
-            left += term.abs() * beyond;
-        }
-        left
+        left(self.terms(), other.terms(), T)
     }
 
     fn times(&self, other: &Self) -> Self {
@@ -262,12 +271,11 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         let (orders, are_whole) = self.meeting(other);
         let mut product = Self { orders, ..Self::constant(R::zero()) };
         product.degree = (self.degree + other.degree).min(orders);
-        for (i, &a) in self.terms().iter().enumerate() {
-            let rest = product.coefficients.get_mut(i..=product.degree).unwrap_or_default();
-            for (to, &b) in rest.iter_mut().zip(other.terms()) {
-                *to = R::mul_add(a, b, *to);
-            }
-        }
+        convolve(
+            product.coefficients.get_mut(..=product.degree).unwrap_or_default(),
+            self.terms(),
+            other.terms(),
+        );
         product.is_whole = are_whole && self.degree + other.degree <= orders;
         let (a, b) = (self.extent(), other.extent());
         let summed = R::from_f64(self.degree.min(other.degree) as f64 + 1.0);
@@ -278,6 +286,32 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         }
         product
     }
+}
+
+/// Adds the terms of a product that have a place. Numbers with more coefficients and with fewer have this
+/// code in common.
+#[inline(never)]
+fn convolve<R: Real>(product: &mut [R], one: &[R], other: &[R]) {
+    for (i, &a) in one.iter().enumerate() {
+        for (to, &b) in product.get_mut(i..).unwrap_or_default().iter_mut().zip(other) {
+            *to = R::mul_add(a, b, *to);
+        }
+    }
+}
+
+/// A bound of the terms of a product from an order on: of each factor those with which a term of the other
+/// one has too high an order.
+#[inline(never)]
+fn left<R: Real>(one: &[R], other: &[R], beyond: usize) -> R {
+    let (mut left, mut sum) = (R::zero(), R::zero());
+    let mut others = other.iter().enumerate().rev().peekable();
+    for (order, &term) in one.iter().enumerate() {
+        while let Some((_, &next)) = others.next_if(|(other, _)| order + other >= beyond) {
+            sum += next.abs();
+        }
+        left += term.abs() * sum;
+    }
+    left
 }
 
 /// The powers of a number, from that of order zero on.

@@ -110,8 +110,10 @@ where
 
     /// All guards that are looked at.
     pub(super) fn all(&self) -> impl Iterator<Item = Guard> + '_ {
-        let rows = (0..C).filter(|&row| self.watch.rows[row]).map(Guard::Row);
-        rows.chain((0..W).filter(|&kink| self.watch.kinks[kink]).map(Guard::Kink))
+        // One range, since what follows would be compiled for each part of a chain.
+        let guards =
+            (0..C + W).map(|place| if place < C { Guard::Row(place) } else { Guard::Kink(place - C) });
+        guards.filter(|&guard| self.watch.has(guard))
     }
 
     /// Those that are polynomials, as the motion is.
@@ -329,13 +331,15 @@ where
         }
     }
 
-    /// Where a guard falls through zero on a part of the step.
+    /// Where a guard falls through zero on a part of the step. Its values are asked for in many places, in
+    /// each of which their code would stand.
+    #[inline(never)]
     fn falls(
         &self,
         guard: Guard,
         scales: &Scales<S::Scalar, C>,
         late: S::Scalar,
-        value: &mut impl FnMut(S::Scalar) -> (S::Scalar, S::Scalar),
+        value: &mut dyn FnMut(S::Scalar) -> (S::Scalar, S::Scalar),
     ) -> Result<Option<S::Scalar>, Unresolved> {
         let (zero, one) = (num_traits::Zero::zero(), num_traits::One::one());
         let (start, end) = (value(zero), value(one));

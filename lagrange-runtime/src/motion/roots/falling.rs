@@ -143,14 +143,12 @@ fn to_bernstein<R: Ordered>(powers: &mut [R]) {
 }
 
 /// What bounds the roundings of a guard and of sums of its terms.
-#[inline]
 fn noise<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> R {
     let summed = R::from_f64(2.0 * guard.degree as f64 + 2.0) * R::epsilon();
     guard.error + summed * guard.extent()
 }
 
 /// Whether a guard is above zero on the whole of its interval, by more than its roundings.
-#[inline]
 pub(crate) fn stays_above<R: Ordered, const T: usize>(guard: &Taylor<R, T>) -> bool {
     let noise = noise(guard);
     guard.start() + guard.down() > noise

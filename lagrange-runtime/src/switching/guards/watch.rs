@@ -18,6 +18,15 @@ pub(in crate::switching) struct Watch<R, const C: usize, const W: usize> {
 
 impl<R, const C: usize, const W: usize> Watch<R, C, W> {
     /// Whether a guard is looked at.
+    pub(super) fn has(&self, guard: Guard) -> bool {
+        let watched = match guard {
+            Guard::Row(row) => self.rows.get(row),
+            Guard::Kink(kink) => self.kinks.get(kink),
+        };
+        watched == Some(&true)
+    }
+
+    /// The same, to be changed.
     fn of(&mut self, guard: Guard) -> Option<&mut bool> {
         match guard {
             Guard::Row(row) => self.rows.get_mut(row),
