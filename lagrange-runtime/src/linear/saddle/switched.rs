@@ -268,6 +268,37 @@ mod tests {
         assert!(a[1].abs() < 1e-14);
     }
 
+    /// M v − (A + D)ᵀ κ = r and A v = y, where the reaction of one row drives friction in any direction.
+    #[test]
+    fn one_reaction_that_drives_friction_balances_with_the_other() {
+        let mass = [[2.0, 0.5, 0.0], [0.5, 1.0, 0.25], [0.0, 0.25, 3.0]];
+        let (r, y) = ([1.0, -2.0, 0.5], [0.25, 0.75]);
+        for driving in [0, 1] {
+            let mut coupling = [[0.0; 3]; 2];
+            coupling[driving] = [0.3, -0.2, 0.4];
+            let (v, kappa) = Switched::factor(&mass, &ROWS, &coupling, &[1.0; 2]).solve_motion(&r, &y);
+            for i in 0..3 {
+                let borne = (0..2).map(|c| (ROWS[c][i] + coupling[c][i]) * kappa[c]).sum::<f64>();
+                let inertia = (0..3).map(|j| mass[i][j] * v[j]).sum::<f64>();
+                assert!((inertia - borne - r[i]).abs() < 1e-14, "{v:?} {kappa:?}");
+            }
+            for c in 0..2 {
+                assert!(((0..3).map(|j| ROWS[c][j] * v[j]).sum::<f64>() - y[c]).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn friction_that_takes_all_of_its_reaction_jams() {
+        let unit = [[1.0, 0.0], [0.0, 1.0]];
+        for (taken, jams) in [(1.0, true), (1.0 - 1e-12, false)] {
+            let switched = Switched::factor(&unit, &[[0.0, 1.0]], &[[0.0, -taken]], &[1.0]);
+            assert_eq!(switched.defect() == Some(Defect::NotFinite), jams);
+            let [kappa]: [f64; 1] = switched.solve_motion(&[0.0, -1.0], &[0.0]).1;
+            assert_eq!(kappa.is_nan(), jams);
+        }
+    }
+
     #[test]
     fn dependent_active_rows_are_no_defect() {
         let rows = [ROWS[0], ROWS[0], ROWS[1]];
