@@ -109,32 +109,41 @@ impl<R: Real, const N: usize> Rows<R, N> {
         second: &mut [[R; N]; N],
         third: &mut [[R; K]; N],
     ) {
+        let zero = R::zero();
+        let mut ones = [Aligned([zero; N]); N];
+        let (mut twos, mut threes) = (ones, [Aligned([zero; K]); N]);
         for k in (0..N).rev() {
             let (mut one, mut two, mut three) = (first[k], second[k], third[k]);
             for i in self.columns.of(k) {
                 let l = self.factor[i][k];
-                subtract(&mut one, l, &first[i]);
-                subtract(&mut two, l, &second[i]);
-                subtract(&mut three, l, &third[i]);
+                subtract(&mut one, l, &ones[i].0);
+                subtract(&mut two, l, &twos[i].0);
+                subtract(&mut three, l, &threes[i].0);
             }
-            (first[k], second[k], third[k]) = (one, two, three);
+            (ones[k].0, twos[k].0, threes[k].0) = (one, two, three);
         }
         for k in 0..N {
             let inverse = self.inverse[k];
-            let (mut one, mut two, mut three) = (first[k], second[k], third[k]);
+            let (mut one, mut two, mut three) = (ones[k].0, twos[k].0, threes[k].0);
             scale(&mut one, inverse);
             scale(&mut two, inverse);
             scale(&mut three, inverse);
             for i in self.rows.of(k) {
                 let l = self.factor[k][i];
-                subtract(&mut one, l, &first[i]);
-                subtract(&mut two, l, &second[i]);
-                subtract(&mut three, l, &third[i]);
+                subtract(&mut one, l, &ones[i].0);
+                subtract(&mut two, l, &twos[i].0);
+                subtract(&mut three, l, &threes[i].0);
             }
+            (ones[k].0, twos[k].0, threes[k].0) = (one, two, three);
             (first[k], second[k], third[k]) = (one, two, three);
         }
     }
 }
+
+/// A row that begins where a line of the cache begins: a vector that crosses one costs two.
+#[derive(Clone, Copy)]
+#[repr(C, align(64))]
+struct Aligned<R, const W: usize>([R; W]);
 
 /// The same of at least the first `count` entries.
 #[inline(always)]
