@@ -24,6 +24,13 @@ use crate::system::limits::Limits;
 use crate::system::method::Steps;
 use crate::system::state::{State, difference};
 
+mod first;
+mod tolerance;
+mod unavoidable;
+
+use tolerance::{Tried, relative};
+use unavoidable::Attempts;
+
 /// A state and what rounding took from it: the exact sum is `state + residue`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point<R, const N: usize> {
@@ -42,7 +49,7 @@ pub(crate) struct Ground<R> {
 
 /// The step from `start` to `end`, and what the next one needs.
 #[derive(Clone, Copy, Debug)]
-pub struct Dop853Memory<R, const N: usize> {
+pub struct Dop853Memory<R: Real, const N: usize> {
     pub(crate) start: Point<R, N>,
     pub(crate) end: Point<R, N>,
     /// Slopes of the stages of the step; the first is that at `start`.
@@ -51,6 +58,8 @@ pub struct Dop853Memory<R, const N: usize> {
     pub(crate) slope: Option<Slope<R, N>>,
     /// Length of the next step; zero if not known.
     length: R,
+    /// Whether the last step was within tolerance but for roundings.
+    is_noisy: bool,
     /// Polynomial through the step, once a sample has asked for it.
     pub(crate) dense: Option<Dense<R, N>>,
     pub(crate) counts: Steps,
@@ -78,6 +87,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             slopes: [Slope { q: zero, v: zero }; STAGES],
             slope: None,
             length: R::zero(),
+            is_noisy: false,
             dense: None,
             counts: Steps::default(),
             ground: None,
@@ -87,7 +97,8 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
 
     /// Goes on from `state`, as after a change of the accelerations. The length of the next step is kept.
     pub(crate) fn restart(&mut self, state: State<R, N>) {
-        *self = Self { length: self.length, counts: self.counts, ..Self::new(state) };
+        *self =
+            Self { length: self.length, is_noisy: self.is_noisy, counts: self.counts, ..Self::new(state) };
     }
 
     /// Replaces the end of the step by a state beside it.
@@ -115,8 +126,8 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
 
     /// Takes in a step from the `end` of the last one that series have taken towards a `target`.
     pub(crate) fn pass(&mut self, end: State<R, N>, target: R) {
-        let Self { end: start, length, counts, .. } = *self;
-        *self = Self { start, length, counts, passage: Some(target), ..Self::new(end) };
+        let Self { end: start, length, is_noisy, counts, .. } = *self;
+        *self = Self { start, length, is_noisy, counts, passage: Some(target), ..Self::new(end) };
         self.counts.accepted += 1;
     }
 
@@ -141,6 +152,11 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
     pub(crate) fn ahead(&self, t: R) -> bool {
         let (a, b) = (self.start.state.t, self.end.state.t);
         if a <= b { t >= b || a == b } else { t <= b }
+    }
+
+    /// The shortest step that can be told from none at time `t` \[s].
+    fn resolution(t: R) -> R {
+        R::from_f64(4.0) * R::epsilon() * t.abs() + step_size::smallest::<R>()
     }
 
     /// One step from `end` towards `target`, which differs from it; with `land`, never beyond `target` and,
@@ -187,10 +203,12 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         }
         let mut cause = Cause::StepTooSmall;
         let mut repeated = false;
+        let resolution = Self::resolution(t);
+        // Whether to shorten a step of three times that would leave its numbers as they are.
+        let mut attempts_here = Attempts::new((R::from_f64(3.0) * resolution).largest(), relative(limits));
         loop {
             let last = land && R::from_f64(1.01) * length >= left.abs();
             let h = if last { left } else { direction * length };
-            let resolution = R::from_f64(4.0) * R::epsilon() * t.abs() + step_size::smallest::<R>();
             if !last && length.partial_cmp(&resolution) != Some(Ordering::Greater) {
                 return fail(self, cause);
             }
@@ -198,7 +216,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
                 return fail(self, Cause::TooManySteps);
             }
             *attempts -= 1;
-            let factor = match self.attempt(f, limits, h) {
+            let factor = match self.attempt(f, limits, h, &mut attempts_here) {
                 Ok(error) if error <= R::one() => {
                     if last {
                         self.end.state.t = target;
@@ -242,12 +260,19 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         };
         (self.start, self.slopes[0]) = (self.end, slope);
         (self.dense, self.passage) = (None, None);
-        self.attempt(f, limits, h).ok().filter(|&error| error <= R::one())
+        let mut attempts = Attempts::new(R::Lane::zero(), relative(limits));
+        self.attempt(f, limits, h, &mut attempts).ok().filter(|&error| error <= R::one())
     }
 
     /// Tries a step of `h` from `start` and moves `end` if its error is within tolerance (at most 1).
     #[inline]
-    fn attempt<F>(&mut self, f: &F, limits: &Limits<R>, h: R) -> Result<R, Cause>
+    fn attempt<F>(
+        &mut self,
+        f: &F,
+        limits: &Limits<R>,
+        h: R,
+        attempts: &mut Attempts<R::Lane, N>,
+    ) -> Result<R, Cause>
     where
         F: Field<R, N>,
     {
@@ -280,25 +305,17 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
                 *change = f.along(&end.state, *change);
             }
         }
-        let mut error = R::zero();
-        for part in 0..R::PARTS {
-            let of = |x: R| x.part(part).largest();
-            let scale = limits.scale().of_part(part, [from, &end.state]);
-            let (mut sum5, mut sum3) = (R::Lane::zero(), R::Lane::zero());
-            for n in 0..N {
-                let weight_q = scale.weight(of(from.q[n]), of(end.state.q[n]));
-                let weight_v = scale.weight(of(from.v[n]), of(end.state.v[n]));
-                let (q5, v5) = (of(fifth.q[n]) * weight_q, of(fifth.v[n]) * weight_v);
-                let q3 = of(third.q[n]) * weight_q;
-                let v3 = of(third.v[n]) * weight_v;
-                sum5 += q5 * q5 + v5 * v5;
-                sum3 += q3 * q3 + v3 * v3;
-            }
-            let of_part = R::splat(step_size::error(h.largest(), sum5, sum3, 2 * N));
-            if !of_part.is_finite() {
-                return Err(self.failed_stage(f, h));
-            }
-            error = larger(error, of_part);
+        let tried = Tried { from, to: &end.state, slope: &slopes[0], h, estimates: [&fifth, &third] };
+        let mut error = tried.error(limits, &[[R::Lane::zero(); N]; 2]);
+        let mut is_noisy = false;
+        // A smooth motion needs one shorter attempt, and no look for what else is wrong.
+        if error > R::one() && error.is_finite() && (self.is_noisy || attempts.any_refused()) {
+            is_noisy = true;
+            self.counts.evaluations += unavoidable::EVALUATIONS;
+            error = tried.error(limits, &attempts.unavoidable(f, &tried));
+        }
+        if !error.is_finite() {
+            return Err(self.failed_stage(f, h));
         }
         if error <= R::one() {
             (end.state.t, end.residue.t) = add(from.t, end.residue.t, h);
@@ -310,6 +327,9 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
             }
             self.slope = Some(Slope { q: *v, v: a });
             self.end = end;
+            self.is_noisy = is_noisy;
+        } else {
+            attempts.note(&tried);
         }
         Ok(error)
     }
@@ -365,31 +385,15 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         F: Field<R, N>,
     {
         let from = &self.end.state;
-        // The norm of a state or of its slope, for the values or one of their derivatives.
-        let norm = |part: usize, q: &[R; N], v: &[R; N]| {
-            let of = |x: R| x.part(part).largest();
-            let scale = limits.scale().of_part(part, [from, from]);
-            let mut sum = R::Lane::zero();
-            for n in 0..N {
-                let q = of(q[n]) * scale.weight(of(from.q[n]), of(from.q[n]));
-                let v = of(v[n]) * scale.weight(of(from.v[n]), of(from.v[n]));
-                sum += q * q + v * v;
-            }
-            sum.sqrt()
-        };
-        let shortest = |length: &dyn Fn(usize) -> R::Lane| {
-            R::splat((1..R::PARTS).fold(length(0), |least, part| smaller(least, length(part))))
-        };
-        let rate = |part| norm(part, &slope.q, &slope.v);
-        let probe = shortest(&|part| step_size::probe(norm(part, &from.q, &from.v), rate(part)));
-        let probe = limits.clip(probe);
+        // Below the resolution of time a guess is wrong, and says nothing about the motion.
+        let least = R::from_f64(2.0) * Self::resolution(from.t);
+        let probe = limits.clip(larger(first::probe(from, slope), least));
         let (q, v) = reach(from, direction * probe, slope);
         self.counts.evaluations += 1;
         let a = f.accelerations(from.t + direction * probe, &q, &v);
-        let [q, v] = [(v, slope.q), (a, slope.v)].map(|(to, from)| core::array::from_fn(|n| to[n] - from[n]));
-        let length = shortest(&|part| step_size::first(probe.largest(), rate(part), norm(part, &q, &v)));
+        let length = first::length(from, slope, &difference(&a, &slope.v), probe, relative(limits));
         // A probe into a singularity gives no number; the control takes it from there.
-        if length.is_finite() && length.is_positive() { limits.clip(length) } else { probe }
+        if length.is_finite() { limits.clip(larger(length, least)) } else { probe }
     }
 }
 

@@ -101,9 +101,8 @@ where
         self.system
     }
 
-    /// Tolerated local error, relative to the size of each coordinate and velocity. Default 1e-10, for `f32`
-    /// 100 ε. [`Jets`](crate::Jets) take their order from it; [`Dop853`] takes it for an absolute error
-    /// as well.
+    /// Tolerated local error, relative to the size of each coordinate and velocity in a step. Default 1e-10,
+    /// for `f32` 100 ε. [`Jets`](crate::Jets) take their order from it.
     #[inline]
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: S::Scalar) -> Self {

@@ -26,7 +26,7 @@ fn step(motion: &mut Dop853Memory<f64, 1>, h: f64) {
     motion.start = motion.end;
     motion.slopes[0] = motion.slope.unwrap_or_else(|| motion.slope_at_end(&Plain).unwrap());
     motion.dense = None;
-    assert!(motion.attempt(&Plain, &loose(), h).unwrap() < 1.0);
+    assert!(motion.attempt(&Plain, &loose(), h, &mut none()).unwrap() < 1.0);
 }
 
 fn error(steps: u32) -> f64 {
@@ -35,6 +35,11 @@ fn error(steps: u32) -> f64 {
         step(&mut motion, 4.0 / f64::from(steps));
     }
     distance(&motion.end.state, &driven(4.3))
+}
+
+/// No attempts so far.
+fn none<const N: usize>() -> Attempts<f64, N> {
+    Attempts::new(0.0, f64::EPSILON)
 }
 
 #[test]
@@ -106,7 +111,7 @@ fn a_step_does_not_end_where_accelerations_have_no_value() {
         let edge = Edge { at, furthest: core::cell::Cell::new(0.0) };
         let mut motion = Dop853Memory::new(driven(0.3));
         (motion.start, motion.slopes[0]) = (motion.end, motion.slope_at_end(&edge).unwrap());
-        let result = motion.attempt(&edge, &loose(), h);
+        let result = motion.attempt(&edge, &loose(), h, &mut none());
         (result, motion.end.state, edge.furthest.get())
     };
     let (mut found, begin) = (0, driven(0.3));
@@ -143,7 +148,8 @@ fn the_error_of_motions_side_by_side_is_that_of_one() {
     let mut both = Dop853Memory::new(State { t: one.t, q: [one.q[0]; 2], v: [one.v[0]; 2] });
     both.slopes[0] = both.slope_at_end(&Both).unwrap();
     let limits = Limits::new();
-    let errors = [single.attempt(&Plain, &limits, 0.5), both.attempt(&Both, &limits, 0.5)];
+    let errors =
+        [single.attempt(&Plain, &limits, 0.5, &mut none()), both.attempt(&Both, &limits, 0.5, &mut none())];
     let [Ok(single), Ok(both)] = errors else { panic!("{errors:?}") };
     assert!(single > 0.0 && (both / single - 1.0).abs() < 1e-14, "{single} {both}");
 }

@@ -1,0 +1,116 @@
+//! What a step of Dormand–Prince 8(5,3) may do wrong in each number, and the norm of its error.
+//!
+//! The tolerance of a number is absolute + relative · size. Its size is the largest that it has, or that its
+//! derivatives make of it, in the step: |q|, h|v| and h²|a| for a coordinate, |v| and h|a| for a velocity. So
+//! a number that passes through zero is compared with its motion, and units do not matter.
+//!
+//! Two errors stay in proportion to the motion in steps of any length: those of accelerations that are nothing
+//! but roundings, and those of jumps. [`unavoidable`](super::unavoidable) tells them; they count as none.
+//! Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.4.
+
+use num_traits::Zero;
+
+use super::super::slopes::Slope;
+use super::super::step_size;
+use crate::number::real::{Ordered, Real, larger};
+use crate::system::limits::Limits;
+use crate::system::state::State;
+
+/// A step that has been tried.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tried<'a, R, const N: usize> {
+    pub from: &'a State<R, N>,
+    pub to: &'a State<R, N>,
+    /// Slope at `from`.
+    pub slope: &'a Slope<R, N>,
+    /// Length of the step \[s], with its sign.
+    pub h: R,
+    /// Estimated errors of the mean slope, of orders 5 and 3.
+    pub estimates: [&'a Slope<R, N>; 2],
+}
+
+impl<R: Ordered, const N: usize> Tried<'_, R, N> {
+    /// The error of the step in tolerances, without what is `unavoidable` of the errors of the coordinates and
+    /// of the velocities; not finite where a number of the step is not.
+    #[inline]
+    pub fn error(&self, limits: &Limits<R>, unavoidable: &[[R::Lane; N]; 2]) -> R {
+        let mut error = R::zero();
+        for part in 0..R::PARTS {
+            let of_part = R::splat(self.error_of(part, limits, unavoidable));
+            if !of_part.is_finite() {
+                return of_part;
+            }
+            error = larger(error, of_part);
+        }
+        error
+    }
+
+    /// Root mean square of the errors of the values, or of one of their derivatives: each estimate is
+    /// h e₅² / √(e₅² + 0.01 e₃²), of order h⁸.
+    #[inline]
+    fn error_of(&self, part: usize, limits: &Limits<R>, unavoidable: &[[R::Lane; N]; 2]) -> R::Lane {
+        let of = |x: R| x.part(part).largest();
+        let h = self.length();
+        let tolerances = self.tolerances(part, limits);
+        let [fifth, third] = self.estimates.map(|estimate| [&estimate.q, &estimate.v]);
+        let (mut sum5, mut sum3) = (R::Lane::zero(), R::Lane::zero());
+        for n in 0..N {
+            for k in 0..2 {
+                let mut error = h * of(fifth[k][n]).abs();
+                if part == 0 {
+                    // The second of two that cannot be compared: NaN stays.
+                    error = larger(R::Lane::zero(), error - unavoidable[k][n]);
+                }
+                if error.is_positive() || !error.is_finite() {
+                    let (fifth, third) = (error / tolerances[k][n], h * of(third[k][n]) / tolerances[k][n]);
+                    sum5 += fifth * fifth;
+                    sum3 += third * third;
+                }
+            }
+        }
+        step_size::error(sum5, sum3, 2 * N)
+    }
+
+    /// Tolerated errors of coordinates and of velocities.
+    #[inline]
+    fn tolerances(&self, part: usize, limits: &Limits<R>) -> [[R::Lane; N]; 2] {
+        let of = |x: R| x.part(part).largest().abs();
+        let h = self.length();
+        let sizes: [_; N] = core::array::from_fn(|n| {
+            let turn = h * of(self.slope.v[n]);
+            let way = h * larger(of(self.slope.q[n]), turn);
+            let [from, to] = [self.from, self.to];
+            let size = larger(larger(of(from.q[n]), of(to.q[n])), way);
+            (size, larger(larger(of(from.v[n]), of(to.v[n])), turn))
+        });
+        let sizes = [sizes.map(|(q, _)| q), sizes.map(|(_, v)| v)];
+        let relative = relative(limits);
+        let given = limits.absolute.map(Real::largest);
+        sizes.map(|sizes| {
+            let absolute = if part == 0 {
+                given.unwrap_or_else(R::Lane::zero)
+            } else {
+                // Linear equations have no scale: an error of a derivative is one beside the whole of its
+                // column.
+                let whole = sizes.iter().fold(R::Lane::zero(), |most, &size| larger(most, size));
+                given.unwrap_or(relative) * whole
+            };
+            sizes.map(|size| larger(absolute, step_size::least()) + relative * size)
+        })
+    }
+
+    /// The length of the step without its sign.
+    #[inline]
+    pub fn length(&self) -> R::Lane {
+        self.h.largest().abs()
+    }
+}
+
+/// The relative tolerance; below rounding it means rounding.
+#[inline]
+pub(super) fn relative<R: Ordered>(limits: &Limits<R>) -> R::Lane {
+    larger(limits.relative, R::epsilon()).largest()
+}
+
+#[cfg(test)]
+mod tests;

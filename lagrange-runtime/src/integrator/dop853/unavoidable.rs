@@ -1,0 +1,134 @@
+//! Errors that no length of a step makes small beside the motion: roundings of the accelerations, and jumps.
+//!
+//! At rest on a spring that bears a weight, and across constraints, accelerations are nothing but roundings.
+//! A few ulps more or less in the state show how large those are, and a smooth motion cannot be known better
+//! than that either. They have to show at both ends of a step: a jump beside one of them is not a rounding.
+//!
+//! An error that does not fall as the step gets shorter is one of a jump. Once the step is the tolerance's part
+//! of the first attempt, what the jump changes is the tolerance's part of the motion of that attempt.
+
+use num_traits::Zero;
+
+use super::super::Field;
+use super::super::slopes::Slope;
+use super::super::tableau::dop853::{A, E5};
+use super::tolerance::Tried;
+use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::system::state::State;
+
+/// Changes of a state in ulps: of its even numbers, and of its odd ones.
+const PROBES: [[f64; 2]; 3] = [[1.0, 1.0], [-2.0, -2.0], [3.0, -3.0]];
+
+/// Evaluations that it takes to see the roundings of a step.
+pub(super) const EVALUATIONS: u64 = 2 * PROBES.len() as u64 + 1;
+
+/// The attempts at one step so far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Attempts<L, const N: usize> {
+    /// Length of the first one that was refused for its error, and its errors of the velocities over it.
+    refused: Option<(L, [L; N])>,
+    /// Length below which a step changes hardly a number \[s].
+    range: L,
+    /// The relative tolerance.
+    relative: L,
+}
+
+impl<L: Ordered, const N: usize> Attempts<L, N> {
+    pub fn new(range: L, relative: L) -> Self {
+        Self { refused: None, range, relative }
+    }
+
+    /// Whether an attempt has been refused for its error.
+    #[inline]
+    pub fn any_refused(&self) -> bool {
+        self.refused.is_some()
+    }
+
+    /// Notes an attempt that is refused for its error.
+    #[cold]
+    pub fn note<R: Ordered<Lane = L>>(&mut self, tried: &Tried<'_, R, N>) {
+        if self.refused.is_none() {
+            self.refused = Some((tried.length(), errors(tried)));
+        }
+    }
+
+    /// The jumps of the accelerations in a step, where its errors show any.
+    fn jumps<R: Ordered<Lane = L>>(&self, tried: &Tried<'_, R, N>) -> [L; N] {
+        let Some((length, first)) = self.refused else { return [L::zero(); N] };
+        let h = tried.length();
+        if h > larger(self.range, self.relative * length) {
+            return [L::zero(); N];
+        }
+        // The error of a velocity is h times this, and falls as h⁸ where accelerations are smooth, as h at
+        // jumps. Between them lies h².
+        let part = h / length;
+        let errors = errors(tried);
+        core::array::from_fn(|n| if errors[n] >= part * first[n] { errors[n] } else { L::zero() })
+    }
+
+    /// What is unavoidable of the errors of the coordinates and of the velocities in a step.
+    #[cold]
+    pub fn unavoidable<R, F>(&self, f: &F, tried: &Tried<'_, R, N>) -> [[L; N]; 2]
+    where
+        R: Ordered<Lane = L>,
+        F: Field<R, N>,
+    {
+        let (jumps, roundings) = (self.jumps(tried), roundings(f, tried));
+        let [q, v] = bounds().map(L::from_f64);
+        let h = tried.length();
+        let most: [L; N] = core::array::from_fn(|n| larger(jumps[n], roundings[n]));
+        [most.map(|a| q * h * h * a), most.map(|a| v * h * a)]
+    }
+}
+
+/// Errors of the velocities over the length of the step.
+fn errors<R: Ordered, const N: usize>(tried: &Tried<'_, R, N>) -> [R::Lane; N] {
+    tried.estimates[0].v.map(|x| x.part(0).largest().abs())
+}
+
+/// Most that accelerations of size 1 in the stages make of the estimated errors of the coordinates (by h²) and
+/// of the velocities (by h).
+fn bounds() -> [f64; 2] {
+    let [mut q, mut v] = [0.0; 2];
+    for (weight, row) in E5.iter().zip(&A) {
+        v += weight.abs();
+        q += weight.abs() * row.iter().map(|a| a.abs()).sum::<f64>();
+    }
+    [q, v]
+}
+
+/// The size of the roundings of each acceleration, as a few ulps of the state show them at both ends of a step.
+fn roundings<R: Ordered, F: Field<R, N>, const N: usize>(f: &F, tried: &Tried<'_, R, N>) -> [R::Lane; N] {
+    let (from, to, h) = (tried.from, tried.to, tried.h);
+    let at_start = changes(f, from.t, from, tried.slope, h);
+    let a = f.accelerations(from.t + h, &to.q, &to.v);
+    let at_end = changes(f, from.t + h, to, &Slope { q: to.v, v: a }, h);
+    core::array::from_fn(|n| smaller(at_start[n], at_end[n]))
+}
+
+/// The largest changes of the accelerations by a few ulps of a state with its `slope`, `h` \[s] from others.
+fn changes<R: Ordered, F: Field<R, N>, const N: usize>(
+    f: &F,
+    t: R,
+    state: &State<R, N>,
+    slope: &Slope<R, N>,
+    h: R,
+) -> [R::Lane; N] {
+    let mut most = [R::Lane::zero(); N];
+    for probe in PROBES {
+        let beside = |x: &[R; N], rate: &[R; N], n: usize| {
+            let ulp = R::epsilon() * (x[n].abs() + (h * rate[n]).abs());
+            x[n] + R::from_f64(probe[n % 2]) * ulp
+        };
+        let q = core::array::from_fn(|n| beside(&state.q, &slope.q, n));
+        let v = core::array::from_fn(|n| beside(&state.v, &slope.v, n));
+        let a = f.accelerations(t, &q, &v);
+        for n in 0..N {
+            let change = (a[n] - slope.v[n]).part(0).largest().abs();
+            if change.is_finite() {
+                most[n] = larger(most[n], change);
+            }
+        }
+    }
+    most
+}
