@@ -241,10 +241,9 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
                     R::from_f64(0.25)
                 }
             };
-            self.counts.rejected += 1;
-            repeated = true;
-            length = h.abs() * factor;
+            (length, repeated) = (h.abs() * factor, true);
             self.length = length;
+            self.counts.rejected += 1;
         }
     }
 
@@ -311,8 +310,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
         // A smooth motion needs one shorter attempt, and no look for what else is wrong.
         if error > R::one() && error.is_finite() && (self.is_noisy || attempts.any_refused()) {
             is_noisy = true;
-            self.counts.evaluations += unavoidable::EVALUATIONS;
-            error = tried.error(limits, &attempts.unavoidable(f, &tried));
+            error = attempts.avoidable_error(f, limits, &tried, &mut self.counts);
         }
         if !error.is_finite() {
             return Err(self.failed_stage(f, h));

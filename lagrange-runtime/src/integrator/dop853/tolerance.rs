@@ -10,11 +10,12 @@
 
 use num_traits::Zero;
 
+use super::super::Field;
 use super::super::slopes::Slope;
 use super::super::step_size;
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::limits::Limits;
-use crate::system::state::State;
+use crate::system::state::{State, difference};
 
 /// A step that has been tried.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +44,34 @@ impl<R: Ordered, const N: usize> Tried<'_, R, N> {
             error = larger(error, of_part);
         }
         error
+    }
+
+    /// The same of a step whose end is moved onto the constraints afterwards.
+    ///
+    /// That takes errors across the constraints away, and what it makes of them along the constraints is of
+    /// second order: they may have half of the digits. Across constraints that pin a coordinate accelerations
+    /// are nothing but roundings.
+    #[cold]
+    pub fn projected_error<F: Field<R, N>>(
+        &self,
+        f: &F,
+        limits: &Limits<R>,
+        unavoidable: &[[R::Lane; N]; 2],
+    ) -> R {
+        let along = self
+            .estimates
+            .map(|estimate| Slope { q: f.along(self.to, estimate.q), v: f.along(self.to, estimate.v) });
+        let across: [_; 2] = core::array::from_fn(|i| Slope {
+            q: difference(&self.estimates[i].q, &along[i].q),
+            v: difference(&self.estimates[i].v, &along[i].v),
+        });
+        let half = Limits { relative: larger(limits.relative, R::epsilon()).sqrt(), ..*limits };
+        let parts = [(along, limits), (across, &half)];
+        let [along, across] = parts.map(|([fifth, third], limits)| {
+            Tried { estimates: [&fifth, &third], ..*self }.error(limits, unavoidable)
+        });
+        // The second of two that cannot be compared.
+        if along.is_finite() { larger(along, across) } else { along }
     }
 
     /// Root mean square of the errors of the values, or of one of their derivatives: each estimate is

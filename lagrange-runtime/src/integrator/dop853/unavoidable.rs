@@ -14,13 +14,15 @@ use super::super::slopes::Slope;
 use super::super::tableau::dop853::{A, E5};
 use super::tolerance::Tried;
 use crate::number::real::{Ordered, Real, larger, smaller};
+use crate::system::limits::Limits;
+use crate::system::method::Steps;
 use crate::system::state::State;
 
 /// Changes of a state in ulps: of its even numbers, and of its odd ones.
 const PROBES: [[f64; 2]; 3] = [[1.0, 1.0], [-2.0, -2.0], [3.0, -3.0]];
 
 /// Evaluations that it takes to see the roundings of a step.
-pub(super) const EVALUATIONS: u64 = 2 * PROBES.len() as u64 + 1;
+const EVALUATIONS: u64 = 2 * PROBES.len() as u64 + 1;
 
 /// The attempts at one step so far.
 #[derive(Clone, Copy, Debug)]
@@ -66,9 +68,30 @@ impl<L: Ordered, const N: usize> Attempts<L, N> {
         core::array::from_fn(|n| if errors[n] >= part * first[n] { errors[n] } else { L::zero() })
     }
 
-    /// What is unavoidable of the errors of the coordinates and of the velocities in a step.
+    /// The error of a step in tolerances without what is unavoidable, which counts evaluations where the
+    /// constraints alone do not explain it.
     #[cold]
-    pub fn unavoidable<R, F>(&self, f: &F, tried: &Tried<'_, R, N>) -> [[L; N]; 2]
+    pub fn avoidable_error<R, F>(
+        &self,
+        f: &F,
+        limits: &Limits<R>,
+        tried: &Tried<'_, R, N>,
+        counts: &mut Steps,
+    ) -> R
+    where
+        R: Ordered<Lane = L>,
+        F: Field<R, N>,
+    {
+        let error = tried.projected_error(f, limits, &[[L::zero(); N]; 2]);
+        if error <= R::one() {
+            return error;
+        }
+        counts.evaluations += EVALUATIONS;
+        tried.projected_error(f, limits, &self.unavoidable(f, tried))
+    }
+
+    /// What is unavoidable of the errors of the coordinates and of the velocities in a step.
+    fn unavoidable<R, F>(&self, f: &F, tried: &Tried<'_, R, N>) -> [[L; N]; 2]
     where
         R: Ordered<Lane = L>,
         F: Field<R, N>,
