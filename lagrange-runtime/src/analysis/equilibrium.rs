@@ -10,6 +10,7 @@
 
 mod descent;
 mod newton;
+mod resolution;
 mod stability;
 mod statics;
 
@@ -87,6 +88,13 @@ pub enum EquilibriumError {
         /// The generalized force there, in its own unit.
         force: Magnitude,
     },
+    /// This coordinate is so far from zero that forces have any value between it and the next number.
+    Unresolved {
+        /// Index of the coordinate.
+        coordinate: usize,
+        /// Its name.
+        name: Name,
+    },
     /// The potential energy falls without end, or forces fade with the distance and nothing rests on the way.
     RanAway {
         /// Index of the coordinate that went furthest.
@@ -103,7 +111,9 @@ impl EquilibriumError {
         match &mut self {
             Self::Constraints(cause) => *cause = cause.named(names),
             Self::MovingConstraint { constraint, name } => *name = names.constraint(*constraint),
-            Self::Unbalanced { coordinate, name, .. } | Self::RanAway { coordinate, name } => {
+            Self::Unbalanced { coordinate, name, .. }
+            | Self::Unresolved { coordinate, name }
+            | Self::RanAway { coordinate, name } => {
                 *name = names.coordinate(*coordinate);
             }
         }
@@ -127,6 +137,12 @@ impl fmt::Display for EquilibriumError {
                  to one",
                 coordinate = Part(*coordinate, *name)
             ),
+            Self::Unresolved { coordinate, name } => write!(
+                out,
+                "no equilibrium can be told here: coordinate {coordinate} is so far from zero that forces have any value between it \
+                 and the next number; start nearer to zero",
+                coordinate = Part(*coordinate, *name)
+            ),
             Self::RanAway { coordinate, name } => write!(
                 out,
                 "no equilibrium found: the search ran away along coordinate {coordinate}, where the energy falls or the forces fade \
@@ -141,7 +157,10 @@ impl core::error::Error for EquilibriumError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
             Self::Constraints(cause) => Some(cause),
-            Self::MovingConstraint { .. } | Self::Unbalanced { .. } | Self::RanAway { .. } => None,
+            Self::MovingConstraint { .. }
+            | Self::Unbalanced { .. }
+            | Self::Unresolved { .. }
+            | Self::RanAway { .. } => None,
         }
     }
 }
@@ -267,6 +286,7 @@ where
             return Err(unbalanced(&rest));
         }
         has_gradients(&rest)?;
+        self.resolved(&rest)?;
         self.resting(&rest)?;
         Ok(Equilibrium {
             state: State::at_rest(rest.q).at_time(self.t),

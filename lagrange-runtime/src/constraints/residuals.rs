@@ -86,6 +86,21 @@ impl<R: Real, const C: usize> Residuals<R, C> {
         worst::<R, C>(|c| relative(self.values(level)[c], slopes[c])).1
     }
 
+    /// What is wrong where a search has led to a place at which a constraint has no gradient: where the
+    /// constraint is violated there, it cannot be met nearby.
+    #[cold]
+    pub(crate) fn unmet(&self, level: Level, cause: Cause) -> Cause {
+        let Cause::VanishingGradient { constraint, name } = cause else { return cause };
+        let values = self.values(level).iter().zip(self.sizes(level));
+        let ulps = R::from_f64(ULPS) * R::epsilon();
+        match values.skip(constraint).map(|(value, &size)| (value.abs(), ulps * size)).next() {
+            Some((by, rounding)) if (by - rounding).largest().is_positive() => {
+                Cause::NoConsistentState { constraint, name, by: magnitude(by.largest()) }
+            }
+            _ => cause,
+        }
+    }
+
     /// The constraint that the state is furthest from; that of a parameter which is no number cannot be told.
     #[cold]
     pub(crate) fn cause(&self, level: Level, slopes: &[R; C]) -> Cause {

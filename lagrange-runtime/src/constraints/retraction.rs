@@ -33,7 +33,7 @@ use crate::linear::{Gradients, Independence, SaddlePoint, determined};
 use crate::number::real::Real;
 use crate::system::error::Cause;
 use crate::system::metric::Metric;
-use crate::system::state::{State, difference};
+use crate::system::state::State;
 pub use project::project;
 pub(super) use project::slopes;
 
@@ -143,6 +143,7 @@ where
     fn corrections<const FAR: bool>(&mut self, system: &S, level: Level) -> Result<(), Cause> {
         let begun = self.extent(level);
         self.is_stuck = false;
+        let mut has_moved = false;
         // One row depends on no other.
         if C > 1 && !FAR && !self.nearness().is_clear() {
             self.settle(system, level);
@@ -156,7 +157,9 @@ where
             }
             if FAR {
                 self.refresh(system);
-                self.regular(system)?;
+                let regular = self.regular(system);
+                regular
+                    .map_err(|cause| if has_moved { self.residuals.unmet(level, cause) } else { cause })?;
             }
             let lack = self.residuals.values(level).map(|value| -value);
             let none = [num_traits::Zero::zero(); N];
@@ -180,6 +183,7 @@ where
             let helped = after < before;
             if helped {
                 (self.state, self.residuals, self.is_fresh) = (next, there, false);
+                has_moved = true;
                 let ulp = S::Scalar::epsilon().largest() * self.extent(level).max(begun).largest();
                 if step * (after / before) <= ulp && self.agrees(level, begun) {
                     return Ok(());
@@ -358,18 +362,6 @@ where
         let size = begun.max(self.extent(level));
         let by_state = self.slopes.map(|slope| slope * size);
         self.residuals.is_within_apart(level, part, &by_state)
-    }
-
-    /// Whether the way from the `end` of a step to here is longer than the step from `from` to its end, in
-    /// coordinates or in velocities, by more than noise.
-    fn outweighs(&self, end: &State<S::Scalar, N>, from: &State<S::Scalar, N>) -> bool {
-        let here = &self.state;
-        let apart = |a, b| self.metric.extent(&difference(a, b));
-        let noise = S::Scalar::epsilon().sqrt();
-        [(&here.q, &end.q, &from.q), (&here.v, &end.v, &from.v)].into_iter().any(|(here, end, from)| {
-            let own = apart(end, from) + noise * self.metric.extent(end);
-            (apart(here, end) - own).largest() > num_traits::Zero::zero()
-        })
     }
 
     /// How close the gradients are to depending on each other, as the factors know, or to vanishing: what the

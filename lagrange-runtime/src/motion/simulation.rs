@@ -11,7 +11,7 @@ use crate::constraints::{Constrained, Reactions};
 use crate::integrator::{Adaptive, Dop853};
 use crate::number::real::Ordered;
 pub use crate::system::control::{Control, Feedback, Held};
-use crate::system::error::{Cause, MotionError};
+use crate::system::error::{Cause, MotionError, magnitude};
 use crate::system::limits::Limits;
 pub use crate::system::method::Steps;
 use crate::system::state::State;
@@ -221,10 +221,15 @@ where
     /// Moves by `dt` \[s], backward if negative.
     ///
     /// # Errors
-    /// As [`Simulation::advance_to`].
+    /// As [`Simulation::advance_to`]; [`Cause::TimeTooCoarse`] where `dt` is lost in the sum with the time.
     #[inline]
     pub fn advance_by(&mut self, dt: S::Scalar) -> Result<&State<S::Scalar, N>, MotionError<S::Scalar>> {
-        self.advance_to(self.state.t + dt)
+        use crate::number::real::Real;
+        let (from, to) = (self.state.t, self.state.t + dt);
+        if to == from && from.is_finite() && dt != num_traits::Zero::zero() {
+            return Err(too_coarse(from, dt));
+        }
+        self.advance_to(to)
     }
 
     /// States at t + k·`dt` for k = 0, 1, 2, … from the present t on, backward if `dt` \[s] is negative.
@@ -314,6 +319,18 @@ where
     }
 }
 
+/// The error of a step that is lost in the sum with a time.
+#[cold]
+fn too_coarse<R: Ordered>(t: R, dt: R) -> MotionError<R> {
+    // Twice a step that is lost is no longer than the spacing: the first that is not lost leads to the next number.
+    let mut spacing = dt;
+    while t + spacing == t {
+        spacing += spacing;
+    }
+    let cause = Cause::TimeTooCoarse { spacing: magnitude((t + spacing - t).abs().largest()) };
+    MotionError { cause, t }
+}
+
 /// Samples of a motion at equal intervals; see [`Simulation::every`].
 #[derive(Debug)]
 pub struct Samples<'m, M, R> {
@@ -338,11 +355,14 @@ where
     fn next(&mut self) -> Option<Self::Item> {
         use crate::number::real::Real;
         let k = self.next?;
-        let result = if self.dt.is_finite() && self.dt != num_traits::Zero::zero() {
-            // A product, not a sum: the time of a late sample is as exact as that of an early one.
-            self.motion.sample(self.start + S::Scalar::from_f64(k as f64) * self.dt)
-        } else {
+        // A product, not a sum: the time of a late sample is as exact as that of an early one.
+        let t = self.start + S::Scalar::from_f64(k as f64) * self.dt;
+        let result = if !self.dt.is_finite() || self.dt == num_traits::Zero::zero() {
             Err(MotionError { cause: Cause::InvalidStep, t: self.start })
+        } else if k > 0 && t == self.motion.state.t && t.is_finite() {
+            Err(too_coarse(t, self.dt))
+        } else {
+            self.motion.sample(t)
         };
         self.next = result.is_ok().then_some(k.wrapping_add(1));
         Some(result)

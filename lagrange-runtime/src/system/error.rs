@@ -198,6 +198,11 @@ pub enum Cause {
         /// The finest relative tolerance that leads on from there.
         reachable: Magnitude,
     },
+    /// Numbers are so far apart at this time that a step or sampling interval leads back to it.
+    TimeTooCoarse {
+        /// The distance of the next time that is a number \[s].
+        spacing: Magnitude,
+    },
     /// One call took more steps than its limit.
     TooManySteps,
     /// The target time is infinite or not a number.
@@ -243,6 +248,7 @@ impl Cause {
             | Self::NoVelocities
             | Self::StepTooSmall
             | Self::ToleranceTooFine { .. }
+            | Self::TimeTooCoarse { .. }
             | Self::TooManySteps
             | Self::InvalidTime
             | Self::InvalidStep

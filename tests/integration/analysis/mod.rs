@@ -4,6 +4,7 @@ mod classical;
 mod constrained;
 mod derivatives;
 mod equilibria;
+mod far;
 mod floquet;
 mod limits;
 mod modes;

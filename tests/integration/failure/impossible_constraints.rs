@@ -132,3 +132,59 @@ fn the_centre_of_a_distance_is_named_by_everything() {
     let bad = State::at_rest([f64::NAN, 0.0]);
     assert_eq!(Rod.simulate(bad).advance_to(1.0).unwrap_err().cause, Cause::NotFinite);
 }
+
+/// A bead at a distance, and one at a square of a distance, that may be below zero.
+struct Negative {
+    length: f64,
+    square: f64,
+}
+
+#[lagrangian(coordinates = [x, y, s], jacobians)]
+impl Negative {
+    #[point(mass = 1.0)]
+    fn bob(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.x, q.y)
+    }
+
+    #[point(mass = 1.0)]
+    fn slider(&self, q: &Coordinates) -> Vector2<f64> {
+        Vector2::new(q.s, 0.0)
+    }
+
+    #[potential]
+    fn gravity(&self, q: &Coordinates) -> f64 {
+        9.81 * q.y
+    }
+
+    #[holonomic]
+    fn rod(&self, q: &Coordinates) -> f64 {
+        self.bob(q).norm() - self.length
+    }
+
+    #[holonomic]
+    fn parabola(&self, q: &Coordinates) -> f64 {
+        q.s.powi(2) - self.square
+    }
+}
+
+#[test]
+fn a_constraint_that_no_state_meets_is_named_where_a_search_ends_without_a_gradient() {
+    let bad = [((-1.0, 1.0), 0, "rod"), ((1.0, -1.0), 1, "parabola"), ((-1e-9, 1.0), 0, "rod")];
+    for ((length, square), index, which) in bad {
+        let system = Negative { length, square };
+        for guess in [[0.6, -0.8, 1.0], [0.3, 0.1, 0.4], [-2.0, 0.0, -3.0], [0.0, 1e-3, 1e-3]] {
+            let guess = State::at_rest(guess);
+            let is_named = |cause: &Cause| {
+                matches!(*cause, Cause::NoConsistentState { constraint, name, .. }
+                    if constraint == index && name == Name::new(&which))
+            };
+            let error = system.consistent(guess).unwrap_err();
+            assert!(is_named(&error.cause), "{which} {guess:?}: {error:?}");
+            for found in [system.equilibrium(guess, &[]), system.stationary_point(guess, &[])] {
+                let error = found.unwrap_err();
+                let is_right = matches!(&error, EquilibriumError::Constraints(cause) if is_named(cause));
+                assert!(is_right, "{which} {guess:?}: {error:?}");
+            }
+        }
+    }
+}

@@ -181,7 +181,7 @@ where
     }
 
     /// f + Aᵀλ.
-    fn imbalance(&self, q: &[S::Scalar; N], multipliers: &[S::Scalar; C]) -> [S::Scalar; N] {
+    pub fn imbalance(&self, q: &[S::Scalar; N], multipliers: &[S::Scalar; C]) -> [S::Scalar; N] {
         let zeros = [S::Scalar::zero(); N];
         self.system.imbalance_at(&self.constants, &self.place(q, &zeros, multipliers)).forces
     }
@@ -202,7 +202,7 @@ where
         if !S::HOLONOMIC.contains(&true) {
             return Ok(q);
         }
-        let mut q = q;
+        let (start, mut q) = (q, q);
         let mut residuals = self.system.deviations_at(self.t, &q, &none);
         for _ in 0..CORRECTIONS {
             if residuals.level_is_roundings(Level::Positions) {
@@ -233,10 +233,9 @@ where
             residuals.positions.iter().zip(rows).position(|(f, row)| f.is_finite() && !has_value(row))
         };
         if let Some(constraint) = saddle.vanishing().or_else(without_value) {
-            return Err(EquilibriumError::Constraints(Cause::VanishingGradient {
-                constraint,
-                name: Name::NONE,
-            }));
+            let cause = Cause::VanishingGradient { constraint, name: Name::NONE };
+            let found = if q == start { cause } else { residuals.unmet(Level::Positions, cause) };
+            return Err(EquilibriumError::Constraints(found));
         }
         let cause = residuals.cause(Level::Positions, &Metric::of(&*saddle).slopes(&*gradients));
         Err(EquilibriumError::Constraints(match cause {
@@ -343,7 +342,7 @@ pub(super) fn dot<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
 }
 
 /// Σ |a b|.
-fn size_of<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
+pub(super) fn size_of<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
     a.iter().zip(b).fold(R::zero(), |sum, (&a, &b)| sum + (a * b).abs())
 }
 

@@ -6,7 +6,7 @@ use crate::constraints::residuals::Level;
 use crate::linear::SaddlePoint;
 use crate::number::real::Real;
 use crate::system::error::Cause;
-use crate::system::state::State;
+use crate::system::state::{State, difference};
 
 /// Moves a state that a step has left beside the constraints onto them. A state that is on them already is
 /// left as it is.
@@ -49,6 +49,23 @@ where
     *state = retraction.state;
     slopes(system, state);
     Ok(())
+}
+
+impl<S, const N: usize, const K: usize, const C: usize> Retraction<S, N, K, C>
+where
+    S: Surface<N, K, C>,
+{
+    /// Whether the way from the `end` of a step to here is longer than the step from `from` to its end, in
+    /// coordinates or in velocities, by more than noise.
+    fn outweighs(&self, end: &State<S::Scalar, N>, from: &State<S::Scalar, N>) -> bool {
+        let here = &self.state;
+        let apart = |a, b| self.metric.extent(&difference(a, b));
+        let noise = S::Scalar::epsilon().sqrt();
+        [(&here.q, &end.q, &from.q), (&here.v, &end.v, &from.v)].into_iter().any(|(here, end, from)| {
+            let own = apart(end, from) + noise * self.metric.extent(end);
+            (apart(here, end) - own).largest() > num_traits::Zero::zero()
+        })
+    }
 }
 
 /// Moves the derivatives of a state on the constraints onto their tangent space, and leaves its values: one

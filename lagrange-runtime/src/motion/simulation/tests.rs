@@ -210,3 +210,32 @@ fn a_stepper_counts_time_without_drift() {
     }
     assert!((motion.state().t - 1000.0).abs() < 2e-13);
 }
+
+#[test]
+fn a_step_that_is_lost_in_the_time_is_an_error() {
+    use crate::system::error::Magnitude;
+    for (t, dt, spacing) in
+        [(1e17, 1.0, 16.0), (-1e17, 3.0, 16.0), (1e17, -1.0, 16.0), (1.0, 1e-17, f64::EPSILON)]
+    {
+        let start = driven(0.0).at_time(t);
+        let mut motion = Driven.simulate(start);
+        let lost = |error: &MotionError<f64>| match error.cause {
+            Cause::TimeTooCoarse { spacing: Magnitude(found) } => {
+                error.t == t && (f64::from(found) / spacing - 1.0).abs() < 1e-6
+            }
+            _ => false,
+        };
+        let error = motion.advance_by(dt).unwrap_err();
+        assert!(lost(&error), "{error:?}");
+        let mut samples = motion.every(dt);
+        assert_eq!(samples.next(), Some(Ok(start)));
+        let error = samples.next().unwrap().unwrap_err();
+        assert!(lost(&error) && samples.next().is_none(), "{error:?}");
+        assert_eq!(*motion.state(), start);
+        assert_eq!(motion.advance_by(0.0), Ok(&start));
+    }
+    // Many steps before, a time was far enough from the next.
+    let mut motion = Oscillator.simulate(State::at_rest([0.0]).at_time(9.007_199_254_740_99e15));
+    let end = motion.every(0.75).take(10).find_map(Result::err).unwrap();
+    assert!(matches!(end.cause, Cause::TimeTooCoarse { .. }) && end.t > 9.007_199_254_740_99e15, "{end:?}");
+}

@@ -159,6 +159,11 @@ impl fmt::Display for Cause {
                 "the tolerance is below what roundings leave of the state: {reachable} can be reached from here; loosen the \
                  tolerance"
             ),
+            Self::TimeTooCoarse { spacing } => write!(
+                out,
+                "the step is lost in the time: times that are numbers are {spacing} apart here; count time from nearer to the \
+                 motion, or go by longer steps"
+            ),
             Self::TooManySteps => out.write_str(
                 "too many steps in one call: advance in shorter intervals, loosen the tolerance or raise \
                  the limit with `with_max_steps`",
