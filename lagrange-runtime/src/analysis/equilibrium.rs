@@ -286,7 +286,7 @@ where
             return Err(unbalanced(&rest));
         }
         has_gradients(&rest)?;
-        self.resolved(&rest)?;
+        self.resolved(&rest, search)?;
         self.resting(&rest)?;
         Ok(Equilibrium {
             state: State::at_rest(rest.q).at_time(self.t),

@@ -53,7 +53,7 @@ fn a_coordinate_that_has_its_digits_may_be_far_from_zero() {
         assert!(off <= f64::EPSILON * phi && (rest.state.q[0] - phi).abs() < 4.0, "{phi}: {off}");
     }
     // A spring is linear over any change.
-    for (place, guess) in [(1e17, 1e17 + 64.0), (-1e200, -0.5e200), (1e17, 0.0)] {
+    for (place, guess) in [(1e17, 1e17 + 64.0), (-1e100, -0.5e100), (1e17, 0.0)] {
         let rest = Apart { stiffness: 1.0, place }.equilibrium([0.0, guess, 0.0], &[]).unwrap();
         assert!((rest.state.q[1] - place).abs() <= f64::EPSILON * place.abs(), "{:?}", rest.state);
     }

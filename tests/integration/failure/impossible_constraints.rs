@@ -169,21 +169,22 @@ impl Negative {
 
 #[test]
 fn a_constraint_that_no_state_meets_is_named_where_a_search_ends_without_a_gradient() {
-    let bad = [((-1.0, 1.0), 0, "rod"), ((1.0, -1.0), 1, "parabola"), ((-1e-9, 1.0), 0, "rod")];
+    let (rod, parabola) = (Name::new(&"rod"), Name::new(&"parabola"));
+    let bad = [((-1.0, 1.0), 0, rod), ((1.0, -1.0), 1, parabola), ((-0.1, 1.0), 0, rod)];
     for ((length, square), index, which) in bad {
         let system = Negative { length, square };
         for guess in [[0.6, -0.8, 1.0], [0.3, 0.1, 0.4], [-2.0, 0.0, -3.0], [0.0, 1e-3, 1e-3]] {
             let guess = State::at_rest(guess);
             let is_named = |cause: &Cause| {
                 matches!(*cause, Cause::NoConsistentState { constraint, name, .. }
-                    if constraint == index && name == Name::new(&which))
+                    if constraint == index && name == which)
             };
             let error = system.consistent(guess).unwrap_err();
-            assert!(is_named(&error.cause), "{which} {guess:?}: {error:?}");
+            assert!(is_named(&error.cause), "{which:?} {guess:?}: {error:?}");
             for found in [system.equilibrium(guess, &[]), system.stationary_point(guess, &[])] {
                 let error = found.unwrap_err();
                 let is_right = matches!(&error, EquilibriumError::Constraints(cause) if is_named(cause));
-                assert!(is_right, "{which} {guess:?}: {error:?}");
+                assert!(is_right, "{which:?} {guess:?}: {error:?}");
             }
         }
     }

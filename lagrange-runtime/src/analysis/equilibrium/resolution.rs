@@ -5,7 +5,10 @@
 //! no digits after the point: each turn of it, and so any force, lies between two numbers, and every guess would
 //! pass for an equilibrium.
 
+use num_traits::Zero;
+
 use super::EquilibriumError;
+use super::newton::Search;
 use super::statics::{Rest, Statics, dot, size_of};
 use crate::analysis::Tangent;
 use crate::number::real::{Ordered, Real, larger};
@@ -21,19 +24,29 @@ where
 {
     /// Refuses a place with a coordinate over whose last digits forces are not linear.
     ///
-    /// Roundings of the forces themselves are no such change. They are larger than what the last digits make
-    /// of a force where a coordinate is close to zero, so a change is tried at each scale from the last digit of
-    /// the coordinate to the coordinate itself. Where forces are smooth they are linear at one of them.
-    pub fn resolved(&self, rest: &Rest<S::Scalar, N, C>) -> Result<(), EquilibriumError> {
+    /// Forces that are left and of which the last digits of a coordinate explain less than half of the digits
+    /// come from elsewhere: from roundings of the forces themselves, or from a place beside a flat minimum.
+    /// Otherwise a change is tried at each scale from the last digit of the coordinate to the coordinate
+    /// itself, because roundings may hide a small one. Smooth forces are linear at one of these scales.
+    pub fn resolved(
+        &self,
+        rest: &Rest<S::Scalar, N, C>,
+        search: &Search<S::Scalar, N>,
+    ) -> Result<(), EquilibriumError> {
+        let least = S::Scalar::epsilon().sqrt() * search.met;
         let two = S::Scalar::from_f64(2.0);
         let by_q = self.variation(&rest.q, &rest.multipliers).by_q;
         for coordinate in 0..N {
+            let slopes = by_q.each_ref().map(|row| row[coordinate]);
+            let motions = rest.motions.vectors.iter().take(rest.motions.count);
+            let stiffest =
+                motions.fold(S::Scalar::zero(), |most, vector| larger(size_of(vector, &slopes), most));
             let far = rest.q[coordinate].abs();
             let mut change = S::Scalar::epsilon() * far;
-            let mut is_linear = change == S::Scalar::from_f64(0.0);
+            let mut is_linear = stiffest * change <= S::Scalar::epsilon().sqrt() * rest.norm;
             while !is_linear && change < far {
-                is_linear = self.are_linear(rest, &by_q, coordinate, change);
-                change = change * two * two;
+                is_linear = self.are_linear(rest, &slopes, [stiffest, least], coordinate, change);
+                change *= S::Scalar::from_f64(4.0);
             }
             if !is_linear {
                 return Err(EquilibriumError::Unresolved { coordinate, name: Name::NONE });
@@ -43,28 +56,24 @@ where
     }
 
     /// Whether forces along the motions are linear, as far as half of a change tells, where one coordinate
-    /// changes.
+    /// changes. Forces of half of the digits of those met count as none, as they do where a search ends.
     fn are_linear(
         &self,
         rest: &Rest<S::Scalar, N, C>,
-        by_q: &[[S::Scalar; N]; N],
+        slopes: &[S::Scalar; N],
+        [stiffest, least]: [S::Scalar; 2],
         coordinate: usize,
         change: S::Scalar,
     ) -> bool {
-        let half = S::Scalar::from_f64(0.5);
-        let motions = || rest.motions.vectors.iter().take(rest.motions.count);
-        let slopes = by_q.each_ref().map(|row| row[coordinate]);
-        let stiffest =
-            motions().fold(S::Scalar::from_f64(0.0), |most, vector| larger(size_of(vector, &slopes), most));
-        // Of forces that do not depend on the coordinate there is nothing to tell.
-        stiffest == S::Scalar::from_f64(0.0)
-            || PLACES.into_iter().all(|place| {
-                let mut q = rest.q;
-                q[coordinate] += S::Scalar::from_f64(place) * change;
-                let way = q[coordinate] - rest.q[coordinate];
-                let there = self.imbalance(&q, &rest.multipliers);
-                let bends = core::array::from_fn(|i| there[i] - rest.left[i] - slopes[i] * way);
-                motions().all(|vector| dot(vector, &bends).abs() <= half * stiffest * way.abs())
-            })
+        PLACES.into_iter().all(|place| {
+            let mut q = rest.q;
+            q[coordinate] += S::Scalar::from_f64(place) * change;
+            let way = q[coordinate] - rest.q[coordinate];
+            let there = self.imbalance(&q, &rest.multipliers);
+            let bends = core::array::from_fn(|i| there[i] - rest.left[i] - slopes[i] * way);
+            let most = S::Scalar::from_f64(0.5) * stiffest * way.abs();
+            let mut motions = rest.motions.vectors.iter().take(rest.motions.count);
+            motions.all(|vector| dot(vector, &bends).abs() <= most || dot(vector, &there).abs() <= least)
+        })
     }
 }
