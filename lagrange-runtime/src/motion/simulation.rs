@@ -322,7 +322,8 @@ where
 /// The error of a step that is lost in the sum with a time.
 #[cold]
 fn too_coarse<R: Ordered>(t: R, dt: R) -> MotionError<R> {
-    // Twice a step that is lost is no longer than the spacing: the first that is not lost leads to the next number.
+    // Twice a step that is lost is no longer than the spacing: the first that is not lost leads to the next
+    // number.
     let mut spacing = dt;
     while t + spacing == t {
         spacing += spacing;

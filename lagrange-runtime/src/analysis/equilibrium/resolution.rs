@@ -1,9 +1,9 @@
 //! Whether coordinates have digits enough to tell a place of rest.
 //!
 //! Forces that are left at a place count as roundings where a change of the coordinates by their last digits
-//! makes forces of that size. That holds as long as forces are linear over such a change. An angle of 10¹⁷ has
-//! no digits after the point: each turn of it, and so any force, lies between two numbers, and every guess would
-//! pass for an equilibrium.
+//! makes forces of that size. That holds as long as forces are linear over such a change. An angle of 10¹⁷
+//! has no digits after the point: each turn of it, and so any force, lies between two numbers, and every
+//! guess would pass for an equilibrium.
 
 use num_traits::Zero;
 
@@ -14,7 +14,8 @@ use crate::analysis::Tangent;
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::name::Name;
 
-/// Places that a change is tried at, in units of it. By accident forces are linear at one of them, not at all.
+/// Places that a change is tried at, in units of it. By accident forces are linear at one of them, not at
+/// all.
 const PLACES: [f64; 4] = [1.0, -1.0, 2.0, -2.0];
 
 impl<S, const N: usize, const K: usize, const C: usize> Statics<'_, S, N, K, C>
@@ -34,7 +35,6 @@ where
         search: &Search<S::Scalar, N>,
     ) -> Result<(), EquilibriumError> {
         let least = S::Scalar::epsilon().sqrt() * search.met;
-        let two = S::Scalar::from_f64(2.0);
         let by_q = self.variation(&rest.q, &rest.multipliers).by_q;
         for coordinate in 0..N {
             let slopes = by_q.each_ref().map(|row| row[coordinate]);

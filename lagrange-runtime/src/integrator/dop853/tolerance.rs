@@ -1,12 +1,12 @@
 //! What a step of Dormand–Prince 8(5,3) may do wrong in each number, and the norm of its error.
 //!
 //! The tolerance of a number is absolute + relative · size. Its size is the largest that it has, or that its
-//! derivatives make of it, in the step: |q|, h|v| and h²|a| for a coordinate, |v| and h|a| for a velocity. So
-//! a number that passes through zero is compared with its motion, and units do not matter.
+//! derivatives make of it, in the step: |q|, h|v| and h²|a| for a coordinate, |v| and h|a| for a velocity.
+//! So a number that passes through zero is compared with its motion, and units do not matter.
 //!
-//! Two errors stay in proportion to the motion in steps of any length: those of accelerations that are nothing
-//! but roundings, and those of jumps. [`unavoidable`](super::unavoidable) tells them; they count as none.
-//! Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.4.
+//! Two errors stay in proportion to the motion in steps of any length: those of accelerations that are
+//! nothing but roundings, and those of jumps. [`unavoidable`](super::unavoidable) tells them; they count as
+//! none. Hairer, Nørsett, Wanner, "Solving ODEs I", 2nd ed., II.4.
 
 use num_traits::Zero;
 
@@ -31,8 +31,8 @@ pub(super) struct Tried<'a, R, const N: usize> {
 }
 
 impl<R: Ordered, const N: usize> Tried<'_, R, N> {
-    /// The error of the step in tolerances, without what is `unavoidable` of the errors of the coordinates and
-    /// of the velocities; not finite where a number of the step is not.
+    /// The error of the step in tolerances, without what is `unavoidable` of the errors of the coordinates
+    /// and of the velocities; not finite where a number of the step is not.
     #[inline]
     pub fn error(&self, limits: &Limits<R>, unavoidable: &[[R::Lane; N]; 2]) -> R {
         let mut error = R::zero();

@@ -4,8 +4,8 @@
 //! A few ulps more or less in the state show how large those are, and a smooth motion cannot be known better
 //! than that either. They have to show at both ends of a step: a jump beside one of them is not a rounding.
 //!
-//! An error that does not fall as the step gets shorter is one of a jump. Once the step is the tolerance's part
-//! of the first attempt, what the jump changes is the tolerance's part of the motion of that attempt.
+//! An error that does not fall as the step gets shorter is one of a jump. Once the step is the tolerance's
+//! part of the first attempt, what the jump changes is the tolerance's part of the motion of that attempt.
 
 use num_traits::Zero;
 
@@ -109,8 +109,8 @@ fn errors<R: Ordered, const N: usize>(tried: &Tried<'_, R, N>) -> [R::Lane; N] {
     tried.estimates[0].v.map(|x| x.part(0).largest().abs())
 }
 
-/// Most that accelerations of size 1 in the stages make of the estimated errors of the coordinates (by h²) and
-/// of the velocities (by h).
+/// Most that accelerations of size 1 in the stages make of the estimated errors of the coordinates (by h²)
+/// and of the velocities (by h).
 fn bounds() -> [f64; 2] {
     let [mut q, mut v] = [0.0; 2];
     for (weight, row) in E5.iter().zip(&A) {
@@ -120,7 +120,8 @@ fn bounds() -> [f64; 2] {
     [q, v]
 }
 
-/// The size of the roundings of each acceleration, as a few ulps of the state show them at both ends of a step.
+/// The size of the roundings of each acceleration, as a few ulps of the state show them at both ends of a
+/// step.
 fn roundings<R: Ordered, F: Field<R, N>, const N: usize>(f: &F, tried: &Tried<'_, R, N>) -> [R::Lane; N] {
     let (from, to, h) = (tried.from, tried.to, tried.h);
     let at_start = changes(f, from.t, from, tried.slope, h);
