@@ -1,7 +1,7 @@
-//! A program as statements: what is used once stands where it is used, the rest gets a name.
+//! A program as statements. A result with one use stands where it is used, and others get names.
 //!
-//! The text is Rust; [`super::tokens`] parses it, which for large systems is many times
-//! faster than building tokens one by one in an unoptimised macro.
+//! The text is Rust. [`super::tokens`] parses it, which for large systems is many times faster than building
+//! tokens one by one in an unoptimised macro.
 
 use super::names::{Names, describe, variable_label};
 use super::scalar;
@@ -10,13 +10,13 @@ use crate::model::Model;
 use crate::schedule::{Instruction, Program, Slot};
 use crate::syntax::Scalar;
 
-/// Longer right-hand sides are split by naming their parts.
+/// The most characters of a right-hand side. Parts of longer ones get names.
 const WIDEST: usize = 84;
 
-/// Programs of more instructions spell out all types.
+/// The most instructions of a program in which types are left to inference.
 const UNTYPED: usize = 400;
 
-/// Up to this many coordinates an array of them is taken apart by name.
+/// The most coordinates of an array that is taken apart into named variables.
 pub(super) const NAMED: usize = 16;
 
 /// Binding strength of an expression.
@@ -78,8 +78,8 @@ pub(super) struct Reads {
     pub time: bool,
 }
 
-/// Writes the part of a program that the outputs need. `given` names slots that are computed
-/// elsewhere, `names` the bound results, so that no two are alike.
+/// Writes the part of a program that the outputs need. `given` has names for slots that are computed
+/// elsewhere. New names come from `names`, so that no two are alike.
 pub(super) fn write(
     model: &Model,
     scalar: &Scalar,
@@ -93,7 +93,7 @@ pub(super) fn write(
     Block { statements, outputs: writer.outputs(outputs), reads: writer.reads }
 }
 
-/// Writes a program part by part: what an earlier part has bound, later ones name.
+/// Writes a program part by part. Later parts use the names that earlier parts have bound.
 pub(super) struct Writer<'a> {
     model: &'a Model,
     scalar: &'a Scalar,
@@ -106,14 +106,14 @@ pub(super) struct Writer<'a> {
     texts: Vec<Option<Text>>,
     partner: Vec<Option<Slot>>,
     statements: Vec<String>,
-    /// Names that statements of the present part assign, where they are declared elsewhere.
+    /// The names that the present part assigns, if they are declared elsewhere.
     declared: Option<Vec<String>>,
-    /// What all parts so far read.
+    /// The variables that all parts so far read.
     pub reads: Reads,
 }
 
 impl<'a> Writer<'a> {
-    /// For the outputs of all parts.
+    /// A writer for the outputs of all parts.
     pub fn new(
         model: &'a Model,
         scalar: &'a Scalar,
@@ -125,7 +125,7 @@ impl<'a> Writer<'a> {
         for (slot, name) in given {
             texts[slot.index()] = Some(Text { text: name.clone(), strength: Strength::Atom });
         }
-        // Walk from the outputs, but not into what is given.
+        // The walk from the outputs ends at what is given.
         let mut uses = vec![0; program.len()];
         let mut is_output = vec![false; program.len()];
         for &slot in outputs {
@@ -170,17 +170,17 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Has a result bound to a name, or to nothing more than a name.
+    /// Gives each of these results a name, unless its text is but a name.
     pub fn bind_always(&mut self, slots: &[Slot]) {
         slots.iter().for_each(|slot| self.is_bound[slot.index()] = true);
     }
 
-    /// Prefers a name to the one that follows from the instruction.
+    /// Prefers a name to the one made from the instruction.
     pub fn wish(&mut self, slot: Slot, name: impl FnOnce() -> String) {
         self.wishes[slot.index()].get_or_insert_with(name);
     }
 
-    /// The statements that some of the outputs need beyond those that are written.
+    /// The statements that some of the outputs need and no earlier part has.
     pub fn part(&mut self, outputs: &[Slot], names: &mut Names) -> Vec<String> {
         for slot in reached(self.program, outputs, &self.texts) {
             self.visit(slot, names);
@@ -188,7 +188,7 @@ impl<'a> Writer<'a> {
         std::mem::take(&mut self.statements)
     }
 
-    /// The same as assignments, behind the names that they assign.
+    /// The same as assignments, with the names that they assign.
     pub fn assigned(&mut self, outputs: &[Slot], names: &mut Names) -> (Vec<String>, Vec<String>) {
         self.declared = Some(Vec::new());
         let statements = self.part(outputs, names);
@@ -216,12 +216,12 @@ impl<'a> Writer<'a> {
         slots.iter().map(|&slot| self.output(slot)).collect()
     }
 
-    /// Whether any part needs a result.
+    /// Whether a part needs a result.
     pub fn needs(&self, slot: Slot) -> bool {
         self.uses[slot.index()] > 0
     }
 
-    /// `: type`, where types are spelled out.
+    /// `: type`, if types are spelled out.
     pub fn annotation(&self) -> String {
         if self.typed { format!(": {}", self.scalar) } else { String::new() }
     }
@@ -297,7 +297,7 @@ impl<'a> Writer<'a> {
             Instruction::Sqrt(a) => self.call("sqrt", &[a]),
             Instruction::Recip(a) => self.call("recip", &[a]),
             Instruction::MulAdd(a, b, c) => self.call("mul_add", &[a, b, c]),
-            // By the name that was given for it.
+            // The writer has the name that was given for it.
             Instruction::Given(_) => Text { text: String::new(), strength: Strength::Atom },
             Instruction::Unary(function, a) => self.call(function.name(), &[a]),
             Instruction::Binary(Binary::Pivot, a, b) => {
@@ -349,7 +349,7 @@ impl<'a> Writer<'a> {
     }
 }
 
-/// What some outputs need, not looking into what has a text, ascending.
+/// The slots that some outputs need, ascending. The walk ends at slots with a text.
 fn reached(program: &Program, outputs: &[Slot], texts: &[Option<Text>]) -> Vec<Slot> {
     let mut member = vec![false; program.len()];
     let mut stack = outputs.to_vec();

@@ -10,14 +10,15 @@ use crate::schedule::{Program, Slot, plan};
 use crate::simplify::simplify;
 use crate::syntax::Scalar;
 
-/// Where a body finds its variables.
+/// The variables that a body is made of.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Source {
-    /// `state` and, where needed, `inputs`.
+    /// `state`, and `inputs` if it has any.
     State,
     /// References `q`, `v`, `u` and the value `t`.
     Slices,
-    /// The same over numbers of another kind, with parameters made of those of `__in_regime` by `__number`.
+    /// `q`, `v`, `u` and `t` of numbers of another kind. `__number` makes parameters of those of
+    /// `__in_regime`.
     Numbers,
 }
 
@@ -38,7 +39,7 @@ pub(super) fn plain(
     imported(text)
 }
 
-/// A body that computes some nodes of a state's numbers, written in the cheapest way that is known.
+/// A body that computes some nodes from a state. The nodes are simplified first.
 pub(super) fn simplified(
     emission: &mut Emission<'_>,
     nodes: &[NodeId],
@@ -48,7 +49,8 @@ pub(super) fn simplified(
     plain(emission.model, &emission.scalar, &nodes, Source::Slices, result)
 }
 
-/// The fixed part of a program: names for what is hoisted, and the body that computes it.
+/// The part of a program that depends on parameters alone: names of the results that others need, and the
+/// body.
 pub(super) fn constants(
     model: &Model,
     scalar: &Scalar,
@@ -68,8 +70,8 @@ pub(super) fn assemble(block: &Block) -> String {
     block.statements.iter().map(|statement| format!("{statement}\n")).collect()
 }
 
-/// Larger matrices are filled row by row in functions of their own: in one straight line of
-/// thousands of statements the compiler's vectoriser takes quadratic time.
+/// The most rows of a matrix that is filled in line. Larger ones are filled row by row, each by a function of
+/// its own, since the compiler's vectoriser takes quadratic time for thousands of statements in a row.
 const OUTLINED: usize = 32;
 
 /// Statements that fill `mass` with a lower triangle, given row by row.
@@ -97,12 +99,12 @@ pub(super) fn lower_triangle(scalar: &Scalar, count: usize, entries: &[String]) 
     text
 }
 
-/// Bodies that call functions of the scalar import the trait.
+/// A body with the import of the scalar's trait, if it calls functions of the scalar.
 pub(super) fn imported(text: String) -> String {
     if text.contains("Real::") { format!("use lagrange::Real;\n{text}") } else { text }
 }
 
-/// The statements that take the variables apart; what is not read is not named.
+/// The statements that take the variables apart. Variables that are not read get no name.
 pub(super) fn prologue(model: &Model, scalar: &Scalar, reads: &Reads, source: Source) -> String {
     let (q, v, u) = match source {
         Source::State => ("state.q", "state.v", "*inputs"),
@@ -127,8 +129,8 @@ pub(super) fn prologue(model: &Model, scalar: &Scalar, reads: &Reads, source: So
     text + &given(model, scalar, reads, source)
 }
 
-/// A local variable for each parameter that is read: the user's expression stands in the source
-/// once a body, with its span, so that one of a wrong type is one error, on that expression.
+/// A local variable for each parameter that is read. So the user's expression, with its span, stands once in
+/// a body, and a wrong type is one error on that expression.
 pub(super) fn parameters(model: &Model, scalar: &Scalar, reads: &Reads) -> String {
     given(model, scalar, reads, Source::Slices)
 }

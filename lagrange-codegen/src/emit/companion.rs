@@ -1,5 +1,5 @@
-//! A struct of numbers that stands in for a system: for its motions with derivatives, and for one regime of a
-//! system that switches.
+//! A struct of numbers in place of a system. Motions with derivatives run on one, and each regime of a system
+//! that switches is one.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -12,7 +12,7 @@ use crate::syntax::Scalar;
 /// The items of `System` of a system with contacts, from those that define its constants.
 pub(super) type Contacts<'a> = dyn Fn(&Emission<'_>, &str) -> String + 'a;
 
-/// The type parameter of systems that are emitted once more over any scalar.
+/// The type parameter for the scalar of a system that is emitted over any scalar.
 pub(super) fn any(own: &Scalar) -> Scalar {
     Scalar::Generic(match own {
         Scalar::Generic(ident) => ident.clone(),
@@ -21,7 +21,7 @@ pub(super) fn any(own: &Scalar) -> Scalar {
 }
 
 /// A struct of numbers for all parameters, with the implementations of the system. `constrained` gives the
-/// items of `Constrained`, none if that is not implemented.
+/// items of `Constrained`, `None` if the system does not implement it.
 pub(super) fn companion(
     emission: &mut Emission<'_>,
     name: &str,

@@ -1,12 +1,12 @@
-//! Doc comments of generated items: what is computed, and its equation where that is short.
+//! Doc comments of generated items: what an item computes, with its equation if that is short.
 
 use crate::expr::{NodeId, Variable};
 use crate::model::Model;
 
-/// Longer equations are left to the code itself.
+/// The most characters of an equation in a doc comment.
 const WIDEST: usize = 120;
 
-/// An equation for each of several nodes, as a list; empty where one of them is too long.
+/// An equation for each of several nodes, as a list; empty if one of them is too long.
 pub(super) fn equations(model: &Model, symbol: &str, nodes: &[NodeId]) -> String {
     let mut lines = String::new();
     for (quantity, &node) in model.coordinates.iter().zip(nodes) {
@@ -17,7 +17,7 @@ pub(super) fn equations(model: &Model, symbol: &str, nodes: &[NodeId]) -> String
     format!("\n{lines}")
 }
 
-/// An equation for each constraint, as a list; empty where one of them is too long.
+/// An equation for each constraint, as a list; empty if one of them is too long.
 pub(super) fn constraints(model: &Model, symbol: &str, nodes: &[NodeId]) -> String {
     let mut lines = String::new();
     for (constraint, &node) in model.constraints.iter().zip(nodes) {
@@ -27,7 +27,7 @@ pub(super) fn constraints(model: &Model, symbol: &str, nodes: &[NodeId]) -> Stri
     format!("\n{lines}")
 }
 
-/// `symbol = expression`; empty where that is too long.
+/// `symbol = expression`; empty if that is too long.
 pub(super) fn equation(model: &Model, symbol: &str, node: NodeId) -> String {
     expression(model, node).map_or(String::new(), |text| format!("\n\n`{symbol} = {text}`"))
 }
@@ -42,7 +42,7 @@ pub(super) fn named(model: &Model, nodes: impl Iterator<Item = (String, NodeId)>
 
 /// A short expression in the user's names.
 fn expression(model: &Model, node: NodeId) -> Option<String> {
-    // Printing writes shared parts out each time, so the size is checked before.
+    // Shared parts are printed at each use, so the size is checked first.
     if model.graph.cone([node]).len() > WIDEST / 2 || model.graph.tree_size(node) > WIDEST as u64 {
         return None;
     }

@@ -1,7 +1,7 @@
-//! Methods that give the named quantities of a state, where these are not its numbers: coordinates that
-//! constraints have eliminated, orientations and angular velocities.
+//! Methods that give the declared quantities of a state, if its numbers are others: with coordinates that
+//! constraints eliminate, and with orientations.
 //!
-//! The user's functions take all declared coordinates; a state holds the numbers of those that are left.
+//! The user's functions take all declared coordinates. A state holds numbers for the remaining ones.
 
 use super::Emission;
 use super::body::{self, Source};
@@ -15,7 +15,7 @@ use crate::syntax::item::Kind;
 /// The methods.
 pub(crate) const METHODS: [&str; 2] = ["coordinates", "velocities"];
 
-/// `coordinates` and `velocities`; nothing where they are the numbers of a state.
+/// `coordinates` and `velocities`; nothing if a state holds just these.
 pub(super) fn completions(emission: &mut Emission<'_>) -> String {
     if emission.is_state_complete() {
         return String::new();
@@ -60,7 +60,7 @@ fn completion(emission: &mut Emission<'_>, record: Record) -> String {
     methods::method(&doc, &signature, &body)
 }
 
-/// Puts angular velocities in the places of what a state holds of them.
+/// Replaces the rates of orientations by angular velocities.
 fn angular(emission: &mut Emission<'_>, velocities: &mut [NodeId]) {
     let coordinates = declared(emission, Record::Coordinates);
     let mut first = 0;

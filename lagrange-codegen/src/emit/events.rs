@@ -8,17 +8,17 @@ use super::body::{self, Source};
 use crate::syntax::Item;
 use crate::syntax::item::{Function, RoleKind};
 
-/// What is emitted.
+/// The emitted items.
 pub(super) struct Items {
     /// Hidden methods of the system, as text.
     pub methods: String,
     /// The enum of all events.
     pub named: Option<TokenStream>,
-    /// What makes it a guard.
+    /// The implementations that make the enum a guard.
     pub guards: Option<TokenStream>,
 }
 
-/// All items; nothing of a system without events.
+/// All items; none for a system without events.
 pub(super) fn events(emission: &Emission<'_>) -> Items {
     let events = &emission.model.events;
     if events.is_empty() {
@@ -52,7 +52,7 @@ pub(super) fn stubs(item: &Item, count: usize) -> (Option<TokenStream>, Option<T
     (any.then(|| named(item, &names)), any.then(|| guard(item, count, &quote!(loop {}))))
 }
 
-/// What makes the enum a guard.
+/// The implementations that make the enum a guard.
 fn guard(item: &Item, count: usize, body: &TokenStream) -> TokenStream {
     let Item { self_ty, generics, .. } = item;
     let scalar: TokenStream = item.scalar.to_string().parse().unwrap_or_default();

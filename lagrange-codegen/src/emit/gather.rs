@@ -1,12 +1,12 @@
-//! Long rows of `let` statements as few.
+//! Long runs of `let` statements, gathered into few.
 //!
-//! To the compiler every `let` opens a scope that holds the rest of the function. Thousands of them, one in
-//! the other, overflow its stack when it writes debug information. A group of them is one `let` of a tuple.
+//! To the compiler every `let` opens a scope that holds the rest of the function. Thousands of nested scopes
+//! overflow its stack when it writes debug information. A group is one `let` of a tuple.
 
-/// Statements in one group, which is also how many must stand in a row for groups to be made.
+/// Statements in a group. Shorter runs stay as they are.
 const GROUP: usize = 64;
 
-/// The statements, a line each, with long rows of `let name: type = value;` grouped.
+/// The statements, a line each, with long runs of `let name: type = value;` in groups.
 pub(super) fn gather(text: &str) -> String {
     let mut gathered = String::with_capacity(text.len());
     let mut row: Vec<(&str, &str)> = Vec::new();
@@ -23,7 +23,7 @@ pub(super) fn gather(text: &str) -> String {
     gathered
 }
 
-/// The name that a line binds, with its `mut`; none if the line does anything else.
+/// The name that a line binds, with its `mut`; `None` for any other line.
 fn binding(line: &str) -> Option<&str> {
     let (name, rest) = line.strip_prefix("let ")?.split_once(": ")?;
     let bare = name.strip_prefix("mut ").unwrap_or(name);
@@ -44,7 +44,7 @@ fn flush(row: &mut Vec<(&str, &str)>, gathered: &mut String) {
         let names: Vec<&str> = group.iter().map(|(name, _)| *name).collect();
         let values: Vec<&str> = names.iter().map(|name| name.strip_prefix("mut ").unwrap_or(name)).collect();
         gathered.push_str(&format!("let ({}) = {{\n", names.join(", ")));
-        // Inside the group nothing is assigned to, so nothing is mutable.
+        // Inside a group nothing is assigned to, so `mut` goes.
         group.iter().for_each(|(_, line)| gathered.push_str(&line.replacen("let mut ", "let ", 1)));
         gathered.push_str(&format!("({})\n}};\n", values.join(", ")));
     }

@@ -1,5 +1,5 @@
-//! The implementations of the runtime's `Linearized`, `Tangent` and `Parametric`, where the attribute asks
-//! for them.
+//! The implementations of the runtime's `Linearized`, `Tangent` and `Parametric`, which the attribute's
+//! `jacobians` adds.
 
 use super::body::{self, Source};
 use super::names::{Names, name_accelerations};
@@ -10,22 +10,23 @@ use crate::model::ConstraintKind;
 use crate::schedule::plan;
 use crate::simplify::simplify;
 
-/// Larger matrices are filled row by row in functions of their own.
+/// The most rows of a matrix that is filled in line. Larger ones are filled row by row, each by a function of
+/// its own.
 const OUTLINED: usize = 32;
 
 /// The items of the traits as text.
 pub(super) struct Items {
-    /// Of `Linearized`.
+    /// The items of `Linearized`.
     pub linearized: String,
-    /// Where bodies hang on each other, `Carried`.
+    /// The implementation of `Carried`, if the bodies of the system carry each other.
     pub carried: Option<screws::Carried>,
-    /// Of `Tangent`.
+    /// The items of `Tangent`.
     pub tangent: String,
-    /// Of `Parametric`.
+    /// The items of `Parametric`.
     pub parametric: String,
 }
 
-/// All of them.
+/// All implementations.
 pub(super) fn linearization(emission: &mut Emission<'_>) -> Items {
     name_accelerations(emission.model);
     let derived = Linearization::of(emission.model, emission.equations);
@@ -59,7 +60,7 @@ impl Signature {
     }
 }
 
-/// Without constraints.
+/// The items of a system without constraints.
 fn free(
     emission: &mut Emission<'_>,
     derived: Linearization,
@@ -144,7 +145,8 @@ fn dense(zero: &str, count: usize, values: &[String]) -> String {
     text + "matrices"
 }
 
-/// With constraints: `Linearized` is that of the accelerations with the multipliers solved for.
+/// The items of a system with constraints. Its `Linearized` is that of the accelerations, with the
+/// multipliers solved for.
 fn constrained(emission: &mut Emission<'_>, derived: Linearization) -> (String, String) {
     let Linearization { forces, by_u, conditions, rates_by_q, .. } = derived;
     let (count, inputs, held) =
@@ -308,13 +310,13 @@ fn at_place(
     body::imported(text)
 }
 
-/// Statements that fill one of the vectors; what is zero stays.
+/// Statements that fill one of the vectors. Zeros are left as they are.
 fn column(name: &str, zero: &str, entries: &[String]) -> String {
     let filled = entries.iter().enumerate().filter(|(_, entry)| *entry != zero);
     filled.map(|(i, entry)| format!("matrices.{name}[{i}] = {entry};\n")).collect()
 }
 
-/// Statements that fill one of the matrices; what is zero stays.
+/// Statements that fill one of the matrices. Zeros are left as they are.
 fn matrix(name: &str, zero: &str, count: usize, entries: &[String]) -> String {
     let mut text = String::new();
     for (i, row) in entries.chunks(count).enumerate() {

@@ -1,5 +1,4 @@
-//! What rustc has to confirm of the reading: the macro takes names for what they usually mean, the compiler
-//! knows.
+//! Checks of meanings by rustc: the macro assumes what names usually mean, and the compiler knows.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -9,11 +8,12 @@ use crate::diagnostics::Diagnostics;
 use crate::model::Model;
 use crate::syntax::{Group, Item};
 
-/// A function that is never called and compiles only if names mean what they were taken for. What does not
-/// fit is reported where the user wrote it.
+/// A function that is never called and compiles only if names mean what the macro assumes. A difference is
+/// reported where the user wrote the name.
 pub(super) fn meanings(item: &Item, model: &Model, diagnostics: &Diagnostics) -> TokenStream {
-    // A local variable of generated code cannot have the name of a constant or of a unit struct. It is never
-    // in capitals.
+    // A local variable of generated code may not have the name of a constant or of a unit struct. Those are
+    // `name @ _` does not compile if a constant or a unit struct has the name, which a local variable of
+    // generated code may not have. A name with capitals is written otherwise there.
     let small = |group: &&Group| !group.name().contains(char::is_uppercase);
     let groups = item.coordinates.iter().chain(&item.inputs).filter(small);
     let declared = groups.map(|Group { ident, .. }| quote!(let #ident @ _ = ();));

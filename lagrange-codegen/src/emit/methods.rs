@@ -1,4 +1,4 @@
-//! The inherent methods: each is usable on its own, and what is not called is not linked.
+//! The inherent methods. Each is usable on its own, and those that a program does not call are not linked.
 
 use super::body::{self, Source};
 use super::equations::Sides;
@@ -15,7 +15,7 @@ pub(super) fn method(doc: &str, signature: &str, body: &str) -> String {
     format!("#[doc = {doc:?}]\n#[inline]\npub fn {signature} {{\n{body}\n}}\n")
 }
 
-/// All inherent methods, and what the equations consist of.
+/// All inherent methods, and the vectors of the equations.
 pub(super) fn methods(emission: &mut Emission<'_>) -> (String, Sides) {
     let mut text = accelerations(emission);
     text.push_str(&mass_matrix(emission));
@@ -38,7 +38,7 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> (String, Sides) {
     }
     let (momenta, _) = vector(emission, "momenta", "Generalized momenta p = ∂L/∂v.", "p", &equations.momenta);
     text.push_str(&momenta);
-    // With T and V apart the energy is their sum; the compiler shares what the two have in common.
+    // Without a Lagrangian the energy is the sum of T and V, whose common parts the compiler shares.
     let whole = (!emission.model.lagrangian.is_empty()).then_some(equations.energy);
     for (name, doc, symbol, node) in [
         ("kinetic_energy", "Kinetic energy T \\[J\\].", "T", Some(equations.kinetic_energy)),
@@ -68,7 +68,7 @@ pub(super) fn methods(emission: &mut Emission<'_>) -> (String, Sides) {
     (text, sides)
 }
 
-/// The parameters after `&self`, with the inputs where the nodes need them.
+/// The parameters after `&self`, with the inputs if the nodes need them.
 pub(super) fn arguments(emission: &Emission<'_>, nodes: &[NodeId]) -> String {
     let graph = &emission.model.graph;
     let uses = |kind| nodes.iter().any(|&node| graph.dependence(node).meets(kind));

@@ -1,4 +1,4 @@
-//! Tokens of the expansion, in the order they stand in it.
+//! The tokens of the expansion, in their order.
 
 mod analysis;
 mod block;
@@ -52,24 +52,24 @@ pub(crate) use methods::METHODS;
 pub(crate) use oriented::METHOD as STATE_METHOD;
 pub(crate) use stubs::stubs;
 
-/// Everything that emission reads; the graph grows while it simplifies.
+/// What emission reads. The graph grows while expressions are simplified.
 pub(crate) struct Emission<'a> {
     pub item: &'a Item,
-    /// The scalar that code is being emitted for.
+    /// The scalar of the emitted code.
     pub scalar: Scalar,
-    /// Whether that code is the system over any scalar, with which lanes of an ensemble run.
+    /// Whether the code is that over any scalar, which lanes of an ensemble run on.
     pub is_over: bool,
     pub model: &'a mut Model,
     pub equations: &'a Equations,
-    /// The same as the motion is solved for: with orientations by angular velocities.
+    /// The equations that a motion solves: with orientations, those for angular velocities.
     pub solved: &'a Equations,
     pub facts: &'a Facts,
     pub solution: &'a Solution,
     /// The recurrences of a smooth system.
     pub jets: Option<&'a Jets>,
-    /// Their operations.
+    /// The operations of an order.
     pub orders: Option<&'a Expansions>,
-    /// The integrator, where it is another one than that of a smooth system or of one that is not.
+    /// The integrator, if neither that of smooth systems nor that of others.
     pub method: Option<String>,
 }
 
@@ -130,7 +130,7 @@ pub(crate) fn emit(
     let (mut methods, sides) = methods::methods(&mut emission);
     if surface.is_some() {
         methods.push_str(&match has_contacts {
-            // Of what else there is contacts have a say.
+            // The other methods of constraints depend on the contacts.
             true => constraints::consistent(&emission),
             false => constraints::methods(&mut emission),
         });
@@ -141,7 +141,7 @@ pub(crate) fn emit(
     let report = report::report(&emission, switching.as_ref(), before, after);
     let smooth = emission.jets.zip(emission.orders);
     let smooth = smooth.map(|(jets, orders)| jets::jets(&mut emission, jets, orders));
-    // Kinks that do not stand in the equations of motion leave a smooth system.
+    // A system whose kinks stand outside the equations of motion is smooth.
     let steps = switching.as_ref().filter(|_| has_contacts || smooth.is_none());
     let steps = steps.and_then(|switching| steps::steps(&emission, switching));
     let asked = emission.item.jacobians;
@@ -353,7 +353,7 @@ pub(crate) fn emit(
     }
 }
 
-/// The constants `NAMES` and, where there are any, `ORIENTATIONS` as text.
+/// The constants `NAMES` and, if there are orientations, `ORIENTATIONS` as text.
 fn names_of_parts(model: &Model) -> String {
     let coordinates: Vec<String> = model.coordinates.iter().map(|quantity| quantity.written()).collect();
     let constraints: Vec<String> = model.constraints.iter().map(|constraint| constraint.written()).collect();

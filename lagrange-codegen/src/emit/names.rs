@@ -6,13 +6,13 @@ use crate::expr::{Unary, Variable};
 use crate::model::{Constraint, Locals, Model, Parameter, Quantity};
 use crate::schedule::{Instruction, Program, Slot};
 
-/// Longer descriptions are replaced by a numbered name.
+/// The most characters of a name that describes an expression. Longer ones are numbered instead.
 const LONGEST: usize = 26;
 
-/// So much more may say what is meant of what is described.
+/// The most characters that may be added to say what is meant of the described expression.
 const SUFFIX: usize = 16;
 
-/// Names that generated bodies use for something else.
+/// Names that generated bodies use otherwise.
 const RESERVED: &[&str] = &[
     "state",
     "inputs",
@@ -53,14 +53,14 @@ const RESERVED: &[&str] = &[
     "Self",
 ];
 
-/// Gives every name once.
+/// Gives each name once.
 pub(super) struct Names {
     taken: BTreeSet<String>,
     anonymous: usize,
 }
 
 impl Names {
-    /// With the names of all variables taken.
+    /// Names that are free but for those of all variables and the reserved ones.
     pub fn new(model: &Model) -> Names {
         let mut names = Names { taken: RESERVED.iter().map(|&name| name.to_owned()).collect(), anonymous: 0 };
         let Locals { coordinates, velocities, accelerations, inputs, parameters, multipliers, .. } =
@@ -99,12 +99,12 @@ impl Names {
     }
 }
 
-/// The local names of all variables: the user's own where they can be, no two alike, and none that a
-/// body uses for something else.
+/// The local names of all variables: the user's own if possible, no two alike, and none that a body uses
+/// otherwise.
 pub(super) fn locals(model: &Model) -> Locals {
     let mut taken: BTreeSet<String> = RESERVED.iter().map(|&name| name.to_owned()).collect();
     let mut claim = |label: String| {
-        // In a pattern, the name of a constant would be compared with instead of bound.
+        // In a pattern, a constant's name would be compared with instead of bound.
         let label = if label.chars().any(char::is_lowercase) { label } else { label.to_lowercase() };
         let free = |name: &String| !taken.contains(name) && !is_keyword(name);
         let numbered = (2..).map(|n| format!("{label}_{n}"));
@@ -138,7 +138,7 @@ pub(super) fn locals(model: &Model) -> Locals {
     }
 }
 
-/// Gives names to the accelerations as well, for bodies that are given them.
+/// Gives names to the accelerations, too, for bodies that take them.
 pub(super) fn name_accelerations(model: &mut Model) {
     let mut names = Names::new(model);
     let claim = |quantity: &Quantity| names.claim(Some(format!("{}_ddot", quantity.label())));
@@ -161,9 +161,9 @@ pub(super) fn variable_label(model: &Model, variable: Variable) -> String {
     }
 }
 
-/// A name that says what an instruction computes; `None` where it would be too long.
+/// A name that tells what an instruction computes; `None` if it would be too long.
 pub(super) fn describe(model: &Model, program: &Program, slot: Slot, depth: u32) -> Option<String> {
-    // Sines and cosines are best known by their angle.
+    // A sine or cosine is named by its angle.
     let is_trigonometric = matches!(program.instruction(slot), Instruction::Unary(Unary::Sin | Unary::Cos, a) if program.instruction(a).is_leaf());
     if let Some(node) = program.source(slot)
         && !is_trigonometric
@@ -193,7 +193,7 @@ pub(super) fn describe(model: &Model, program: &Program, slot: Slot, depth: u32)
     (name.len() <= LONGEST).then_some(name)
 }
 
-/// The wish with everything that an identifier cannot contain replaced.
+/// The wish, with each character replaced that an identifier cannot have.
 fn identifier(wish: &str) -> String {
     let mut name = String::with_capacity(wish.len());
     for c in wish.chars() {

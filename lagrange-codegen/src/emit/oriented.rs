@@ -1,5 +1,5 @@
-//! Records and methods of systems with orientations: what a state holds as three numbers is a quaternion by
-//! name, and its velocity the angular velocity.
+//! Records and methods of systems with orientations. A state holds three numbers of each; the records have a
+//! quaternion and the angular velocity.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -11,7 +11,7 @@ use crate::syntax::{Group, Item, Record};
 /// Builds a state from named quantities.
 pub(crate) const METHOD: &str = "state";
 
-/// One element of a group: its numbers among all, and how a program writes it.
+/// One element of a group: its numbers in a state, and the Rust text of its field.
 struct Element {
     kind: Kind,
     numbers: Vec<Ident>,
@@ -66,7 +66,7 @@ pub(super) fn conversions(item: &Item, record: Record) -> TokenStream {
     });
     let bound = quote!(impl<R: #path::__private::Real>);
     let (source, numbers_of) = match record {
-        // What a state holds of velocities depends on the coordinates.
+        // The rates in a state depend on the coordinates, too.
         Record::Velocities => {
             let rates = elements.iter().map(|Element { kind, numbers, place }| {
                 let rates = match kind {
@@ -78,7 +78,7 @@ pub(super) fn conversions(item: &Item, record: Record) -> TokenStream {
             });
             let numbers_of = quote! {
                 #bound #name<R> {
-                    /// What a state holds of these velocities at coordinates of it.
+                    /// The rates in a state that these velocities mean, at the coordinates of the state.
                     #[doc(hidden)]
                     #[allow(unused_variables)]
                     pub fn __rates(&self, [#(#all),*]: [R; #count]) -> [R; #count] {
@@ -124,7 +124,7 @@ pub(super) fn conversions(item: &Item, record: Record) -> TokenStream {
     }
 }
 
-/// `state`, as text. Of what constraints have eliminated the state holds nothing.
+/// `state`, as text. A state holds nothing of coordinates that constraints eliminate.
 pub(super) fn state(emission: &Emission<'_>) -> String {
     let item = emission.item;
     if !item.has_orientations() {

@@ -1,8 +1,8 @@
-//! The same equations over any scalar, with numbers of it for the user's parameters: what a motion with
-//! derivatives runs on.
+//! The same equations over any scalar, with numbers in place of the user's parameters. Motions with
+//! derivatives run on them.
 //!
 //! The code is that of the system, with a type parameter for the scalar. The user's expressions are evaluated
-//! once, where such a system is made.
+//! once, when such a system is made.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -12,17 +12,17 @@ use super::tokens::{Parameters, placeholder};
 use super::{Emission, constraints, regimes};
 use crate::regimes::Regimes;
 
-/// The struct, which no one names.
+/// The name of the struct, which no user writes.
 pub(super) const NAME: &str = "__Over";
 
-/// The type parameter of the conversion: no user's generics have its name.
+/// The type parameter of the conversion, a name that no user's generics have.
 const OTHER: &str = "__Other";
 
-/// Directions that a motion carries at once, at most: more of them share less of the work on the values,
-/// since one value serves eight already, and the tables of their series leave the caches.
+/// The most directions that a motion carries at once. Eight share the work on the values well enough, and
+/// with more the tables of their series leave the caches.
 const AT_ONCE: usize = 8;
 
-/// In how many directions at once a system is differentiated, so that all passes are alike.
+/// The directions of one pass, such that all passes have about as many.
 pub(super) fn directions(count: usize, parameters: usize) -> usize {
     let all = 2 * count + parameters;
     all.div_ceil(all.div_ceil(AT_ONCE).max(1))
@@ -40,7 +40,7 @@ pub(super) fn over(emission: &mut Emission<'_>, switching: Option<&mut Regimes>)
     items
 }
 
-/// The same of a system whose equations switch.
+/// The struct of a system whose equations switch.
 fn switched(emission: &mut Emission<'_>, switching: &mut Regimes) -> TokenStream {
     let constrained = |emission: &Emission<'_>| constraints::implementations(emission);
     let none = |_: &Emission<'_>| String::new();
@@ -68,7 +68,7 @@ fn switched(emission: &mut Emission<'_>, switching: &mut Regimes) -> TokenStream
     }
 }
 
-/// The items of `Sensitive`: the parameters, and what makes such a system from the user's.
+/// The items of `Sensitive`: the parameters, and the conversion of the user's system into the struct.
 pub(super) fn sensitive(emission: &Emission<'_>) -> String {
     let model = &*emission.model;
     let (mut values, mut numbers) = (String::new(), Vec::new());

@@ -1,20 +1,20 @@
-//! What a step computes for each block of the mass matrix, as lists: nodes to plan, slots to store, texts to
-//! print.
+//! What a step computes for each block of the mass matrix, as lists of nodes (to plan), slots (to store) or
+//! texts (to print).
 
 use super::Emission;
 use crate::expr::NodeId;
 use crate::structure::{Block, Method};
 
-/// What a step computes for one block.
+/// What a step computes for one block of the mass matrix.
 #[derive(Clone, Debug)]
 pub(super) struct Part<T> {
     /// The coordinates of the block.
     pub coordinates: Vec<usize>,
     /// Where and when it is factored.
     pub kind: Kind,
-    /// Lower triangle, row by row, where the runtime factors.
+    /// The lower triangle, row by row, if the runtime factors it.
     pub entries: Vec<T>,
-    /// Accelerations where the factorisation is written out, else the right-hand side.
+    /// The accelerations, if the factorisation is written out, else the right-hand side.
     pub results: Vec<T>,
 }
 
@@ -33,7 +33,7 @@ pub(super) enum Kind {
 }
 
 impl<T> Part<T> {
-    /// Every item through a function, in a fixed order.
+    /// Applies a function to every item, in a fixed order.
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Part<U> {
         Part {
             coordinates: self.coordinates,

@@ -10,7 +10,7 @@ use crate::syntax::Item;
 pub(super) const ALL: [&str; 7] =
     ["ConstantMass", "Separable", "Autonomous", "Conservative", "Holonomic", "Scleronomic", "Cyclic"];
 
-/// Those whose property follows from the equations.
+/// The traits whose property follows from the equations.
 pub(super) fn proved(facts: &Facts) -> Vec<&'static str> {
     let holds = [
         facts.constant_mass,
@@ -24,7 +24,7 @@ pub(super) fn proved(facts: &Facts) -> Vec<&'static str> {
     ALL.into_iter().zip(holds).filter_map(|(name, holds)| holds.then_some(name)).collect()
 }
 
-/// Their implementations.
+/// The implementations of the traits.
 pub(super) fn proofs(item: &Item, proved: &[&str], count: usize, inputs: usize) -> TokenStream {
     let Item { self_ty, generics, .. } = item;
     let (impl_generics, _, where_clause) = generics.split_for_impl();

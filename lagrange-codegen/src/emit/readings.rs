@@ -1,5 +1,5 @@
-//! The comparison of what was read of the user's functions with what they return, in builds with
-//! `debug_assertions`.
+//! The comparison of values that the interpreter found with those that the user's functions return, in builds
+//! with `debug_assertions`.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -11,7 +11,7 @@ use crate::model::Reading;
 use crate::syntax::item::{Argument, Function};
 use crate::syntax::{Record, rewritten};
 
-/// The items of the runtime's `System` as text; nothing where nothing is compared.
+/// The items of the runtime's `System` as text; empty if nothing is compared.
 pub(super) fn implementation(emission: &mut Emission<'_>) -> String {
     let readings = emission.model.readings.clone();
     if readings.is_empty() {
@@ -109,7 +109,7 @@ fn records(emission: &Emission<'_>, readings: &[Reading]) -> String {
     text
 }
 
-/// Names that no variable of generated code has.
+/// The name of a local variable, one that no variable of generated code has.
 fn local(record: Record) -> &'static str {
     match record {
         Record::Coordinates => "__coordinates",

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::oriented;
 use crate::syntax::{Group, Item, Record};
 
-/// `…Coordinates`, `…Velocities`, and `…Inputs` where there are any.
+/// `…Coordinates`, `…Velocities`, and `…Inputs` if there are any.
 pub(super) fn records(item: &Item) -> TokenStream {
     let coordinates = record(item, Record::Coordinates, &item.coordinates, "Generalized coordinates");
     let velocities = record(item, Record::Velocities, &item.coordinates, "Generalized velocities");
@@ -18,8 +18,8 @@ pub(super) fn records(item: &Item) -> TokenStream {
     quote!(#coordinates #velocities #inputs)
 }
 
-/// One struct. The conversions are written out and the derives by hand: derived code would fill
-/// half of what `cargo expand` shows.
+/// One struct. Conversions and derives are written out by hand, since derived code would fill half of what
+/// `cargo expand` shows.
 fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenStream {
     let name = item.record_ident(record);
     let oriented = record != Record::Inputs && item.has_orientations();
@@ -94,7 +94,7 @@ fn record(item: &Item, record: Record, groups: &[Group], title: &str) -> TokenSt
     }
 }
 
-/// The conversions by method, for descriptions that use them.
+/// The conversions as methods, if the description uses them.
 fn conversions(item: &Item, record: Record, count: usize) -> TokenStream {
     let (name, path) = (item.record_ident(record), &item.crate_path);
     let to_array = mentions(&item.cleaned, "to_array").then(|| {

@@ -1,5 +1,5 @@
-//! What a system whose equations switch has beyond others: the runtime's `Switching`, and the system of one
-//! regime as a struct of numbers.
+//! The items of a system whose equations switch: the runtime's `Switching`, and the system of one regime as a
+//! struct of numbers.
 
 mod directed;
 mod functions;
@@ -17,13 +17,13 @@ use crate::model::{Law, Normal};
 use crate::regimes::Regimes;
 use crate::syntax::Scalar;
 
-/// The struct of one regime, which no one names.
+/// The name of the struct of one regime, which no user writes.
 const NAME: &str = "__InRegime";
 
-/// The type parameter of `functions_in`: no user's generics have its name.
+/// The type parameter of `functions_in`, a name that no user's generics have.
 const NUMBER: &str = "__Number";
 
-/// What is emitted.
+/// The emitted items.
 pub(super) struct Items {
     /// The system of one regime.
     pub companion: TokenStream,
@@ -43,7 +43,7 @@ pub(super) fn method(switching: &Regimes) -> String {
     format!("lagrange::Hybrid<lagrange::{inner}, {}, {}>", switching.rows(), switching.kinks.len())
 }
 
-/// Lines of the report.
+/// Lines for `STRUCTURE`.
 pub(super) fn facts(switching: &Regimes) -> Vec<String> {
     let mut facts = Vec::new();
     let contacts = switching.rows.constraints.iter().zip(&switching.laws_of);
@@ -72,7 +72,7 @@ pub(super) fn facts(switching: &Regimes) -> Vec<String> {
     facts
 }
 
-/// All items; `emission` is that of the system itself.
+/// All items. `emission` is that of the system itself.
 pub(super) fn regimes(emission: &Emission<'_>, switching: &mut Regimes) -> Items {
     let (rows, kinks) = (switching.rows(), switching.kinks.len());
     let items = self::switching(emission, switching);
@@ -111,12 +111,12 @@ pub(super) fn switching(emission: &Emission<'_>, switching: &mut Regimes) -> Str
     items.concat()
 }
 
-/// The scalar of the system of one regime: any where motions have derivatives.
+/// The scalar of the system of one regime: any scalar if motions have derivatives.
 fn companion_scalar(emission: &Emission<'_>) -> Scalar {
     if emission.item.jacobians { companion::any(&emission.scalar) } else { emission.scalar.clone() }
 }
 
-/// The items of `System` of a system with contacts, whose accelerations are those of its regime.
+/// The items of `System` of a system with contacts. Its accelerations are those of its regime.
 pub(super) fn system(emission: &Emission<'_>, switching: &Regimes, constants: &str) -> String {
     let scalar = &emission.scalar;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
@@ -195,7 +195,7 @@ fn regime(emission: &Emission<'_>, switching: &Regimes) -> String {
     )
 }
 
-/// Whether time stands in none of the equations and laws.
+/// Whether no equation and no law depends on time.
 fn is_autonomous(switching: &Regimes) -> bool {
     let conditions = &switching.laws.conditions;
     let coefficients = switching.laws_of.iter().flatten().flat_map(|law| match law {

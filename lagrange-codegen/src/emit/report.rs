@@ -1,4 +1,4 @@
-//! What is told of a system: the constants `COORDINATES`, `CONSTRAINTS`, `COST` and `STRUCTURE`.
+//! The constants that describe a system: `COORDINATES`, `CONSTRAINTS`, `COST` and `STRUCTURE`.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -29,7 +29,7 @@ pub(super) fn report(
     let (mut facts, mut skipped) =
         (emission.facts.found(emission.model), emission.facts.skipped(emission.model));
     if has_contacts {
-        // Contacts take energy and momenta, and their reactions depend on everything.
+        // Energy and momenta are not constant with contacts, and any reaction may change with any quantity.
         let held =
             Facts { separable: false, conservative: false, cyclic: Vec::new(), ..emission.facts.clone() };
         (facts, skipped) = (held.found(emission.model), held.skipped(emission.model));

@@ -1,12 +1,12 @@
-//! How numbers and functions of the scalar type are written.
+//! Numbers and functions of the scalar type as text.
 
 use crate::number::Number;
 use crate::syntax::Scalar;
 
-/// A nonnegative constant as an expression of the scalar type, exact to the last bit. With `typed`
-/// nothing is left to inference, which the compiler takes quadratic time for in long functions.
-/// Zero is the same text either way, because what is zero is told from that. A type parameter may have other
-/// bounds beside `Real`, so calls name the trait.
+/// A nonnegative constant as an expression of the scalar type, exact to the last bit. With `typed` nothing is
+/// left to inference, for which the compiler takes quadratic time in long functions. Zero has one text either
+/// way, because zeros are recognised by it. A type parameter may have bounds beside `Real`, so calls name the
+/// trait.
 pub(super) fn literal(scalar: &Scalar, number: Number, typed: bool) -> String {
     let value = number.value();
     match scalar {
@@ -14,7 +14,7 @@ pub(super) fn literal(scalar: &Scalar, number: Number, typed: bool) -> String {
         Scalar::F32 if value.is_infinite() => "f32::INFINITY".to_owned(),
         Scalar::F64 if typed && !number.is_zero() => format!("{value:?}_f64"),
         Scalar::F64 => format!("{value:?}"),
-        // The suffix keeps inference from meeting an open float type in a trait call.
+        // The suffix keeps inference from an open float type in a trait call.
         Scalar::F32 => format!("{value:?}_f32"),
         Scalar::Generic(ident) if number.is_one() => format!("<{ident} as lagrange::One>::one()"),
         Scalar::Generic(ident) if number.is_zero() => format!("<{ident} as lagrange::Zero>::zero()"),

@@ -1,5 +1,5 @@
-//! The residual and its derivatives where bodies hang on each other: the screws of a state for the runtime,
-//! and what other forces add.
+//! The residual and its derivatives in systems whose bodies carry each other: the screws of a state, from
+//! which the runtime computes them, and the terms of other forces.
 
 use super::{Emission, body, scalar};
 use crate::expr::NodeId;
@@ -20,7 +20,7 @@ pub(super) struct Bodies {
     pub factored_at: String,
 }
 
-/// What turns a state into screws; `place` are the arguments.
+/// The function that turns a state into screws. `place` is the text of its arguments.
 pub(super) fn carried(emission: &mut Emission<'_>, screws: &Screws, place: &str) -> Carried {
     let (count, inputs) = (emission.count(), emission.model.inputs.len());
     let (groups, rates, changes) = (screws.groups.len(), screws.rates.len(), screws.changes.len());
@@ -94,7 +94,7 @@ fn table(screws: &Screws) -> String {
     format!("[{}]", groups.collect::<Vec<_>>().join(", "))
 }
 
-/// The struct with values in the places of the nodes.
+/// The struct with values in place of the nodes.
 fn literal(screws: &Screws, values: &[String]) -> String {
     let mut values = values.iter();
     let mut row = |size: usize| {

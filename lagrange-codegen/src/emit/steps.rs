@@ -1,4 +1,4 @@
-//! Fixed steps of a system whose equations switch: those of the runtime's `Hybrid`, by the name of `Jet`.
+//! Fixed steps of a system whose equations switch: those of the runtime's `Hybrid`, under the name `Jet`.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -8,14 +8,14 @@ use super::Emission;
 use crate::regimes::Regimes;
 use crate::syntax::{Item, Scalar};
 
-/// What an implementation does.
+/// What the implementation consists of.
 struct Steps {
     memory: TokenStream,
     begin: TokenStream,
     step: TokenStream,
 }
 
-/// The implementation of `FixedStep` for `Jet`, where the regimes have series.
+/// The implementation of `FixedStep` for `Jet`, if the regimes have series.
 pub(super) fn steps(emission: &Emission<'_>, switching: &Regimes) -> Option<TokenStream> {
     switching.jets.as_ref()?;
     let itself = &emission.item.self_ty;
@@ -31,7 +31,7 @@ pub(super) fn steps(emission: &Emission<'_>, switching: &Regimes) -> Option<Toke
     Some(implementation(emission.item, &emission.scalar, (count, inputs), &steps))
 }
 
-/// What stands for it while a description is incomplete.
+/// A stand-in while a description is incomplete.
 pub(super) fn stub(item: &Item, sizes: (usize, usize)) -> TokenStream {
     let steps = Steps { memory: quote!(()), begin: quote!(), step: quote!(loop {}) };
     implementation(item, &item.scalar, sizes, &steps)
@@ -45,7 +45,7 @@ fn implementation(
 ) -> TokenStream {
     let mut generics = item.generics.clone();
     generics.params.push(parse_quote!(const __ORDER: usize));
-    // Which of two guards is first only a number with an order tells.
+    // To tell which of two guards comes first, numbers need an order.
     if let Scalar::Generic(number) = scalar {
         generics.make_where_clause().predicates.push(parse_quote!(#number: lagrange::Ordered));
     }

@@ -1,5 +1,5 @@
-//! What stands for the generated items after a mistake, so that the rest of a program still
-//! compiles and our messages are the only ones.
+//! Stand-ins for the generated items after a mistake, so that the rest of a program compiles and our messages
+//! are the only ones.
 
 mod contacts;
 
@@ -15,7 +15,7 @@ use crate::syntax::item::RoleKind;
 use crate::syntax::types::TypeKind;
 use crate::syntax::{Group, Item, Record, Scalar};
 
-/// All items that a program may use of a system, without content, as far as declarations are known.
+/// All items of a system that a program may use, without content, as far as declarations are known.
 pub(crate) fn stubs(item: &mut Item) -> TokenStream {
     for groups in [&mut item.coordinates, &mut item.inputs] {
         keep_fields(groups);
@@ -25,7 +25,7 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
     let unnamed = unnamed.into_iter().filter(|(_, groups)| groups.is_empty()).map(|(record, _)| record);
     let velocities = item.coordinates.is_empty().then_some(Record::Velocities);
     let aliases = unnamed.chain(velocities).map(|record| {
-        // Signatures may speak of what is not declared.
+        // Signatures may name what is not declared.
         let name = item.record_ident(record);
         quote!(#[doc(hidden)] pub type #name<R = f64> = [R; 0];)
     });
@@ -105,7 +105,7 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
     let over = item.jacobians.then(|| {
         let over = over_any(&format_ident!("__Over"), count, inputs);
         let sizes = (count, inputs);
-        // Lanes of motions have series.
+        // Lanes of motions need series.
         let smooth =
             (!switches).then(|| smooth(&quote!(<R: lagrange::Real>), &quote!(__Over<R>), &quote!(R), sizes));
         quote!(#over #smooth)
@@ -124,7 +124,7 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
     });
     let method = if switches { contacts::method(&held) } else { quote!(lagrange::Jets) };
     let regimes = switches.then(|| contacts::implementations(item, &held, &quote!(#scalar), (count, inputs)));
-    // Otherwise fixed steps are those through switches.
+    // With switches, fixed steps are those through switches.
     let smooth = (!switches).then(|| {
         smooth(&quote!(#impl_generics), &quote!(#self_ty #where_clause), &quote!(#scalar), (count, inputs))
     });
@@ -188,7 +188,7 @@ pub(crate) fn stubs(item: &mut Item) -> TokenStream {
     }
 }
 
-/// The series of a type.
+/// An implementation of `Smooth` for a type.
 fn smooth(
     generics: &TokenStream,
     ty: &TokenStream,
@@ -228,7 +228,7 @@ fn over_any(name: &Ident, count: usize, inputs: usize) -> TokenStream {
     }
 }
 
-/// Leaves out names that cannot be fields of a struct.
+/// Removes groups whose names cannot be fields of a struct.
 fn keep_fields(groups: &mut Vec<Group>) {
     let mut names: Vec<String> = Vec::new();
     groups.retain(|group| {
@@ -239,7 +239,7 @@ fn keep_fields(groups: &mut Vec<Group>) {
     });
 }
 
-/// The inherent methods, but for those whose name the user has taken.
+/// The inherent methods, without those whose names the user has taken.
 fn methods(item: &Item, scalar: &TokenStream, count: usize, inputs: usize) -> TokenStream {
     let given = (inputs > 0).then(|| quote!(, _: &[#scalar; #inputs]));
     let none = None;
@@ -267,7 +267,7 @@ fn methods(item: &Item, scalar: &TokenStream, count: usize, inputs: usize) -> To
     .collect()
 }
 
-/// The methods that complete a state by eliminated coordinates.
+/// The methods that give all declared coordinates and velocities of a state.
 fn completions(item: &Item, scalar: &TokenStream, count: usize) -> TokenStream {
     COMPLETIONS
         .into_iter()
@@ -280,12 +280,12 @@ fn completions(item: &Item, scalar: &TokenStream, count: usize) -> TokenStream {
         .collect()
 }
 
-/// Whether no function of the user has a name.
+/// Whether no function of the user has this name.
 fn is_free(item: &Item, name: &str) -> bool {
     item.functions.iter().all(|function| *function.name != *name)
 }
 
-/// Those of a system with constraints.
+/// The methods of a system with constraints.
 fn constraint_methods(
     item: &Item,
     held: &[Held],
@@ -317,7 +317,7 @@ fn constraint_methods(
         let name = format_ident!("{name}");
         quote!(pub fn #name(&self, _: &#state #inputs) -> #output { loop {} })
     });
-    // Whether a constraint acts on a place is not known.
+    // Whether a constraint acts on a particle or body is unknown.
     let on_places = item.functions.iter().filter_map(|function| {
         if !matches!(function.meant(), Some(RoleKind::Point { .. } | RoleKind::Body { .. })) {
             return None;
@@ -340,7 +340,7 @@ fn constraint_methods(
     }
 }
 
-/// The type of the force on what a function of a particle or body returns.
+/// The type of the force on the particles or bodies that a function returns.
 fn force_on(item: &Item, kind: &TypeKind, scalar: &TokenStream) -> Option<TokenStream> {
     let length = |length: &Expr| {
         constant::integer(length, &item.constants).and_then(|length| usize::try_from(length).ok())

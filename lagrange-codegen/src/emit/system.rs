@@ -1,4 +1,4 @@
-//! The implementation of the runtime's `System`: what the integrators call.
+//! The implementation of the runtime's `System`, on which the integrators call.
 
 use super::Emission;
 use super::block;
@@ -14,7 +14,7 @@ use crate::structure::Method;
 /// A state from the arguments of the trait's functions, for the inherent methods.
 const STATE: &str = "lagrange::State { t, q: *q, v: *v }";
 
-/// The items of a system that computes nothing once per run.
+/// The items of a system that has nothing to compute once per run.
 pub(super) const NO_CONSTANTS: &str = "type Constants = ();\nfn constants(&self) {}\n";
 
 /// The trait's items as text, and the operations of one evaluation of the accelerations.
@@ -29,7 +29,7 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
     let mut slots = program.outputs.clone().into_iter();
     let mut next = || slots.next().expect("emit: as many slots as nodes");
     let parts: Vec<Part<Slot>> = parts.into_iter().map(|part| part.map(|_| next())).collect();
-    // Entries that are factored once per run are no outputs of a step.
+    // A step does not compute the entries of blocks that are factored once per run.
     program.outputs = parts
         .iter()
         .flat_map(|part| part.entries.iter().filter(|_| !part.factored_once()).chain(&part.results))
@@ -80,8 +80,8 @@ pub(super) fn system(emission: &mut Emission<'_>) -> (String, Operations) {
     (text, program.operations(false))
 }
 
-/// Names of the hoisted values, and the type and body of the constants: an array of scalars,
-/// then the factorisations of constant blocks.
+/// Names of the values that are computed once per run, and the type and body of the constants: an array of
+/// scalars, then the factorisations of constant blocks.
 fn constants(
     emission: &Emission<'_>,
     program: &Program,

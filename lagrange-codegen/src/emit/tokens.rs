@@ -1,4 +1,4 @@
-//! From text to tokens, with the user's expressions put in for parameters.
+//! From text to tokens, with the user's expressions in place of parameters.
 
 use proc_macro2::{Group, Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
@@ -8,13 +8,12 @@ use crate::model::{Length, Model};
 
 const PREFIX: &str = "parameter__";
 
-/// The identifier that stands for a parameter in generated text.
+/// The identifier of a parameter in generated text.
 pub(super) fn placeholder(parameter: u32) -> String {
     format!("{PREFIX}{parameter}")
 }
 
-/// Calls that compile only if parameter arrays have the lengths that were taken for granted, on
-/// the user's spans.
+/// Calls, on the user's spans, that compile only if parameter arrays have the assumed lengths.
 pub(super) fn length_checks(model: &Model, diagnostics: &Diagnostics) -> TokenStream {
     let mut done: Vec<(&str, usize)> = Vec::new();
     let mut checks = TokenStream::new();
@@ -30,8 +29,8 @@ pub(super) fn length_checks(model: &Model, diagnostics: &Diagnostics) -> TokenSt
     checks
 }
 
-/// Replaces placeholders by the user's expressions, on the user's spans, so that a parameter of
-/// the wrong type is reported where the user wrote it.
+/// Replaces placeholders by the user's expressions on the user's spans, so that a wrong type is reported
+/// where the user wrote it.
 pub(super) struct Parameters {
     expressions: Vec<TokenStream>,
 }
@@ -43,9 +42,9 @@ impl Parameters {
             .parameters
             .iter()
             .map(|parameter| {
-                // What the user wrote keeps its span whole, so that the compiler sees one mistake
-                // where the user's function and the generated code share it. A call of the runtime
-                // around it is ours.
+                // The user's tokens keep their spans, so that the compiler sees one mistake in the user's
+                // function and in the generated code. Only a call of the runtime around them gets another
+                // span.
                 let span = diagnostics.span(parameter.origin);
                 let ours = parameter.path.starts_with("::");
                 let span = if ours { span.resolved_at(Span::call_site()) } else { span };
@@ -56,7 +55,7 @@ impl Parameters {
         Parameters { expressions }
     }
 
-    /// Numbers that the system keeps in place of the user's expressions.
+    /// Numbers of the system's own in place of the user's expressions.
     pub fn kept(model: &Model) -> Parameters {
         let kept = |index: usize| {
             let index = Literal::usize_unsuffixed(index);
@@ -101,7 +100,7 @@ impl Parameters {
     }
 }
 
-/// Puts all tokens onto a span.
+/// Gives all tokens one span.
 pub(super) fn respan(tokens: TokenStream, span: Span) -> TokenStream {
     tokens
         .into_iter()
@@ -111,7 +110,7 @@ pub(super) fn respan(tokens: TokenStream, span: Span) -> TokenStream {
                 inner.set_span(span);
                 TokenTree::Group(inner)
             }
-            // `self` is that of the generated method; all else is resolved where the user wrote it.
+            // `self` is that of the generated method. Other names are resolved where the user wrote them.
             TokenTree::Ident(ident) if ident == "self" => {
                 TokenTree::Ident(Ident::new("self", span.resolved_at(Span::call_site())))
             }

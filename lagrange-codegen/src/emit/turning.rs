@@ -1,11 +1,12 @@
-//! The doors of functions that are written with angular velocities: states hold rates of parameters.
+//! Conversions at the entrance of functions written with angular velocities: states hold rates of parameters
+//! instead.
 
 use super::Emission;
 
-/// What a state holds of the velocities.
+/// The name of the rates in a state.
 const RATES: &str = "__rates";
 
-/// The statement that puts angular velocities in the places of rates.
+/// The statement that replaces rates by angular velocities.
 pub(super) fn entry(emission: &Emission<'_>) -> String {
     match emission.solved.turning.as_slice() {
         [] => String::new(),
@@ -13,7 +14,7 @@ pub(super) fn entry(emission: &Emission<'_>) -> String {
     }
 }
 
-/// The same for accelerations, and what brings the result back.
+/// The same for accelerations, and the conversion of the result.
 pub(super) fn accelerations(emission: &Emission<'_>) -> (String, impl FnOnce(String) -> String) {
     let orientations = emission.solved.turning.clone();
     let kept = if orientations.is_empty() { String::new() } else { format!("let {RATES} = v;\n") };
@@ -24,7 +25,7 @@ pub(super) fn accelerations(emission: &Emission<'_>) -> (String, impl FnOnce(Str
     (kept + &entry(emission), back)
 }
 
-/// What gives a series of angular velocities its parameters and their rates.
+/// The text that adds parameters and their rates to a series of angular velocities.
 pub(super) fn series(emission: &Emission<'_>) -> String {
     match emission.solved.turning.as_slice() {
         [] => String::new(),
@@ -32,7 +33,7 @@ pub(super) fn series(emission: &Emission<'_>) -> String {
     }
 }
 
-/// What that takes, for the report.
+/// What orientations add to the line about series in `STRUCTURE`.
 pub(super) fn described(emission: &Emission<'_>) -> &'static str {
     if emission.solved.turning.is_empty() { "" } else { ", and 16 convolutions for each orientation" }
 }

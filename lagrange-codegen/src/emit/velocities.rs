@@ -1,4 +1,5 @@
-//! The functions of velocities that a description names: a description stays Rust that can be called.
+//! The functions of velocities that a description uses. With them the description stays Rust that can be
+//! called.
 
 use proc_macro2::TokenStream;
 
@@ -12,7 +13,7 @@ use crate::syntax::item::{Argument, Function};
 use crate::syntax::types::{Type, TypeKind};
 use crate::syntax::{Item, Record, constant};
 
-/// Components of a place whose type cannot be read: the vector that has every field.
+/// Components of a position whose type cannot be read: a vector with every field.
 pub(super) const UNKNOWN: usize = 3;
 
 /// All of them as functions of the user's type.
@@ -21,7 +22,7 @@ pub(super) fn velocities(emission: &mut Emission<'_>, diagnostics: &Diagnostics)
     if velocities.is_empty() {
         return TokenStream::new();
     }
-    // They take all declared coordinates, of which constraints may have eliminated some.
+    // The functions take all declared coordinates, eliminated ones included.
     let (coordinates, locals) = declared(emission.model);
     let parameters = Parameters::new(emission.model, diagnostics);
     let text: String = velocities.iter().map(|velocity| function(emission, velocity)).collect();
@@ -31,7 +32,7 @@ pub(super) fn velocities(emission: &mut Emission<'_>, diagnostics: &Diagnostics)
     functions
 }
 
-/// Gives a model all its declared coordinates, and back those that it had.
+/// Gives a model all its declared coordinates and returns those that it had.
 fn declared(model: &mut Model) -> (Vec<Quantity>, Locals) {
     let mut all = model.coordinates.clone();
     for eliminated in &model.eliminated {

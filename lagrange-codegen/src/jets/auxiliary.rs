@@ -16,7 +16,7 @@ use crate::expr::{Binary, Dependence, Exponent, Graph, Node, NodeId, Unary, Vari
 use crate::kinematics::turning_direction;
 use crate::number::Number;
 
-/// What changes in the course of a step; inputs are held.
+/// What changes during a step. Inputs are held constant.
 const MOVING: Dependence = Dependence::COORDINATES
     .union(Dependence::VELOCITIES)
     .union(Dependence::TIME)
@@ -29,7 +29,7 @@ pub struct Auxiliary {
     pub origin: NodeId,
     /// The value at the point of expansion.
     pub value: Value<NodeId>,
-    /// Where the other coefficients come from.
+    /// The relation from which the other coefficients follow.
     pub relation: Relation<NodeId>,
 }
 
@@ -74,7 +74,7 @@ pub(super) struct Rewriter<'g> {
 pub(super) struct NotSmooth;
 
 impl<'g> Rewriter<'g> {
-    /// Of a system in which the matrices of some orientations are variables.
+    /// A rewriter for a system with `coordinates`. The matrices of the orientations `turning` are variables.
     pub fn new(graph: &'g mut Graph, coordinates: usize, turning: &[usize]) -> Self {
         let direction = turning_direction(graph, coordinates, turning);
         Rewriter {
@@ -128,7 +128,7 @@ impl<'g> Rewriter<'g> {
         }
     }
 
-    /// A power as whole powers of what is polynomial.
+    /// A power as whole powers of polynomial nodes.
     fn power(&mut self, factor: NodeId, exponent: Exponent) -> Result<Vec<(NodeId, Exponent)>, NotSmooth> {
         let base = self.of(factor);
         if self.is_held(factor) {
@@ -143,13 +143,13 @@ impl<'g> Rewriter<'g> {
                 let whole = (base, Exponent(exponent.0 - 1));
                 if exponent.0 > 1 { vec![(root, Exponent(2)), whole] } else { vec![(root, Exponent(2))] }
             }
-            // An odd number of halves below zero is one power of its own: (x² + y²)^(−3/2).
+            // An odd number of halves below zero is one power: (x² + y²)^(−3/2).
             None => vec![(self.power_of(base, exponent), Exponent(2))],
         })
     }
 
-    /// Whether a node is 0 wherever the system is at rest: the speed in a drag force, whose root has a kink
-    /// there.
+    /// Whether a node is 0 wherever the system is at rest. Such is the speed in a drag force, whose root has
+    /// a kink at rest.
     fn rests_at_zero(&mut self, id: NodeId) -> bool {
         let zero = self.graph.zero();
         let velocities: Vec<_> = self
@@ -188,7 +188,7 @@ impl<'g> Rewriter<'g> {
     /// R′ = R \[ω]ₓ.
     fn entry(&mut self, id: NodeId) -> Result<NodeId, NotSmooth> {
         let (variable, index) = self.auxiliary(id, Value::Same(id), Relation::Chain(Vec::new()));
-        // Its rate is one of the others in its row, theirs of this one.
+        // The rates of an entry's row contain each other, so the image is known before the rate is rewritten.
         self.images.insert(id, variable);
         let rate = self.rates(&[id])[0];
         self.auxiliaries[index].relation = Relation::Flow(self.polynomial(rate)?);
@@ -199,7 +199,8 @@ impl<'g> Rewriter<'g> {
         let x = self.of(argument);
         let value = Value::Unary(function, x);
         let (variable, index) = self.auxiliary(id, value, Relation::Chain(Vec::new()));
-        // A function of its own derivative must be known before that is rewritten.
+        // The derivative may contain the function itself, so the image is known before the derivative is
+        // rewritten.
         self.images.insert(id, variable);
         let slope = match function {
             Unary::Abs | Unary::Signum | Unary::PositivePart => return Err(NotSmooth),
@@ -208,7 +209,7 @@ impl<'g> Rewriter<'g> {
                 self.auxiliaries[index].relation = Relation::Power(x, Number::Ratio(1, 3));
                 return Ok(variable);
             }
-            // On series the slope follows from the value itself; cosh would overflow.
+            // On series the slope follows from the value itself, without cosh, which would overflow.
             Unary::Tanh => {
                 let square = self.graph.powi(variable, 2);
                 self.graph.sum(Number::ONE, &[(square, Number::MINUS_ONE)])
@@ -270,14 +271,14 @@ impl<'g> Rewriter<'g> {
         let known = |argument: &NodeId| {
             self.direction.iter().find(|(variable, _)| variable == argument).map(|&(_, rate)| rate)
         };
-        // A sweep takes time in proportion to the whole graph; most arguments are coordinates.
+        // Most arguments are coordinates. For others a sweep takes time in proportion to the whole graph.
         match arguments.iter().map(known).collect() {
             Some(rates) => rates,
             None => pushforward(self.graph, arguments, &self.direction),
         }
     }
 
-    /// Whether a node is the same all through a step.
+    /// Whether a node is constant during a step.
     fn is_held(&self, id: NodeId) -> bool {
         !self.graph.dependence(id).meets(MOVING)
     }

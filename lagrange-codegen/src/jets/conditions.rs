@@ -1,8 +1,8 @@
 //! Constraints in the form whose series cost least.
 //!
-//! A series obeys w = 0 if it obeys s w = 0 with any factor s that does not vanish, and then the multipliers,
-//! which a motion does not show, are those of s w. A constraint on a distance, d/dt |r| = r · v / |r|, loses
-//! its root that way.
+//! A motion that obeys w = 0 also obeys s w = 0 with any factor s that does not vanish. The multipliers
+//! become those of s w, which the motion does not show. So a constraint on a distance, d/dt |r| = r · v /
+//! |r|, loses its root.
 
 use crate::calculus::pullback;
 use crate::expr::{Dependence, Graph, NodeId, Variable};
@@ -16,19 +16,19 @@ pub(super) struct Restrictions {
     pub rates: Vec<NodeId>,
     /// Their gradients by the velocities, a row each.
     pub gradients: Vec<Vec<NodeId>>,
-    /// What their multipliers contribute to the momentum rates, by coordinate.
+    /// The contributions of their multipliers to the momentum rates, by coordinate.
     pub reactions: Vec<NodeId>,
 }
 
 impl Restrictions {
-    /// Without the denominators of the rates, unless these are given other values than zero.
+    /// Removes the denominators of the rates, unless the rates are given values other than zero.
     pub fn of(graph: &mut Graph, conditions: &Conditions, coordinates: usize) -> Restrictions {
         let plain = Restrictions {
             rates: conditions.rates.clone(),
             gradients: conditions.jacobian.clone(),
             reactions: conditions.reactions.clone(),
         };
-        // Friction belongs to the multipliers of the rows as they are.
+        // Friction is limited by the multipliers of the rows as the user wrote them.
         if let Some(switched) = &conditions.switched {
             return plain.with_sums(graph, switched);
         }
@@ -52,8 +52,8 @@ impl Restrictions {
         Restrictions { rates, gradients, reactions }
     }
 
-    /// With what sums of multipliers lack of those that they are: coefficients of these follow as those of
-    /// rates do.
+    /// Sets the rates of rows of sums: the sum of other multipliers, less the row's own. Their coefficients
+    /// follow as those of rates do.
     fn with_sums(mut self, graph: &mut Graph, switched: &Switched) -> Restrictions {
         for (row, terms) in switched.sums() {
             let mut multiplier = |row: usize| graph.variable(Variable::Multiplier(row as u32));
@@ -69,7 +69,7 @@ impl Restrictions {
     }
 }
 
-/// A product without its denominators, which vanish nowhere where it has a value.
+/// A product without its denominators. They are not zero anywhere that the product has a value.
 fn numerator(graph: &mut Graph, rate: NodeId) -> NodeId {
     let (coefficient, product) = graph.scaled(rate);
     let denominators: Vec<_> = graph

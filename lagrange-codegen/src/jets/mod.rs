@@ -40,18 +40,19 @@ use auxiliary::{Auxiliary, NotSmooth, Rewriter};
 pub use auxiliary::{Relation, Value};
 pub use bundles::{Bundle, bundles};
 use conditions::Restrictions;
-use recurrence::Shape;
-pub use recurrence::{Coefficient, Jets, Lane, Operand, Series};
+use recurrence::Counts;
+pub use recurrence::{Coefficient, Convolution, Jets, Operand, Series};
 use rewriting::{contract_angles, meet_flows};
 
-/// Up to this many lanes, the outermost terms of the interior sums are kept out of the tables: their sweep
-/// would wait for the row that was just written, which more lanes hide behind each other.
+/// The most convolutions whose outermost terms are kept out of the tables. The sweep over these terms would
+/// wait for the row just written; with more convolutions there is other work in between.
 pub const FEW: usize = 16;
 
-/// Beyond this many nodes only the plainest forms are compared: each costs time in proportion to the nodes.
+/// The most nodes of a system whose forms are compared. Each form costs time in proportion to the nodes, so
+/// of larger systems only the plainest are made.
 const COMPARABLE: usize = 4_000;
 
-/// The recurrences of a system; `None` where its equations have kinks or jumps, at which no series exists.
+/// The recurrences of a system; `None` if its equations have kinks or jumps, where no series exists.
 pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     let count = equations.momenta.len();
     let conditions = &equations.conditions;
@@ -59,7 +60,7 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     let restrictions = Restrictions::of(&mut model.graph, conditions, count);
     roots.extend(restrictions.reactions.iter().chain(&restrictions.rates));
     roots.extend(conditions.relaxation.iter().flatten());
-    let shape = Shape {
+    let counts = Counts {
         coordinates: count,
         constraints: conditions.count(),
         relaxed: conditions.relaxation.is_some(),
@@ -80,11 +81,11 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
         for by_parts in [false, true] {
             for meeting in [false, true] {
                 let proposal = Proposal { by_parts, meeting };
-                let jets = recurrences(&mut model.graph, shape, &equations.turning, &form, proposal).ok()?;
-                // An order of few products takes as long as the way from its velocities to its sums, which
-                // rates b′ make longer.
+                let jets = recurrences(&mut model.graph, counts, &equations.turning, &form, proposal).ok()?;
+                // With few products an order takes as long as the path from its velocities to its sums. The
+                // rates b′ make that path longer.
                 if let Some(jets) = jets
-                    && (!by_parts || jets.lanes.len() > FEW)
+                    && (!by_parts || jets.convolutions.len() > FEW)
                     && best.as_ref().is_none_or(|best| jets.cost() < best.cost())
                 {
                     best = Some(jets);
@@ -104,26 +105,26 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
 struct Proposal {
     /// Momenta integrated by parts.
     by_parts: bool,
-    /// Products multiplied out where flows need them.
+    /// Products multiplied out where that makes the flow of an auxiliary.
     meeting: bool,
 }
 
-/// The recurrences of d/dt p = f for the roots p, f, and of a constrained system Aᵀμ, w and dw/dt; `None`
-/// where there is nothing to integrate by parts.
+/// The recurrences of d/dt p = f for the roots p, f, and of a constrained system Aᵀμ, w and dw/dt; `None` if
+/// there is nothing to integrate by parts.
 fn recurrences(
     graph: &mut Graph,
-    shape: Shape,
+    counts: Counts,
     turning: &[usize],
     roots: &[NodeId],
     Proposal { by_parts, meeting }: Proposal,
 ) -> Result<Option<Jets>, NotSmooth> {
-    let mut rewriter = Rewriter::new(graph, shape.coordinates, turning);
+    let mut rewriter = Rewriter::new(graph, counts.coordinates, turning);
     let mut polynomials = rewriter.polynomials(roots)?;
     let mut auxiliaries = std::mem::take(&mut rewriter.auxiliaries);
     if by_parts {
         let direction = std::mem::take(&mut rewriter.direction);
         let rates = parts::Rates { direction: &direction, auxiliaries: &auxiliaries };
-        let added = parts::by_parts(graph, &mut polynomials, shape.coordinates, &rates);
+        let added = parts::by_parts(graph, &mut polynomials, counts.coordinates, &rates);
         if added.is_empty() {
             return Ok(None);
         }
@@ -145,7 +146,7 @@ fn recurrences(
         polynomials.extend(operands(&auxiliary.value));
     }
     let program = plan(graph, &polynomials);
-    Ok(Some(Jets::of(program, auxiliaries, shape)))
+    Ok(Some(Jets::of(program, auxiliaries, counts)))
 }
 
 fn operands(value: &Value<NodeId>) -> Vec<NodeId> {

@@ -15,7 +15,7 @@ use crate::number::Number;
 
 const ONCE: Exponent = Exponent(2);
 
-/// The functions whose rates are polynomials, with these rates.
+/// The functions with polynomial rates, and their rates.
 pub(super) struct Rates<'a> {
     /// Rates of coordinates and of the time.
     pub direction: &'a [(NodeId, NodeId)],
@@ -46,8 +46,8 @@ struct Term {
     lost: Vec<(NodeId, Number)>,
 }
 
-/// Replaces momenta and their rates, the first roots, where all terms a′ b cancel. Returns the auxiliaries
-/// that it adds.
+/// Replaces momenta and their rates, the first roots, if all terms a′ b cancel. Returns the auxiliaries that
+/// it adds.
 pub(super) fn by_parts(
     graph: &mut Graph,
     roots: &mut [NodeId],
@@ -86,7 +86,7 @@ pub(super) fn by_parts(
     added
 }
 
-/// The terms of a momentum; `None` where there is nothing to gain.
+/// The terms of a momentum; `None` if there is nothing to gain.
 fn terms(graph: &mut Graph, momentum: NodeId, rates: &Rates<'_>) -> Option<Vec<Term>> {
     let sum = match graph.node(momentum).clone() {
         Node::Sum { terms, .. } => terms,
@@ -131,15 +131,15 @@ fn terms(graph: &mut Graph, momentum: NodeId, rates: &Rates<'_>) -> Option<Vec<T
     found.iter().any(|term| !term.lost.is_empty()).then_some(found)
 }
 
-/// `force` less the terms, where it has all of them.
+/// `force` less the terms, if it contains all of them.
 fn without(graph: &mut Graph, force: NodeId, lost: &[(NodeId, Number)]) -> Option<NodeId> {
     lost.iter().try_fold(force, |force, &(term, coefficient)| {
         less(graph, force, (term, coefficient), &mut Vec::new())
     })
 }
 
-/// `node` less a term that stands in it, be it inside a product of a sum. `tried` are the nodes that were
-/// looked into for a product.
+/// `node` less a term that it contains, be it inside a product with a sum. `tried` are the nodes that were
+/// searched for a product.
 fn less(
     graph: &mut Graph,
     node: NodeId,
@@ -161,7 +161,7 @@ fn less(
             }
             let place = (0..terms.len()).find_map(|place| {
                 let (term, share) = terms[place];
-                // Rates of kinetic energies and momenta have the same factors but for the sign.
+                // The rates of kinetic energies and of momenta have the same factors, up to the sign.
                 let coefficient = if share.is_one() {
                     coefficient
                 } else if share == Number::MINUS_ONE {
@@ -196,7 +196,7 @@ fn less(
     }
 }
 
-/// The factors that are left of a product after a division, where that has no remainder.
+/// The remaining factors of a product after a division without remainder.
 fn quotient(
     product: &[(NodeId, Exponent)],
     divisor: &[(NodeId, Exponent)],
@@ -230,7 +230,7 @@ mod tests {
         let (flow_of_sine, product) = (graph.mul(v, cosine), graph.mul(v, sine));
         let flow_of_cosine = graph.neg(product);
         let auxiliaries = [flow(&mut graph, sine, flow_of_sine), flow(&mut graph, cosine, flow_of_cosine)];
-        // What the rod carries moves with (x, y).
+        // A mass on a rod whose support moves with (x, y).
         let x = graph.sum(Number::ZERO, &[(flow_of_sine, Number::ONE), (w, Number::ONE)]);
         let y = graph.sum(Number::ZERO, &[(product, Number::ONE), (w, Number::integer(2))]);
         let [along, across] = [graph.mul(cosine, x), graph.mul(sine, y)];
@@ -251,7 +251,7 @@ mod tests {
         assert_eq!(terms.len(), 2);
         assert!([(cosine, x), (sine, y)].iter().all(|term| terms.contains(term)));
 
-        // With another sign nothing cancels.
+        // With another sign, nothing cancels.
         let mut roots = [momentum, graph.add(gained, lost)];
         let before = roots;
         assert!(by_parts(&mut graph, &mut roots, 1, &rates).is_empty());

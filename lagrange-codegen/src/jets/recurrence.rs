@@ -1,4 +1,4 @@
-//! Which coefficient of an order is known when, and which convolutions there are.
+//! When each coefficient of an order is known, and which convolutions there are.
 
 use super::auxiliary::{Auxiliary, Relation, Value};
 use crate::collections::Lookup;
@@ -8,7 +8,7 @@ use crate::schedule::{Instruction, Program, Slot};
 /// When the coefficient of order k of a slot is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Coefficient {
-    /// There is none: the value is the same all through a step, or no recurrence asks for it.
+    /// There is none: the value is constant during a step, or no recurrence uses it.
     Constant,
     /// From coefficients of lower orders alone.
     Early,
@@ -19,28 +19,28 @@ pub enum Coefficient {
 /// One factor of a convolution: the coefficients x\[j], or with `ramp` j x\[j].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Operand {
-    /// Whose coefficients.
+    /// The slot with the coefficients.
     pub slot: Slot,
-    /// Whether they are multiplied by their order.
+    /// Whether each is multiplied by its order.
     pub ramp: bool,
 }
 
-/// A convolution Σ left\[j] right\[k − j], of which 0 < j < k is summed for all lanes at once.
+/// A convolution Σ left\[j] right\[k − j]. Its terms with 0 < j < k are summed for all convolutions at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Lane {
+pub struct Convolution {
     /// First factor.
     pub left: Operand,
     /// Second factor.
     pub right: Operand,
 }
 
-impl Lane {
-    fn of(a: Slot, b: Slot) -> Lane {
-        Lane { left: Operand { slot: a, ramp: false }, right: Operand { slot: b, ramp: false } }
+impl Convolution {
+    fn of(a: Slot, b: Slot) -> Convolution {
+        Convolution { left: Operand { slot: a, ramp: false }, right: Operand { slot: b, ramp: false } }
     }
 
-    fn ramped(a: Slot, b: Slot) -> Lane {
-        Lane { left: Operand { slot: a, ramp: true }, right: Operand { slot: b, ramp: false } }
+    fn ramped(a: Slot, b: Slot) -> Convolution {
+        Convolution { left: Operand { slot: a, ramp: true }, right: Operand { slot: b, ramp: false } }
     }
 }
 
@@ -57,9 +57,9 @@ pub struct Series {
     pub relation: Relation<Slot>,
 }
 
-/// How many roots of which kind there are.
+/// The number of roots of each kind.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shape {
+pub(super) struct Counts {
     pub coordinates: usize,
     pub constraints: usize,
     /// Whether the constraints' rates are not zero but given.
@@ -81,31 +81,31 @@ pub struct Jets {
     pub conditions: Vec<Slot>,
     /// Their gradients by the velocities at the point of expansion, a row each.
     pub gradients: Vec<Vec<NodeId>>,
-    /// Their rates, where they are not zero.
+    /// Their rates, if these are not zero.
     pub relaxation: Vec<Slot>,
     /// Auxiliaries that the program reads.
     pub auxiliaries: Vec<Series>,
     /// The auxiliary that a slot reads.
     auxiliary_at: Lookup<Slot, usize>,
     /// All convolutions.
-    pub lanes: Vec<Lane>,
-    lane_of: Lookup<Lane, usize>,
+    pub convolutions: Vec<Convolution>,
+    index_of: Lookup<Convolution, usize>,
     coefficients: Vec<Coefficient>,
-    /// Slots whose value at the point of expansion is zero whatever the state: products with multipliers.
+    /// Slots that are zero at any point of expansion: products with multipliers.
     vanishing: Vec<bool>,
-    /// All slots, those that others need first.
+    /// All slots, operands first.
     pub order: Vec<Slot>,
-    /// Whether a function in the equations can hide from a series.
+    /// Whether the equations contain a function that can hide from a series.
     pub is_steep: bool,
 }
 
 impl Jets {
     /// Sorts a program whose outputs are momenta, rates, and the operands of the auxiliaries.
-    pub(super) fn of(program: Program, auxiliaries: Vec<Auxiliary>, shape: Shape) -> Jets {
+    pub(super) fn of(program: Program, auxiliaries: Vec<Auxiliary>, counts: Counts) -> Jets {
         let mut outputs = program.outputs.clone().into_iter();
         let mut next = || outputs.next().expect("jets: as many slots as nodes");
         let mut take = |count: usize| -> Vec<Slot> { (0..count).map(|_| next()).collect() };
-        let Shape { coordinates, constraints, relaxed } = shape;
+        let Counts { coordinates, constraints, relaxed } = counts;
         let (momenta, rates) = (take(coordinates), take(coordinates));
         let reactions = take(if constraints > 0 { coordinates } else { 0 });
         let conditions = take(constraints);
@@ -150,8 +150,8 @@ impl Jets {
             relaxation,
             auxiliaries: series,
             auxiliary_at,
-            lanes: Vec::new(),
-            lane_of: Lookup::default(),
+            convolutions: Vec::new(),
+            index_of: Lookup::default(),
         };
         jets.sort();
         jets.classify();
@@ -165,7 +165,7 @@ impl Jets {
         self.coefficients[slot.index()]
     }
 
-    /// Whether a slot changes in the course of a step and a recurrence asks for it.
+    /// Whether a slot changes during a step and a recurrence uses it.
     pub fn moves(&self, slot: Slot) -> bool {
         self.coefficient(slot) != Coefficient::Constant
     }
@@ -175,12 +175,12 @@ impl Jets {
         self.vanishing[slot.index()]
     }
 
-    /// What is evaluated before the velocities of an order are known.
+    /// The slots that are evaluated before the velocities of an order are known.
     pub fn balances(&self) -> impl Iterator<Item = Slot> + '_ {
         self.momenta.iter().chain(&self.reactions).chain(&self.conditions).copied()
     }
 
-    /// What the next order starts from.
+    /// The slots whose coefficients the next order starts from.
     pub fn carried(&self) -> impl Iterator<Item = Slot> + '_ {
         self.rates.iter().chain(&self.relaxation).copied()
     }
@@ -190,18 +190,18 @@ impl Jets {
         self.auxiliary_at.get(&slot).map(|&index| &self.auxiliaries[index])
     }
 
-    /// The lane of a product of two moving slots.
-    pub fn product_lane(&self, a: Slot, b: Slot) -> usize {
-        self.lane(Lane::of(a, b))
+    /// The index of the convolution of two moving slots.
+    pub fn product_convolution(&self, a: Slot, b: Slot) -> usize {
+        self.index(Convolution::of(a, b))
     }
 
-    /// The lanes of a relation, in the order its recurrence names them.
-    pub fn relation_lanes(&self, series: &Series) -> Vec<usize> {
-        relation_lanes(series).into_iter().map(|lane| self.lane(lane)).collect()
+    /// The indices of a relation's convolutions, in the order of its recurrence.
+    pub fn relation_convolutions(&self, series: &Series) -> Vec<usize> {
+        relation_convolutions(series).into_iter().map(|product| self.index(product)).collect()
     }
 
-    fn lane(&self, lane: Lane) -> usize {
-        self.lane_of.get(&lane).copied().expect("jets: every product of a recurrence has a lane")
+    fn index(&self, product: Convolution) -> usize {
+        self.index_of.get(&product).copied().expect("jets: every product of a recurrence is listed")
     }
 
     /// A line for the report.
@@ -214,13 +214,14 @@ impl Jets {
             1 => format!("1 {what}"),
             count => format!("{count} {what}s"),
         };
-        let (products, functions) = (count(self.lanes.len(), "convolution"), count(functions, "function"));
+        let (products, functions) =
+            (count(self.convolutions.len(), "convolution"), count(functions, "function"));
         format!(
             "smooth: a Taylor series of the motion takes {products} and the recurrences of {functions} an order"
         )
     }
 
-    /// Whether no momentum needs an evaluation beside the velocities.
+    /// Whether the velocities alone give every momentum.
     pub fn is_momentum_linear(&self) -> bool {
         let mut linear = true;
         let mut stack = self.momenta.clone();
@@ -241,17 +242,18 @@ impl Jets {
 
     /// A measure of the work of one order.
     pub(super) fn cost(&self) -> usize {
-        /// A lane costs its share of the sweep, two terms of its own, and the stores of two operands.
-        const LANE: usize = 6;
+        /// The cost of a convolution: its share of the sweep, two terms outside it, and two stores of
+        /// operands.
+        const CONVOLUTION: usize = 6;
         let is_name = |slot: Slot| {
             matches!(self.auxiliary(slot).map(|series| &series.relation), Some(Relation::Same(_)))
         };
         let moving = self.order.iter().filter(|&&slot| self.moves(slot) && !is_name(slot)).count();
-        LANE * self.lanes.len() + moving
+        CONVOLUTION * self.convolutions.len() + moving
     }
 
-    /// The slots whose coefficients the momenta and the conditions need beside the velocities: what is
-    /// evaluated twice an order.
+    /// The slots, beside the velocities, whose coefficients the momenta and the conditions need. They are
+    /// evaluated twice in each order.
     pub fn under_balances(&self) -> Vec<bool> {
         let mut under = vec![false; self.program.len()];
         let mut stack: Vec<Slot> = self.balances().collect();
@@ -265,7 +267,7 @@ impl Jets {
         under
     }
 
-    /// Calls `visit` with the slots whose coefficients of the same order a slot needs.
+    /// Calls `visit` with the slots whose coefficients of the same order a slot is made from.
     pub fn series_operands(&self, slot: Slot, mut visit: impl FnMut(Slot)) {
         match self.auxiliary(slot).map(|series| &series.relation) {
             None => self.program.instruction(slot).operands(visit),
@@ -275,7 +277,7 @@ impl Jets {
         }
     }
 
-    /// Puts every slot behind those it needs, at order zero and at any other.
+    /// Sorts the slots so that each comes after those that it needs, at order zero and at any other.
     fn sort(&mut self) {
         let mut placed = vec![false; self.program.len()];
         let mut order = Vec::with_capacity(self.program.len());
@@ -319,7 +321,7 @@ impl Jets {
             self.series_operands(slot, |operand| class = class.max(classes[operand.index()]));
             classes[slot.index()] = class;
         }
-        // What no recurrence asks for has a value but no series.
+        // A slot that no recurrence uses has a value but no series.
         let mut asked = vec![false; self.program.len()];
         let mut stack: Vec<Slot> = self.balances().chain(self.carried()).collect();
         while let Some(slot) = stack.pop() {
@@ -365,32 +367,36 @@ impl Jets {
             if !self.moves(slot) {
                 continue;
             }
-            let lanes = match (self.program.instruction(slot), self.auxiliary(slot)) {
-                (_, Some(series)) => relation_lanes(series),
-                (Instruction::Mul(a, b), None) if self.moves(a) && self.moves(b) => vec![Lane::of(a, b)],
+            let convolutions = match (self.program.instruction(slot), self.auxiliary(slot)) {
+                (_, Some(series)) => relation_convolutions(series),
+                (Instruction::Mul(a, b), None) if self.moves(a) && self.moves(b) => {
+                    vec![Convolution::of(a, b)]
+                }
                 _ => Vec::new(),
             };
-            for lane in lanes {
-                if self.lane_of.get(&lane).is_none() {
-                    self.lane_of.insert(lane, self.lanes.len());
-                    self.lanes.push(lane);
+            for convolution in convolutions {
+                if self.index_of.get(&convolution).is_none() {
+                    self.index_of.insert(convolution, self.convolutions.len());
+                    self.convolutions.push(convolution);
                 }
             }
         }
     }
 }
 
-/// The convolutions of a relation: of y = x^e those of x y and, unless e = −1, of x · j y\[j]; of a square
-/// root that of y y; of a chain one for each argument.
-fn relation_lanes(series: &Series) -> Vec<Lane> {
+/// The convolutions of a relation. For y = x^e these are x y and, unless e = −1, x · j y\[j]; for a square
+/// root y y; for a chain one for each argument.
+fn relation_convolutions(series: &Series) -> Vec<Convolution> {
     let y = series.slot;
     match &series.relation {
         Relation::Flow(_) | Relation::Same(_) => Vec::new(),
-        Relation::Chain(terms) => terms.iter().map(|&(slope, x)| Lane::ramped(x, slope)).collect(),
-        Relation::Power(_, exponent) if *exponent == crate::number::Number::HALF => vec![Lane::of(y, y)],
-        Relation::Power(x, exponent) if *exponent == crate::number::Number::MINUS_ONE => {
-            vec![Lane::of(y, *x)]
+        Relation::Chain(terms) => terms.iter().map(|&(slope, x)| Convolution::ramped(x, slope)).collect(),
+        Relation::Power(_, exponent) if *exponent == crate::number::Number::HALF => {
+            vec![Convolution::of(y, y)]
         }
-        Relation::Power(x, _) => vec![Lane::of(y, *x), Lane::ramped(y, *x)],
+        Relation::Power(x, exponent) if *exponent == crate::number::Number::MINUS_ONE => {
+            vec![Convolution::of(y, *x)]
+        }
+        Relation::Power(x, _) => vec![Convolution::of(y, *x), Convolution::ramped(y, *x)],
     }
 }

@@ -1,4 +1,5 @@
-//! Equal forms of p and f with fewer convolutions. Each is a proposal; the number of lanes decides.
+//! Equal forms of p and f with fewer convolutions. Each is a proposal, and the number of convolutions
+//! decides.
 
 use super::auxiliary::{Auxiliary, Relation, Value};
 use crate::calculus::rebuild;
@@ -35,7 +36,7 @@ pub(super) fn contract_angles(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId
 /// A sine or cosine among the factors of a product: the function and its argument.
 type Trigonometric = (Unary, NodeId);
 
-/// Two terms as one, where they are the two halves of an addition theorem.
+/// Two terms as one, if they are the two halves of an addition theorem.
 fn contracted(
     graph: &mut Graph,
     first: (NodeId, Number),
@@ -71,8 +72,8 @@ fn contracted(
     if of(left, x) == of(right, x) || of(left, y) == of(right, y) {
         return None;
     }
-    // sin x sin y with cos x cos y, or sin x cos y with cos x sin y; the coefficient is that of the term that
-    // leads.
+    // sin x sin y with cos x cos y, or sin x cos y with cos x sin y. The coefficient is that of the leading
+    // term.
     let even = of(left, x) == of(left, y);
     let lead_is_left = if even { of(left, x) == Unary::Cos } else { of(left, x) == Unary::Sin };
     let (lead, other) = if lead_is_left { (ca, cb) } else { (cb, ca) };
@@ -87,11 +88,11 @@ fn contracted(
     Some((graph.product(&factors), lead))
 }
 
-/// Products over sums multiplied out where a factor meets its partner in a product that is needed anyway, as
-/// s (X ω + g) = X (s ω) + g s where s ω is the flow of a cosine. `flows` are the polynomials with such
-/// products.
+/// Products over sums multiplied out where a factor times a term is the flow of an auxiliary, which is
+/// computed anyway: s (X ω + g) = X (s ω) + g s, with the flow s ω of a cosine. `flows` are the polynomials
+/// of such flows.
 ///
-/// The graph would take the common factor out again, so the product gets a name of its own: an auxiliary.
+/// The graph would take the common factor out again, so the product becomes an auxiliary of its own.
 pub(super) fn meet_flows(
     graph: &mut Graph,
     roots: &[NodeId],
@@ -140,7 +141,7 @@ pub(super) fn meet_flows(
             _ => pairs.get(&(factor, term)).map(|&product| (product, Vec::new())),
         };
         let (factors, graph) = (factors.clone(), graph);
-        // A sum with other uses stays as it is: multiplied out here it would be formed twice.
+        // A sum with other uses stays as it is, since multiplied out it would be formed twice.
         let (place, partner) = factors.iter().enumerate().find_map(|(place, &(sum, exponent))| {
             let Node::Sum { terms, .. } = graph.node(sum) else { return None };
             if exponent != ONCE || uses.get(&sum) != Some(&1) {
@@ -182,8 +183,8 @@ pub(super) fn meet_flows(
     })
 }
 
-/// The roots with every node rewritten, operands first: by the rule, which gets the node and the images of
-/// its operands, or as it stands.
+/// The roots with every node rewritten, operands first. The rule gets a node and the images of its operands;
+/// where it returns `None`, the node is rebuilt from these.
 fn rewrite(
     graph: &mut Graph,
     roots: &[NodeId],

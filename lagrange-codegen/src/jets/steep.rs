@@ -1,15 +1,15 @@
 //! Functions that can hide from a Taylor series.
 //!
-//! An exponential, a wall ∝ r⁻¹², a smoothed sign v/√(v² + ε²): a few of their widths away they vanish beside
-//! other terms, or underflow, and the series there does not know of them. Sines, cosines and the powers of
-//! gravitation do not: they are as large as anything else wherever a series starts.
+//! An exponential, a wall ∝ r⁻¹² or a smoothed sign v/√(v² + ε²) vanishes beside other terms, or underflows,
+//! a few of its widths away, and the series there does not show it. Sines, cosines and the powers of
+//! gravitation are as large as anything else wherever a series starts.
 
 use crate::expr::{Binary, Exponent, Graph, Node, NodeId, Unary};
 
-/// Powers below this, in halves: r⁻⁴, or that of a square of a distance.
+/// Powers below this one, in halves, are steep: r⁻⁴, or the same of a squared distance.
 const STEEPEST: i32 = -8;
 
-/// Whether there is such a function in the equations.
+/// Whether the equations contain such a function.
 pub(super) fn is_steep(graph: &Graph, roots: &[NodeId]) -> bool {
     graph.cone(roots.iter().copied()).into_iter().any(|id| {
         !graph.dependence(id).is_fixed()
@@ -53,7 +53,8 @@ fn hides(function: Unary) -> bool {
     }
 }
 
-/// A high power, or a root or reciprocal of a sum with a fixed part, which is what smooths a kink.
+/// Whether a power is high, or a root or reciprocal of a sum with a fixed part, which is how kinks are
+/// smoothed.
 fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
     if graph.dependence(base).is_fixed() {
         return false;
@@ -69,7 +70,8 @@ fn is_steep_power(graph: &Graph, base: NodeId, exponent: Exponent) -> bool {
     exponent.0 <= STEEPEST || is_kink && smooths(graph.node(base))
 }
 
-/// L² − y²: a side of a triangle. Its root is as large as anything else until it vanishes.
+/// Whether the base is L² − y², the square of a side of a triangle. Its root is as large as anything else
+/// until it vanishes.
 fn is_difference(graph: &Graph, base: NodeId) -> bool {
     let Node::Sum { offset, terms } = graph.node(base) else { return false };
     let is_square =

@@ -90,7 +90,7 @@ impl<'a> Interpreter<'a> {
         found.map_or_else(|| usual.to_string(), |name| name.to_string())
     }
 
-    /// A record where one of its fields is meant.
+    /// The message about a record, such as `q`, where one of its fields is meant.
     pub fn record_as_value(&self, record: Record) -> String {
         let holder = self.holder(record);
         let (groups, kind) = match record {
@@ -105,8 +105,8 @@ impl<'a> Interpreter<'a> {
         catalogue::record_as_value(holder, kind, field)
     }
 
-    /// Reports fields of `self` that are named like coordinates, if a result depends on no coordinate:
-    /// then they stand for them. A field may well be named like a coordinate otherwise.
+    /// Reports fields of `self` with the name of a coordinate, if a result depends on no coordinate: the user
+    /// then means the coordinates. Beside coordinates such a field is as good as any other.
     pub fn looks_into_self(&mut self, nodes: &[NodeId]) -> bool {
         let moves = Dependence::COORDINATES.union(Dependence::VELOCITIES);
         let moving = nodes.iter().any(|&node| self.model.graph.dependence(node).meets(moves));
@@ -142,10 +142,11 @@ impl<'a> Interpreter<'a> {
     pub fn free_call(&mut self, path: &'a Path, arguments: &'a [Expr]) -> Value {
         let name = written_name(&path.last);
         match (self.scope.get(&path.last), arguments) {
-            // A closure in a variable is refused already.
+            // A variable without a value has had its message.
             (Some(Value::Unknown), _) => Value::Unknown,
             (Some(_), _) => self.refuse(path.origin, catalogue::call_of_value()),
-            // Only nalgebra has these two; as free functions they are the user's.
+            // `square` and `modulus` are methods of nalgebra alone. A free function of that name is the
+            // user's own.
             (None, [receiver, rest @ ..])
                 if scalar::METHODS.contains(&name) && !matches!(name, "square" | "modulus") =>
             {
@@ -160,9 +161,9 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The field that a number was made of, if it is one field with little else.
+    /// The field that a scalar is made of, if its expression is small and has one field only.
     pub fn taken_for_scalar(&self, value: &Value) -> Option<String> {
-        /// A field, a constant, and few more.
+        /// Nodes of a field, a constant and an operation or two.
         const SMALL: usize = 6;
         let Value::Scalar(node, _) = value else { return None };
         let cone = self.model.graph.cone([*node]);
@@ -176,11 +177,11 @@ impl<'a> Interpreter<'a> {
             }
             _ => None,
         });
-        // Of several nobody knows which was meant.
+        // With several fields it is unknown which of them is meant.
         fields.next().filter(|_| fields.next().is_none())
     }
 
-    /// An integer, where a number of the scalar type belongs.
+    /// Reports an integer where a number of the scalar type is needed.
     pub fn integer_as_number(&mut self, value: i128, expr: &'a Expr) -> Value {
         let message = match &expr.kind {
             ExprKind::Binary(BinaryOperator::Divide, left, right) => {
@@ -190,7 +191,7 @@ impl<'a> Interpreter<'a> {
                 };
                 catalogue::integer_quotient(real(left), real(right))
             }
-            // The quotient may be deeper: `1 / 2 * 3`.
+            // A product may contain the quotient: `1 / 2 * 3`.
             ExprKind::Binary(BinaryOperator::Multiply, left, right) => {
                 let is_quotient =
                     |side: &&'a Expr| matches!(side.kind, ExprKind::Binary(BinaryOperator::Divide, ..));

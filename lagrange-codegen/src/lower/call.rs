@@ -170,7 +170,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Calls a closure at a time, and as often, as is not known here: it may not change what others see.
+    /// Calls a closure of a lazy iterator. When it runs, and how often, is unknown, so it may not assign to
+    /// variables outside.
     pub fn apply_later(&mut self, callable: Callable<'a>, arguments: Vec<Value>, origin: Origin) -> Value {
         let inside = self.scope.length();
         let outer = self.lazy.replace(inside);
@@ -179,7 +180,7 @@ impl<'a> Interpreter<'a> {
         value
     }
 
-    /// A closure that is kept in a variable: it sees what is in sight here whenever it is called.
+    /// A closure in a variable. Wherever it is called, it sees the variables that are in sight here.
     pub fn stored(&mut self, closure: &'a Closure, origin: Origin) -> Value {
         if closure.is_move {
             return self.refuse(origin, catalogue::moving_closure());

@@ -14,9 +14,9 @@ use crate::number::Number;
 use crate::syntax::body::{BinaryOperator, If};
 
 impl<'a> Interpreter<'a> {
-    /// Whether a comparison of two numbers holds, as a number; `None` of a comparison for equality.
+    /// A comparison as a number, one where it holds and zero elsewhere; `None` for a comparison for equality.
     pub fn choice(&mut self, operator: BinaryOperator, left: NodeId, right: NodeId) -> Option<NodeId> {
-        // The sign of zero is positive.
+        // The sign of zero is one, so equality counts as `>=`.
         let (more, less, strict) = match operator {
             BinaryOperator::GreaterEqual => (left, right, false),
             BinaryOperator::LessEqual => (right, left, false),
@@ -43,7 +43,7 @@ impl<'a> Interpreter<'a> {
                 let terms = [(a, Number::ONE), (b, Number::ONE), (both, Number::MINUS_ONE)];
                 Value::Choice(graph.sum(Number::ZERO, &terms))
             }
-            // A constant that decides has been taken before.
+            // `binary` has stopped at a constant on the left that decides.
             (_, Value::Choice(weight), Value::Boolean(known))
             | (_, Value::Boolean(known), Value::Choice(weight)) => match (operator, known) {
                 (BinaryOperator::And, true) | (BinaryOperator::Or, false) => Value::Choice(weight),

@@ -18,7 +18,7 @@ impl<'a> Interpreter<'a> {
             Shape::Scalar => None,
             Shape::Vector(length @ 1..) => Some(*length),
             Shape::Array(element, length @ 1..) if **element == Shape::Scalar => Some(*length),
-            // That there is no type at all is reported.
+            // A function without a return type has had its message.
             _ if function.output.is_none() => return,
             _ => return self.wrong_return(function, &shape),
         };

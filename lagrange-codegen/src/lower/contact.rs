@@ -51,7 +51,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Lowers all frictions. What limits them is known by then.
+    /// Lowers all frictions, after the constraints and gaps that limit them.
     pub fn frictions(&mut self) {
         let item = self.item;
         let mut actions = None;
@@ -110,7 +110,7 @@ impl<'a> Interpreter<'a> {
                 }
             }
         };
-        // The Cartesian size of a reaction is that of its multiplier times that of the gradient.
+        // A reaction's Cartesian size is that of its multiplier times that of its gradient.
         let mut sized = |values: Vec<NodeId>| -> Vec<NodeId> {
             let graph = &mut self.model.graph;
             let size = |normal: &Option<Limit>| normal.and_then(|normal| normal.size);

@@ -102,7 +102,8 @@ impl<'a> Interpreter<'a> {
             }
         };
         let Some(over) = over else {
-            // What rustc will refuse: nothing is known of the variables that the loop would change.
+            // Without a report rustc refuses the loop. The variables that it would change have unknown
+            // values.
             if self.reports == reports {
                 self.stop();
             }

@@ -57,7 +57,7 @@ pub fn fields(graph: &mut Graph, groups: &[Group], record: Record) -> Vec<Value>
         .collect()
 }
 
-/// One element, whose numbers begin at a place; the place of its orientation among all.
+/// One element, whose numbers begin at `first`. `place` is the position of its orientation among all.
 fn element(graph: &mut Graph, kind: Kind, record: Record, first: u32, place: usize) -> Value {
     let variable =
         |graph: &mut Graph, of: fn(u32) -> Variable, offset: u32| graph.variable(of(first + offset));

@@ -183,7 +183,7 @@ impl<'a> Interpreter<'a> {
             Shape::Array(element, length) => (&**element, Some(*length)),
             single => (single, None),
         };
-        // A helper without a role may name a place too, but a number alone is no place.
+        // A function without a role may name a place, too, unless it returns a number.
         let is_place = matches!(
             (single, function.role.as_ref().map(|role| &role.kind)),
             (Shape::Scalar, Some(RoleKind::Point { .. }))

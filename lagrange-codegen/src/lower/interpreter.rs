@@ -72,19 +72,20 @@ pub struct Interpreter<'a> {
     pub constants: Vec<Option<Value>>,
     /// The fields of each record, in the order of [`crate::syntax::Record::ALL`].
     pub fields: [Vec<Value>; 3],
-    /// Constants of the blocks around that are not evaluated yet.
+    /// Constants of the enclosing blocks that are not evaluated yet.
     pub later: Vec<&'a Name>,
-    /// While a closure of a lazy iterator runs: the variables below this position are outside it.
+    /// While a closure of a lazy iterator runs, the height of the stack of variables where it began:
+    /// variables below are outside the closure.
     pub lazy: Option<usize>,
     /// Closures in variables, with what they have in sight.
     pub closures: Vec<(&'a Closure, View)>,
-    /// Statements that rustc will confirm.
+    /// What the emitted statements about the meaning of names cover so far.
     meant: Lookup<String, ()>,
     /// Whether an attribute argument such as a mass is evaluated.
     pub in_attribute: bool,
     /// How many variables stand for components of positions.
     pub positions: u32,
-    /// How often something was reported, also where the report is a repetition.
+    /// The number of reports, repetitions included.
     pub reports: usize,
     budget: Budget,
 }
@@ -146,12 +147,12 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Notes what rustc has to confirm: a statement that compiles only if a name means what it was taken for.
+    /// Emits a statement that compiles only if a name means what the interpreter took it for.
     pub fn meaning(&mut self, statement: String, origin: Origin) {
         self.meant(statement.clone(), statement, origin);
     }
 
-    /// The same for a name of which one confirmation is enough.
+    /// Emits such a statement once for each name.
     pub fn meant(&mut self, name: String, statement: String, origin: Origin) {
         if self.meant.insert(name, ()).is_none() {
             self.model.meanings.push(Meaning { statement, origin });
@@ -263,7 +264,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Closure(closure) => self.stored(closure, origin),
             ExprKind::Unsupported(message) => self.refuse(origin, message.clone()),
         };
-        // Arrays share their elements, but what walks over them pays for each.
+        // Arrays share their elements, but a walk over an array pays for each element.
         let is_new = matches!(
             expr.kind,
             ExprKind::Array(_) | ExprKind::Tuple(_) | ExprKind::Method(_) | ExprKind::Call(..)

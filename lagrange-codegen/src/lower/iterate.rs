@@ -240,7 +240,7 @@ impl<'a> Interpreter<'a> {
 
     fn zipped(&mut self, left: Value, right: Value, origin: Origin) -> Value {
         let (left, right) = match (left, right) {
-            // An open range counts along.
+            // An open range is as long as its partner.
             (Value::Range(Some(start), None, types), right) => match self.elements(right, origin) {
                 Some(right) => (
                     Value::Range(Some(start), Some(start.saturating_add(right.len() as i128)), types),

@@ -14,7 +14,7 @@ use crate::syntax::body::{MethodCall, Word};
 use crate::syntax::integers::Integers;
 use crate::syntax::suggest::nearest;
 
-/// Methods that change nothing here: conversions take effect where the target is known.
+/// Methods without an effect on values of the interpreter. Conversions take effect where the target is known.
 const TRANSPARENT: [&str; 12] = [
     "clone",
     "into",
@@ -155,7 +155,7 @@ impl<'a> Interpreter<'a> {
     ) -> Value {
         let name = &*word.name;
         match (name, arguments.as_slice()) {
-            // A partner may still tell the length.
+            // The length may follow from a partner later on.
             ("iter" | "into_iter" | "copied" | "cloned", []) => return Value::Parameter(id),
             ("zip", [Value::Array(partner) | Value::Iterator(partner)]) => {
                 let pairs = partner.iter().enumerate().map(|(index, element)| {
@@ -176,7 +176,7 @@ impl<'a> Interpreter<'a> {
             }
             _ => {}
         }
-        // The other operand tells the shape.
+        // The parameter has the shape of the other operand.
         if let (true, [Value::Vector(nodes)]) = (vector::METHODS.contains(&name), arguments.as_slice()) {
             let length = nodes.len();
             return match self.vector(Value::Parameter(id), length, origin) {

@@ -1,4 +1,4 @@
-//! What limits a friction: the force of a constraint, or the common size of the forces of several.
+//! Reactions that limit friction: the force of one constraint, or the common size of several forces.
 
 use super::advice::{counted, valid_indices};
 use super::interpreter::Interpreter;
@@ -13,14 +13,14 @@ use crate::syntax::item::{self, Function, RoleKind};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limit {
     pub normal: Normal,
-    /// The Cartesian size of the force of a unit multiplier, where its form tells that.
+    /// The Cartesian size of the force that a unit multiplier exerts, if its form tells.
     pub size: Option<NodeId>,
 }
 
-/// What constraints and gaps do at each particle and body.
+/// The forces of constraints and gaps on each particle and body.
 pub(super) struct Actions {
     rows: Vec<Constraint>,
-    /// How many of them are constraints.
+    /// The number of constraints, which come before gaps.
     held: usize,
     acting: Vec<Vec<Acting>>,
 }
@@ -33,7 +33,7 @@ impl Actions {
         Actions { rows, held: model.constraints.len(), acting }
     }
 
-    /// What a row does at a place, where there may be a force.
+    /// The force of a row on a place, if there is any.
     fn at(&self, model: &Model, row: usize, place: usize) -> Option<&Acting> {
         self.acting[row].get(place).filter(|acting| acting.is_any(&model.graph))
     }
@@ -45,7 +45,7 @@ impl Actions {
 }
 
 impl<'a> Interpreter<'a> {
-    /// What a normal names, for each friction; `None` where that is a mistake, which is reported.
+    /// The reactions that `normal = …` names, one for each friction; `None` after a reported mistake.
     pub(super) fn limits(
         &mut self,
         function: &'a Function,

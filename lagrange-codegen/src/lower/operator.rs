@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
         self.exact(operator, left, right, origin)
     }
 
-    /// An operator on two values, the constants among them exact.
+    /// An operator on two values. Constants among them are exact.
     fn exact(&mut self, operator: BinaryOperator, left: Value, right: Value, origin: Origin) -> Value {
         match operator {
             BinaryOperator::Add | BinaryOperator::Subtract => self.additive(operator, left, right, origin),
@@ -249,14 +249,12 @@ impl<'a> Interpreter<'a> {
 
     fn multiply(&mut self, left: Value, right: Value, origin: Origin) -> Value {
         let (left, right) = match (left, right) {
-            // Only a scalar multiplies from either side, unless a rotation turns a vector.
-            (left @ Value::Rotation(_), Value::Parameter(id)) => {
-                let shape = match &left {
-                    Value::Rotation(turn) => super::shape::Shape::Vector(turn.dimension()),
-                    _ => super::shape::Shape::Any,
-                };
+            // A parameter beside a value of known shape is a scalar, but a vector behind a rotation. Matrices
+            // and poses leave its shape open.
+            (Value::Rotation(turn), Value::Parameter(id)) => {
+                let shape = super::shape::Shape::Vector(turn.dimension());
                 let right = self.coerce(Value::Parameter(id), &shape, origin);
-                (left, right)
+                (Value::Rotation(turn), right)
             }
             (Value::Matrix(_) | Value::Isometry(..) | Value::Translation(_), Value::Parameter(id)) => {
                 let text = self.parameters.text(id).to_string();

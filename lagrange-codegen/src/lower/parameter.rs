@@ -88,7 +88,7 @@ impl Interpreter<'_> {
         self.extend_parameter(id, &format!("[({row}, {column})]"), &format!("{row}_{column}"), origin)
     }
 
-    /// `name(&path)` of the runtime's algebra, for any scalar.
+    /// A parameter made from another by a function of the runtime's algebra.
     pub fn parameter_function(&mut self, id: ParameterId, name: &str, origin: Origin) -> ParameterId {
         let path = self.parameters.text(id);
         let text = format!("{}::__private::algebra::{name}(&{path})", self.crate_text());
@@ -119,7 +119,8 @@ impl Interpreter<'_> {
         self.parameters.intern(text, label, origin)
     }
 
-    /// Takes a parameter for an array of a length that its context gives; the emitted code checks it.
+    /// Takes a parameter for an array of the length that its context gives. The emitted code checks the
+    /// length.
     pub fn parameter_elements(&mut self, id: ParameterId, length: usize, origin: Origin) -> Vec<Value> {
         let path = self.parameters.text(id).to_owned();
         self.model.lengths.push(Length { path, length, origin });
@@ -148,7 +149,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// Whether a field can only be written raw.
+/// Whether a field's name must be written as a raw identifier.
 fn syn_keyword(name: &str) -> bool {
     !name.starts_with(|c: char| c.is_ascii_digit()) && syn::parse_str::<syn::Ident>(name).is_err()
 }

@@ -35,7 +35,7 @@ impl<'a> Interpreter<'a> {
                 self.unknown_name(path)
             }
             Owner::Local(name) => match self.scope.get(&path.last) {
-                // Of two things of one name, a type and a variable, the word alone is the variable.
+                // Where a local type and a variable share a name, the word alone is the variable.
                 Some(value) if !path.text.contains("::") => value.clone(),
                 _ => self.refuse(path.origin, catalogue::local_item(name)),
             },
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
         if let Some(value) = &self.constants[index] {
             return Some(value.clone());
         }
-        // A cycle of constants finds this and is left to rustc.
+        // A constant that needs itself finds `Unknown` here. rustc reports the cycle.
         self.constants[index] = Some(Value::Unknown);
         let constant = &item.constants[index];
         if let Some(origin) = constant.conditional {
@@ -200,7 +200,7 @@ impl<'a> Interpreter<'a> {
             Owner::Type(ty) => self.construct(ty, &word, arguments, origin),
             Owner::Other(owner) => match (&**owner, &*path.last) {
                 ("Unit", "new_normalize") => self.first_method(arguments, &word, "normalize", origin),
-                // What does not move is given its length: angular velocities are those of unit axes.
+                // A constant axis is normalised: angular velocities are taken about unit axes.
                 ("Unit", "new_unchecked") if self.is_fixed_vector(&arguments) => {
                     self.first_method(arguments, &word, "normalize", origin)
                 }

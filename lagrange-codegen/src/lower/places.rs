@@ -55,7 +55,7 @@ impl Interpreter<'_> {
             }
             stand_ins.insert(key, stand_in);
         }
-        // What a second evaluation may complain of, the first did not.
+        // The first evaluation has reported what is wrong.
         let memo = std::mem::replace(&mut self.memo, stand_ins);
         let hints = self.model.hints.clone();
         for (index, function) in item.functions.iter().enumerate() {

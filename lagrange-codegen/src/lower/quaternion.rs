@@ -60,7 +60,7 @@ impl Interpreter<'_> {
     pub fn new_unit_quaternion(&mut self, name: &str, arguments: &[Value], origin: Origin) -> Option<Value> {
         let [value] = arguments else { return None };
         match self.coerce(value.clone(), &Shape::AnyQuaternion, origin) {
-            // What it does to vectors if its length is not one differs from function to function.
+            // Functions differ in what they do with a quaternion that is not of unit length.
             Value::Quaternion(parts)
                 if name == "new_unchecked"
                     && parts.iter().any(|&part| !self.model.graph.dependence(part).is_fixed()) =>

@@ -1,5 +1,5 @@
-//! What was read of each function with a role or a velocity and of each argument of a role, for the
-//! comparison with what they return.
+//! The values that the interpreter found for each function with a role or a velocity and for each argument of
+//! a role. The runtime compares them with what the functions return.
 
 use super::interpreter::Interpreter;
 use super::value::{Turn, Value};
@@ -8,8 +8,8 @@ use crate::model::Reading;
 use crate::syntax::item::RoleKind;
 
 impl Interpreter<'_> {
-    /// Collects the values of all functions with a role or a velocity, which are remembered, and of the
-    /// arguments of roles.
+    /// Collects the values of functions with a role or a velocity, which are memoised, and of arguments of
+    /// roles.
     pub fn readings(&mut self) {
         if self.reports > 0 || self.item.allows("misread") {
             return;
@@ -17,7 +17,7 @@ impl Interpreter<'_> {
         let item = self.item;
         for (function, declared) in item.functions.iter().enumerate() {
             let Some(role) = &declared.role else {
-                // Its velocity may be all that other functions use.
+                // A function without a role counts if its velocity is used.
                 if item.velocities.iter().any(|velocity| velocity.function == function)
                     && let Some(value) = self.result(function)
                 {
@@ -42,13 +42,13 @@ impl Interpreter<'_> {
 
     fn reading(&mut self, function: usize, argument: Option<&'static str>, value: &Value) {
         let mut nodes = Vec::new();
-        // A field by itself is what it is.
+        // A bare field cannot be misread.
         if self.flatten(value, &mut nodes).is_some() && !nodes.is_empty() {
             self.model.readings.push(Reading { function, argument, nodes, sizes: Vec::new() });
         }
     }
 
-    /// All numbers of a value in the order of the runtime's `Numbers`; `None` where one is not known to be a
+    /// All numbers of a value in the order of the runtime's `Numbers`; `None` if one of them may be no
     /// number.
     fn flatten(&mut self, value: &Value, nodes: &mut Vec<NodeId>) -> Option<()> {
         match value {

@@ -80,7 +80,7 @@ impl<'a> Interpreter<'a> {
         let mut arguments = Vec::with_capacity(function.parameters.len());
         for parameter in &function.parameters {
             arguments.push(match parameter.argument? {
-                // The lack of inputs is reported.
+                // Missing inputs have had their message.
                 Argument::Record(Record::Inputs) if self.item.inputs.is_empty() => Value::Unknown,
                 Argument::Record(record) => Value::Record(record),
                 Argument::Time => Value::scalar(self.graph().variable(Variable::Time)),

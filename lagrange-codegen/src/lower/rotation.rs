@@ -63,7 +63,7 @@ impl Interpreter<'_> {
         Rotation { matrix, form: RotationForm::Axis { axis, angle } }
     }
 
-    /// The left rotation after the right one.
+    /// The product of two rotations; the right one applies first.
     pub fn rotation_product(&mut self, left: &Rotation, right: &Rotation) -> Rotation {
         let columns = transposed(&right.matrix);
         let mut matrix = left.matrix;
@@ -83,7 +83,7 @@ impl Interpreter<'_> {
         Value::Rotation(Turn::Space(Rc::new(Rotation { matrix, form: RotationForm::Entries })))
     }
 
-    /// The rotation back.
+    /// The inverse rotation.
     pub fn inverse_turn(&mut self, turn: &Turn) -> Turn {
         match turn {
             Turn::Plane(angle) => Turn::Plane(self.graph().neg(*angle)),
@@ -226,7 +226,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The pose back.
+    /// The inverse pose.
     pub fn inverse_isometry(&mut self, shift: &[NodeId], turn: &Turn) -> Value {
         let back = self.inverse_turn(turn);
         let shift = self.turn_nodes(&back, shift);
@@ -240,7 +240,7 @@ impl Interpreter<'_> {
         sum
     }
 
-    /// Notes of a sum of a place and a turned vector what carries it.
+    /// Records what carries the sum of a position and a turned vector.
     fn carry(&mut self, sum: &[NodeId], a: &[NodeId], b: &[NodeId]) {
         let zero = [self.graph().zero(); 3];
         let (Some(place), Some(a), Some(b)) = (three(sum), three(a), three(b)) else { return };

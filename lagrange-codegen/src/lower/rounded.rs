@@ -27,7 +27,7 @@ impl Rounded {
 
     /// A double, and what it becomes as a single.
     pub fn of(value: f64) -> Rounded {
-        // A decimal that lies between two singles could have been rounded twice.
+        // The bits of a double that a single has not.
         const TAIL: u64 = (1 << 29) - 1;
         let tie = value.to_bits() & TAIL == 1 << 28;
         Rounded { double: Some(value), single: (!tie).then_some(value as f32) }

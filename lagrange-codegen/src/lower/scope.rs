@@ -9,19 +9,19 @@ use crate::syntax::hygiene::written;
 pub struct Scope {
     variables: Vec<Entry>,
     base: usize,
-    /// Stretches of the stack that are out of sight while a closure from further out runs.
+    /// Ranges of the stack that are out of sight while a closure from further out runs.
     hidden: Vec<(usize, usize)>,
-    /// How many variables there have ever been.
+    /// The number of variables made so far.
     made: u64,
 }
 
-/// What is in sight where a closure stands.
+/// The variables that a closure sees.
 #[derive(Clone, Debug)]
 pub struct View {
     length: usize,
     base: usize,
     hidden: Vec<(usize, usize)>,
-    /// The innermost variable there.
+    /// The number of the innermost variable.
     innermost: Option<u64>,
 }
 
@@ -30,7 +30,7 @@ struct Entry {
     name: Name,
     value: Value,
     kind: Kind,
-    /// Which of all variables it is.
+    /// The number of the variable, in the order of making.
     number: u64,
 }
 
@@ -41,7 +41,7 @@ enum Kind {
     Variable,
     /// A constant declared in a function body: the same name in any syntax context.
     Item,
-    /// `use a::*;`: from here inwards constants may have other meanings.
+    /// `use a::*;`: inside its block, constants may have other meanings.
     Glob,
 }
 
@@ -53,12 +53,12 @@ pub struct Mark {
 }
 
 impl Scope {
-    /// Where the stack stands.
+    /// The present height of the stack.
     pub fn mark(&self) -> Mark {
         Mark { length: self.variables.len(), base: self.base }
     }
 
-    /// How many variables there are.
+    /// The number of variables on the stack.
     pub fn length(&self) -> usize {
         self.variables.len()
     }
@@ -76,13 +76,13 @@ impl Scope {
         self.base = mark.base;
     }
 
-    /// What is in sight here.
+    /// The present view.
     pub fn view(&self) -> View {
         let (length, base, hidden) = (self.variables.len(), self.base, self.hidden.clone());
         View { length, base, hidden, innermost: self.variables.last().map(|entry| entry.number) }
     }
 
-    /// Goes to another view. Gives back the present one; `None` where that other is no more.
+    /// Goes to another view and returns the present one; `None` if variables of the other view are gone.
     pub fn look(&mut self, view: &View) -> Option<View> {
         let last = view.length.checked_sub(1).and_then(|last| self.variables.get(last));
         if view.innermost.is_some() && last.map(|entry| entry.number) != view.innermost {
@@ -123,12 +123,12 @@ impl Scope {
         self.push(name, value, Kind::Item);
     }
 
-    /// Notes an import of everything.
+    /// Notes a glob import.
     pub fn bind_glob(&mut self) {
         self.push("".into(), Value::Unknown, Kind::Glob);
     }
 
-    /// Whether an import of everything may hide what is declared further out than a position.
+    /// Whether a glob import above a position may hide what is declared below it.
     pub fn is_globbed(&self, slot: usize) -> bool {
         self.own().any(|(own, entry)| own >= slot && entry.kind == Kind::Glob)
     }

@@ -1,4 +1,4 @@
-//! The parameters that derivatives are taken by.
+//! The parameters by which derivatives are taken.
 
 use super::interpreter::Interpreter;
 use super::parameter::Parameters;
@@ -41,7 +41,7 @@ impl Interpreter<'_> {
 }
 
 impl Parameters {
-    /// The path in formulas of what a path means: a component has several names.
+    /// The parameter by which formulas know a path: a component has several names.
     fn in_use(&self, id: ParameterId, crate_path: &str) -> ParameterId {
         const COMPONENTS: [&str; 3] = [".x", ".y", ".z"];
         let text = self.text(id);
@@ -64,7 +64,7 @@ impl Parameters {
             .unwrap_or(id)
     }
 
-    /// Whether formulas use parts of what a path means, and not the whole.
+    /// Whether formulas use components of a path, and not its whole.
     fn has_parts(&self, id: ParameterId) -> bool {
         let text = self.text(id);
         let of = [format!("{text}["), format!("{text}."), format!("(&{text})[")];

@@ -1,4 +1,4 @@
-//! Shapes: what a type annotation says about a value, and bringing values into them.
+//! Shapes: what a type annotation tells about a value, and the conversion of values to shapes.
 
 use std::rc::Rc;
 
@@ -20,7 +20,7 @@ pub enum Shape {
     Unit,
     /// `bool`.
     Boolean,
-    /// An integer of one of some types.
+    /// An integer of one of several types.
     Integer(Integers),
     /// The scalar.
     Scalar,
@@ -129,7 +129,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Brings a value into a shape: parameters unfold into components, `into()` takes effect.
+    /// Brings a value into a shape. Parameters unfold into components, and `into()` takes effect.
     pub fn coerce(&mut self, value: Value, shape: &Shape, origin: Origin) -> Value {
         if let Value::Parameter(id) = value {
             return self.unfold(id, shape, origin);

@@ -114,7 +114,7 @@ impl<'a> Interpreter<'a> {
         self.coerce_of(value, &shape, expr)
     }
 
-    /// Leaves the function after a runaway.
+    /// Leaves the function, after a description has run away.
     pub fn stop(&mut self) {
         self.flow = Flow::Return(Value::Unknown);
     }

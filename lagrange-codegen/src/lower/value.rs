@@ -176,7 +176,7 @@ impl Value {
         }
     }
 
-    /// The number of scalars and the like in nested arrays and tuples, counted up to a limit.
+    /// The number of scalars in nested arrays and tuples. Counting ends at the limit.
     pub fn parts(&self, limit: usize) -> usize {
         match self {
             Value::Tuple(elements) | Value::Array(elements) | Value::Iterator(elements) => {
@@ -254,7 +254,7 @@ impl Value {
                 nodes(words, 8, self.nodes());
             }
             Value::Translation(_) => nodes(words, 9, self.nodes()),
-            // Rotations of equal entries may differ in form, which is not lost by sharing one.
+            // Of rotations with equal entries, any form serves as well.
             Value::Rotation(_) => nodes(words, 10, self.nodes()),
             Value::Isometry(_, turn) => {
                 nodes(words, 11, self.nodes());

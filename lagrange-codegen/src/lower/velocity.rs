@@ -14,12 +14,12 @@ use crate::model::{Rates, Spin, Twist, Velocity};
 use crate::syntax::body::Word;
 use crate::syntax::item::Argument;
 
-/// What velocities of bodies hold beside their methods.
+/// The fields of a body's velocity.
 const FIELDS: [&str; 5] =
     ["position", "velocity", "velocity_in_body", "angular_velocity", "angular_velocity_in_body"];
 
 impl<'a> Interpreter<'a> {
-    /// A call of the velocity of a function of the block; `None` where a name is no such velocity.
+    /// The value of a call such as `self.hub_velocity(q, v)`; `None` if no velocity has that name.
     pub fn velocity_call(
         &mut self,
         word: &Word,
@@ -58,7 +58,7 @@ impl<'a> Interpreter<'a> {
         Some(self.at_time(value, at))
     }
 
-    /// The velocities that the description calls for as functions of their own.
+    /// The velocities that are emitted as functions of their own.
     pub fn velocities(&mut self) {
         let item = self.item;
         for (place, velocity) in item.velocities.iter().enumerate() {
@@ -73,7 +73,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The rate of what a function returns, derived once. `None` if it has no rate; that is reported.
+    /// The rate of what a function returns, derived once; `None` after a reported mistake.
     fn velocity(&mut self, place: usize) -> Option<Value> {
         if let Some(known) = &self.rates[place] {
             return (!known.is_unknown()).then(|| known.clone());
@@ -101,7 +101,7 @@ impl<'a> Interpreter<'a> {
         (!value.is_unknown()).then_some(value)
     }
 
-    /// The rate of a value along the motion; `None` of one that has none.
+    /// The rate of a value along the motion; `None` if it has none.
     fn rate(&mut self, value: &Value) -> Option<Value> {
         let rate = match value {
             Value::Unknown => Value::Unknown,
@@ -181,7 +181,7 @@ impl<'a> Interpreter<'a> {
         Value::Twist(Rc::new(Twist { position: position.to_vec(), velocity, velocity_in_body, spin }))
     }
 
-    /// A value at another time than now.
+    /// A value at another time.
     fn at_time(&mut self, value: Value, at: NodeId) -> Value {
         let time = self.graph().variable(Variable::Time);
         if time == at {
@@ -257,7 +257,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// A rate in the form that the model keeps it in.
+/// A rate in the form of the model.
 fn rates_of(value: &Value) -> Option<Rates> {
     let all = |elements: &[Value]| elements.iter().map(rates_of).collect::<Option<Vec<_>>>();
     match value {

@@ -39,7 +39,7 @@ pub use tiles::{Pattern, Tile, Tiles};
 pub enum Numbers {
     /// The user's scalar.
     Plain,
-    /// Numbers that carry others with them, as derivatives.
+    /// Numbers that carry others with them, such as derivatives.
     Carrying,
 }
 
@@ -52,19 +52,19 @@ pub struct Expansion {
     pub coordinates: Vec<Slot>,
     /// The coefficients of the velocities.
     pub velocities: Vec<Slot>,
-    /// What goes from one order to the next.
+    /// The numbers that pass from one order to the next.
     pub carried: Vec<Carried>,
     /// The factors of the convolutions.
     pub factors: Vec<Factor>,
-    /// How these are summed.
+    /// How the convolutions are summed.
     pub sums: Sums,
-    /// What the runtime solves for velocities.
+    /// The blocks that the runtime solves for velocities.
     pub solvers: Vec<Solver>,
-    /// Reciprocals of pivots, which are finite where there is a solution.
+    /// Reciprocals of pivots. They are finite if there is a solution.
     pub pivots: Vec<Slot>,
-    /// With constraints, what the runtime solves for multipliers.
+    /// The system that the runtime solves for multipliers, with constraints.
     pub saddle: Option<SaddlePoint>,
-    /// Which coefficients are those of what.
+    /// The slots that hold coefficients, for names.
     pub coefficients: Vec<Coefficient>,
     /// Values at the point of expansion, by slot of the recurrences.
     pub values: Vec<Slot>,
@@ -73,24 +73,24 @@ pub struct Expansion {
 /// A number that one order leaves to the next.
 #[derive(Clone, Copy, Debug)]
 pub struct Carried {
-    /// What it is.
+    /// The coefficient that is kept.
     pub keeps: Keeps,
-    /// At order zero.
+    /// Its value at order zero.
     pub start: Slot,
-    /// The coefficient of an order.
+    /// Its value at each later order.
     pub next: Slot,
 }
 
-/// Whose coefficients go on to the next order.
+/// The coefficients that go on to the next order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keeps {
-    /// Those of a velocity.
+    /// Of a velocity.
     Velocity(usize),
-    /// Those of a momentum's rate.
+    /// Of a momentum's rate.
     Force(usize),
-    /// Those of a constraint's rate.
+    /// Of a constraint's rate.
     Relaxation(usize),
-    /// Those of the rate of an auxiliary, by its slot in the recurrences.
+    /// Of the rate of an auxiliary, by its slot in the recurrences.
     Flow(Slot),
 }
 
@@ -106,7 +106,7 @@ pub struct Factor {
 /// How convolutions are summed.
 #[derive(Clone, Debug)]
 pub enum Sums {
-    /// Each by itself: the places of their factors.
+    /// Each by itself: the indices of their factors.
     Few(Vec<[usize; 2]>),
     /// In tiles.
     Many(Tiles),
@@ -114,15 +114,17 @@ pub enum Sums {
 
 impl Sums {
     fn of(jets: &Jets, factors: &[Factor], numbers: Numbers) -> Sums {
-        let mut places: Lookup<Operand, usize> = Lookup::default();
-        for (place, factor) in factors.iter().enumerate() {
-            places.insert(factor.operand, place);
+        let mut indices: Lookup<Operand, usize> = Lookup::default();
+        for (index, factor) in factors.iter().enumerate() {
+            indices.insert(factor.operand, index);
         }
-        let place = |operand: Operand| places.get(&operand).copied().unwrap_or_default();
-        if jets.lanes.len() > FEW {
-            Sums::Many(Tiles::of(&jets.lanes, numbers, &place))
+        let index = |operand: Operand| indices.get(&operand).copied().unwrap_or_default();
+        if jets.convolutions.len() > FEW {
+            Sums::Many(Tiles::of(&jets.convolutions, numbers, &index))
         } else {
-            Sums::Few(jets.lanes.iter().map(|lane| [place(lane.left), place(lane.right)]).collect())
+            Sums::Few(
+                jets.convolutions.iter().map(|product| [index(product.left), index(product.right)]).collect(),
+            )
         }
     }
 }
@@ -259,7 +261,7 @@ impl Order<'_> {
     fn factors(&mut self) -> Vec<Factor> {
         let mut factors: Vec<Factor> = Vec::new();
         let mut known: Lookup<Operand, ()> = Default::default();
-        for operand in self.jets.lanes.iter().flat_map(|lane| [lane.left, lane.right]) {
+        for operand in self.jets.convolutions.iter().flat_map(|product| [product.left, product.right]) {
             if known.insert(operand, ()).is_some() {
                 continue;
             }

@@ -1,7 +1,8 @@
 //! The coefficients of one order.
 //!
-//! An order starts with what lower orders determine (coordinates, then functions of them), evaluates the
-//! momenta with the new velocity coefficients at zero, solves for these, and completes what depends on them.
+//! An order starts with what lower orders determine: coordinates, then functions of them. It evaluates the
+//! momenta with the new velocity coefficients at zero, solves for these coefficients, and completes what
+//! depends on them.
 
 use super::terms::{Term, chain, literal};
 use super::values::slope;
@@ -12,40 +13,40 @@ use crate::jets::{Coefficient, Jets, Relation};
 use crate::number::Number;
 use crate::schedule::{Given, Instruction, Program, Slot};
 
-/// What stands in a summand.
+/// A number in a summand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Operand {
-    /// The convolution of a lane, or what is left of it after a division by the order.
+    /// A convolution, whole or divided by the order.
     Known(Slot),
     /// The coefficient of a slot.
     Coefficient(Slot),
 }
 
-/// What goes on to the next order.
+/// The source of a number that goes on to the next order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Source {
-    /// The coefficient of a velocity, which need not stand in a recurrence.
+    /// A velocity, which may be in no recurrence.
     Velocity(u32),
-    /// That of a slot.
+    /// A slot.
     Slot(Slot),
 }
 
-/// The coefficients while they are found.
+/// The coefficients of an order, while they are planned.
 pub(super) struct Order<'a> {
     pub jets: &'a Jets,
     pub program: Program,
     /// Values at the point of expansion, by slot of the recurrences.
     pub values: Vec<Slot>,
-    /// Slots with a coefficient of their own; the others are taken apart into their operands.
+    /// Slots with a coefficient of their own. Those of the others are written in terms of their operands'.
     pub named: Vec<bool>,
     /// Factors of power recurrences, by slot: dy/dx at the point of expansion and 1 / x.
     pub powers: Lookup<Slot, (Slot, Slot)>,
     coefficients: Vec<Option<Slot>>,
-    /// The same with the unknowns at zero; `None` for zero.
+    /// The coefficients with the unknowns at zero; `None` for zero.
     partial: Vec<Option<Slot>>,
-    /// What goes on to the next order, by the slot whose coefficient it is.
+    /// The numbers that go on to the next order, with their sources.
     carried: Vec<(Keeps, Source)>,
-    /// For the names of coefficients.
+    /// The coefficients found so far, for names.
     pub found: Vec<Named>,
 }
 
@@ -75,7 +76,7 @@ impl<'a> Order<'a> {
         self.program.push(Instruction::Given(given))
     }
 
-    /// What the last order left of a slot.
+    /// A number that the last order has left.
     pub fn carry(&mut self, keeps: Keeps, slot: Slot) -> Slot {
         let source = match self.jets.program.instruction(slot) {
             Instruction::Variable(Variable::Velocity(i)) => Source::Velocity(i),
@@ -101,7 +102,7 @@ impl<'a> Order<'a> {
         coefficient
     }
 
-    /// The slot of a variable, where a recurrence reads it.
+    /// The slot of a variable, if a recurrence reads it.
     fn slot_of(&self, variable: Variable) -> Option<Slot> {
         let program = &self.jets.program;
         self.jets
@@ -128,7 +129,7 @@ impl<'a> Order<'a> {
         self.found.push(Named { slot, part, of });
     }
 
-    /// Everything that lower orders determine.
+    /// Plans everything that lower orders determine.
     pub fn early(&mut self) {
         for slot in self.jets.order.clone() {
             if self.jets.coefficient(slot) != Coefficient::Early || !self.named[slot.index()] {
@@ -154,7 +155,7 @@ impl<'a> Order<'a> {
         }
     }
 
-    /// The balances' operands with the unknowns at zero.
+    /// Plans the operands of momenta and conditions with the unknowns at zero.
     pub fn partially(&mut self) {
         let under = self.jets.under_balances();
         for slot in self.late().filter(|slot| under[slot.index()]).collect::<Vec<_>>() {
@@ -168,7 +169,7 @@ impl<'a> Order<'a> {
         }
     }
 
-    /// What depends on the unknowns.
+    /// Plans what depends on the unknowns.
     pub fn complete(&mut self) {
         for slot in self.late().collect::<Vec<_>>() {
             let (known, unknown) = self.split(slot);
@@ -179,7 +180,7 @@ impl<'a> Order<'a> {
         }
     }
 
-    /// What goes on to the next order, with the coefficients of all velocities.
+    /// The numbers that go on to the next order, from the coefficients of all velocities.
     pub fn carried(&mut self, velocities: &[Slot]) -> Vec<Carried> {
         let all = std::mem::take(&mut self.carried);
         all.into_iter()
@@ -196,13 +197,13 @@ impl<'a> Order<'a> {
             .collect()
     }
 
-    /// The coefficient of a slot that may have none of its own.
+    /// The coefficient of a slot, which is made from its operands if the slot has none of its own.
     pub fn coefficient(&mut self, slot: Slot) -> Slot {
         let terms = self.read(slot);
         self.sum(slot, None, &terms, false).unwrap_or_else(|| self.zero())
     }
 
-    /// `start` + the coefficient of a slot with the unknowns at zero; `None` for zero.
+    /// `start` plus the coefficient of a slot with the unknowns at zero; `None` for zero.
     pub fn balance(&mut self, start: Option<Slot>, slot: Slot, negative: bool) -> Option<Slot> {
         let mut terms = self.read(slot);
         if negative {
@@ -248,20 +249,20 @@ impl<'a> Order<'a> {
             .collect();
         let known = self.program.len();
         let sum = chain(&mut self.program, start, terms);
-        // The sums on the way are parts of this one.
+        // Partial sums are parts of this coefficient, too.
         for slot in self.program.slots().skip(known).filter(|&slot| Some(slot) != sum) {
             self.found.push(Named { slot, part: Part::Known, of });
         }
         sum
     }
 
-    /// The terms of a late slot that are known before the solution, and the others.
+    /// The terms of a late slot: those known before the solution, and the others.
     fn split(&mut self, slot: Slot) -> (Vec<Term<Operand>>, Vec<Term<Operand>>) {
         let terms = self.terms(slot);
         terms.into_iter().partition(|term| self.when(term.value) != Coefficient::Late)
     }
 
-    /// When all of an operand is known.
+    /// When an operand is known.
     pub fn when(&self, operand: Operand) -> Coefficient {
         match operand {
             Operand::Known(_) => Coefficient::Constant,
@@ -288,9 +289,9 @@ fn named(jets: &Jets) -> Vec<bool> {
             named[operand.index()] |= multiplied || jets.auxiliary(slot).is_some();
         });
     }
-    for lane in &jets.lanes {
-        named[lane.left.slot.index()] = true;
-        named[lane.right.slot.index()] = true;
+    for product in &jets.convolutions {
+        named[product.left.slot.index()] = true;
+        named[product.right.slot.index()] = true;
     }
     for slot in jets.carried().chain(jets.balances()) {
         uses[slot.index()] += 1;

@@ -1,4 +1,4 @@
-//! The coefficient of a slot as a sum of products with what is known at the point of expansion.
+//! The coefficient of a slot as a sum of products with values at the point of expansion.
 
 use super::order::{Operand, Order};
 use super::terms::{Term, chain, literal};
@@ -7,10 +7,10 @@ use crate::number::Number;
 use crate::schedule::{Given, Instruction, Program, Slot};
 
 impl Order<'_> {
-    /// Terms in the order in which their operands are known.
+    /// The terms in the order in which their operands are known.
     fn sorted(&self, mut terms: Vec<Term<Operand>>) -> Vec<Term<Operand>> {
         terms.sort_by_key(|term| (self.when(term.value), term.factor.is_some()));
-        // A chain starts with a positive term where it can, which saves the change of sign.
+        // A chain starts with a positive term if it has one, which saves a change of sign.
         let earliest = terms.first().map(|term| self.when(term.value));
         if let Some(place) = terms.iter().position(|term| !term.negative)
             && Some(self.when(terms[place].value)) == earliest
@@ -21,7 +21,7 @@ impl Order<'_> {
         terms
     }
 
-    /// The terms of the coefficient of a slot, not looking at its own.
+    /// The terms of a slot's coefficient, whether or not it has one of its own.
     pub(super) fn terms(&mut self, slot: Slot) -> Vec<Term<Operand>> {
         let mut terms = Vec::new();
         match self.jets.auxiliary(slot) {
@@ -31,7 +31,7 @@ impl Order<'_> {
         self.sorted(terms)
     }
 
-    /// The coefficient of a slot by itself, or by its terms where it has none.
+    /// The coefficient of a slot as one term, or else its terms.
     pub(super) fn read(&mut self, slot: Slot) -> Vec<Term<Operand>> {
         let mut terms = Vec::new();
         self.add(slot, false, &mut terms);
@@ -79,7 +79,7 @@ impl Order<'_> {
             (true, true) => {
                 let (first, second) = (term(a, b), term(b, a));
                 let value = value(a);
-                terms.push(Term::plain(negative, self.convolution(self.jets.product_lane(a, b))));
+                terms.push(Term::plain(negative, self.convolution(self.jets.product_convolution(a, b))));
                 if a == b {
                     let twice = self.program.push(Instruction::Add(value, value));
                     terms.push(Term::product(negative, twice, Operand::Coefficient(a)));
@@ -93,21 +93,21 @@ impl Order<'_> {
         }
     }
 
-    fn convolution(&mut self, lane: usize) -> Operand {
-        Operand::Known(self.given(Given::Convolution(lane as u32)))
+    fn convolution(&mut self, index: usize) -> Operand {
+        Operand::Known(self.given(Given::Convolution(index as u32)))
     }
 
     fn relation(&mut self, series: &Series, terms: &mut Vec<Term<Operand>>) {
-        let lanes = self.jets.relation_lanes(series);
+        let convolutions = self.jets.relation_convolutions(series);
         match &series.relation {
             Relation::Flow(_) => {}
             Relation::Same(slot) => terms.push(Term::plain(false, Operand::Coefficient(*slot))),
             Relation::Chain(arguments) => {
                 let mut sum = None;
-                for (&(slope, argument), lane) in arguments.iter().zip(lanes) {
+                for (&(slope, argument), index) in arguments.iter().zip(convolutions) {
                     if self.jets.moves(slope) {
-                        let lane = self.given(Given::Convolution(lane as u32));
-                        sum = chain(&mut self.program, sum, [Term::plain(false, lane)]);
+                        let product = self.given(Given::Convolution(index as u32));
+                        sum = chain(&mut self.program, sum, [Term::plain(false, product)]);
                     }
                     let slope = self.values[slope.index()];
                     terms.push(Term::product(false, slope, Operand::Coefficient(argument)));
@@ -121,9 +121,9 @@ impl Order<'_> {
             Relation::Power(base, exponent) => {
                 let Some(&(slope, reciprocal)) = self.powers.get(&series.slot) else { return };
                 if *exponent == Number::HALF {
-                    terms.push(Term::product(true, slope, self.convolution(lanes[0])));
+                    terms.push(Term::product(true, slope, self.convolution(convolutions[0])));
                 } else if *exponent == Number::MINUS_ONE {
-                    terms.push(Term::product(true, reciprocal, self.convolution(lanes[0])));
+                    terms.push(Term::product(true, reciprocal, self.convolution(convolutions[0])));
                 } else {
                     let above = *exponent + Number::ONE;
                     let scaled = |program: &mut Program, number: Number| {
@@ -134,10 +134,18 @@ impl Order<'_> {
                         program.push(Instruction::Mul(number, reciprocal))
                     };
                     let first = scaled(&mut self.program, *exponent);
-                    terms.push(Term::product(exponent.is_negative(), first, self.convolution(lanes[0])));
+                    terms.push(Term::product(
+                        exponent.is_negative(),
+                        first,
+                        self.convolution(convolutions[0]),
+                    ));
                     let (second, index) = (scaled(&mut self.program, above), self.given(Given::Index));
                     let second = self.program.push(Instruction::Div(second, index));
-                    terms.push(Term::product(!above.is_negative(), second, self.convolution(lanes[1])));
+                    terms.push(Term::product(
+                        !above.is_negative(),
+                        second,
+                        self.convolution(convolutions[1]),
+                    ));
                 }
                 terms.push(Term::product(false, slope, Operand::Coefficient(*base)));
             }

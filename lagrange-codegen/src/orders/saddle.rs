@@ -21,19 +21,19 @@ pub struct SaddlePoint {
     pub method: Saddle,
     /// A; rows are constraints.
     pub gradients: Vec<Vec<Slot>>,
-    /// Of a diagonal M, 1 / M; else its lower triangle.
+    /// 1 / M of a diagonal M, else the lower triangle of M.
     pub mass: Vec<Slot>,
-    /// Of a diagonal M, the lower triangle of A M⁻¹ Aᵀ, unless the runtime forms it.
+    /// With a diagonal M the lower triangle of A M⁻¹ Aᵀ, unless the runtime forms it.
     pub schur: Vec<Slot>,
-    /// Of rows that hold at times.
+    /// Switches of rows that hold at times.
     pub switches: Vec<Slot>,
-    /// The right-hand sides of an order: of the velocities, where they are not eliminated.
+    /// The right-hand sides of an order for the velocities, if these are not eliminated.
     pub momenta: Vec<Slot>,
-    /// The same of the constraints.
+    /// The right-hand sides of an order for the constraints.
     pub conditions: Vec<Slot>,
 }
 
-/// The nodes it is made of.
+/// The nodes that the system is made of.
 pub(super) struct Nodes {
     method: Saddle,
     mass: Vec<NodeId>,
@@ -50,7 +50,7 @@ impl Nodes {
         method: Saddle,
     ) -> Nodes {
         let graph = &mut model.graph;
-        // The constraints of a series may have other gradients.
+        // The constraints of a series may have other gradients than those of the equations.
         let covered = solution.sparsity.as_ref().is_some_and(|it| it.covers(graph, &jets.gradients));
         let method = if method == Saddle::Sparse && !covered { Saddle::Diagonal } else { method };
         let mass = match method {
@@ -128,7 +128,7 @@ impl Order<'_> {
         }
     }
 
-    /// The same where M is diagonal.
+    /// Velocities and multipliers of an order if M is diagonal.
     fn eliminate(
         &mut self,
         saddle: &mut SaddlePoint,
@@ -141,8 +141,9 @@ impl Order<'_> {
             .iter()
             .map(|row| row.iter().zip(&saddle.mass).map(|(&a, &inverse)| self.scaled(a, inverse)).collect())
             .collect();
-        // Of these very numbers, not of a simpler formula: rounding errors of the gradients, which for a rod
-        // are the same in every step, must not make the matrix belong to other gradients.
+        // The matrix is formed from the rounded gradients themselves, not from a simpler formula. Their
+        // rounding errors, which for a rod are the same in every step, must not make the matrix belong to
+        // other gradients.
         let formed = if saddle.method == Saddle::Diagonal { weighted.len() } else { 0 };
         for (c, row) in weighted.iter().enumerate().take(formed) {
             for other in &saddle.gradients[..=c] {

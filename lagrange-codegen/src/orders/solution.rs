@@ -11,12 +11,12 @@ use crate::number::Number;
 use crate::schedule::{Given, Instruction, Program, Slot};
 use crate::structure::{Block, Method, Recursion, Step};
 
-/// What the runtime solves a block with.
+/// A block that the runtime solves.
 #[derive(Clone, Debug)]
 pub struct Solver {
     /// Its coordinates.
     pub coordinates: Vec<usize>,
-    /// How.
+    /// How it is solved.
     pub by: By,
     /// The right-hand sides of an order.
     pub right: Vec<Slot>,
@@ -25,40 +25,40 @@ pub struct Solver {
 /// How the runtime solves a block.
 #[derive(Clone, Debug)]
 pub enum By {
-    /// A factorisation of its matrix, once a step, or once per run where that is constant.
+    /// By a factorisation of its matrix, made once a step, or once per run if the matrix is constant.
     Factors {
         /// LU instead of LDLᵀ.
         indefinite: bool,
-        /// Whether the matrix is the same all through a run.
+        /// Whether the matrix is constant all through a run.
         constant: bool,
         /// The lower triangle, row by row.
         entries: Vec<Slot>,
     },
-    /// The inverse of the matrix, made by a recursion.
+    /// By the inverse of the matrix, made by a recursion.
     Inverse {
-        /// Places of each step: its own, and those of others.
+        /// The indices of each step: its own unknown's, and those of others.
         steps: Vec<(usize, Vec<usize>)>,
-        /// Places beyond those of the velocities.
+        /// The number of indices beyond those of the velocities.
         between: usize,
         /// All factors.
         factors: Vec<Slot>,
     },
 }
 
-/// What an order needs of a block from the point of expansion.
+/// What an order takes of a block from the point of expansion.
 pub(super) enum Start {
-    /// The entry is one.
+    /// Nothing: the entry is one.
     Nothing,
-    /// Multiplication by this.
+    /// A factor.
     Inverse(Slot),
-    /// The runtime solves.
+    /// The factors of the runtime.
     Runtime(By),
-    /// These steps, all of their inverse pivots.
+    /// The steps of a recursion, with their factors.
     Recursion(Recursion, Vec<Slot>),
 }
 
 impl Start {
-    /// Of a block, from values of nodes.
+    /// The start of a block, from values of nodes.
     pub fn of(
         block: &Block,
         equations: &Equations,
@@ -69,7 +69,7 @@ impl Start {
         let mass = &equations.mass;
         if let Method::Recursive { recursion, .. } = &block.method {
             let factors = values(program, &nodes(recursion));
-            // Numbers that carry others with them have enough to do while one waits.
+            // Numbers that carry others with them leave enough to do while an operation waits for another.
             if !recursion.waits() || numbers == Numbers::Carrying {
                 return Start::Recursion(recursion.clone(), factors);
             }
@@ -99,7 +99,7 @@ impl Start {
     }
 }
 
-/// 1 / a, exactly where that is a number.
+/// 1 / a, as a literal if that is exact.
 fn reciprocal(program: &mut Program, a: Slot) -> Slot {
     let number = match program.instruction(a) {
         Instruction::Literal(number) => number.recip(),
@@ -115,7 +115,7 @@ fn reciprocal(program: &mut Program, a: Slot) -> Slot {
     }
 }
 
-/// All factors, in a fixed order: of a velocity 1 / pivot first.
+/// All factors in a fixed order, of a velocity 1 / pivot first.
 fn nodes(recursion: &Recursion) -> Vec<NodeId> {
     let mut nodes = Vec::new();
     for step in &recursion.steps {
@@ -137,7 +137,7 @@ pub(super) fn valued<'a>(
 }
 
 impl Order<'_> {
-    /// The velocities of an order: their coefficients, or what the runtime finds them from.
+    /// The velocities of an order: their coefficients, or right-hand sides for the runtime.
     pub(super) fn solve(
         &mut self,
         coordinates: &[usize],
@@ -165,7 +165,7 @@ impl Order<'_> {
         None
     }
 
-    /// What the momentum of a coordinate lacks.
+    /// The right-hand side of a coordinate's momentum.
     fn load(&mut self, i: usize, force: Slot) -> Slot {
         let known = self.balance(None, self.jets.momenta[i], true);
         self.share(force, known)
@@ -180,7 +180,7 @@ impl Order<'_> {
         })
     }
 
-    /// Loads through the steps of a recursion, and the solution back through them.
+    /// Takes loads through the steps of a recursion, and the solution back.
     fn recur(&mut self, recursion: &Recursion, factors: Vec<Slot>, right: &[Slot]) -> Vec<Slot> {
         let mut factors = factors.into_iter();
         let mut next = || factors.next().expect("orders: as many values as factors");
@@ -235,7 +235,7 @@ impl Order<'_> {
     }
 }
 
-/// The inverse pivots of a recursion, which must be finite.
+/// The inverse pivots of a recursion. They are finite if there is a solution.
 pub(super) fn inverses(recursion: &Recursion, factors: &[Slot]) -> Vec<Slot> {
     let mut place = 0;
     let mut inverses = Vec::new();

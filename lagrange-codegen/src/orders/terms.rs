@@ -8,14 +8,14 @@ use crate::schedule::{Instruction, Program, Slot};
 pub(super) struct Term<T> {
     /// Whether it is subtracted.
     pub negative: bool,
-    /// What the value is multiplied by; 1 if nothing.
+    /// The factor of the value; `None` for 1.
     pub factor: Option<Slot>,
     /// The value.
     pub value: T,
 }
 
 impl<T> Term<T> {
-    /// A value as it is.
+    /// A value without a factor.
     pub fn plain(negative: bool, value: T) -> Term<T> {
         Term { negative, factor: None, value }
     }

@@ -1,45 +1,45 @@
 //! The tables of systems with many products: columns of factors, and the sweep over them, tile by tile.
 
 use super::Numbers;
-use crate::jets::{Bundle, Lane, Operand, bundles};
+use crate::jets::{Bundle, Convolution, Operand, bundles};
 
-/// A tile sums at most so many numbers: as many as the registers of common vector units hold.
+/// The most numbers that a tile sums: as many as the registers of common vector units hold.
 const TOGETHER: usize = 64;
 
-/// At most so many instances are side by side in a tile.
+/// The most instances side by side in a tile.
 const WIDEST: usize = 32;
 
-/// At least so many: one vector.
+/// The fewest: one vector.
 const VECTOR: usize = 4;
 
-/// A tile of more products than this is summed in turns.
+/// The most products that a tile sums at a time.
 const PRODUCTS: usize = 8;
 
-/// Where everything stands.
+/// The layout of the tables.
 #[derive(Clone, Debug, Default)]
 pub struct Tiles {
     /// The length of a row.
     pub columns: usize,
-    /// The number of sums, with those of no use.
+    /// The number of sums, unused ones included.
     pub sums: usize,
-    /// The place of the sum of each lane.
-    pub lanes: Vec<usize>,
-    /// Places in a row with the factors that stand there, by their places among all.
+    /// The index of the sum of each convolution.
+    pub convolutions: Vec<usize>,
+    /// The columns that hold factors, each with the index of its factor.
     pub factors: Vec<(usize, usize)>,
     /// All tiles.
     pub tiles: Vec<Tile>,
-    /// What they are made of.
+    /// The patterns of the tiles.
     pub patterns: Vec<Pattern>,
 }
 
 /// Instances of a pattern side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct Tile {
-    /// Which pattern.
+    /// The index of the pattern.
     pub pattern: usize,
-    /// How many instances there are room for.
+    /// The number of instances that fit.
     pub width: usize,
-    /// How many there are.
+    /// The number of instances.
     pub used: usize,
     /// The first of its columns.
     pub base: usize,
@@ -52,27 +52,31 @@ pub struct Tile {
 pub struct Pattern {
     /// Offsets of the columns in a tile.
     pub columns: Vec<usize>,
-    /// A factor in each column of the first tile, by its place among all.
+    /// The index of a factor in each column of the first tile.
     pub factors: Vec<usize>,
-    /// Products, by places in the list of columns.
+    /// Products, by positions in `columns`.
     pub products: Vec<[usize; 2]>,
 }
 
 impl Tiles {
-    /// Lays out all lanes.
-    pub(super) fn of(lanes: &[Lane], numbers: Numbers, place: &impl Fn(Operand) -> usize) -> Tiles {
-        let mut tiles = Tiles { lanes: vec![0; lanes.len()], ..Tiles::default() };
-        for bundle in bundles(lanes) {
-            tiles.bundle(&bundle, numbers, place);
+    /// Lays out all convolutions.
+    pub(super) fn of(
+        convolutions: &[Convolution],
+        numbers: Numbers,
+        index: &impl Fn(Operand) -> usize,
+    ) -> Tiles {
+        let mut tiles = Tiles { convolutions: vec![0; convolutions.len()], ..Tiles::default() };
+        for bundle in bundles(convolutions) {
+            tiles.bundle(&bundle, numbers, index);
         }
-        // Rows of whole lines of a cache.
+        // Rows that begin on lines of the cache.
         if numbers == Numbers::Plain {
             tiles.columns = tiles.columns.next_multiple_of(8);
         }
         tiles
     }
 
-    fn bundle(&mut self, bundle: &Bundle, numbers: Numbers, place_of: &impl Fn(Operand) -> usize) {
+    fn bundle(&mut self, bundle: &Bundle, numbers: Numbers, index_of: &impl Fn(Operand) -> usize) {
         let instances = bundle.instances();
         let products = bundle.products.len().min(PRODUCTS);
         let mut first = 0;
@@ -82,28 +86,30 @@ impl Tiles {
             while width > VECTOR && (width * products > TOGETHER || width / 2 >= left) {
                 width /= 2;
             }
-            // Fewer than a half of a wide tile stand better in a smaller one.
+            // If a wide tile would be less than half full, a narrower one serves.
             while width > 8 && width > left {
                 width /= 2;
             }
-            // Room that is not used fills up vectors. What is a vector itself has no use for it.
+            // Unused room fills up vectors. Numbers that are vectors themselves need none.
             if numbers == Numbers::Carrying {
                 width = width.min(left);
             }
             let base = self.columns;
-            for (place, column) in bundle.columns.iter().enumerate() {
+            for (k, column) in bundle.columns.iter().enumerate() {
                 for (i, &factor) in column.iter().skip(first).take(width).enumerate() {
-                    self.factors.push((base + place * width + i, place_of(factor)));
+                    self.factors.push((base + k * width + i, index_of(factor)));
                 }
             }
             self.columns += bundle.columns.len() * width;
-            for (products, lanes) in bundle.products.chunks(PRODUCTS).zip(bundle.lanes.chunks(PRODUCTS)) {
-                for (place, lanes) in lanes.iter().enumerate() {
-                    for (i, &lane) in lanes.iter().skip(first).take(width).enumerate() {
-                        self.lanes[lane] = self.sums + place * width + i;
+            for (products, convolutions) in
+                bundle.products.chunks(PRODUCTS).zip(bundle.convolutions.chunks(PRODUCTS))
+            {
+                for (k, convolutions) in convolutions.iter().enumerate() {
+                    for (i, &of) in convolutions.iter().skip(first).take(width).enumerate() {
+                        self.convolutions[of] = self.sums + k * width + i;
                     }
                 }
-                let pattern = self.pattern(bundle, products, (first, width), place_of);
+                let pattern = self.pattern(bundle, products, (first, width), index_of);
                 let used = width.min(left);
                 self.tiles.push(Tile { pattern, width, used, base, first: self.sums });
                 self.sums += products.len() * width;
@@ -112,22 +118,22 @@ impl Tiles {
         }
     }
 
-    /// The place in the list of patterns of some products of a tile.
+    /// The index of the pattern of some products of a tile.
     fn pattern(
         &mut self,
         bundle: &Bundle,
         products: &[(usize, usize)],
         (first, width): (usize, usize),
-        place_of: &impl Fn(Operand) -> usize,
+        index_of: &impl Fn(Operand) -> usize,
     ) -> usize {
         let is_used = |&column: &usize| products.iter().any(|&(a, b)| a == column || b == column);
         let used: Vec<usize> = (0..bundle.columns.len()).filter(is_used).collect();
-        let place = |column: usize| used.iter().position(|&known| known == column).unwrap_or_default();
-        let products: Vec<[usize; 2]> = products.iter().map(|&(a, b)| [place(a), place(b)]).collect();
+        let within = |column: usize| used.iter().position(|&known| known == column).unwrap_or_default();
+        let products: Vec<[usize; 2]> = products.iter().map(|&(a, b)| [within(a), within(b)]).collect();
         let columns: Vec<usize> = used.iter().map(|column| column * width).collect();
         let known = |known: &Pattern| known.columns == columns && known.products == products;
         self.patterns.iter().position(known).unwrap_or_else(|| {
-            let factors = used.iter().map(|&column| place_of(bundle.columns[column][first])).collect();
+            let factors = used.iter().map(|&column| index_of(bundle.columns[column][first])).collect();
             self.patterns.push(Pattern { columns, factors, products });
             self.patterns.len() - 1
         })

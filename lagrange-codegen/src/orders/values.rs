@@ -9,7 +9,7 @@ use super::terms::{literal, minus};
 
 /// The values of order zero, by slot of the recurrences.
 pub(super) fn values(jets: &Jets, program: &mut Program) -> Vec<Slot> {
-    // What has no value is nobody's operand.
+    // A slot without a value is no operand.
     let nothing = literal(program, Number::ZERO);
     let mut values = vec![nothing; jets.program.len()];
     for &slot in &jets.order {
@@ -22,7 +22,7 @@ pub(super) fn values(jets: &Jets, program: &mut Program) -> Vec<Slot> {
                 Value::Same(x) => of(x),
             },
             None => match jets.program.instruction(slot) {
-                // An order gives the multipliers.
+                // Multipliers have no value before an order gives them.
                 Instruction::Variable(Variable::Multiplier(_)) => nothing,
                 instruction => program.push(instruction.map(of)),
             },
@@ -36,7 +36,7 @@ pub(super) fn values(jets: &Jets, program: &mut Program) -> Vec<Slot> {
     values
 }
 
-/// A power in halves, below zero or one half.
+/// A power, counted in halves: a negative one, or one half.
 fn power(program: &mut Program, x: Slot, exponent: Exponent) -> Slot {
     let halves = exponent.0.unsigned_abs();
     let mut power: Option<Slot> = None;
@@ -61,7 +61,7 @@ fn power(program: &mut Program, x: Slot, exponent: Exponent) -> Slot {
     }
 }
 
-/// dy/dx of a power and 1 / x, or what serves for it.
+/// dy/dx of a power and 1 / x, in the form that its recurrence uses.
 pub(super) fn slope(program: &mut Program, exponent: Number, x: Slot, y: Slot) -> (Slot, Slot) {
     if exponent == Number::HALF {
         let half = literal(program, Number::HALF);
@@ -77,7 +77,7 @@ pub(super) fn slope(program: &mut Program, exponent: Number, x: Slot, y: Slot) -
     }
 }
 
-/// The values of some nodes. Functions that have a series have a value already.
+/// The values of some nodes. Functions with a series are taken from there.
 pub(super) fn nodes(
     graph: &crate::expr::Graph,
     nodes: &[NodeId],

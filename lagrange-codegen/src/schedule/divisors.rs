@@ -1,4 +1,4 @@
-//! Which divisors become reciprocals: those that are divided by more than once.
+//! Which divisors become reciprocals: those with several divisions.
 
 use crate::collections::Lookup;
 use crate::expr::{Exponent, NodeId};
@@ -6,7 +6,7 @@ use crate::expr::{Exponent, NodeId};
 /// A divisor: factors with their negative exponents, ascending.
 pub(super) type Divisor = Vec<(NodeId, Exponent)>;
 
-/// How often divisors and the bases in them occur.
+/// The numbers of uses of divisors and of the bases in them.
 #[derive(Default)]
 pub(super) struct Divisors {
     whole: Lookup<Divisor, u32>,
@@ -27,9 +27,9 @@ pub(super) enum Division {
     /// Multiply by powers of reciprocals of bases (the unit power with its count), divide by
     /// the rest.
     Split {
-        /// Base, power of the base whose reciprocal is shared (in halves), and how often.
+        /// Base, power of the base whose reciprocal is shared (in halves), and the power of that reciprocal.
         reciprocals: Vec<(NodeId, u32, u32)>,
-        /// What is left to divide by.
+        /// The rest of the divisor.
         rest: Divisor,
     },
 }
@@ -60,7 +60,7 @@ impl Divisors {
         }
     }
 
-    /// The way to divide that shares most.
+    /// The division that shares most.
     pub fn division(&self, divisor: &Divisor) -> Division {
         if self.whole.get(divisor).is_some_and(|&uses| uses >= 2) {
             return Division::Reciprocal;

@@ -13,7 +13,7 @@ pub fn plan(graph: &Graph, roots: &[NodeId]) -> Program {
     let cone = graph.cone(roots.iter().copied());
     let mut lowering = Lowering::new(graph, &cone);
     for &id in &cone {
-        // Scaled nodes and products join the sums that use them; all others are values.
+        // Scaled nodes and products become part of the sums that use them. All others are values.
         if !lowering.joins_its_users(id) {
             lowering.value(id);
         }
@@ -127,7 +127,7 @@ impl<'g> Lowering<'g> {
         }
     }
 
-    /// The sum of signed slots as a sign and a slot: a positive one leads where there is one.
+    /// The sum of signed slots as a sign and a slot. A positive one leads, if there is one.
     fn accumulate(&mut self, summands: &[Signed]) -> (bool, Slot) {
         let lead = summands.iter().position(|&(negative, _)| !negative).unwrap_or(0);
         let (flipped, mut sum) = summands[lead];
@@ -143,7 +143,7 @@ impl<'g> Lowering<'g> {
         (flipped, sum)
     }
 
-    /// A scaled term as multiplier and body, where it has both and no divisor.
+    /// A scaled term as multiplier and body, if it has both and no divisor.
     fn split(&mut self, term: NodeId, coefficient: Number) -> (Option<Slot>, Slot) {
         if self.sharing.moving[term.index()].as_ref().is_some_and(|moving| !moving.divisor.is_empty()) {
             return (None, self.term(term, coefficient));
@@ -227,13 +227,13 @@ impl<'g> Lowering<'g> {
         self.program.push(Instruction::Div(above, below))
     }
 
-    /// The moving factors above the fraction bar, if there are any.
+    /// The moving factors of the numerator, if there are any.
     fn numerator(&mut self, product: NodeId) -> Option<Slot> {
         let items = self.sharing.moving[product.index()].as_ref()?.items.clone();
         (!items.is_empty()).then(|| self.multiplied(&items))
     }
 
-    /// The product of items. A reciprocal that sharing left with one use is a division after all.
+    /// The product of items. A reciprocal with one use becomes a division.
     fn multiplied(&mut self, items: &[Item]) -> Slot {
         let mut product: Option<Slot> = None;
         let mut divisors: Vec<Divisor> = Vec::new();

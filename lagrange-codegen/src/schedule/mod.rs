@@ -1,8 +1,8 @@
 //! From graph nodes to a straight-line program of two-operand instructions.
 //!
-//! Products share their common pairs of factors, divisors that occur twice become one
-//! reciprocal, and what depends on parameters alone is gathered into single factors, so that
-//! it can be computed once per run. Scheduling does no algebra beyond that.
+//! Products share their common pairs of factors. Divisors with several uses become reciprocals. Factors that
+//! depend on parameters alone are gathered, so that they can be computed once per run. Scheduling does no
+//! other algebra.
 
 mod divisors;
 mod lowering;

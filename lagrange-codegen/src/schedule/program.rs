@@ -15,7 +15,7 @@ impl Slot {
         Slot(index as u32)
     }
 
-    /// The position in the program, for side tables.
+    /// The index in the program, for side tables.
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -48,22 +48,22 @@ pub enum Instruction {
     Recip(Slot),
     /// a · b + c, rounded once.
     MulAdd(Slot, Slot, Slot),
-    /// What one order of a Taylor series is given.
+    /// A number given to one order of a Taylor series.
     Given(Given),
 }
 
-/// What one order of a Taylor series is given.
+/// The numbers given to one order of a Taylor series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Given {
-    /// The unit of time over the order.
+    /// The unit of time divided by the order.
     Rate,
     /// The order.
     Index,
     /// The coefficient of time.
     Time,
-    /// A convolution of coefficients of lower orders, by its lane.
+    /// A convolution of coefficients of lower orders, by its index.
     Convolution(u32),
-    /// What the order before has left.
+    /// A number that the order before has left.
     Carried(u32),
     /// The coefficient of a velocity, from the solution of the order.
     Velocity(u32),
@@ -73,7 +73,7 @@ pub enum Given {
     Multiplier(u32),
 }
 
-/// When a result is known: each phase has all that those before it have.
+/// When a result is known. Each phase knows all results of those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Phase {
     /// From parameters and constants alone, once per run.
@@ -139,7 +139,7 @@ impl Instruction {
         }
     }
 
-    /// Whether this takes no operation.
+    /// Whether this costs no operation.
     pub fn is_leaf(self) -> bool {
         matches!(self, Instruction::Variable(_) | Instruction::Literal(_) | Instruction::Given(_))
     }
@@ -187,12 +187,12 @@ impl Program {
         self.phases[slot.index()]
     }
 
-    /// The graph node whose value a slot holds, if it holds that of one.
+    /// The graph node whose value a slot holds, if there is one.
     pub fn source(&self, slot: Slot) -> Option<NodeId> {
         self.source[slot.index()]
     }
 
-    /// Appends an instruction, or finds the equal one.
+    /// Appends an instruction unless the program has an equal one, and returns its slot.
     pub fn push(&mut self, instruction: Instruction) -> Slot {
         if let Some(&slot) = self.known.get(&instruction) {
             return slot;
@@ -229,8 +229,8 @@ impl Program {
         (0..self.len() as u32).map(Slot).filter(|slot| member[slot.index()]).collect()
     }
 
-    /// Fixed results that moving instructions or outputs use and that cost an operation:
-    /// what is worth computing once per run.
+    /// Fixed results that cost an operation and that moving instructions or outputs use. They are worth
+    /// computing once per run.
     pub fn hoisted(&self) -> Vec<Slot> {
         let worthwhile = |slot: Slot| self.is_fixed(slot) && !self.instruction(slot).is_leaf();
         let mut member = vec![false; self.len()];
@@ -245,8 +245,8 @@ impl Program {
         (0..self.len() as u32).map(Slot).filter(|slot| member[slot.index()]).collect()
     }
 
-    /// Results of a phase that cost an operation and that later phases use, or that are among the outputs,
-    /// which later phases ask for. A change of sign costs nothing.
+    /// Results of a phase that cost an operation and that later phases or outputs use. A change of sign costs
+    /// nothing.
     pub fn settled(&self, phase: Phase, outputs: &[Slot]) -> Vec<Slot> {
         let mut member = vec![false; self.len()];
         let mut note = |slot: Slot| {
@@ -289,7 +289,7 @@ impl Program {
                     let paired = self.known.contains(&Instruction::Unary(Unary::Sin, a));
                     operations.functions += u32::from(!paired);
                 }
-                // A comparison: no arithmetic of the user's.
+                // A comparison, which is no arithmetic of the user's equations.
                 Instruction::Binary(Binary::Pivot, ..) => {}
                 Instruction::Unary(..) | Instruction::Binary(..) => operations.functions += 1,
             }

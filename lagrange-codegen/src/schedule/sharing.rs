@@ -22,7 +22,7 @@ pub(super) struct Sharing {
 pub(super) struct Moving {
     /// Factors of the numerator.
     pub items: Vec<Item>,
-    /// What is divided by.
+    /// The divisor.
     pub divisor: Divisor,
 }
 
@@ -45,7 +45,7 @@ pub(super) enum Factor {
 }
 
 impl Sharing {
-    /// Decides what the products of an ascending cone share.
+    /// Decides which parts the products of an ascending cone share.
     pub fn of(graph: &Graph, cone: &[NodeId]) -> Sharing {
         let mut divisors = Divisors::default();
         let mut products: Vec<Fraction> = Vec::new();

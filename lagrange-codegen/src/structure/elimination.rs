@@ -1,9 +1,9 @@
-//! LDLᵀ of a symmetric matrix on the graph, zeros skipped, in an order chosen here.
+//! LDLᵀ of a symmetric matrix on the graph, without operations on zeros, in an order chosen here.
 //!
-//! The operations are those of the numeric factorisation without pivoting, which is stable for
-//! positive definite matrices in any order (Higham, *Accuracy and Stability of Numerical
-//! Algorithms*, 2nd ed., chapter 10). Constant pivots go first: their quotients are computed
-//! once per run, and what is left is simplified by the graph.
+//! The operations are those of the numeric factorisation without pivoting, which is stable for positive
+//! definite matrices in any order (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., chapter
+//! 10). Constant pivots go first: their quotients are computed once per run, and the graph simplifies the
+//! remaining entries.
 
 use crate::expr::{Graph, Node, NodeId};
 
@@ -31,12 +31,12 @@ pub(super) fn order(
     let mut operations = 0;
     while !remaining.is_empty() {
         let degree = |place: usize| remaining.iter().filter(|&&other| linked[place][other]).count();
-        // A pivot that an earlier elimination touched is no longer the fixed entry it was.
+        // A pivot is no longer fixed once an earlier elimination has changed it.
         let touched = |place: usize| order.iter().any(|&earlier: &usize| linked[earlier][place]);
         let fixed =
             |place: usize| !touched(place) && graph.dependence(entry(block[place], block[place])).is_fixed();
-        // Whether a pivot has a numeric factor. Quotients by one without need no multiplication by its
-        // inverse.
+        // Whether a pivot has a numeric factor. Without one, quotients by it need no multiplication by the
+        // factor's inverse.
         let scaled = |place: usize| {
             let pivot = entry(block[place], block[place]);
             !graph.as_constant(pivot).unwrap_or(graph.scaled(pivot).0).is_one()
@@ -116,8 +116,8 @@ pub(super) fn eliminate(
     Elimination { pivots, solution }
 }
 
-/// The pivot, or NaN where subtractions left nothing but roundings of the diagonal entry. The guard
-/// stands around the sum in it alone, so that the factors beside that can still cancel.
+/// The pivot, or NaN if subtractions left nothing but rounding errors of the diagonal entry. The guard stands
+/// around the sum in it alone, so that the factors beside the sum can still cancel.
 pub(super) fn guarded(graph: &mut Graph, pivot: NodeId, diagonal: NodeId) -> NodeId {
     if pivot == diagonal || graph.is_zero(pivot) {
         return pivot;
@@ -129,7 +129,7 @@ pub(super) fn guarded(graph: &mut Graph, pivot: NodeId, diagonal: NodeId) -> Nod
             && !graph.dependence(factor).is_fixed()
     });
     let Some((sum, _)) = moving_sum else {
-        // A product of squares lost nothing; a fixed pivot is computed once and guarded as it is.
+        // A product of squares has lost no digits. A fixed pivot is computed once and guarded as a whole.
         return if graph.dependence(pivot).is_fixed() { graph.pivot(pivot, diagonal) } else { pivot };
     };
     let sum = if coefficient.is_negative() { graph.neg(sum) } else { sum };

@@ -1,21 +1,21 @@
-//! Facts about the equations of motion, and the report of what was found and left out.
+//! Facts about the equations of motion, and the lines of `STRUCTURE` about what was found and left out.
 
 use crate::calculus::velocity_degrees;
 use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::mechanics::Equations;
 use crate::model::{ConstraintKind, Model};
 
-/// What was found.
+/// The facts.
 #[derive(Clone, Debug)]
 pub struct Facts {
-    /// M is the same all through a run.
+    /// M is constant.
     pub constant_mass: bool,
     /// M is constant and the forces do not depend on velocities.
     pub separable: bool,
     /// M has no entry off its diagonal.
     pub diagonal_mass: bool,
-    /// Time appears neither in M and the forces nor in a constraint. L may yet depend on it: t v = d(t q)/dt
-    /// − q has the equations of −q.
+    /// Time appears neither in M and the forces nor in a constraint. L may depend on it all the same: t v,
+    /// which is d(t q)/dt − q, has the equations of −q.
     pub autonomous: bool,
     /// L does not depend on time.
     pub timeless: bool,
@@ -23,12 +23,11 @@ pub struct Facts {
     pub has_jacobi_integral: bool,
     /// No applied forces: neither `force` nor `dissipation`.
     pub conservative: bool,
-    /// No constraint is one on velocities alone.
+    /// No constraint is on velocities alone.
     pub holonomic: bool,
     /// T = ½ v·M v, and neither energies nor constraints depend on time.
     pub scleronomic: bool,
-    /// Coordinates that L does not depend on, so that their momentum is conserved where no
-    /// force is applied.
+    /// Coordinates that L does not depend on. Their momentum is conserved if no force acts on it.
     pub cyclic: Vec<usize>,
     /// Decoupled blocks of the mass matrix, ascending.
     pub blocks: Vec<Vec<usize>>,
@@ -46,7 +45,7 @@ impl Facts {
         let fixed = |root: NodeId| graph.dependence(root).is_fixed();
         let lossless = equations.conditions.losses.iter().all(|&loss| graph.is_zero(loss));
         let conservative = model.forces.is_empty() && model.dissipation.is_empty() && lossless;
-        // The energies of a Lagrangian that is given whole lack its terms linear in the velocities.
+        // Of a Lagrangian given as a whole, the energies lack the terms linear in the velocities.
         let lagrangian = [energies[0], energies[1], equations.whole];
         let appearing = appearing_coordinates(graph, &lagrangian, count);
         let conditions = &equations.conditions;
@@ -79,7 +78,7 @@ impl Facts {
         self.autonomous && self.timeless && self.conservative
     }
 
-    /// The lines of the report: what was found.
+    /// The lines of `STRUCTURE` about what was found.
     pub fn found(&self, model: &Model) -> Vec<String> {
         let mut found = Vec::new();
         if !model.eliminated.is_empty() {
@@ -127,7 +126,7 @@ impl Facts {
         found
     }
 
-    /// The lines of the report: what the generated code leaves out.
+    /// The lines of `STRUCTURE` about what the generated code leaves out.
     pub fn skipped(&self, model: &Model) -> Vec<String> {
         let mut skipped = Vec::new();
         let mut skip = |absent: bool, line: &str| {

@@ -1,7 +1,7 @@
-//! What is special about one system, and how its accelerations are best solved for.
+//! Facts about one system, and the best way to solve for its accelerations.
 //!
-//! Reads the equations of motion and reports; [`solve`] picks a factorisation for each
-//! decoupled block of the mass matrix and writes small ones out on the graph.
+//! Reads the equations of motion and collects facts. [`solve`] picks a factorisation for each decoupled block
+//! of the mass matrix and writes small ones out on the graph.
 
 mod elimination;
 pub mod facts;

@@ -13,7 +13,7 @@ use crate::number::Number;
 /// The factors of a mass matrix that is not formed.
 #[derive(Clone, Debug)]
 pub struct Recursion {
-    /// In the order in which a load is taken back through them.
+    /// The steps, in the order in which a load is taken through them.
     pub steps: Vec<Step>,
     /// The number of velocities, which are the first unknowns.
     pub velocities: usize,
@@ -24,7 +24,7 @@ pub struct Recursion {
 /// One step of the factorisation.
 #[derive(Clone, Debug)]
 pub enum Step {
-    /// An unknown is Σ c x: its load adds to those of x, and its value follows from theirs.
+    /// An unknown is Σ c x. Its load is added to those of x, and its value follows from theirs.
     Substitute {
         /// The unknown.
         unknown: usize,
@@ -33,7 +33,7 @@ pub enum Step {
     },
     /// An unknown is its load / pivot − Σ l x.
     Eliminate {
-        /// The unknown, a velocity: its place in the block.
+        /// The unknown, a velocity, by its index in the block.
         unknown: usize,
         /// 1 / pivot.
         inverse: NodeId,
@@ -42,7 +42,7 @@ pub enum Step {
     },
 }
 
-/// A pivot with the size of what it was subtracted from: the same node where nothing was.
+/// A pivot with the size of the number from which it was subtracted: the same node if nothing was subtracted.
 #[derive(Clone, Copy, Debug)]
 pub struct Articulated {
     /// The place in the block.
@@ -53,25 +53,25 @@ pub struct Articulated {
     pub scale: NodeId,
 }
 
-/// The system while it is eliminated.
+/// The state of the elimination.
 struct Elimination {
     matrix: Symmetric,
-    /// How many definitions that are left name an unknown.
+    /// The number of remaining definitions that contain each unknown.
     users: Vec<usize>,
-    /// The diagonal with nothing subtracted, up to a factor that counts terms: what roundings are measured
-    /// by.
+    /// The diagonal with nothing subtracted, up to a factor that counts terms. Rounding errors are measured
+    /// by it.
     sizes: Vec<Option<NodeId>>,
-    /// How many eliminations in a row have reached an unknown.
+    /// The length of the longest chain of eliminations that has changed each unknown.
     depths: Vec<u32>,
     steps: Vec<Step>,
     pivots: Vec<Articulated>,
-    /// How many more products may be made.
+    /// The number of products that may still be made.
     budget: usize,
 }
 
 impl Recursion {
-    /// Eliminates; `None` where a velocity has no inertia, or with more than so many products: no more of the
-    /// graph is made than what is worth it.
+    /// Eliminates all unknowns; `None` if a velocity has no inertia or if that takes more products than the
+    /// budget, so that the graph does not grow in vain.
     pub(super) fn of(
         graph: &mut Graph,
         form: Quadratic,
@@ -135,8 +135,8 @@ impl Recursion {
         values
     }
 
-    /// A place for each unknown: velocities have their own, the others share those behind them, since few
-    /// are in use at a time. With the number of all places.
+    /// An index for each unknown, and the number of indices. Velocities have their own. The others, of which
+    /// few are in use at a time, share those behind.
     pub fn places(&self) -> (Vec<usize>, usize) {
         let mut places: Vec<usize> = (0..self.unknowns).collect();
         let (mut free, mut count) = (Vec::new(), self.velocities);
@@ -158,14 +158,14 @@ impl Recursion {
         (places, count)
     }
 
-    /// Whether a product with the inverse, made by this recursion once a step, takes less time an order than
-    /// the recursion, in which one operation waits for another.
+    /// Whether a product with the inverse takes less time an order than the recursion, in which each
+    /// operation waits for another. The recursion makes the inverse once a step.
     pub fn waits(&self) -> bool {
-        /// Cycles from one operation to another that needs its result.
+        /// Cycles before an operation can use the result of another.
         const LATENCY: usize = 4;
-        /// Multiply–adds of rows in one cycle, with what they load and store, on vectors of two.
+        /// Multiply–adds of rows per cycle, loads and stores included, on vectors of two.
         const WIDTH: usize = 1;
-        /// Orders of a step, among which the making of the inverse is shared.
+        /// Orders of a step. They share the cost of the inverse.
         const ORDERS: usize = 12;
         let depth_of = |depths: &[usize], start: usize, terms: &[(usize, NodeId)]| {
             terms.iter().fold(start, |depth, &(x, _)| depth.max(depths[x]) + 1)
@@ -189,7 +189,7 @@ impl Recursion {
 }
 
 impl Step {
-    /// Whose step it is.
+    /// The unknown of the step.
     pub fn unknown(&self) -> usize {
         match self {
             Step::Substitute { unknown, .. } | Step::Eliminate { unknown, .. } => *unknown,
@@ -204,7 +204,7 @@ impl Step {
     }
 }
 
-/// The steps without definitions that no load reaches: what is defined there has inertia, and nothing else.
+/// The steps without definitions that no load reaches. Those serve for the inertia alone.
 fn asked_for(mut steps: Vec<Step>, unknowns: usize) -> Vec<Step> {
     let mut reached = vec![false; unknowns];
     steps.retain(|step| {
@@ -218,7 +218,7 @@ fn asked_for(mut steps: Vec<Step>, unknowns: usize) -> Vec<Step> {
 }
 
 impl Elimination {
-    /// Eliminates every velocity that no definition names, those with the fewest neighbours first.
+    /// Eliminates every velocity that is in no definition, those with the fewest neighbours first.
     fn eliminate_free(&mut self, graph: &mut Graph, left: &mut Vec<Unknown>) -> Option<()> {
         loop {
             let free = left.iter().enumerate().filter(|&(_, &v)| self.users[v] == 0);
@@ -232,7 +232,7 @@ impl Elimination {
         }
     }
 
-    /// w = Σ c x in the form.
+    /// Substitutes w = Σ c x into the form.
     fn substitute(&mut self, graph: &mut Graph, unknown: Unknown, terms: Linear) -> Option<()> {
         let row = self.matrix.rows[unknown].len();
         let factors = terms.iter().filter(|&&(_, c)| graph.as_constant(c).is_none_or(|c| !c.abs().is_one()));
@@ -282,8 +282,8 @@ impl Elimination {
         Some(())
     }
 
-    /// What a pivot is compared with: `solve::carries` of the runtime asks for eight roundings, and the
-    /// subtractions of k eliminations leave 2 (k + 1) of them, as in its LDLᵀ.
+    /// The scale that a pivot is compared with. `solve::carries` of the runtime asks for eight ulps, and the
+    /// subtractions of k eliminations leave 2 (k + 1) of them, as in the runtime's LDLᵀ.
     fn scale(&self, graph: &mut Graph, unknown: Unknown, depth: u32) -> Option<NodeId> {
         let size = self.sizes[unknown]?;
         Some(graph.scale(size, Number::integer(i128::from(depth.max(3)) + 1) * Number::Ratio(1, 4)))

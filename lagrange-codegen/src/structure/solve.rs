@@ -12,8 +12,8 @@ use crate::model::Model;
 use crate::number::Number;
 use crate::simplify::cost::cost;
 
-/// A factorisation written out costs at most about this many operations; a larger one is a
-/// loop of the runtime, which compiles faster and runs on vectors.
+/// The most operations, about, of a factorisation that is written out. A larger one is a loop of the runtime,
+/// which compiles faster and runs on vectors.
 const WRITTEN_OUT: usize = 30;
 
 /// How one block is solved.
@@ -21,16 +21,16 @@ const WRITTEN_OUT: usize = 30;
 pub enum Method {
     /// Written out: pivots, to find the singular one, and the accelerations.
     WrittenOut {
-        /// Pivots that are not known to be positive.
+        /// Pivots that may not be positive.
         pivots: Vec<Pivot>,
         /// Accelerations, in the order of the block.
         solution: Vec<NodeId>,
     },
-    /// Written out without the matrix itself, on the velocities that the kinetic energy is made of.
+    /// Written out without the matrix, on the velocities that the kinetic energy is made of.
     Recursive {
         /// The factors.
         recursion: Recursion,
-        /// Pivots that are not known to be positive.
+        /// Pivots that may not be positive.
         pivots: Vec<Pivot>,
         /// Accelerations, in the order of the block.
         solution: Vec<NodeId>,
@@ -48,8 +48,8 @@ pub struct Pivot {
     pub coordinate: usize,
     /// Its value.
     pub value: NodeId,
-    /// The size that it must not vanish against: the diagonal entry, or the larger product of
-    /// a determinant. The same node as `value` where nothing was subtracted.
+    /// The size beside which it must not vanish: the diagonal entry, or the larger product of a determinant.
+    /// The same node as `value` if nothing is subtracted.
     pub scale: NodeId,
 }
 
@@ -60,7 +60,7 @@ pub struct Block {
     pub coordinates: Vec<usize>,
     /// Its method.
     pub method: Method,
-    /// Whether its entries are the same all through a run.
+    /// Whether its entries are constant all through a run.
     pub constant: bool,
 }
 
@@ -69,7 +69,7 @@ pub struct Block {
 pub enum Saddle {
     /// M is diagonal: accelerations are eliminated, and A M⁻¹ Aᵀ is factored.
     Diagonal,
-    /// The same by lists of the places where A and the factors differ from zero.
+    /// The same, over lists of the entries of A and of the factors that can differ from zero.
     Sparse,
     /// The whole of M and A, in the null space of A.
     Whole {
@@ -86,21 +86,21 @@ pub enum Saddle {
 /// The solution of M a = f, or with constraints of M a − Aᵀλ = f and A a = γ.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// All blocks; without constraints each coordinate is in exactly one, with constraints there is none.
+    /// All blocks. Without constraints each coordinate is in exactly one. With constraints there are none.
     pub blocks: Vec<Block>,
     /// The method for the accelerations of a system with constraints.
     pub saddle: Option<Saddle>,
-    /// The same for its series.
+    /// The method for its series.
     pub saddle_of_series: Option<Saddle>,
-    /// Places of the gradients and factors, where the method goes by them.
+    /// The entries of the gradients and factors that can differ from zero, for the method that uses them.
     pub sparsity: Option<Sparsity>,
-    /// A word for the mass matrix.
+    /// The kind of the mass matrix in words.
     kind: &'static str,
 }
 
 impl Solution {
-    /// Chooses a method for every block, or for all with constraints. Equations stand in the form of which
-    /// everything else is told, and in that which a motion is solved for in.
+    /// Chooses a method for every block, or for all coordinates with constraints. The equations come in the
+    /// user's form and in the form that a motion solves.
     pub fn plan(
         model: &mut Model,
         told: (&Equations, &Facts),
@@ -147,7 +147,7 @@ impl Solution {
                     }
                     let mut pivots = unknown(graph, &result.pivots);
                     if !equations.definite {
-                        // A single entry, of either sign.
+                        // A single entry may have either sign.
                         for pivot in &mut pivots {
                             pivot.value = graph.powi(pivot.value, 2);
                             pivot.scale = pivot.value;
@@ -174,8 +174,8 @@ impl Solution {
         Solution { blocks, saddle, saddle_of_series, sparsity: None, kind: kind(facts) }
     }
 
-    /// The nodes that a step computes: accelerations where they are written out, else entries of the
-    /// mass matrix and right-hand sides.
+    /// The nodes that a step computes: accelerations if they are written out, else entries of the mass matrix
+    /// and right-hand sides.
     pub fn roots(&self, equations: &Equations) -> Vec<NodeId> {
         if self.saddle.is_some() {
             return equations.roots();
@@ -197,7 +197,7 @@ impl Solution {
         roots
     }
 
-    /// A word for the report.
+    /// The method in words, for `STRUCTURE`.
     pub fn describe(&self) -> String {
         let kind = self.kind;
         if let Some(saddle) = self.saddle {
@@ -252,9 +252,9 @@ fn kind(facts: &Facts) -> &'static str {
     }
 }
 
-/// M can be eliminated where no entry of its diagonal is missing. Where there are as many constraints as
-/// coordinates the accelerations would be differences of large forces, so that rest were noise; without a
-/// null space they are exact.
+/// The method for a system with constraints. M is eliminated if no entry of its diagonal is zero. With as
+/// many constraints as coordinates the accelerations would then be differences of large forces, and rest
+/// would be noise; without a null space they are exact.
 fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
     if equations.conditions.switched.is_some() {
         return Saddle::Switched { definite: equations.definite };
@@ -267,7 +267,7 @@ fn saddle(graph: &Graph, equations: &Equations, facts: &Facts) -> Saddle {
     }
 }
 
-/// A recursion for a block, where that takes fewer operations than to form the block and factor it.
+/// A recursion for a block, if it takes fewer operations than forming and factoring the block.
 fn recursive(graph: &mut Graph, equations: &Equations, block: &[usize]) -> Option<Method> {
     let right: Vec<NodeId> = block.iter().map(|&i| equations.force[i]).collect();
     let size = block.len();
@@ -300,7 +300,7 @@ fn unknown(graph: &Graph, pivots: &[(usize, NodeId, NodeId)]) -> Vec<Pivot> {
         .collect()
 }
 
-/// Two equations of any signature by determinants, which are stable at this size.
+/// Two equations with a matrix of any signature, solved by determinants, which are stable at this size.
 fn cramer(
     graph: &mut Graph,
     block: &[usize],
@@ -311,7 +311,7 @@ fn cramer(
     let (a, b, c) = (entry(i, i), entry(i, j), entry(j, j));
     let (diagonal, off) = (graph.mul(a, c), graph.powi(b, 2));
     let determinant = graph.sub(diagonal, off);
-    // Of either sign, so its magnitude is what must stay above the roundings of its two parts.
+    // A determinant may have either sign. Its magnitude must stay above the rounding errors of its two parts.
     let magnitude = graph.unary(Unary::Abs, determinant);
     let diagonal = graph.unary(Unary::Abs, diagonal);
     let scale = graph.add(diagonal, off);

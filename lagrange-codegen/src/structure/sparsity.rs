@@ -1,32 +1,33 @@
-//! Where the constraint matrix A, and the factors of A M⁻¹ Aᵀ with a diagonal M, can differ from zero.
+//! The entries that can differ from zero in the constraint matrix A, and in the factors of A M⁻¹ Aᵀ with a
+//! diagonal M.
 
 use std::collections::BTreeSet;
 
 use crate::expr::{Graph, NodeId};
 
-/// Up to this many constraints the runtime forms the inverse.
+/// The most constraints for which the runtime forms the inverse.
 const SMALL: usize = 6;
 
-/// An operation by lists of places costs about as much as this many on rows of known length.
+/// The cost of an operation over a list of entries, in operations on rows of known length.
 const LISTED: usize = 4;
 
-/// The places of a sparse A, in an order of elimination of the constraints.
+/// The pattern of a sparse A, with its constraints in an order of elimination.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sparsity {
-    /// The constraint in each place.
+    /// The constraints in this order.
     pub order: Vec<usize>,
-    /// By place: the coordinates that the constraint depends on.
+    /// For each constraint in this order, the coordinates that it depends on.
     pub coordinates: Vec<Vec<usize>>,
-    /// By place: the earlier places that share a coordinate with it.
+    /// For each, the earlier constraints that share a coordinate with it.
     pub coupled: Vec<Vec<usize>>,
-    /// By place: the earlier places where its row of the factor may differ from zero.
+    /// For each, the earlier columns in which its row of the factor may differ from zero.
     pub earlier: Vec<Vec<usize>>,
-    /// By place: the later places where its column of the factor may.
+    /// For each, the later rows in which its column of the factor may.
     pub later: Vec<Vec<usize>>,
 }
 
 impl Sparsity {
-    /// That of the gradients of constraints, if it saves operations.
+    /// The pattern of the gradients of constraints, if it saves operations.
     pub fn of(graph: &Graph, gradients: &[Vec<NodeId>]) -> Option<Sparsity> {
         let size = gradients.first().map_or(0, Vec::len);
         let rows: Vec<BTreeSet<usize>> = gradients
@@ -40,9 +41,9 @@ impl Sparsity {
         (LISTED * found.operations() < dense(rows.len(), size)).then_some(found)
     }
 
-    /// Constraints in the order of fewest neighbours. Among equals those that reach fewer coordinates are
-    /// first, for what holds a system to the ground stays far from depending on the rest. Then come those
-    /// next to where elimination has come to, so that a chain is eliminated from one end to the other.
+    /// Orders constraints by the number of their neighbours, fewest first. Among equals come first those that
+    /// reach fewer coordinates, since what holds a system to the ground stays far from depending on the rest,
+    /// and then those next to the last one, so that a chain is eliminated from one end to the other.
     fn eliminated(rows: &[BTreeSet<usize>]) -> Sparsity {
         let count = rows.len();
         let mut reaching: Vec<Vec<usize>> =
@@ -102,17 +103,17 @@ impl Sparsity {
         Sparsity { order, coordinates, coupled, earlier, later }
     }
 
-    /// How many entries of A can differ from zero.
+    /// The number of entries of A that can differ from zero.
     pub fn entries(&self) -> usize {
         self.coordinates.iter().map(Vec::len).sum()
     }
 
-    /// How many of the factor can.
+    /// The number of entries of the factor that can.
     pub fn factor(&self) -> usize {
         self.later.iter().map(Vec::len).sum()
     }
 
-    /// Whether other gradients are zero where these are.
+    /// Whether other gradients are zero wherever this pattern is.
     pub fn covers(&self, graph: &Graph, gradients: &[Vec<NodeId>]) -> bool {
         self.order.len() == gradients.len()
             && self.order.iter().zip(&self.coordinates).all(|(&c, coordinates)| {
@@ -129,7 +130,7 @@ impl Sparsity {
     }
 }
 
-/// The same of dense rows.
+/// The same with dense rows.
 fn dense(constraints: usize, coordinates: usize) -> usize {
     let formed = constraints * (constraints + 1) / 2 * coordinates;
     formed + constraints.pow(3) / 6 + constraints * constraints + 2 * constraints * coordinates

@@ -55,7 +55,7 @@ pub struct Args {
     pub crate_path: Option<syn::Path>,
     /// The `allow` argument.
     pub allowed: Vec<&'static str>,
-    /// Whether there is more that cannot be read, which is reported.
+    /// Whether an argument cannot be read. The mistake is reported.
     pub unread: bool,
 }
 
@@ -110,7 +110,7 @@ enum Argument {
     Baumgarte(Ident, syn::Expr),
     Crate(Ident, syn::Path),
     Allow(Ident, Vec<Ident>),
-    /// With a value that it does not take.
+    /// A word with a value that it does not take.
     Valued(Ident),
     Unknown(Ident),
 }
@@ -171,7 +171,7 @@ impl Parse for Argument {
                 Ok(Argument::Allow(key, names.into_iter().collect()))
             }
             _ => {
-                // Skip the rest of the argument: the other arguments are still checked.
+                // The rest of the argument is skipped, so that the other arguments are checked, too.
                 while !input.is_empty() && !input.peek(Token![,]) {
                     input.parse::<TokenTree>()?;
                 }
@@ -182,7 +182,7 @@ impl Parse for Argument {
     }
 }
 
-/// Parses the arguments; what is wrong is reported, the rest is returned.
+/// Parses the arguments. Mistakes are reported, and the rest is returned.
 pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
     let mut args = Args::default();
     let mut list = match Punctuated::<Argument, Token![,]>::parse_terminated.parse2(tokens.clone()) {
@@ -193,7 +193,7 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
             loose::arguments(tokens.clone())
         }
     };
-    // Declarations may stand behind an unknown key.
+    // An unknown key may be a misspelt one, with declarations behind it.
     if list.iter().any(|argument| matches!(argument, Argument::Unknown(_))) {
         let known = |key: &Ident| list.iter().any(|argument| argument.key() == key);
         let hidden: Vec<_> =
@@ -265,8 +265,8 @@ pub fn parse(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Args {
     args
 }
 
-/// Settles the lengths of the declared arrays, which may be constants of the impl block.
-/// One whose length is wrong has one place, so that what is named after it is there; the mistake is reported.
+/// Evaluates the lengths of the declared arrays, which may be constants of the impl block. A wrong length is
+/// reported and counts as one, so that the declared names exist.
 pub fn groups(
     declarations: &[Declaration],
     constants: &[Constant],
@@ -283,7 +283,7 @@ pub fn groups(
         .collect()
 }
 
-/// More scalar coordinates than any macro could expand within reason.
+/// More scalar coordinates than a macro could expand within reason.
 const LONGEST: usize = 10_000;
 
 fn length(
@@ -303,7 +303,7 @@ fn length(
     None
 }
 
-/// Names that are keywords, or declared more than once.
+/// Reports names that are keywords or declared twice.
 fn check_names(args: &Args, diagnostics: &mut Diagnostics) {
     let mut seen: Vec<(Name, &str)> = Vec::new();
     let coordinates = args.coordinates.iter().map(|declaration| (declaration, "coordinate"));
@@ -311,7 +311,7 @@ fn check_names(args: &Args, diagnostics: &mut Diagnostics) {
     for (declaration, kind) in coordinates.chain(inputs) {
         let name = bare(&declaration.ident);
         let span = declaration.ident.span();
-        // Raw identifiers are fine; bare keywords got through `parse_any` only.
+        // `parse_any` lets keywords through. Raw identifiers are names.
         if syn::parse_str::<Ident>(&declaration.ident.to_string()).is_err() {
             diagnostics.error(
                 span,

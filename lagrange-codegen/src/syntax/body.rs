@@ -1,8 +1,8 @@
-//! Function bodies as the lowering sees them: a small tree with a place for every expression.
+//! Function bodies as lowering sees them: a small tree in which every expression has its origin.
 //!
-//! References, dereferences, parentheses and groups are gone. What the language does not know
-//! is kept as [`ExprKind::Unsupported`] with its message, and reported only if a role reaches it:
-//! other functions of the block may use all of Rust.
+//! References, dereferences, parentheses and groups are gone. What the language does not know is an
+//! [`ExprKind::Unsupported`] with its message. It is reported only if a role reaches it, since other
+//! functions of the block may use all of Rust.
 
 use std::rc::Rc;
 
@@ -11,8 +11,8 @@ use super::types::Type;
 use crate::diagnostics::Origin;
 use crate::number::Number;
 
-/// An identifier without its raw prefix. That of a local variable which comes from another macro than the
-/// block itself has a mark behind it, see [`super::hygiene`].
+/// An identifier without its raw prefix. A local variable of another macro than the block itself has a mark
+/// behind its name, see [`super::hygiene`].
 pub type Name = Rc<str>;
 
 /// An expression.
@@ -29,7 +29,7 @@ pub struct Expr {
 pub enum ExprKind {
     /// A literal with a decimal point, an exponent or a float suffix.
     Float(Number),
-    /// A literal without, and the types that its suffix allows.
+    /// A literal without any of these, and the types that its suffix allows.
     Integer(i128, Integers),
     /// `true` or `false`.
     Boolean(bool),
@@ -89,7 +89,7 @@ pub enum ExprKind {
     Unsupported(String),
 }
 
-/// A name with its place.
+/// A name with its origin.
 #[derive(Clone, Debug)]
 pub struct Word {
     /// The name.
@@ -105,8 +105,7 @@ pub struct Path {
     pub origin: Origin,
     /// The whole path as the user wrote it.
     pub text: Rc<str>,
-    /// Rust text that means the same outside the function: with the imports that are in force where it
-    /// stands.
+    /// Rust text of the same meaning outside the function, with the imports in force inside.
     pub code: Rc<str>,
     /// The last segment.
     pub last: Name,

@@ -1,4 +1,4 @@
-//! Integers known from literals and constants of the impl block alone: array lengths.
+//! Constant integers, made of literals and constants of the impl block: array lengths.
 
 use super::body::{BinaryOperator, Constant, Expr, ExprKind, Owner};
 
@@ -7,10 +7,10 @@ pub fn integer(expr: &Expr, constants: &[Constant]) -> Option<i128> {
     fold(expr, constants, constants.len(), &mut { LONGEST })
 }
 
-/// Steps of a calculation of a length: constants that each take twice what the one before takes double them.
+/// The most steps of a calculation. Constants that each use the one before twice would double them.
 const LONGEST: usize = 10_000;
 
-/// `depth` bounds the chain of constants that refer to constants, which might be a cycle.
+/// `depth` limits how far constants refer to constants, in case they form a cycle.
 fn fold(expr: &Expr, constants: &[Constant], depth: usize, steps: &mut usize) -> Option<i128> {
     *steps = steps.checked_sub(1)?;
     match &expr.kind {

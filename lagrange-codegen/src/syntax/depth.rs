@@ -1,14 +1,14 @@
-//! How deep expressions may be nested: every stage from the parser to rustc's own descends into them on the
-//! stack, which nobody but the operating system guards.
+//! The nesting of expressions. Every stage, from the parser to those of rustc, recurses into them, and
+//! nothing but the operating system guards its stack.
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 
-/// Levels of nesting that fit on half of the stack of a compiler thread, 8 MiB, with an engine without
-/// optimisation: a level of parentheses takes up to 13 kB in `syn` and in the stages after it. A sum of as
-/// many terms is as deep.
+/// The deepest nesting that is accepted. A level of parentheses takes up to 13 kB in `syn` and in the stages
+/// after it, in an engine without optimisation, so this many fit on half of the 8 MiB stack of a compiler
+/// thread. A sum of as many terms is as deep.
 pub const DEEPEST: usize = 300;
 
-/// A place that is nested deeper than [`DEEPEST`], if there is one.
+/// The span of something nested deeper than [`DEEPEST`], if there is any.
 pub fn too_deep(tokens: TokenStream) -> Option<Span> {
     let mut stack = vec![(tokens, 0)];
     while let Some((stream, outside)) = stack.pop() {
@@ -17,7 +17,7 @@ pub fn too_deep(tokens: TokenStream) -> Option<Span> {
         while let Some(tree) = trees.next() {
             let ends = match &tree {
                 TokenTree::Punct(punct) => matches!(punct.as_char(), ',' | ';' | '#'),
-                // A function or a statement, unless it goes on.
+                // The end of a function or of a statement, unless it goes on.
                 TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => match trees.peek() {
                     Some(TokenTree::Ident(next)) => next != "else",
                     Some(TokenTree::Punct(next)) => next.as_char() == '#',
@@ -27,7 +27,7 @@ pub fn too_deep(tokens: TokenStream) -> Option<Span> {
             };
             run.take(tree);
             if run.depth() > DEEPEST {
-                return run.place;
+                return run.span;
             }
             if ends {
                 stack.extend(run.inner());
@@ -39,32 +39,32 @@ pub fn too_deep(tokens: TokenStream) -> Option<Span> {
     None
 }
 
-/// Tokens without a separator: at most one expression.
+/// Tokens without a separator, which form one expression at most.
 struct Run {
     outside: usize,
-    /// Additions and subtractions, each of which holds all before it.
+    /// Additions and subtractions: each nests all terms before it.
     sums: usize,
-    /// What else nests in the present term, and in the deepest one.
+    /// Other nesting in the present term.
     term: usize,
     deepest: usize,
     groups: Vec<TokenStream>,
-    place: Option<Span>,
+    span: Option<Span>,
 }
 
 impl Run {
     fn new(outside: usize) -> Run {
-        Run { outside, sums: 0, term: 0, deepest: 0, groups: Vec::new(), place: None }
+        Run { outside, sums: 0, term: 0, deepest: 0, groups: Vec::new(), span: None }
     }
 
     fn take(&mut self, tree: TokenTree) {
-        self.place = Some(tree.span());
+        self.span = Some(tree.span());
         match tree {
             TokenTree::Punct(punct) => match punct.as_char() {
                 '+' | '-' => {
                     self.sums += 1;
                     self.term = 0;
                 }
-                // Paths, lifetimes and separators.
+                // Parts of paths and lifetimes, and separators, nest nothing.
                 ':' | '\'' | ',' | ';' | '#' => {}
                 _ => self.term += 1,
             },
@@ -86,7 +86,7 @@ impl Run {
         self.outside + self.sums + self.deepest
     }
 
-    /// The groups with the depth that they lie at.
+    /// The groups, each with the depth at which it lies.
     fn inner(self) -> impl Iterator<Item = (TokenStream, usize)> {
         let depth = self.depth();
         self.groups.into_iter().map(move |group| (group, depth))

@@ -6,15 +6,15 @@ use crate::diagnostics::Origin;
 /// What limits a friction.
 #[derive(Clone, Debug)]
 pub struct Friction {
-    /// The coefficient, or the force where its size is given.
+    /// The coefficient, or the largest force where that is given.
     pub kinetic: Expr,
-    /// The same while it sticks, where that differs.
+    /// The same while the friction sticks, if it differs.
     pub fixed: Option<Expr>,
-    /// What limits it.
+    /// The reactions that limit it.
     pub normal: Option<Normal>,
 }
 
-/// What limits a friction: constraints, or a particle or body.
+/// The reactions that limit a friction: those of constraints, or of a particle or body.
 #[derive(Clone, Debug)]
 pub enum Normal {
     /// `normal = floor`, `normal = gap[1]`.

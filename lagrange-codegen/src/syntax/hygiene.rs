@@ -1,8 +1,9 @@
 //! Which identifiers mean the same variable.
 //!
-//! Two variables of one name are different if one was written in a `macro_rules` macro and the other where
-//! the macro is called. The compiler tells by the syntax context of a span, which procedural macros see in
-//! its debug output alone. A variable from another context than the block itself has a mark behind its name.
+//! Two variables of one name differ if one was written in a `macro_rules` macro and the other where the macro
+//! is called. The compiler tells them apart by the syntax contexts of their spans, which a procedural macro
+//! sees in debug output only. A variable from another context than that of the block has a mark behind its
+//! name.
 
 use proc_macro2::{Ident, Span};
 
@@ -24,7 +25,7 @@ pub fn context(span: Span) -> Option<u32> {
 pub fn variable(ident: &Ident, home: Option<u32>) -> Name {
     let name = bare(ident);
     match context(ident.span()) {
-        // `self` is a keyword: rustc refuses one that is not that of the function.
+        // `self` is a keyword. rustc refuses one from another context.
         Some(context) if home != Some(context) && &*name != "self" => format!("{name}{MARK}{context}").into(),
         _ => name,
     }

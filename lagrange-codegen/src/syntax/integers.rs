@@ -1,7 +1,7 @@
 //! The types that a constant integer may have, so that it overflows where Rust's does.
 //!
-//! A literal without suffix may be of any type until something tells more; each operation leaves the types
-//! that both operands may have and that can hold the result. Where none is left, Rust would overflow.
+//! A literal without suffix may have any type. The result of an operation may have the types that both
+//! operands may have and that can hold it. If none is left, Rust would overflow.
 
 use std::ops::BitAnd;
 
@@ -9,8 +9,8 @@ use std::ops::BitAnd;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Integers(u16);
 
-/// The types by name, with their width and whether they have a sign. Those of the size of a pointer have 32
-/// bits on a microcontroller, so no more is taken for granted.
+/// The types by name, with their width and whether they are signed. Integers of the size of a pointer count
+/// as 32 bits wide, which is what microcontrollers have.
 const TYPES: [(&str, u32, bool); 12] = [
     ("i8", 8, true),
     ("i16", 16, true),
@@ -36,7 +36,7 @@ impl Integers {
 
     /// The type of a name.
     pub fn named(name: &str) -> Option<Integers> {
-        TYPES.iter().position(|(known, ..)| *known == name).map(|place| Integers(1 << place))
+        TYPES.iter().position(|(known, ..)| *known == name).map(|index| Integers(1 << index))
     }
 
     /// A number for this set.
@@ -53,11 +53,11 @@ impl Integers {
             (width, false) => (0..1_i128 << width).contains(&value),
         };
         let fit = TYPES.iter().enumerate().filter(|(_, ty)| holds(ty));
-        let left = self.0 & fit.fold(0, |set, (place, _)| set | 1 << place);
+        let left = self.0 & fit.fold(0, |set, (index, _)| set | 1 << index);
         (left != 0).then_some(Integers(left))
     }
 
-    /// `value as type`: bits beyond the width are cut off. `None` where the width of a pointer decides.
+    /// `value as type`: bits beyond the width are cut off. `None` if the width of a pointer decides.
     pub fn cast(self, value: i128) -> Option<i128> {
         let &(name, width, signed) = TYPES.get(self.0.trailing_zeros() as usize)?;
         if width == 128 {
@@ -69,7 +69,7 @@ impl Integers {
         (!name.ends_with("size") || cut == value).then_some(cut)
     }
 
-    /// `value as type` for a number: towards zero, and no further than the ends of the type. `None` for what
+    /// `value as type` for a number: rounded towards zero and limited to the range of the type. `None` if it
     /// is not finite.
     pub fn saturated(self, value: f64) -> Option<i128> {
         let &(_, width, signed) = TYPES.get(self.0.trailing_zeros() as usize)?;
@@ -86,7 +86,7 @@ impl Integers {
 impl BitAnd for Integers {
     type Output = Integers;
 
-    /// The types in both sets. Operands of different types are rustc's to refuse; the first one counts then.
+    /// The types in both sets. If there is none, rustc refuses the operands, and the first one counts.
     fn bitand(self, other: Integers) -> Integers {
         let both = self.0 & other.0;
         if both == 0 { self } else { Integers(both) }

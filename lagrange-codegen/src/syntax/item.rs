@@ -18,7 +18,7 @@ use crate::diagnostics::Origin;
 pub struct Item {
     /// The last segment of the type.
     pub title: Ident,
-    /// What generated types are named after.
+    /// The name from which those of generated types are made.
     pub name: Ident,
     /// The type of the impl block.
     pub self_ty: syn::Type,
@@ -34,38 +34,38 @@ pub struct Item {
     pub crate_path: syn::Path,
     /// Whether derivatives of the equations are generated.
     pub jacobians: bool,
-    /// Parameters that derivatives are taken by.
+    /// Parameters by which derivatives are taken.
     pub sensitivities: Vec<Expr>,
-    /// Whether what the model can tell about itself is generated.
+    /// Whether the analyses are generated: conserved quantities, parts of the energy, verification.
     pub analysis: bool,
     /// Whether the equations are written in LaTeX and MathML, too.
     pub formulas: bool,
     /// The system that a generated test verifies.
     pub verify: Option<syn::Expr>,
-    /// Rate of Baumgarte's stabilisation, where the attribute asks for it.
+    /// The rate of Baumgarte's stabilisation, if the attribute has it.
     pub baumgarte: Option<Expr>,
     /// Lints switched off with `allow(…)`.
     pub allowed: Vec<&'static str>,
-    /// The impl block as it is emitted again.
+    /// The impl block that is emitted again.
     pub cleaned: TokenStream,
     /// Functions with and without a role, in order.
     pub functions: Vec<Function>,
-    /// Velocities that the macro writes functions for.
+    /// Velocities for which the macro writes functions.
     pub velocities: Vec<Velocity>,
     /// Associated constants.
     pub constants: Vec<Constant>,
-    /// The name of the type.
+    /// The origin of the type's name.
     pub origin: Origin,
-    /// Why nothing can be derived of it, though some of its declarations are known.
+    /// Why nothing can be derived, though some declarations are known.
     pub incomplete: Option<Incomplete>,
 }
 
-/// Why an item is declared at most.
+/// Why an item has declarations at most.
 #[derive(Debug)]
 pub enum Incomplete {
-    /// Arguments of the attribute cannot be read, which is reported.
+    /// Arguments of the attribute cannot be read. The mistake is reported.
     Declarations,
-    /// It does not parse, for this reason. Where it came from a source file, the compiler has said so.
+    /// The item does not parse, for this reason. The compiler has said so if it comes from a source file.
     Form(String),
 }
 
@@ -81,7 +81,7 @@ impl Item {
         self.coordinates.iter().any(|group| group.kind != Kind::Scalar)
     }
 
-    /// How many scalar coordinates are to be eliminated, by what the roles say.
+    /// The number of scalar coordinates that roles ask to eliminate.
     pub fn eliminated(&self) -> usize {
         let eliminates = |kind: &RoleKind| matches!(kind, RoleKind::Holonomic { eliminate: Some(_) });
         let functions = self.functions.iter().filter(|function| function.meant().is_some_and(eliminates));
@@ -94,13 +94,13 @@ impl Item {
         matches!(kind, Some(RoleKind::Holonomic { eliminate: None } | RoleKind::Nonholonomic { .. }))
     }
 
-    /// Whether a function has a multiplier at times at least.
+    /// Whether a function has a multiplier, be it at times only.
     pub fn has_multiplier(&self, function: &Function) -> bool {
         self.is_kept_constraint(function)
             || matches!(function.meant(), Some(RoleKind::Unilateral { .. } | RoleKind::Friction(_)))
     }
 
-    /// The number of components of what a function returns, if that is an array or a vector.
+    /// The number of components of a function's result, if it is an array or a vector.
     pub fn components(&self, function: &Function) -> Option<usize> {
         match function.output.as_ref().map(|ty| &ty.kind) {
             Some(TypeKind::Array(_, length) | TypeKind::Vector(length)) => {
@@ -155,7 +155,7 @@ impl Kind {
 pub struct Group {
     /// The name, possibly raw.
     pub ident: Ident,
-    /// What it is, or what its elements are.
+    /// The kind of each element.
     pub kind: Kind,
     /// The length of an array.
     pub length: Option<usize>,
@@ -240,7 +240,7 @@ pub struct Function {
     pub origin: Origin,
     /// Its role, if it has one.
     pub role: Option<Role>,
-    /// The role whose arguments cannot be read, which is reported.
+    /// The role, if its arguments cannot be read. The mistake is reported.
     pub unread: Option<RoleKind>,
     /// Whether it takes `self`.
     pub receiver: bool,
@@ -250,7 +250,7 @@ pub struct Function {
     pub output: Option<Type>,
     /// The body.
     pub body: Block,
-    /// A `cfg` that decides whether the function is there, or what it consists of.
+    /// A `cfg` on the function or inside it.
     pub conditional: Option<Origin>,
 }
 
@@ -263,7 +263,7 @@ pub struct Parameter {
     pub ty: Type,
     /// How many references stand before it.
     pub references: usize,
-    /// What a role passes for it; `None` in a helper where it is anything else.
+    /// What a role passes for it; `None` for other parameters, which only helpers may have.
     pub argument: Option<Argument>,
 }
 
@@ -277,12 +277,13 @@ pub enum Argument {
 }
 
 impl Function {
-    /// The kind of its role, with blank arguments where they cannot be read.
+    /// The kind of the role, with blank arguments if they cannot be read.
     pub fn meant(&self) -> Option<&RoleKind> {
         self.role.as_ref().map(|role| &role.kind).or(self.unread.as_ref())
     }
 
-    /// What its velocity is a function of, in order; `None` where that is more than the state.
+    /// The arguments of the function's velocity, in order; `None` if the function depends on more than the
+    /// state.
     pub fn velocity_arguments(&self) -> Option<Vec<Argument>> {
         let mut arguments = Vec::new();
         for parameter in &self.parameters {
@@ -301,7 +302,7 @@ impl Function {
 /// A velocity that the description calls for.
 #[derive(Clone, Debug)]
 pub struct Velocity {
-    /// The index of the function whose rate it is.
+    /// The index of the function.
     pub function: usize,
     /// Its own name.
     pub name: Name,
@@ -347,7 +348,7 @@ pub enum RoleKind {
     Force(Target),
     /// `#[holonomic]`.
     Holonomic {
-        /// `#[holonomic(eliminate = x)]`: it is solved for a coordinate instead of being kept.
+        /// `#[holonomic(eliminate = x)]`: solved for a coordinate, so that no multiplier is kept.
         eliminate: Option<Eliminate>,
     },
     /// `#[nonholonomic]`.
@@ -359,7 +360,7 @@ pub enum RoleKind {
     Unilateral {
         /// The coefficient; without one an impact is plastic.
         restitution: Option<Expr>,
-        /// Whether it is Poisson's instead of Newton's.
+        /// Whether the law is Poisson's instead of Newton's.
         poisson: bool,
     },
     /// `#[friction(coefficient = …, normal = …)]` or `#[friction(limit = …)]`.
@@ -371,9 +372,9 @@ pub enum RoleKind {
 /// The coordinates that a constraint is solved for.
 #[derive(Clone, Debug)]
 pub struct Eliminate {
-    /// `x` or `theta[1]`, where they are named.
+    /// `x` or `theta[1]`, if the user names them.
     pub coordinate: Option<(Word, Option<Expr>)>,
-    /// Where it is asked for.
+    /// The origin of the request.
     pub origin: Origin,
 }
 

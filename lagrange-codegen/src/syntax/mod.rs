@@ -1,7 +1,7 @@
-//! Tokens to [`Item`]: own types, spans kept, every rule of form checked.
+//! Tokens to [`Item`]: own types with spans, and every rule of form checked.
 //!
-//! What is wrong is reported into [`Diagnostics`]; meaning (names, shapes, loops) is the business
-//! of the next stage, lowering.
+//! Mistakes go into [`Diagnostics`]. Meaning (names, shapes, loops) is the business of the next stage,
+//! lowering.
 
 pub mod body;
 pub mod constant;
@@ -18,11 +18,11 @@ mod conditional;
 mod depth;
 mod path;
 mod pieces;
-mod place;
 mod recover;
 mod rewrite;
 mod role;
 mod signature;
+mod spans;
 mod statements;
 #[cfg(test)]
 mod tests;
@@ -45,8 +45,8 @@ use crate::diagnostics::{Diagnostics, catalogue};
 use body::Constant;
 use translate::{Translator, bare};
 
-/// Parses `#[lagrangian(args)] item`. `default_crate` is the crate that generated code names
-/// unless the user says `crate = path`. `None` if too little is left to look for more mistakes.
+/// Parses `#[lagrangian(args)] item`. `default_crate` is the crate that generated code names unless the user
+/// says `crate = path`. `None` if too little can be read to look for more mistakes.
 pub fn parse(
     args: TokenStream,
     item: TokenStream,
@@ -68,7 +68,7 @@ pub fn parse(
         None => syn::parse_str(default_crate).ok()?,
     };
     if let (Scalar::Generic(ident), None) = (&scalar, generic_scalar(&block.generics)) {
-        // Reported; what follows goes on as if the bound were there.
+        // The missing bound is reported. What follows assumes it.
         for parameter in block.generics.type_params_mut().filter(|parameter| parameter.ident == *ident) {
             parameter.bounds.push(syn::parse_quote!(#crate_path::Real));
         }
@@ -139,7 +139,7 @@ pub fn parse(
     })
 }
 
-/// The functions of a block whose velocities it calls for, those left out that the user has written.
+/// The velocities that a block uses and the user has not written.
 fn velocities(
     block: &ItemImpl,
     is_unfinished: bool,
@@ -161,7 +161,7 @@ fn impl_block(item: TokenStream, diagnostics: &mut Diagnostics) -> Option<(ItemI
     match unfinished::read(item) {
         Ok((syn::Item::Impl(block), unfinished)) => Some((block, unfinished)),
         Ok((other, _)) => {
-            diagnostics.error(place::span(&other), catalogue::not_an_impl());
+            diagnostics.error(spans::span(&other), catalogue::not_an_impl());
             None
         }
         Err(error) => {
@@ -181,8 +181,8 @@ fn self_type(ty: &syn::Type) -> Option<&syn::PathSegment> {
     }
 }
 
-/// What generated types are named after: `Chain`, `Chain3` for `Chain<3>` and `ChainMinus3` for `Chain<-3>`,
-/// so that there may be a description for each of several numbers.
+/// The name from which those of generated types are made: `Chain`, `Chain3` for `Chain<3>` and `ChainMinus3`
+/// for `Chain<-3>`, so that each of several numbers may have a description.
 fn name_of(segment: &syn::PathSegment) -> Ident {
     let mut name = segment.ident.clone();
     if let syn::PathArguments::AngleBracketed(arguments) = &segment.arguments {
@@ -224,7 +224,7 @@ fn generic_scalar(generics: &syn::Generics) -> Option<Ident> {
     })
 }
 
-/// A type parameter that a role returns, though it has no bound `Real`.
+/// A type parameter that a role returns without a bound `Real`.
 fn unbound_scalar(block: &ItemImpl) -> Option<Ident> {
     let roles = block.items.iter().filter_map(|item| match item {
         ImplItem::Fn(function) if function.attrs.iter().any(role::is_role) => Some(function),
@@ -239,8 +239,8 @@ fn unbound_scalar(block: &ItemImpl) -> Option<Ident> {
         .cloned()
 }
 
-/// The scalar of a description: the parameter bound by `Real`, else the float of the roles. Whether they mix
-/// floats, which is reported.
+/// The scalar of a description, which is the parameter bound by `Real` or else the float of the roles, and
+/// whether roles mix floats. Mixing is reported.
 fn scalar(block: &ItemImpl, diagnostics: &mut Diagnostics) -> (Scalar, bool) {
     if let Some(ident) = generic_scalar(&block.generics) {
         return (Scalar::Generic(ident), false);

@@ -1,4 +1,4 @@
-//! Paths, and what is in sight inside a function: items of its own and imports.
+//! Paths, and the items and imports inside a function.
 
 use std::rc::Rc;
 
@@ -22,8 +22,7 @@ const SCALAR_TRAITS: [&str; 9] = [
 ];
 
 impl Translator<'_> {
-    /// Notes the items of a block, which are in sight in all of it. Gives back what [`Translator::leave`]
-    /// takes.
+    /// Enters a block, in all of which its items are in sight. [`Translator::leave`] takes the result.
     pub fn enter(&mut self, block: &syn::Block) -> (usize, usize) {
         let outside = (self.hidden.len(), self.imports.len());
         let mut imports = String::new();
@@ -81,7 +80,7 @@ impl Translator<'_> {
         let origin = self.origin(path.span());
         let whole = syn::ExprPath { attrs: Vec::new(), qself: qself.cloned(), path: path.clone() };
         let text = self.text(&whole);
-        // From `$crate`, `crate` and the like nothing is imported.
+        // Imports do not change paths from `$crate`, `crate` and the like.
         let rooted = path.leading_colon.is_some()
             || path
                 .segments
@@ -114,8 +113,8 @@ impl Translator<'_> {
         Path { origin, text, code, last, owner }
     }
 
-    /// The owner in `<Type>::name` and `<Type as Trait>::name`. What a trait calls by a name may be something
-    /// else than what the type itself calls so.
+    /// The owner in `<Type>::name` and `<Type as Trait>::name`. The trait's `name` may be another one than
+    /// the type's own.
     fn qualified(&mut self, qself: &syn::QSelf, path: &syn::Path) -> Owner {
         let Some(position) = qself.position.checked_sub(1) else { return self.owner_type(&qself.ty) };
         let by = path.segments.get(position).map_or_else(|| Rc::from(""), |segment| bare(&segment.ident));

@@ -37,12 +37,12 @@ pub fn read_as<T: Parse>(tokens: TokenStream) -> Option<T> {
     syn::parse2(tokens).ok()
 }
 
-/// The name of what has none yet. No program uses it; `place` tells it from others.
-pub fn unnamed(place: usize, span: Span) -> Ident {
-    format_ident!("__unnamed{place}", span = span)
+/// A name for something that has none yet. No program uses it. `index` tells it from others.
+pub fn unnamed(index: usize, span: Span) -> Ident {
+    format_ident!("__unnamed{index}", span = span)
 }
 
-/// What some of the tokens read as: the longest run of them, also within their groups.
+/// The longest run of tokens that can be read, inside their groups, too.
 pub fn readable<T: Parse>(trees: &[TokenTree]) -> Option<T> {
     let run = |start: usize| {
         let rest = || trees[start..].iter().cloned().collect::<TokenStream>();
@@ -50,12 +50,12 @@ pub fn readable<T: Parse>(trees: &[TokenTree]) -> Option<T> {
             let read = input.parse::<T>()?;
             Ok((read, input.parse::<TokenStream>()?.into_iter().count()))
         };
-        // Where a mark opens what does not end, as in `Vector2<f64`, the word before it is read.
+        // If a bracket is not closed, as in `Vector2<f64`, the word before it is read.
         let word = || Some((read_as(trees[start].clone().into())?, trees.len() - start - 1));
         let (read, left) = prefix.parse2(rest()).ok().or_else(word)?;
         Some((trees.len() - start - left, read))
     };
-    // Of runs that are as long, the first.
+    // The first of the longest runs.
     let longest = (0..trees.len()).rev().filter_map(run).max_by_key(|(length, _)| *length);
     longest.map(|(_, read)| read).or_else(|| {
         trees.iter().find_map(|tree| match tree {

@@ -1,4 +1,4 @@
-//! What stands in for the expansion after a mistake, so that only our messages are reported.
+//! What replaces the expansion after a mistake, so that only our messages are reported.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -8,8 +8,8 @@ use super::item::Scalar;
 use super::{generic_scalar, name_of, rewrite, role, self_type, unfinished};
 use crate::diagnostics::catalogue;
 
-/// The item without our attributes. Bodies, in which unknown names may stand, are there for an editor alone,
-/// which completes what is written in them.
+/// The item without our attributes. Its bodies may hold unknown names, so only an editor sees them, for
+/// completion.
 pub fn recover(item: TokenStream) -> TokenStream {
     let Ok((item, _)) = unfinished::read(item) else { return TokenStream::new() };
     match item {
@@ -24,7 +24,7 @@ pub fn recover(item: TokenStream) -> TokenStream {
                 Some(_) | None => block.into_token_stream(),
             }
         }
-        // A role on a free function, say.
+        // The attribute may stand on a free function.
         Item::Fn(mut function) => {
             strip(&mut function.attrs);
             function.into_token_stream()
@@ -33,7 +33,7 @@ pub fn recover(item: TokenStream) -> TokenStream {
     }
 }
 
-/// What does not let a program be built where the compiler has accepted what we cannot read.
+/// An item that keeps a program from being built if the compiler accepts what the macro cannot read.
 pub fn refusal(reason: &str) -> TokenStream {
     let message = catalogue::unread(reason);
     quote! {
@@ -45,14 +45,14 @@ pub fn refusal(reason: &str) -> TokenStream {
     }
 }
 
-/// Takes the role attributes off and keeps the bodies from the compiler.
+/// Removes the role attributes and hides the bodies from the compiler.
 fn hide_bodies(block: &mut ItemImpl) {
     for item in &mut block.items {
         let ImplItem::Fn(function) = item else { continue };
         let has_role = strip(&mut function.attrs);
         let opaque = matches!(&function.sig.output, syn::ReturnType::Type(_, ty)
             if matches!(&**ty, syn::Type::ImplTrait(_)));
-        // A constant function may be the length of an array: it must come to an end.
+        // A constant function may give the length of an array, so an endless loop will not do.
         let constant = function.sig.constness.is_some();
         if has_role || !(opaque || constant) {
             let body = &function.block;
@@ -62,7 +62,7 @@ fn hide_bodies(block: &mut ItemImpl) {
     }
 }
 
-/// Removes role attributes; whether there were any.
+/// Removes role attributes and tells whether there were any.
 fn strip(attributes: &mut Vec<Attribute>) -> bool {
     let before = attributes.len();
     attributes.retain(|attribute| !role::is_role(attribute));

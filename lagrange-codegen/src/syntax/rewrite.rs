@@ -1,8 +1,8 @@
-//! The impl block as it is emitted again: the user's functions stay ordinary, callable Rust.
+//! The impl block that is emitted again: the user's functions stay ordinary, callable Rust.
 //!
-//! Role attributes go, `Coordinates` becomes `ChainCoordinates` (with the user's span). In a
-//! generic block, literals take the precision of the scalar, and the few functions of nalgebra
-//! that ask more of a number than `Real` offers go through the runtime's own door.
+//! Role attributes go, and `Coordinates` becomes `ChainCoordinates` (with the user's span). In a generic
+//! block, literals take the precision of the scalar, and the few functions of nalgebra that ask more of a
+//! number than `Real` offers are replaced by the runtime's own.
 
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
@@ -23,7 +23,7 @@ pub fn clean(
 ) -> TokenStream {
     let mut block = block.clone();
     let mut used = names_in_attributes(&block, rate);
-    // A function may serve through its velocity alone.
+    // A function whose velocity is used counts as used.
     let velocities = velocity::mentioned(&block, false).into_iter();
     used.extend(velocities.filter_map(|(name, _)| Some(name.strip_suffix(velocity::SUFFIX)?.to_owned())));
     for item in &mut block.items {
@@ -35,7 +35,7 @@ pub fn clean(
                     function.attrs.push(syn::parse_quote!(#[allow(dead_code)]));
                 }
             }
-            // It may be the length of a declared array alone.
+            // The length of a declared array may be its only use.
             ImplItem::Const(constant) => {
                 constant.attrs.push(syn::parse_quote!(#[allow(dead_code)]));
             }
@@ -55,7 +55,7 @@ pub fn clean(
     block.into_token_stream()
 }
 
-/// An expression of an attribute as it is evaluated in the impl block.
+/// An expression of an attribute, ready to be evaluated in the impl block.
 pub fn expression(expr: &Expr, scalar: &Scalar, crate_path: &syn::Path) -> TokenStream {
     let mut expr = expr.clone();
     if let Scalar::Generic(parameter) = scalar {
@@ -67,7 +67,7 @@ pub fn expression(expr: &Expr, scalar: &Scalar, crate_path: &syn::Path) -> Token
 /// The impl block with the full names of the generated structs.
 pub fn rename(mut block: ItemImpl, name: &Ident, scalar: &Scalar) -> ItemImpl {
     for item in &mut block.items {
-        // Refused there, and nothing to rustc.
+        // `role::refuse_on_item` has reported these. rustc does not know them.
         match item {
             ImplItem::Const(constant) => constant.attrs.retain(|attribute| !role::is_role(attribute)),
             ImplItem::Type(ty) => ty.attrs.retain(|attribute| !role::is_role(attribute)),
@@ -78,7 +78,7 @@ pub fn rename(mut block: ItemImpl, name: &Ident, scalar: &Scalar) -> ItemImpl {
     block
 }
 
-/// Identifiers in attributes: what stands there is used, though rustc cannot see it.
+/// Identifiers in attributes. They are uses that rustc cannot see.
 fn names_in_attributes(block: &ItemImpl, rate: Option<&Expr>) -> Vec<String> {
     let mut names = Vec::new();
     let mut stack: Vec<TokenStream> = rate.map(ToTokens::to_token_stream).into_iter().collect();
@@ -99,7 +99,7 @@ fn names_in_attributes(block: &ItemImpl, rate: Option<&Expr>) -> Vec<String> {
     names
 }
 
-/// Whether a signature speaks of a concrete float: its literals are not of the scalar type.
+/// Whether a signature names a concrete float. Literals of such a function are not of the scalar type.
 fn mentions_floats(signature: &syn::Signature) -> bool {
     let mut stack = vec![signature.to_token_stream()];
     while let Some(stream) = stack.pop() {
@@ -134,7 +134,7 @@ impl Renamer<'_> {
 }
 
 impl VisitMut for Renamer<'_> {
-    /// The operand of a `macro_rules` macro, such as `a + b` passed as `$x:expr`, stays one operand: rustc
+    /// An operand from a `macro_rules` macro, such as `a + b` passed as `$x:expr`, gets parentheses: rustc
     /// forgets invisible groups that come out of a procedural macro.
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         visit_mut::visit_expr_mut(self, expr);
@@ -148,7 +148,7 @@ impl VisitMut for Renamer<'_> {
 
     fn visit_type_path_mut(&mut self, ty: &mut syn::TypePath) {
         visit_mut::visit_type_path_mut(self, ty);
-        // The visit above has renamed the path; what is left is the missing scalar.
+        // The visit above has renamed the path. The scalar argument is still missing.
         if ty.qself.is_none()
             && let [segment] = ty.path.segments.iter_mut().collect::<Vec<_>>().as_mut_slice()
             && segment.arguments.is_none()
@@ -179,7 +179,7 @@ struct Generalizer<'a> {
 }
 
 impl Generalizer<'_> {
-    /// A literal with all digits that the scalar has.
+    /// A literal with all digits that the scalar can hold.
     fn literal(&self, literal: &Lit) -> TokenStream {
         let (parameter, path) = (self.parameter, self.crate_path);
         self.exact(literal).unwrap_or_else(
@@ -187,7 +187,7 @@ impl Generalizer<'_> {
         )
     }
 
-    /// A literal that is no double.
+    /// A literal that no double equals.
     fn exact(&self, literal: &Lit) -> Option<TokenStream> {
         let digits = match literal {
             Lit::Float(float) => float.base10_digits(),
@@ -203,7 +203,7 @@ impl Generalizer<'_> {
         (rest != 0.0).then_some(exact)
     }
 
-    /// `R::from_f64(0.1)` and `R::from(0.1)`: the decimal, as everywhere in a description.
+    /// `R::from_f64(0.1)` and `R::from(0.1)` mean the decimal, as everywhere in a description.
     fn conversion(&self, call: &syn::ExprCall) -> Option<Expr> {
         let Expr::Path(function) = &*call.func else { return None };
         let names: Vec<String> =

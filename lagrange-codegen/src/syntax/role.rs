@@ -1,4 +1,4 @@
-//! Role attributes: which function means what.
+//! Role attributes: the meaning of functions.
 
 use proc_macro2::TokenTree;
 use syn::ext::IdentExt;
@@ -9,7 +9,7 @@ use syn::{Attribute, Expr, Ident, Meta, Token};
 use super::body::{ExprKind, Owner, Word};
 use super::hygiene;
 use super::item::{Eliminate, Friction, Normal, Role, RoleKind, Target};
-use super::place;
+use super::spans;
 use super::suggest::nearest;
 use super::translate::{Translator, bare};
 use crate::diagnostics::{Origin, catalogue};
@@ -59,7 +59,7 @@ pub fn is_role(attribute: &Attribute) -> bool {
     name(attribute).is_some_and(|name| known(&name) || misspelt(&name).is_some()) || conditional()
 }
 
-/// The word of an attribute. Behind a `::` stands a crate, which is no attribute: the word is meant.
+/// The name of an attribute. The crate of `::point` cannot be an attribute, so the word after `::` counts.
 fn name(attribute: &Attribute) -> Option<String> {
     let segments = &attribute.path().segments;
     (segments.len() == 1).then(|| segments[0].ident.to_string())
@@ -98,18 +98,18 @@ pub fn refuse_on_item(item: &syn::ImplItem, translator: &mut Translator) {
     };
     for attribute in attributes.iter().filter(|attribute| is_role(attribute)) {
         let name = name(attribute).unwrap_or_default();
-        translator.diagnostics.error(place::span(attribute.path()), catalogue::role_on_item(name));
+        translator.diagnostics.error(spans::span(attribute.path()), catalogue::role_on_item(name));
     }
 }
 
-/// Reads the role of a function from its attributes; mistakes are reported. Beside it stands the kind of a
-/// role whose arguments are wrong.
+/// Reads the role of a function from its attributes. Mistakes are reported. The second result is the kind of
+/// a role whose arguments are wrong.
 pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> (Option<Role>, Option<RoleKind>) {
     let mut role: Option<(Role, String)> = None;
     let mut unread = None;
     for attribute in attributes {
         let Some(name) = name(attribute) else { continue };
-        let span = place::span(attribute.path());
+        let span = spans::span(attribute.path());
         if name == "cfg_attr" && mentions_role(attribute) {
             translator.diagnostics.error(span, catalogue::conditional_attribute());
             continue;
@@ -180,7 +180,7 @@ fn kind(
     let required = |key: &str, translator: &mut Translator| {
         let expr = take(key);
         if expr.is_none() {
-            let span = place::span(attribute.path());
+            let span = spans::span(attribute.path());
             translator.diagnostics.error(span, catalogue::missing_role_argument(name, key));
         }
         expr.map(|expr| translator.expression(expr))
@@ -244,7 +244,7 @@ fn kind(
                 Some(normal) => Some(limiting(normal, translator)?),
                 None if size == "limit" || kinetic.is_none() => None,
                 None => {
-                    let span = place::span(attribute.path());
+                    let span = spans::span(attribute.path());
                     translator.diagnostics.error(span, catalogue::friction_without_normal());
                     return None;
                 }
@@ -254,7 +254,7 @@ fn kind(
         "event" => Some(RoleKind::Event),
         _ => match (take("at"), take("on")) {
             (Some(_), Some(on)) => {
-                translator.diagnostics.error(place::expression(on), catalogue::force_at_and_on());
+                translator.diagnostics.error(spans::expression(on), catalogue::force_at_and_on());
                 None
             }
             (Some(at), None) => target(at, "at", translator).map(|(w, i)| RoleKind::Force(Target::At(w, i))),
@@ -297,7 +297,7 @@ fn arguments(
                 _ => format!("#[{role}({} = …)]", accepted.join(" = …, ")),
             };
             let message = catalogue::role_form(role, form);
-            translator.diagnostics.error(place::expression(&pair.value), message);
+            translator.diagnostics.error(spans::expression(&pair.value), message);
             return None;
         }
         Meta::List(list) => list,
@@ -340,12 +340,12 @@ fn arguments(
     valid.then_some(given)
 }
 
-/// What limits a friction: one name, or a list of several.
+/// The reactions that limit a friction: one name, or a list of several.
 fn limiting(expr: &Expr, translator: &mut Translator) -> Option<Normal> {
     let Expr::Array(list) = expr else {
         return target(expr, "normal", translator).map(|(word, element)| Normal::One(word, element));
     };
-    let origin = translator.origin(place::expression(expr));
+    let origin = translator.origin(spans::expression(expr));
     let names: Vec<_> = list.elems.iter().map(|name| target(name, "normal", translator)).collect();
     names.into_iter().collect::<Option<Vec<_>>>().map(|names| Normal::Together(names, origin))
 }
@@ -359,7 +359,7 @@ fn target(expr: &Expr, key: &str, translator: &mut Translator) -> Option<(Word, 
     };
     match base.kind {
         ExprKind::Path(path) if matches!(path.owner, Owner::None | Owner::SelfType) => {
-            // The name of a function, which is that of any context.
+            // Functions have one name in all syntax contexts.
             Some((Word { name: hygiene::written(&path.last).into(), origin: path.origin }, index))
         }
         _ => {

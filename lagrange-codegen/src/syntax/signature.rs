@@ -1,4 +1,4 @@
-//! Functions of the impl block: parameters, return types, and what a role may ask for.
+//! Functions of the impl block: parameters, return types, and what a role may depend on.
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -31,12 +31,12 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
         ReturnType::Default => None,
         ReturnType::Type(_, ty) => Some(translator.ty(ty)),
     };
-    // On a role it is reported here.
+    // A `cfg` on a role is reported here.
     let on_role = role.is_some() && function.attrs.iter().any(|attribute| attribute.path().is_ident("cfg"));
     if let Some(role) = &role {
         check_form(function, translator);
         for attribute in function.attrs.iter().filter(|attribute| attribute.path().is_ident("cfg")) {
-            let origin = translator.place(attribute.path());
+            let origin = translator.origin_of(attribute.path());
             translator.diagnostics.at(origin, catalogue::conditional_role(&name));
         }
         check_parameters(role, &parameters, translator);
@@ -59,7 +59,7 @@ pub fn parse(function: &ImplItemFn, translator: &mut Translator) -> Function {
     }
 }
 
-/// How many references stand before a type.
+/// The number of references before a type.
 fn references(ty: &syn::Type) -> usize {
     match ty {
         syn::Type::Reference(reference) => 1 + references(&reference.elem),
@@ -69,7 +69,7 @@ fn references(ty: &syn::Type) -> usize {
     }
 }
 
-/// Type and constant parameters of a function, which have no meaning outside it.
+/// Generic parameters of a function, which mean nothing outside it.
 fn own_generics(function: &ImplItemFn) -> impl Iterator<Item = Name> {
     function.sig.generics.params.iter().filter_map(|parameter| match parameter {
         syn::GenericParam::Type(ty) => Some(bare(&ty.ident)),
@@ -78,7 +78,7 @@ fn own_generics(function: &ImplItemFn) -> impl Iterator<Item = Name> {
     })
 }
 
-/// Structs are recognised by type, time by its name.
+/// A struct is known by its type, time by its name.
 fn argument(pattern: &PatternKind, ty: &TypeKind) -> Option<Argument> {
     match (ty, pattern) {
         (TypeKind::Record(record), _) => Some(Argument::Record(*record)),
@@ -104,7 +104,7 @@ fn check_form(function: &ImplItemFn, translator: &mut Translator) {
     let generics = &function.sig.generics;
     let free = generics.params.iter().any(|param| !matches!(param, syn::GenericParam::Lifetime(_)));
     if free {
-        let origin = translator.place(generics);
+        let origin = translator.origin_of(generics);
         translator.diagnostics.at(origin, catalogue::generic_role(&name));
     }
     if let Some(token) = &function.sig.asyncness {
@@ -148,7 +148,7 @@ fn near_record(name: &str) -> Option<&'static str> {
     })
 }
 
-/// Why a role may not depend on an argument, if it may not.
+/// Why a role may not depend on an argument; `None` if it may.
 pub fn refused(role: &RoleKind, argument: Argument) -> Option<String> {
     match (role, argument) {
         (RoleKind::Force(_), _) => None,
@@ -222,7 +222,7 @@ pub fn returned_names(function: &ImplItemFn) -> Vec<proc_macro2::Ident> {
     names
 }
 
-/// The float types in a signature, in order: `(place, whether it is f32)`.
+/// The float types in a signature, in order, and whether each is `f32`.
 pub fn float_types(function: &ImplItemFn) -> Vec<(Span, bool)> {
     let mut found = Vec::new();
     let mut stack: Vec<TokenStream> = Vec::new();

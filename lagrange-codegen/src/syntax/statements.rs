@@ -8,7 +8,7 @@ use syn::{Pat, Stmt};
 
 use super::body::{Arm, Block, Constant, Expr, ExprKind, Name, Path, Pattern, PatternKind, Statement, Word};
 use super::item::Record;
-use super::place;
+use super::spans;
 use super::translate::{Translator, bare};
 use crate::diagnostics::catalogue;
 
@@ -26,7 +26,7 @@ impl Translator<'_> {
                 Stmt::Expr(expr, None) if is_last => value = Some(self.boxed(expr)),
                 Stmt::Expr(expr, _) => statements.push(Statement::Expression(self.expression(expr))),
                 Stmt::Macro(call) => {
-                    let expr = Expr { origin: self.place(&call.mac), kind: self.macro_call(&call.mac) };
+                    let expr = Expr { origin: self.origin_of(&call.mac), kind: self.macro_call(&call.mac) };
                     match call.semi_token {
                         None if is_last => value = Some(Box::new(expr)),
                         _ => statements.push(Statement::Expression(expr)),
@@ -71,7 +71,7 @@ impl Translator<'_> {
                 let leading = import.leading_colon;
                 self.imports(&import.tree, leading, &mut Vec::new(), statements);
             }
-            // Other items matter only where they are used, and are reported there.
+            // Other items are reported if they are used.
             _ => {}
         }
     }
@@ -86,7 +86,7 @@ impl Translator<'_> {
         let mut import = |translator: &mut Self, prefix: &[syn::Ident], name: &syn::Ident, local: Name| {
             let segments = prefix.iter().chain([name]).cloned().map(syn::PathSegment::from).collect();
             let path = syn::Path { leading_colon: leading, segments };
-            // What the local name stands for, and, in the emitted code, the local name itself.
+            // The path tells what the local name means. Emitted code uses the local name itself.
             let code = translator.imported(&local);
             statements.push(Statement::Use(local, Path { code, ..translator.path(None, &path) }));
         };
@@ -122,7 +122,7 @@ impl Translator<'_> {
 
     /// Translates a pattern.
     pub fn pattern(&mut self, pattern: &Pat) -> Pattern {
-        let origin = self.origin(place::span(pattern));
+        let origin = self.origin(spans::span(pattern));
         let kind = match pattern {
             Pat::Wild(_) => PatternKind::Wild,
             Pat::Rest(_) => PatternKind::Rest,

@@ -1,6 +1,6 @@
 //! Near misses: the known name that the user probably meant.
 
-/// The candidate closest to a word, if it is close enough to be a slip of the pen.
+/// The candidate closest to a word, if it is close enough for a misspelling.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let tolerance = match word.chars().count() {
         0..=1 => 0,

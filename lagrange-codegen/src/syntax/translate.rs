@@ -12,13 +12,13 @@ use super::body::{
 };
 use super::integers::Integers;
 use super::item::Scalar;
-use super::{conditional, hygiene, place};
+use super::{conditional, hygiene, spans};
 use crate::diagnostics::{Diagnostics, Origin, catalogue};
 use crate::number::Number;
 
 /// Translates the parts of one impl block.
 pub struct Translator<'d> {
-    /// Where places are registered.
+    /// The sink of messages, which also keeps the spans of origins.
     pub diagnostics: &'d mut Diagnostics,
     /// The scalar of the description.
     pub scalar: Scalar,
@@ -26,11 +26,11 @@ pub struct Translator<'d> {
     pub self_name: String,
     /// Names of items declared inside the function, and of its own generic parameters.
     pub hidden: Vec<Name>,
-    /// The imports in force, an entry for each block.
+    /// The imports in force, as one text for each block.
     pub imports: Vec<String>,
     /// The syntax context of the impl block.
     home: Option<u32>,
-    /// Whether the roles mix precisions, which is reported.
+    /// Whether the roles mix precisions. The mistake is reported.
     pub mixed: bool,
 }
 
@@ -41,7 +41,7 @@ pub fn bare(ident: &syn::Ident) -> Name {
 }
 
 impl<'d> Translator<'d> {
-    /// A translator for a block whose `impl` stands at a span.
+    /// A translator for a block whose `impl` has the given span.
     pub fn new(
         diagnostics: &'d mut Diagnostics,
         scalar: Scalar,
@@ -67,19 +67,19 @@ impl Translator<'_> {
         hygiene::variable(ident, self.home)
     }
 
-    /// The place of a `cfg` in some tokens.
+    /// The origin of a `cfg` in some tokens.
     pub fn conditional(&mut self, tokens: &dyn ToTokens) -> Option<Origin> {
         let span = conditional::find(tokens.to_token_stream())?;
         Some(self.origin(span))
     }
 
-    /// Registers the place of some tokens.
-    pub fn place(&mut self, tokens: &dyn ToTokens) -> Origin {
-        let span = place::span(tokens);
+    /// The origin of some tokens.
+    pub fn origin_of(&mut self, tokens: &dyn ToTokens) -> Origin {
+        let span = spans::span(tokens);
         self.origin(span)
     }
 
-    /// Registers a span.
+    /// The origin of a span.
     pub fn origin(&mut self, span: Span) -> Origin {
         self.diagnostics.origin(span)
     }
@@ -89,7 +89,7 @@ impl Translator<'_> {
         let mut stream = proc_macro2::TokenStream::new();
         tokens.to_tokens(&mut stream);
         let spaced = stream.to_string();
-        // A space is needed between words only, as in `dyn Trait` and `as f64`.
+        // Only words need a space between them, as in `dyn Trait` and `as f64`.
         let word = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
         let mut text = String::with_capacity(spaced.len());
         let mut characters = spaced.chars().peekable();
@@ -109,7 +109,7 @@ impl Translator<'_> {
         }
     }
 
-    /// An identifier with its place.
+    /// An identifier with its origin.
     pub fn word(&mut self, ident: &syn::Ident) -> Word {
         Word { name: bare(ident), origin: self.origin(ident.span()) }
     }
@@ -120,17 +120,17 @@ impl Translator<'_> {
             syn::Expr::Paren(paren) => Some(&paren.expr),
             syn::Expr::Group(group) => Some(&group.expr),
             syn::Expr::Reference(reference) if reference.mutability.is_none() => Some(&reference.expr),
-            // What a pointer among the parameters points to is another place than the pointer.
+            // A pointer among the parameters is one parameter, and what it points to another.
             syn::Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => match is_field(&unary.expr) {
                 true => {
-                    let origin = self.origin(place::expression(expr));
+                    let origin = self.origin(spans::expression(expr));
                     return Expr { origin, kind: ExprKind::Pointee(self.boxed(&unary.expr)) };
                 }
                 false => Some(&unary.expr),
             },
             _ => None,
         };
-        let origin = self.origin(place::expression(expr));
+        let origin = self.origin(spans::expression(expr));
         match inner {
             Some(inner) => Expr { origin, kind: self.expression(inner).kind },
             None => Expr { origin, kind: self.kind(expr) },

@@ -8,25 +8,25 @@ use super::item::{Record, Scalar};
 use super::translate::Translator;
 use crate::diagnostics::Origin;
 
-/// A type with its place.
+/// A type with its origin.
 #[derive(Clone, Debug)]
 pub struct Type {
     /// Where it stands.
     pub origin: Origin,
     /// What it is.
     pub kind: TypeKind,
-    /// Rust that compiles only if it is nalgebra's type of this name.
+    /// The check that this is nalgebra's type of that name.
     pub meaning: Option<Meaning>,
     /// As the user wrote it.
     pub written: Name,
 }
 
-/// What confirms that a type is nalgebra's.
+/// A check that a type is nalgebra's.
 #[derive(Clone, Debug)]
 pub struct Meaning {
-    /// The path without generic arguments: it is confirmed once.
+    /// The path without generic arguments: each path is checked once.
     pub path: Name,
-    /// A statement that compiles only then.
+    /// A statement that compiles only if it is.
     pub statement: Name,
 }
 
@@ -95,7 +95,7 @@ impl Translator<'_> {
             }
             _ => TypeKind::Other(self.text(ty)),
         };
-        Type { origin: self.place(ty), kind, meaning: None, written: self.text(ty) }
+        Type { origin: self.origin_of(ty), kind, meaning: None, written: self.text(ty) }
     }
 
     /// Reads the type named by some segments of a path.
@@ -105,7 +105,7 @@ impl Translator<'_> {
         whole: &syn::Path,
     ) -> Type {
         let segments: Vec<&syn::PathSegment> = segments.collect();
-        let origin = self.place(whole);
+        let origin = self.origin_of(whole);
         let Some(last) = segments.last().filter(|_| !self.is_local(whole)) else {
             let written = self.text(whole);
             return Type { origin, kind: TypeKind::Other(written.clone()), meaning: None, written };
@@ -130,10 +130,10 @@ impl Translator<'_> {
         Type { origin, kind, meaning, written: self.text(whole) }
     }
 
-    /// A function that takes nalgebra's type of a name, assigned from one of the type that the user calls so.
-    /// In an expression the compiler finds out the generic arguments that the user left out.
+    /// A function that takes nalgebra's type of a name, assigned from a function that takes the user's type
+    /// of that name. Inside an expression the compiler infers the generic arguments that the user left out.
     fn meaning(&mut self, segments: &[&syn::PathSegment], whole: &syn::Path) -> Meaning {
-        // Without generic arguments, so that a type is confirmed once.
+        // Without generic arguments, so that each type is checked once.
         let segments_only = segments.iter().map(|segment| syn::PathSegment::from(segment.ident.clone()));
         let path = syn::Path { leading_colon: whole.leading_colon, segments: segments_only.collect() };
         let ours = match segments.last() {
@@ -154,8 +154,8 @@ impl Translator<'_> {
         Meaning { path, statement: format!("let _: fn(&{ours}) -> {ours} = {theirs};").into() }
     }
 
-    /// The type that a name stands for: one of nalgebra, or the velocity of a body. Generic arguments are
-    /// those written, or else the scalar.
+    /// The type that a name should be: one of nalgebra, or the velocity of a body, with the generic arguments
+    /// as written, or else the scalar.
     fn ours(&mut self, segment: &syn::PathSegment) -> String {
         let written = generic_arguments(segment);
         let arguments: Vec<String> = match written.as_slice() {
@@ -240,8 +240,7 @@ impl Translator<'_> {
         }
     }
 
-    /// The float that numbers of the description are not made of. A generic one takes its constants from
-    /// doubles.
+    /// The float of the other precision. A generic scalar takes its constants from doubles.
     fn other_float(&self) -> &'static str {
         match &self.scalar {
             _ if self.mixed => "",

@@ -1,9 +1,8 @@
-//! Blocks that do not parse, as they stand in an editor: everything that can be read, item by item.
+//! Blocks that do not parse, as an editor has them while somebody types: all that can be read, item by item.
 //!
-//! The compiler has parsed an item before it calls its attribute, and has reported what is wrong with the
-//! form. So nothing is reported here. A body that does not parse stays the tokens that it is, and of a
-//! signature stays what can be read, so that the declarations, which the generated items follow from, outlive
-//! what is being written.
+//! The compiler has parsed an item before it calls the attribute, and has reported what does not parse, so
+//! nothing is reported here. A body that does not parse is kept as tokens. Of a signature is kept what can be
+//! read. The generated items follow from these declarations, so they outlive the mistake.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
@@ -14,10 +13,10 @@ use syn::{Attribute, Expr, FnArg, Ident, ImplItem, ImplItemFn, ItemImpl, Stmt, T
 use super::pieces::{between_commas, is_punct, read_as, readable, unnamed};
 use super::role;
 
-/// What rust-analyzer puts in a place where something is missing, before it calls a macro.
+/// The word that rust-analyzer inserts where something is missing, before it calls a macro.
 const MISSING: &str = "__ra_fixup";
 
-/// Reads an `impl` block with the message of what does not parse, if anything does not.
+/// Reads an `impl` block, with the message of the parser if it does not parse.
 pub fn read(item: TokenStream) -> syn::Result<(syn::Item, Option<String>)> {
     let error = match syn::parse2::<syn::Item>(item.clone()) {
         Ok(read) if !is_missing(&item) => return Ok((read, None)),
@@ -49,11 +48,11 @@ fn pieces(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     let mut pieces: Vec<Vec<TokenTree>> = vec![Vec::new()];
     let (mut declares, mut is_function) = (false, false);
-    for (place, tree) in trees.iter().enumerate() {
-        let (before, rest) = (place.checked_sub(1).map(|place| &trees[place]), &trees[place..]);
+    for (index, tree) in trees.iter().enumerate() {
+        let (before, rest) = (index.checked_sub(1).map(|index| &trees[index]), &trees[index..]);
         let is_pointer = before.is_some_and(|before| is_punct(before, '*'));
         let is_keyword = is_word(tree, &["fn"]);
-        // Behind a keyword alone another item may begin, but a second keyword begins none.
+        // After a keyword alone another item may begin, but not with a second keyword.
         let is_open = declares || (is_function && !is_keyword);
         if is_open && !is_pointer && begins(rest) {
             pieces.push(Vec::new());
@@ -61,15 +60,15 @@ fn pieces(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
         }
         is_function |= is_keyword || (!declares && is_called(rest));
         if is_punct(tree, ';') && !declares {
-            // It ends nothing, not even what has no more than a keyword.
+            // A semicolon before any declaration ends nothing.
             continue;
         }
-        // A keyword that stands twice declares once.
+        // A repeated keyword declares nothing more.
         declares |= (is_function && !is_keyword) || is_word(tree, &["type"]) || is_constant(rest);
         let ends = match tree {
             TokenTree::Punct(punct) => punct.as_char() == ';',
             TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
-                // A length in angle brackets is no body.
+                // A block between angle brackets is a length, not a body.
                 let is_argument = before.is_some_and(|before| is_punct(before, '<') || is_punct(before, ','))
                     && rest.get(1).is_some_and(|next| is_punct(next, '>') || is_punct(next, ','));
                 is_function && !is_argument
@@ -104,7 +103,7 @@ fn is_constant(trees: &[TokenTree]) -> bool {
     matches!(trees, [word, TokenTree::Ident(_), colon, ..] if is_word(word, &["const"]) && is_punct(colon, ':'))
 }
 
-/// A name with parameters, as it stands where `fn` is missing.
+/// A name with parameters: a function without its `fn`.
 fn is_called(trees: &[TokenTree]) -> bool {
     let [name @ TokenTree::Ident(_), TokenTree::Group(group), ..] = trees else { return false };
     group.delimiter() == Delimiter::Parenthesis && read_as::<Ident>(name.clone().into()).is_some()
@@ -120,19 +119,19 @@ fn is_word(tree: &TokenTree, words: &[&str]) -> bool {
     matches!(tree, TokenTree::Ident(ident) if words.iter().any(|word| ident == word))
 }
 
-/// An item, whole where it parses. `place` tells it from others.
-fn item_of((place, piece): (usize, Vec<TokenTree>)) -> Option<ImplItem> {
+/// An item, whole if it parses. `index` names it if it has no name.
+fn item_of((index, piece): (usize, Vec<TokenTree>)) -> Option<ImplItem> {
     let tokens: TokenStream = piece.iter().cloned().collect();
     match syn::parse2::<ImplItem>(tokens) {
         Ok(item) if !matches!(item, ImplItem::Verbatim(_)) => Some(item),
-        Ok(_) | Err(_) => function(place, piece).map(ImplItem::Fn),
+        Ok(_) | Err(_) => function(index, piece).map(ImplItem::Fn),
     }
 }
 
-/// A function without what cannot be read of it.
-fn function(place: usize, piece: Vec<TokenTree>) -> Option<ImplItemFn> {
+/// A function, without the parts that cannot be read.
+fn function(index: usize, piece: Vec<TokenTree>) -> Option<ImplItemFn> {
     let keyword = piece.iter().position(|tree| is_word(tree, &["fn"]));
-    let start = keyword.or_else(|| (0..piece.len()).find(|&place| is_called(&piece[place..])))?;
+    let start = keyword.or_else(|| (0..piece.len()).find(|&index| is_called(&piece[index..])))?;
     if piece.len() == 1 {
         return None;
     }
@@ -141,9 +140,9 @@ fn function(place: usize, piece: Vec<TokenTree>) -> Option<ImplItemFn> {
     let qualifiers = head.iter().filter(|tree| is_word(tree, &["pub", "const"]));
     let is_name = |tree: &TokenTree| read_as::<Ident>(tree.clone().into());
     let before_parameters = rest.iter().take_while(|tree| !matches!(tree, TokenTree::Group(_)));
-    // The name stands last.
-    let names = before_parameters.enumerate().filter_map(|(place, tree)| Some((place, is_name(tree)?)));
-    let (named, name) = names.last().unwrap_or_else(|| (0, unnamed(place, rest[0].span())));
+    // The last name before the parameters is that of the function.
+    let names = before_parameters.enumerate().filter_map(|(index, tree)| Some((index, is_name(tree)?)));
+    let (named, name) = names.last().unwrap_or_else(|| (0, unnamed(index, rest[0].span())));
     let mut signature: Vec<TokenTree> = rest[named + 1..].to_vec();
     let is_brace =
         |tree: &TokenTree| matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
@@ -154,13 +153,13 @@ fn function(place: usize, piece: Vec<TokenTree>) -> Option<ImplItemFn> {
         Err(_) => declared(name, signature)?,
     };
     function.attrs = attributes;
-    // The tokens as they are, for the places of their delimiters are those of the compiler's message.
+    // The tokens keep their delimiters, whose spans the compiler's message has.
     function.block.stmts = vec![Stmt::Expr(Expr::Verbatim(body), None)];
     Some(function)
 }
 
-/// The attribute in brackets, from where it can be read, and of several ways to read it the one that is a
-/// role.
+/// The attribute in brackets, from the first token where it can be read. If there are several ways to read
+/// it, the one that is a role.
 fn attribute(tree: &TokenTree) -> Option<Attribute> {
     let TokenTree::Group(group) = tree else { return None };
     if group.delimiter() != Delimiter::Bracket {
@@ -181,7 +180,7 @@ fn attribute(tree: &TokenTree) -> Option<Attribute> {
     known.cloned().or_else(|| (0..inside.len()).find_map(role))
 }
 
-/// A function of the parameters and the return type that can be read.
+/// A function with the parameters and the return type that can be read.
 fn declared(name: Ident, signature: Vec<TokenTree>) -> Option<ImplItemFn> {
     let is_list = |tree: &TokenTree| matches!(tree, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis);
     let open = signature.iter().position(is_list);

@@ -90,10 +90,11 @@ fn check((model, equations, jets): (Model, Equations, Option<Jets>)) {
 
 #[test]
 fn convolutions_are_as_few_as_by_hand() {
-    let lanes = |(_, _, jets): (Model, Equations, Option<Jets>)| jets.expect("it is smooth").lanes.len();
-    assert_eq!(lanes(chain(2)), 10);
+    let convolutions =
+        |(_, _, jets): (Model, Equations, Option<Jets>)| jets.expect("it is smooth").convolutions.len();
+    assert_eq!(convolutions(chain(2)), 10);
     // Four a link: two flows, two of the momentum. What its rate shares with it has cancelled.
-    assert_eq!(lanes(chain(5)), 20);
+    assert_eq!(convolutions(chain(5)), 20);
     let kepler = derived(
         quote!(coordinates = [x, y]),
         quote! {
@@ -105,7 +106,7 @@ fn convolutions_are_as_few_as_by_hand() {
             }
         },
     );
-    assert_eq!(lanes(kepler), 6);
+    assert_eq!(convolutions(kepler), 6);
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn vector(emission: &mut Emission<'_>, name: &str, doc: &str, names: &[String], 
     method(&format!("{doc}{shown}"), &signature, &body)
 }
 
-/// What a symmetry is known as.
+/// The usual name of a symmetry.
 fn describe(model: &Model, generator: &Generator) -> String {
     let Generator { linear, shift, turns } = generator;
     if !turns.is_empty() {
@@ -93,7 +93,7 @@ fn describe(model: &Model, generator: &Generator) -> String {
         let partner = (j, i, -value);
         turns &= value.abs().is_one() && linear.contains(&partner);
         if i < j {
-            // The planes of (x[0], y[0]), (x[1], y[1]) and so on are one.
+            // The planes of (x[0], y[0]), (x[1], y[1]) and so on count as one.
             let name = |k: usize| &model.coordinates[k].name;
             let same_index = model.coordinates[i].index == model.coordinates[j].index;
             let label = |k: usize| if same_index { name(k).clone() } else { model.coordinates[k].written() };
@@ -123,8 +123,7 @@ fn describe(model: &Model, generator: &Generator) -> String {
     format!("momentum along {}", rows.join(", "))
 }
 
-/// What a symmetry with turns is known as: those of all orientations about one axis of space are turns of the
-/// whole.
+/// The usual name of a symmetry with turns. Turns of all orientations about one axis of space turn the whole.
 fn turned(model: &Model, generator: &Generator) -> String {
     let Generator { linear, shift, turns } = generator;
     let axis = |turn: &Turn| ["x", "y", "z"][turn.axis];
@@ -191,7 +190,7 @@ fn sum(model: &Model, terms: &[(Option<usize>, Number)]) -> String {
     text
 }
 
-/// `x[0] + … + x[6] − 2 y`: runs of an array are written with dots.
+/// `x[0] + … + x[6] − 2 y`: a run of elements is shortened by dots.
 fn combination(model: &Model, terms: &[(usize, Number)]) -> String {
     let mut text = String::new();
     let mut rest = terms;

@@ -8,7 +8,7 @@ use crate::expr::NodeId;
 use crate::mechanics::analysis::{Covariant, christoffel};
 use crate::simplify::simplify;
 
-/// The symbols are a cube of numbers: beyond this many coordinates they are left out.
+/// The most coordinates for which Christoffel symbols, a cube of numbers, are emitted.
 const MOST: usize = 16;
 
 /// All methods.

@@ -70,7 +70,7 @@ fn forces(emission: &mut Emission<'_>, inertia: &Inertia) -> String {
 fn rates(emission: &mut Emission<'_>) -> String {
     let Balance { energy_rate, jacobi_rate } = Balance::of(emission.model, emission.equations);
     let mut text = String::new();
-    // A system with constraints has the rate of its energy in any case.
+    // With constraints the rate of the energy is emitted elsewhere.
     if emission.equations.conditions.count() == 0 {
         let doc = "d(T + V)/dt along the motion \\[W\\]: the power of the applied forces, and the explicit change of V and T.";
         text.push_str(&along_motion(emission, "energy_rate", doc, energy_rate));

@@ -26,7 +26,7 @@ use crate::mechanics::analysis::Covariant;
 pub(super) use stubs::{certificate, stubs};
 pub(super) use verify::test;
 
-/// What the attribute's `analysis` adds.
+/// The items that the attribute's `analysis` adds.
 pub(super) struct Analysis {
     /// Constants and methods as text.
     pub methods: String,
@@ -34,7 +34,7 @@ pub(super) struct Analysis {
     pub certificate: String,
 }
 
-/// Names of the methods, which no function of the user may have.
+/// Names of the methods. No function of the user may have one of them.
 pub(crate) const METHODS: [&str; 17] = [
     "kinetic_energy_parts",
     "inertia_forces",
@@ -55,7 +55,7 @@ pub(crate) const METHODS: [&str; 17] = [
     "verify_at",
 ];
 
-/// Everything beside the test.
+/// All items but the test.
 pub(super) fn analysis(emission: &mut Emission<'_>) -> Analysis {
     let covariant = Covariant::of(emission.model, emission.equations);
     let mut text = inertia::methods(emission, covariant.as_ref());
@@ -71,7 +71,7 @@ pub(super) fn analysis(emission: &mut Emission<'_>) -> Analysis {
     Analysis { methods: text, certificate }
 }
 
-/// A method on the accelerations and multipliers of a motion, which are solved for.
+/// A method that solves for the accelerations and multipliers of a motion and evaluates a node with them.
 fn along_motion(emission: &mut Emission<'_>, name: &str, doc: &str, node: NodeId) -> String {
     let (scalar, state) = (emission.scalar.to_string(), emission.state_type());
     let (parameter, argument) = if emission.model.inputs.is_empty() {

@@ -11,7 +11,7 @@ use crate::expr::NodeId;
 use crate::mechanics::analysis::Regressor;
 use crate::simplify::simplify;
 
-/// `REGRESSOR`, `lumped_parameters` and `regressor`, where the equations are linear in products of the
+/// `REGRESSOR`, `lumped_parameters` and `regressor`, if the equations are linear in products of the
 /// parameters.
 pub(super) fn items(emission: &mut Emission<'_>) -> String {
     let Some(Regressor { lumped, columns }) = Regressor::of(emission.model, emission.equations) else {

@@ -1,12 +1,12 @@
-//! What stands for the generated items after a mistake.
+//! Stand-ins for the items of `analysis` after a mistake.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use crate::syntax::Item;
 
-/// The methods and constants of `analysis`, but for those whose name the user has taken. How many quantities
-/// are conserved, and how many parameters lumped, is not known: arrays of them fit any length.
+/// The methods and constants of `analysis`, without those whose names the user has taken. The numbers of
+/// conserved quantities and of lumped parameters are unknown, so arrays of them fit any length.
 pub(in crate::emit) fn stubs(item: &Item, scalar: &TokenStream, count: usize, inputs: usize) -> TokenStream {
     if !item.analysis {
         return TokenStream::new();

@@ -1,5 +1,5 @@
-//! The certificate: the implementation of the runtime's `Verifiable`, and the test that the attribute asks
-//! for.
+//! The certificate: the implementation of the runtime's `Verifiable`, and the test that the attribute's
+//! `verify` adds.
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
@@ -118,7 +118,7 @@ pub(in crate::emit) fn implementation(emission: &mut Emission<'_>, affine: bool,
     text
 }
 
-/// `, u` where a method on a state takes inputs as well.
+/// `, u` if a method on a state takes inputs as well.
 fn inputs_of(emission: &mut Emission<'_>, nodes: &[NodeId]) -> &'static str {
     let nodes = simplify(&mut emission.model.graph, &mut emission.model.hints, nodes);
     if arguments(emission, &nodes).contains("inputs") { ", u" } else { "" }
@@ -168,7 +168,7 @@ fn loads(emission: &mut Emission<'_>) -> String {
     )
 }
 
-/// Energies by the user's own functions.
+/// Energies from the user's own functions.
 fn described(emission: &mut Emission<'_>) -> String {
     let zero_node = emission.model.graph.zero();
     let model = &*emission.model;
@@ -261,7 +261,7 @@ fn call(emission: &Emission<'_>, name: &str) -> String {
     format!("{text}self.{raw}{name}({})", arguments.join(", "))
 }
 
-/// The test that the attribute asks for.
+/// The test that the attribute's `verify` adds.
 pub(in crate::emit) fn test(emission: &Emission<'_>) -> Option<TokenStream> {
     let item = emission.item;
     let example = item.verify.as_ref()?;
@@ -293,7 +293,7 @@ pub(in crate::emit) fn test(emission: &Emission<'_>) -> Option<TokenStream> {
     })
 }
 
-/// A type with doubles for its scalar.
+/// A type with `f64` for the type parameter of its scalar.
 fn replaced(tokens: TokenStream, parameter: &Ident) -> TokenStream {
     tokens
         .into_iter()

@@ -9,7 +9,7 @@ use crate::expr::NodeId;
 use crate::schedule::plan;
 use crate::simplify::simplify;
 
-/// Their names, which no function of the user may have.
+/// Names of the methods. No function of the user may have one of them.
 pub(crate) const METHODS: [&str; 8] = [
     "reactions",
     "reaction_forces",

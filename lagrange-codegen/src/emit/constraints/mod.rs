@@ -25,7 +25,7 @@ use crate::mechanics::{LoadRow, Switched};
 use crate::structure::{Saddle, Sparsity};
 use crate::syntax::Scalar;
 
-/// Statements that fill `name` with rows; what is zero stays.
+/// Statements that fill `name` with rows. Zeros are left as they are.
 pub(super) fn rows(scalar: &Scalar, name: &str, width: usize, rows: &[Vec<String>]) -> String {
     let zero = scalar::zero(scalar);
     let mut text = format!("let mut {name} = [[{zero}; {width}]; {}];\n", rows.len());
@@ -51,7 +51,7 @@ pub(super) fn saddle_type(emission: &Emission<'_>, method: Saddle) -> String {
     format!("lagrange::saddle::{name}<{scalar}, {count}, {held}{sizes}>")
 }
 
-/// Where gradients can differ from zero, for a method that goes by that.
+/// The entries of the gradients that can differ from zero, for a method that uses them.
 fn sparsity<'a>(emission: &Emission<'a>, method: Saddle) -> Option<&'a Sparsity> {
     emission.solution.sparsity.as_ref().filter(|_| method == Saddle::Sparse)
 }
@@ -85,7 +85,7 @@ pub(super) fn gradients(emission: &Emission<'_>, method: Saddle, entries: &[Vec<
     )
 }
 
-/// The item of `Surface` that says where gradients can differ from zero.
+/// The item of `Surface` that lists the entries of the gradients that can differ from zero.
 pub(super) fn pattern(emission: &Emission<'_>, method: Saddle) -> String {
     let Some(Sparsity { order, coordinates, coupled, earlier, later }) = sparsity(emission, method) else {
         return String::new();
@@ -137,7 +137,7 @@ pub(super) fn filled_switches(emission: &Emission<'_>, values: &[String]) -> Str
     text
 }
 
-/// The rows that are no constraints.
+/// The rows that are loads instead of constraints.
 fn loads(switched: &Switched) -> String {
     let first = switched.active.len() - switched.loads.len();
     let each = switched.loads.iter().zip(first..).map(|(load, row)| match load {

@@ -6,10 +6,10 @@ use crate::emit::Emission;
 use crate::emit::methods::method;
 use crate::expr::{NodeId, Variable};
 
-/// What stands before the name of a particle or body.
+/// The prefix of the methods' names.
 pub(in crate::emit) const PREFIX: &str = "reactions_on_";
 
-/// Whether a name is that of a method for one of these functions.
+/// Whether a name is that of a generated method.
 pub(crate) fn is_generated(name: &str, mut places: impl Iterator<Item = String>) -> bool {
     name.strip_prefix(PREFIX).is_some_and(|place| places.any(|other| other == place))
 }

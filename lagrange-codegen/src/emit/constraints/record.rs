@@ -12,7 +12,7 @@ pub(in crate::emit) fn record_ident(item: &Item) -> Ident {
     format_ident!("{}Reactions", item.name)
 }
 
-/// A constraint function's name, and the number of its constraints where it returns an array.
+/// A constraint function's name, and the number of its constraints if it returns an array.
 pub(in crate::emit) type Held = (String, Option<usize>);
 
 /// The constraint functions of a model.
@@ -27,7 +27,7 @@ pub(in crate::emit) fn held(constraints: &[Constraint]) -> Vec<Held> {
     held
 }
 
-/// The constraint functions as far as they are declared.
+/// The constraint functions, as far as declarations are known.
 pub(in crate::emit) fn declared(item: &Item) -> Vec<Held> {
     let constraints = item.functions.iter().filter(|function| item.has_multiplier(function));
     constraints.map(|function| (function.name.to_string(), item.components(function))).collect()

@@ -14,17 +14,17 @@ use crate::structure::Saddle;
 pub(in crate::emit) struct Implementations {
     /// The items of `System`.
     pub system: String,
-    /// Those of it that say what is computed once per run.
+    /// Those of them that define the constants of a run.
     pub constants: String,
     /// The items of `Surface`.
     pub surface: String,
-    /// The inherent function that these call, of a system with rows that can be switched off.
+    /// The inherent function that they call, for a system with rows that can be switched off.
     pub parts: String,
     /// The operations of one evaluation of the accelerations.
     pub operations: Operations,
 }
 
-/// All of it.
+/// All implementations.
 pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Implementations {
     let (equations, constants_type, constants, operations) = equations(emission, method);
     let constants = format!(
@@ -45,7 +45,8 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
             "#[inline]\nfn {name}(&self, constants: &Self::Constants, {place}, u: &{inputs}) -> {vector} {{\n{body}\n}}\n"
         )
     };
-    // One row depends on no other, and Baumgarte's motions are meant to be beside the constraints.
+    // A single row cannot depend on others. By Baumgarte's method a motion is beside the constraints on
+    // purpose.
     let accelerations = if held > 1 && emission.model.baumgarte.is_none() {
         let beside = format!(
             "lagrange::constraints::accelerations::<Self, {count}, {given}, {held}>(self, constants, t, q, v, u)"
@@ -54,7 +55,7 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
     } else {
         function("accelerations_at", &on)
     };
-    // A motion that is drawn to the constraints begins where it is.
+    // By Baumgarte's method a motion may begin beside the constraints, so its start is not corrected.
     let begin = if emission.model.baumgarte.is_some() { "let start = &mut start.clone();\n" } else { "" };
     let names = names(emission.model);
     let coupled = if held > 1 { "const COUPLED: bool = true;\n" } else { "" };
@@ -120,7 +121,7 @@ pub(in crate::emit) fn system(emission: &mut Emission<'_>, method: Saddle) -> Im
     Implementations { system: system + &project + &lands + &energy, constants, surface, parts, operations }
 }
 
-/// The body of `equations_at` and an inherent function that evaluates without factoring, which is its `body`.
+/// The body of `equations_at`, and the inherent function with `body`, which evaluates without factoring.
 fn apart(emission: &Emission<'_>, method: Saddle, body: &str) -> (String, String) {
     let scalar = &emission.scalar;
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
@@ -145,13 +146,14 @@ fn apart(emission: &Emission<'_>, method: Saddle, body: &str) -> (String, String
     (equations, parts)
 }
 
-/// Whether lanes of a vector need decide nothing together where constraints are clearly independent.
+/// Whether each lane can be factored without regard to the others, if its constraints are clearly
+/// independent.
 fn decides_apart(method: Option<Saddle>) -> bool {
     matches!(method, Some(Saddle::Diagonal | Saddle::Whole { definite: true }))
 }
 
-/// Whether `energy_at` is proved to stay the same along each motion on the constraints. Motions by
-/// Baumgarte's method are beside them, and rows that contacts and frictions switch do work.
+/// Whether `energy_at` is proved to be constant along motions on the constraints. Motions by Baumgarte's
+/// method leave them, and rows that contacts and frictions switch do work.
 fn conserves_energy(emission: &Emission<'_>) -> bool {
     let facts = emission.facts;
     facts.conserves()
@@ -260,7 +262,7 @@ fn residuals(emission: &mut Emission<'_>) -> String {
     roots.extend(&conditions.position_sizes);
     roots.extend(&conditions.rates);
     roots.extend(&conditions.rate_sizes);
-    // The values are those of the user's formulas, not of simplified ones: these are what is to vanish.
+    // The residuals are those of the user's own formulas, not of simplified ones.
     body::plain(emission.model, &emission.scalar, &roots, Source::Slices, |values| {
         let fields = ["positions", "position_sizes", "rates", "rate_sizes"];
         let fields: Vec<String> = fields

@@ -3,8 +3,8 @@
 /// Characters of a line of formulas.
 const WIDTH: usize = 70;
 
-/// Lines of a width that can be printed: a longer one goes on below, indented, from one of its outermost
-/// signs.
+/// Splits a line into lines of a width that can be printed. Each goes on in the next, indented, from one of
+/// its outermost signs.
 pub(super) fn folded(text: &str) -> String {
     text.lines().flat_map(fold).map(|line| line + "\n").collect()
 }
@@ -14,8 +14,7 @@ fn fold(line: &str) -> Vec<String> {
     let mut lines = Vec::new();
     let mut rest: Vec<char> = line.chars().collect();
     while rest.len() > WIDTH {
-        // The sign outside most parentheses, and of several the last; where there is none, the first beyond
-        // the width.
+        // The last of the outermost signs within the width, or else the first one beyond it.
         let (mut depth, mut best) = (0, None);
         for (place, window) in rest.windows(3).enumerate() {
             if place > WIDTH && best.is_some() {

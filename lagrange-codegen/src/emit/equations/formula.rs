@@ -1,4 +1,4 @@
-//! What a formula is before it is written: the same for text, LaTeX and MathML.
+//! Formulas before they are written: the same tree for text, LaTeX and MathML.
 
 use super::symbols::Symbol;
 use crate::number::Number;
@@ -7,7 +7,7 @@ use crate::number::Number;
 #[derive(Clone, Debug)]
 pub(super) enum Formula {
     Symbol(Symbol),
-    /// Not negative.
+    /// A number that is not negative.
     Number(Number),
     /// Terms, and whether each is subtracted.
     Sum(Vec<(bool, Formula)>),
@@ -29,7 +29,7 @@ pub(super) enum Formula {
 #[derive(Clone, Debug)]
 pub(super) struct Application {
     pub name: &'static str,
-    /// A power of the value that is written at the name.
+    /// A power, written at the function's name.
     pub power: Option<Number>,
     pub arguments: Vec<Formula>,
     /// Whether the arguments stand in parentheses.
@@ -47,7 +47,7 @@ pub(super) enum Strength {
 }
 
 impl Formula {
-    /// How strongly it binds.
+    /// How strongly the formula binds.
     pub fn strength(&self) -> Strength {
         match self {
             Formula::Sum(_) => Strength::Sum,
@@ -58,12 +58,12 @@ impl Formula {
         }
     }
 
-    /// In parentheses where a sum would be read wrong.
+    /// The formula as a factor: sums get parentheses.
     pub fn into_factor(self) -> Formula {
         if self.strength() == Strength::Sum { self.grouped() } else { self }
     }
 
-    /// In parentheses where anything but one thing would be read wrong.
+    /// The formula as the base of a power: anything but a single symbol or number gets parentheses.
     pub fn into_atom(self) -> Formula {
         if self.strength() == Strength::Atom { self } else { self.grouped() }
     }
@@ -78,7 +78,7 @@ impl Formula {
         Formula::Power(Box::new(self), Box::new(power))
     }
 
-    /// Factors side by side; 1 without any.
+    /// A product of factors side by side; 1 if there is none.
     pub fn product(mut factors: Vec<Formula>) -> Formula {
         match factors.len() {
             0 => Formula::Number(Number::ONE),
@@ -87,7 +87,7 @@ impl Formula {
         }
     }
 
-    /// A sum, a summand that is added first where there is one.
+    /// A sum that begins with an added term, if it has one.
     pub fn sum(mut terms: Vec<(bool, Formula)>) -> Formula {
         if let Some(first) = terms.iter().position(|(negative, _)| !negative) {
             let term = terms.remove(first);
@@ -96,7 +96,7 @@ impl Formula {
         if terms.is_empty() { Formula::Number(Number::ZERO) } else { Formula::Sum(terms) }
     }
 
-    /// Whether a word begins it: one that needs a sign between it and what stands before.
+    /// Whether the formula begins with a word, which needs a sign before it.
     pub fn begins_with_word(&self) -> bool {
         match self {
             Formula::Symbol(symbol) => symbol.is_word(),
@@ -105,7 +105,7 @@ impl Formula {
         }
     }
 
-    /// Whether a word ends it.
+    /// Whether the formula ends with a word.
     pub fn ends_with_word(&self) -> bool {
         match self {
             Formula::Product(factors) => factors.last().is_some_and(Formula::ends_with_word),
@@ -119,12 +119,12 @@ impl Formula {
     }
 }
 
-/// Fractions that have a sign of their own.
+/// Fractions with a character of their own.
 pub(super) const COMMON: [(i128, i128, &str); 7] =
     [(1, 2, "½"), (1, 3, "⅓"), (2, 3, "⅔"), (1, 4, "¼"), (3, 4, "¾"), (1, 8, "⅛"), (3, 8, "⅜")];
 
-/// Numerator and denominator of a number that is written as a fraction: of a common one, and of one without a
-/// short decimal.
+/// Numerator and denominator of a number that is written as a fraction: of the common ones, and of those
+/// without a short decimal.
 pub(super) fn fraction(value: Number) -> Option<[i128; 2]> {
     let Number::Ratio(numerator, denominator) = value else { return None };
     let is_common = COMMON.iter().any(|&(a, b, _)| (a, b) == (numerator, denominator));
@@ -133,10 +133,10 @@ pub(super) fn fraction(value: Number) -> Option<[i128; 2]> {
 
 /// The equations of motion, before they are written.
 pub(super) struct Page {
-    /// Both sides of each.
+    /// Both sides of each equation.
     pub rows: Vec<[Formula; 2]>,
-    /// What is said of rows that are left out.
+    /// A remark about rows that are left out.
     pub more: Option<String>,
-    /// Names of intermediate results, and what they stand for.
+    /// Names of intermediate results, and their meanings.
     pub definitions: Vec<(Symbol, Formula)>,
 }

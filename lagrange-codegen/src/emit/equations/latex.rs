@@ -57,7 +57,7 @@ fn sum(terms: &[(bool, Formula)]) -> String {
     text
 }
 
-/// Words are kept apart by a space.
+/// Words need a space between them.
 fn product(factors: &[Formula]) -> String {
     let mut text = String::new();
     let mut after_word = None;

@@ -4,7 +4,7 @@ use super::formula::{Application, Formula, Page, fraction};
 use super::symbols::{Symbol, greek, stem};
 use crate::number::Number;
 
-/// Signs that are spoken and not seen.
+/// The invisible sign of multiplication, which screen readers speak.
 const TIMES: &str = "<mo>\u{2062}</mo>";
 const OF: &str = "<mo>\u{2061}</mo>";
 
@@ -62,7 +62,7 @@ fn formula(written: &Formula) -> String {
     }
 }
 
-/// A side of a fraction, whose line groups already.
+/// A side of a fraction. The line groups it, so it needs no parentheses.
 fn side(written: &Formula) -> String {
     match written {
         Formula::Group(inner) => formula(inner),
@@ -91,7 +91,7 @@ fn sum(terms: &[(bool, Formula)]) -> String {
     format!("<mrow>{text}</mrow>")
 }
 
-/// Words are kept apart by a sign.
+/// Words need a sign between them.
 fn product(factors: &[Formula]) -> String {
     let mut text = String::new();
     let mut after_word = None;
@@ -140,7 +140,7 @@ pub(super) fn symbol(symbol: &Symbol) -> String {
     }
 }
 
-/// A name, whose characters markup may not have.
+/// A name with characters of markup escaped.
 fn identifier(name: &str) -> String {
     let name = name.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     format!("<mi>{name}</mi>")

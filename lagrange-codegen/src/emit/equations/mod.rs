@@ -23,13 +23,13 @@ use formula::{Formula, Page};
 pub(super) use page::page;
 use writer::Writer;
 
-/// Rows are written while their expressions have at most this many nodes together.
+/// The most nodes of all written rows together. Further rows are left out.
 const MOST: usize = 260;
 
-/// Longer rows, in nodes written out, are shortened by names for what they share.
+/// The most nodes of a row, written out, without names for shared parts.
 const LONG: u64 = 160;
 
-/// Parts below this many nodes need no name.
+/// The fewest nodes of a part that gets a name.
 const SHORT: u64 = 7;
 
 /// The vectors of the equations as the methods compute them.
@@ -46,7 +46,7 @@ pub(super) struct Equations {
     rows: Vec<(Vec<NodeId>, Vec<NodeId>)>,
     /// Parts that have names, operands first.
     shared: Vec<NodeId>,
-    /// Rows that are left out.
+    /// The number of rows that are left out.
     omitted: usize,
 }
 
@@ -95,7 +95,7 @@ impl Equations {
         Equations { omitted: count - rows.len(), rows, shared }
     }
 
-    /// The constant `EQUATIONS` as text; its documentation shows them where no page does.
+    /// The constant `EQUATIONS` as text. Its documentation shows the equations if no page does.
     pub fn constant(&self, model: &Model, has_page: bool) -> String {
         let plain = self.text(model);
         let shown =
@@ -142,7 +142,7 @@ impl Equations {
 }
 
 fn constant(name: &str, doc: &str, text: &str) -> String {
-    // Of a bare literal rustdoc would show every character beyond ASCII as an escape.
+    // rustdoc shows characters beyond ASCII as escapes in a bare literal, but not in a block.
     format!("#[doc = {doc:?}]\npub const {name}: &'static str = {{ let text = {text:?}; text }};\n")
 }
 
@@ -174,7 +174,7 @@ fn row(
     (left, right)
 }
 
-/// Parts that several places share, where the whole would be long without names for them.
+/// Parts with several uses, if the whole would be long without names for them.
 fn shared(graph: &Graph, roots: &[NodeId]) -> Vec<NodeId> {
     let total = roots.iter().fold(0_u64, |total, &root| total.saturating_add(graph.tree_size(root)));
     if total <= LONG * roots.len().max(1) as u64 / 4 || total <= LONG {

@@ -7,7 +7,7 @@ use crate::emit::Emission;
 use crate::expr::NodeId;
 use crate::schedule::Operations;
 
-/// Longer expressions, in nodes written out, are left to the code.
+/// The most nodes, written out, of an expression on the page.
 const LONGEST: u64 = 240;
 
 /// The page as markdown.

@@ -1,18 +1,16 @@
-//! Rewritings for a reader: products of sines and cosines that belong to one angle, and products multiplied
-//! out.
+//! Rewritings for a reader: addition theorems of sine and cosine, and products multiplied out.
 //!
-//! What is cheap to compute (sin a sin b + cos a cos b, where the four are at hand) is not what a textbook
-//! prints.
+//! The cheapest form, such as sin a sin b + cos a cos b with four values at hand, is not that of a textbook.
 
 use crate::calculus::rebuild;
 use crate::collections::Lookup;
 use crate::expr::{Exponent, Graph, Node, NodeId, Unary};
 use crate::number::Number;
 
-/// Longer sums stay as they are.
+/// The most terms of a sum that is rewritten.
 const MOST: usize = 24;
 
-/// Expressions with cos a cos b + sin a sin b as cos(a − b), and its kind.
+/// Expressions with addition theorems applied: cos a cos b + sin a sin b becomes cos(a − b), and so on.
 pub(super) fn with_angles(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     let mut images: Lookup<NodeId, NodeId> = Lookup::default();
     for id in graph.cone(roots.iter().copied()) {
@@ -42,7 +40,7 @@ fn joined(graph: &mut Graph, id: NodeId) -> NodeId {
     id
 }
 
-/// Two terms that are one by an addition theorem.
+/// Two terms as one by an addition theorem.
 fn merged(graph: &mut Graph, left: (NodeId, Number), right: (NodeId, Number)) -> Option<(NodeId, Number)> {
     if left.1.abs() != right.1.abs() {
         return None;
@@ -75,12 +73,12 @@ fn merged(graph: &mut Graph, left: (NodeId, Number), right: (NodeId, Number)) ->
             let (function, angle, scale) = match (one, two) {
                 (Unary::Sin, Unary::Sin) => (Unary::Cos, combined(graph, a, b, !same), right.1),
                 (Unary::Cos, Unary::Cos) => (Unary::Cos, combined(graph, a, b, !same), left.1),
-                // sin a cos b is the term that keeps its sign.
+                // In sin(a ± b), the term sin a cos b has no sign of its own.
                 (Unary::Sin, _) => (Unary::Sin, combined(graph, a, b, same), left.1),
                 _ => (Unary::Sin, combined(graph, b, a, same), left.1),
             };
             let wave = graph.unary(function, angle);
-            // An odd function may have brought its sign out.
+            // An odd function may have moved its sign outside.
             let mut product = rest;
             product.push((wave, Exponent(2)));
             return Some((graph.product(&product), scale));
@@ -98,7 +96,7 @@ fn combined(graph: &mut Graph, a: NodeId, b: NodeId, add: bool) -> NodeId {
     if add { graph.add(a, b) } else { graph.sub(a, b) }
 }
 
-/// Expressions in which sums that are printed as one have each summand once.
+/// Expressions in which equal terms of a printed sum are collected.
 pub(super) fn collected(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     let mut images: Lookup<NodeId, NodeId> = Lookup::default();
     for id in graph.cone(roots.iter().copied()) {
@@ -117,7 +115,7 @@ pub(super) fn collected(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     roots.iter().map(|root| images.get(root).copied().unwrap_or(*root)).collect()
 }
 
-/// The summands of one side with each once.
+/// The summands of one side, equal ones collected.
 pub(super) fn collected_side(graph: &mut Graph, side: &[NodeId]) -> Vec<NodeId> {
     let mut printed = Vec::new();
     for &node in side {
@@ -131,7 +129,7 @@ pub(super) fn collected_side(graph: &mut Graph, side: &[NodeId]) -> Vec<NodeId> 
     merged.into_iter().map(|(term, coefficient)| graph.scale(term, coefficient)).collect()
 }
 
-/// What stands between the signs where a node is written as a sum.
+/// The terms of a node that is written as a sum.
 fn printed_terms(graph: &mut Graph, node: NodeId, coefficient: Number, printed: &mut Vec<(NodeId, Number)>) {
     match graph.node(node).clone() {
         Node::Sum { offset, terms } if coefficient.abs().is_one() => {
@@ -146,7 +144,7 @@ fn printed_terms(graph: &mut Graph, node: NodeId, coefficient: Number, printed: 
     }
 }
 
-/// Equal terms as one, where the first of them stands.
+/// Terms with equal ones added up, at the position of the first.
 fn merged_terms(terms: Vec<(NodeId, Number)>) -> Vec<(NodeId, Number)> {
     let mut merged: Vec<(NodeId, Number)> = Vec::with_capacity(terms.len());
     for (term, coefficient) in terms {
@@ -159,8 +157,8 @@ fn merged_terms(terms: Vec<(NodeId, Number)>) -> Vec<(NodeId, Number)> {
     merged
 }
 
-/// The summands of an expression, products with one sum among their factors multiplied out; sums of
-/// parameters are kept.
+/// The summands of an expression. A product with one sum among its factors is multiplied out, unless that is
+/// a sum of parameters.
 pub(super) fn summands(graph: &mut Graph, id: NodeId) -> Vec<NodeId> {
     match graph.node(id).clone() {
         Node::Sum { offset, terms } if terms.len() <= MOST && !graph.dependence(id).is_fixed() => {

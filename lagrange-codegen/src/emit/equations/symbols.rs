@@ -6,11 +6,11 @@ use crate::model::{Model, Parameter};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Symbol {
     Name {
-        /// The name without the digits that end it.
+        /// The name without its last digits.
         base: String,
         /// Digits and indices.
         index: String,
-        /// How often it is differentiated by time.
+        /// The number of time derivatives.
         dots: usize,
     },
     /// The multiplier of a constraint.
@@ -56,7 +56,7 @@ pub(super) fn greek(name: &str) -> Option<&'static str> {
 }
 
 impl Symbol {
-    /// Whether it is a word, which needs a sign between it and its neighbours.
+    /// Whether the symbol is a word, which needs a sign between it and its neighbours.
     pub fn is_word(&self) -> bool {
         match self {
             Symbol::Name { base, .. } => greek(base).is_none() && base.chars().nth(1).is_some(),
@@ -73,7 +73,7 @@ pub(super) fn stem(base: &str) -> (&str, &str) {
     }
 }
 
-/// A coordinate with as many dots as it is differentiated by time.
+/// A coordinate with a dot for each time derivative.
 pub(super) fn coordinate(model: &Model, i: u32, dots: usize) -> Symbol {
     let quantity = &model.coordinates[i as usize];
     symbol(&quantity.name, &index(quantity.index), dots)

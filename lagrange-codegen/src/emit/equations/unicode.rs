@@ -60,7 +60,7 @@ fn sum(terms: &[(bool, Formula)]) -> String {
     text
 }
 
-/// Words are kept apart by a sign.
+/// Words need a sign between them.
 fn product(factors: &[Formula]) -> String {
     let mut text = String::new();
     let mut after_word = None;

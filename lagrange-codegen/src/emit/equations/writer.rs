@@ -7,7 +7,7 @@ use crate::expr::{Binary, Exponent, Node, NodeId, Unary, Variable};
 use crate::model::Model;
 use crate::number::Number;
 
-/// Makes formulas of expressions of a model; shared ones are the names they were given.
+/// Makes formulas of a model's expressions. Intermediate results stand in them by name.
 pub(super) struct Writer<'a> {
     pub model: &'a Model,
     /// Names of intermediate results.
@@ -23,7 +23,7 @@ impl Writer<'_> {
         }
     }
 
-    /// An expression whose own name, if it has one, is not used: the right-hand side of its definition.
+    /// An expression without its own name: the right-hand side of its definition.
     pub fn definition(&self, node: NodeId) -> Formula {
         match self.model.graph.node(node) {
             Node::Constant(value) if value.is_negative() => {
@@ -109,7 +109,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The place of a factor: parameters, sums, coordinates, their derivatives, functions.
+    /// The position of a factor in a product: parameters, sums, coordinates, their derivatives, functions.
     fn rank(&self, node: NodeId) -> u32 {
         match self.model.graph.node(node) {
             Node::Constant(_) => 0,

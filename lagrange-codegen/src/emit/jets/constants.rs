@@ -1,4 +1,4 @@
-//! What a motion computes once: hoisted values and the factorisations of constant blocks.
+//! What a motion computes once: values of parameters alone, and the factorisations of constant blocks.
 
 use super::solvers::factor_type;
 use crate::emit::Emission;

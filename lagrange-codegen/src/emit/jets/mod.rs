@@ -20,11 +20,11 @@ use crate::schedule::{Given, Instruction, Phase, Slot};
 use crate::structure::Method;
 use names::{Of, label_auxiliaries};
 
-/// Rows of the tables are padded to a multiple of this many lanes.
+/// Rows of the tables are padded to a multiple of this many columns.
 const WIDTH: usize = 4;
 
-/// The most sums that an order makes anew. Where there are more, or where they are vectors, it overwrites
-/// those of the order before, which saves setting them to zero.
+/// The most sums that an order stores in new variables. If there are more, or if they are vectors, an order
+/// overwrites the sums of the one before, so that they need not be set to zero.
 const FRESH: usize = 32;
 
 /// The items of the trait, as text.
@@ -63,9 +63,9 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
             format!("Columns<{scalar}, {}, ORDERS>", tiles.columns),
             tiles::items(model, tiles, &expansion.factors, &of),
         ),
-        Sums::Few(lanes) => (format!("Tables<{scalar}, {}, ORDERS>", padded(lanes)), String::new()),
+        Sums::Few(products) => (format!("Tables<{scalar}, {}, ORDERS>", padded(products)), String::new()),
     };
-    // Guards of contacts are made of reactions.
+    // Guards of contacts are functions of the reactions.
     let held = reacting(expansion);
     let (tables, reactions) = match held {
         None => (tables, String::new()),
@@ -87,7 +87,7 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
     let (vector, inputs) = (emission.vector_type(), emission.input_type());
     let named = |is_read: bool, name: &str| if is_read { name.to_owned() } else { format!("_{name}") };
     let shares_pivots = emission.solution.blocks.iter().any(|block| matches!(block.method, Method::Lu));
-    // Types are spelled out: where the trait cannot be found, `Self::Tables` would be a second error.
+    // Types are spelled out: if the trait is not found, `Self::Tables` would be a second error.
     format!(
         "{}{}type JetConstants = {constants_type};\n\
          type Tables<const ORDERS: usize> = lagrange::{tables};\n\
@@ -106,18 +106,18 @@ pub(super) fn jets(emission: &mut Emission<'_>, jets: &Jets, expansions: &Expans
     )
 }
 
-/// The number of rows of a system that has some which hold at times.
+/// The number of rows, for a system in which some rows hold at times.
 fn reacting(expansion: &Expansion) -> Option<usize> {
     let saddle = expansion.saddle.as_ref()?;
     (!saddle.switches.is_empty()).then_some(saddle.gradients.len())
 }
 
-/// The lanes of the tables of some products.
-fn padded(lanes: &[[usize; 2]]) -> usize {
-    lanes.len().next_multiple_of(WIDTH)
+/// The number of columns in the tables of some products.
+fn padded(products: &[[usize; 2]]) -> usize {
+    products.len().next_multiple_of(WIDTH)
 }
 
-/// What is written, part by part.
+/// The outputs of each part of the body.
 struct Outputs {
     start: Vec<Slot>,
     order: Vec<Slot>,
@@ -135,7 +135,7 @@ impl Outputs {
         Outputs { start, order: solvers::in_order(expansion), solution, end }
     }
 
-    /// What the loop over the orders evaluates.
+    /// The outputs of the loop over the orders.
     fn in_loop(&self) -> Vec<Slot> {
         [&self.order[..], &self.solution, &self.end].concat()
     }
@@ -145,15 +145,15 @@ impl Outputs {
     }
 }
 
-/// The texts of what an order is given.
+/// The texts of the slots that an order is given.
 fn given(expansion: &Expansion, of: &Of) -> Vec<(Slot, String)> {
     let text = |given: Given| match given {
         Given::Rate => "rate".to_owned(),
         Given::Index => "index".to_owned(),
         Given::Time => of.time.clone(),
-        Given::Convolution(lane) => match &expansion.sums {
-            Sums::Few(_) => format!("inner[{lane}]"),
-            Sums::Many(tiles) => format!("inner[{}]", tiles.lanes[lane as usize]),
+        Given::Convolution(index) => match &expansion.sums {
+            Sums::Few(_) => format!("inner[{index}]"),
+            Sums::Many(tiles) => format!("inner[{}]", tiles.convolutions[index as usize]),
         },
         Given::Carried(place) => of.carried[place as usize].clone(),
         Given::Velocity(i) => of.velocities[i as usize].clone(),
@@ -170,7 +170,7 @@ fn given(expansion: &Expansion, of: &Of) -> Vec<(Slot, String)> {
         .collect()
 }
 
-/// Names for coefficients, and for values that have none of their own.
+/// Names for coefficients, and for values without a name of their own.
 fn wishes(model: &crate::model::Model, expansion: &Expansion, of: &Of, writer: &mut Writer<'_>) {
     for (slot, name) in expansion.coordinates.iter().zip(&model.locals.coordinates) {
         writer.wish(*slot, || format!("{name}_k"));
@@ -234,8 +234,8 @@ impl Pass<'_> {
             text.push_str(&format!("let {}: {scalar} = lagrange::jets::time(h, order);\n", of.time));
         }
         text.push_str(&sums);
-        // What does not need the solution is computed while that is waited for. Of many products there is
-        // more than registers hold.
+        // What does not depend on the solution comes before it, to be computed meanwhile. In systems with
+        // many products it would not fit into the registers.
         let early = match &expansion.sums {
             Sums::Few(_) => {
                 expansion.program.settled(Phase::Order, &[&outputs.solution[..], &outputs.end].concat())
@@ -259,14 +259,14 @@ impl Pass<'_> {
         text + "true\n});\n" + &turning::series(emission) + "true"
     }
 
-    /// The statements that sum the convolutions: before the loop, and in it.
+    /// The statements that sum the convolutions, before the loop and in it.
     fn sums(&self, scalar: &crate::syntax::Scalar) -> (String, String) {
         if self.expansion.factors.is_empty() {
             return Default::default();
         }
         match &self.expansion.sums {
-            Sums::Few(lanes) => (
-                format!("let mut products = lagrange::jets::Convolutions::new(tables, {lanes:?});\n"),
+            Sums::Few(products) => (
+                format!("let mut products = lagrange::jets::Convolutions::new(tables, {products:?});\n"),
                 "let inner = products.sums(order);\n".to_owned(),
             ),
             Sums::Many(Tiles { sums, .. }) => {
@@ -303,7 +303,7 @@ impl Pass<'_> {
             }
         }
         let next: Vec<String> = expansion.carried.iter().map(|carried| writer.output(carried.next)).collect();
-        // All at once: a value may be made from another of the order before.
+        // All are assigned at once, since one may be made from the previous value of another.
         text.push_str(&format!("[{}] = [{}];\n", self.of.carried.join(", "), next.join(", ")));
         text
     }

@@ -1,4 +1,4 @@
-//! Names for what an order computes, made from the user's own.
+//! Names for what an order computes, made from the user's names.
 
 use crate::emit::names::{Names, describe};
 use crate::jets::{Jets, Relation, Value};
@@ -7,19 +7,19 @@ use crate::orders::{Expansion, Keeps, Part};
 use crate::schedule::{Instruction, Slot};
 use crate::{emit::Emission, expr::Variable};
 
-/// Names of what goes from statement to statement.
+/// Names of variables that pass from statement to statement.
 pub(super) struct Of {
-    /// Of each slot of the recurrences.
+    /// A label for each slot of the recurrences.
     labels: Vec<Option<String>>,
     /// The coefficient of time.
     pub time: String,
-    /// The coefficients of the velocities, where the runtime solves for them.
+    /// The coefficients of the velocities, if the runtime solves for them.
     pub velocities: Vec<String>,
-    /// Of the multipliers times the rate.
+    /// The coefficients of the multipliers, each times the rate.
     pub impulses: Vec<String>,
     /// The coefficients of the multipliers.
     pub multipliers: Vec<String>,
-    /// What goes to the next order.
+    /// The values that an order hands to the next one.
     pub carried: Vec<String>,
 }
 
@@ -33,7 +33,7 @@ impl Of {
             .velocities
             .iter()
             .zip(&expansion.velocities)
-            // What instructions compute gets its name where it is computed.
+            // A result of an instruction gets its name where it is computed.
             .map(|(name, &slot)| if solved(slot) { coefficient(names, name) } else { String::new() })
             .collect();
         let multipliers: Vec<String> =
@@ -79,7 +79,7 @@ impl Of {
     }
 }
 
-/// Gives the auxiliaries names from what they are functions of.
+/// Names auxiliaries by what they are functions of.
 pub(super) fn label_auxiliaries(emission: &mut Emission<'_>, jets: &Jets) {
     let index = |slot: Slot| match jets.program.instruction(slot) {
         Instruction::Variable(Variable::Auxiliary(index)) => index as usize,
@@ -104,7 +104,7 @@ pub(super) fn label_auxiliaries(emission: &mut Emission<'_>, jets: &Jets) {
     }
 }
 
-/// What each slot is, or else what it is a part of.
+/// A label for each slot: what it is, or else what it is a part of.
 fn labels(model: &Model, jets: &Jets) -> Vec<Option<String>> {
     let mut labels: Vec<Option<String>> = vec![None; jets.program.len()];
     for &slot in &jets.order {

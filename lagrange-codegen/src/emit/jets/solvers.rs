@@ -1,4 +1,4 @@
-//! What solves an order: made at the point of expansion, used in every order.
+//! The solution of an order: factors made at the point of expansion and used in every order.
 
 use super::names::Of;
 use crate::emit::block::Writer;
@@ -18,7 +18,7 @@ pub(super) fn factor_type(indefinite: bool, scalar: &Scalar, size: usize) -> Str
     format!("lagrange::{}<{scalar}, {size}>", if indefinite { "Lu" } else { "Ldlt" })
 }
 
-/// What the statements at the start read.
+/// The slots that the statements at the start read.
 pub(super) fn at_start(expansion: &Expansion) -> Vec<Slot> {
     let mut slots = expansion.pivots.clone();
     for solver in &expansion.solvers {
@@ -34,7 +34,7 @@ pub(super) fn at_start(expansion: &Expansion) -> Vec<Slot> {
     slots
 }
 
-/// What the statements of an order read.
+/// The slots that the statements of an order read.
 pub(super) fn in_order(expansion: &Expansion) -> Vec<Slot> {
     let mut slots: Vec<Slot> = expansion.solvers.iter().flat_map(|solver| &solver.right).copied().collect();
     if let Some(saddle) = &expansion.saddle {
@@ -43,7 +43,7 @@ pub(super) fn in_order(expansion: &Expansion) -> Vec<Slot> {
     slots
 }
 
-/// The statements at the start, and a name for what solves each block.
+/// The statements at the start, and a name for the factors of each block.
 pub(super) fn start(
     emission: &Emission<'_>,
     expansion: &Expansion,
@@ -111,7 +111,7 @@ fn saddle_start(emission: &Emission<'_>, saddle: &SaddlePoint, writer: &Writer<'
     let (scalar, count, held) = (&emission.scalar, emission.count(), saddle.gradients.len());
     let mass = writer.outputs(&saddle.mass);
     let rows: Vec<Vec<String>> = saddle.gradients.iter().map(|row| writer.outputs(row)).collect();
-    // One row depends on no other.
+    // A single row cannot depend on others.
     let noted = |independence: String| match held {
         0 | 1 => String::new(),
         _ => format!("series.independence = {independence};\n"),

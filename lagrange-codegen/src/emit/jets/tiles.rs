@@ -1,4 +1,4 @@
-//! The items that tell the runtime what to sum in systems with many products.
+//! The items that tell the runtime what to sum, for systems with many products.
 
 use super::names::Of;
 use crate::emit::names::Names;

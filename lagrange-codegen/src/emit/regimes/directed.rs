@@ -9,7 +9,7 @@ use crate::expr::NodeId;
 use crate::regimes::Regimes;
 use crate::syntax::Scalar;
 
-/// `coefficients_at`, where a law depends on the direction of a slip.
+/// `coefficients_at`, if a law depends on the direction of a slip.
 pub(super) fn coefficients(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     let Some(coefficients) = &switching.coefficients else { return String::new() };
     let (scalar, vector, inputs) = (&emission.scalar, emission.vector_type(), emission.input_type());
@@ -31,7 +31,7 @@ pub(super) fn coefficients(emission: &Emission<'_>, switching: &mut Regimes) -> 
     )
 }
 
-/// `backward_in`, likewise.
+/// `backward_in`, if a law depends on the direction of a slip.
 pub(super) fn backward(emission: &Emission<'_>, switching: &Regimes) -> String {
     if switching.coefficients.is_none() {
         return String::new();

@@ -1,7 +1,7 @@
 //! `functions_in`: gaps, slip velocities and switching functions in one regime, over any numbers.
 //!
-//! A regime asks for few of them, and over polynomials each operation is dear. What several functions have in
-//! common is computed where one of these is asked for, and the rest of a function where it is.
+//! A regime asks for few of them, and over polynomials each operation is dear. So a part that several
+//! functions share is computed if one of them is asked for, and the rest of a function if that function is.
 
 use std::collections::BTreeSet;
 
@@ -17,10 +17,10 @@ use crate::regimes::Regimes;
 use crate::schedule::{Instruction, Program, Slot, plan};
 use crate::syntax::Scalar;
 
-/// The functions, by their places among the roots of a program.
+/// A set of functions, by their indices among the roots of a program.
 type Functions = BTreeSet<usize>;
 
-/// `functions_in`, and which coordinates and velocities stand in the functions.
+/// `functions_in`, and the coordinates and velocities that the functions depend on.
 pub(super) fn functions(emission: &Emission<'_>, switching: &Regimes) -> String {
     let numbers = Scalar::Generic(format_ident!("{NUMBER}"));
     let zero = scalar::zero(&numbers);
@@ -34,7 +34,7 @@ pub(super) fn functions(emission: &Emission<'_>, switching: &Regimes) -> String 
     let model = &switching.model;
     let program = plan(&model.graph, &roots);
     let users = users(&program);
-    // A single function is asked for whenever anything is.
+    // If there is one function, a call always asks for it.
     let is_alone = rows == 0 && kinks == 1;
     let where_asked = |functions: &Functions| {
         let flags: Vec<&str> = functions.iter().map(|&function| flags[function].as_str()).collect();
@@ -83,7 +83,8 @@ pub(super) fn functions(emission: &Emission<'_>, switching: &Regimes) -> String 
     )
 }
 
-/// The functions that each result stands in; a sine and a cosine that are computed together count as one.
+/// The functions that each result contributes to. A sine and a cosine that are computed together count as
+/// one.
 fn users(program: &Program) -> Vec<Functions> {
     let mut users = vec![Functions::new(); program.len()];
     for (function, slot) in program.outputs.iter().enumerate() {
@@ -111,8 +112,8 @@ fn users(program: &Program) -> Vec<Functions> {
     users
 }
 
-/// What several functions have in common, those with the most first: an operand stands in all that its users
-/// stand in.
+/// The sets of functions that share parts, the largest first: an operand contributes to all functions that
+/// its users contribute to.
 fn shared(program: &Program, users: &[Functions]) -> Vec<Functions> {
     let mut shared: Vec<Functions> = Vec::new();
     for slot in program.slots().filter(|&slot| !program.instruction(slot).is_leaf()) {

@@ -1,4 +1,4 @@
-//! What has two values at a kink.
+//! Quantities with two values at a kink.
 
 use super::super::Emission;
 use super::super::body::{self, Source};
@@ -6,7 +6,7 @@ use crate::calculus::sizes;
 use crate::expr::NodeId;
 use crate::regimes::Regimes;
 
-/// `jumps_at`, where a kink stands in the energy.
+/// `jumps_at`, if the energy contains a kink.
 pub(super) fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     let graph = &mut switching.rows.graph;
     if switching.jumps.iter().all(|&jump| graph.is_zero(jump)) {
@@ -26,7 +26,7 @@ pub(super) fn jumps(emission: &Emission<'_>, switching: &mut Regimes) -> String 
     )
 }
 
-/// `corners_at`, where momenta or constraints have two values at a kink.
+/// `corners_at`, if momenta or constraints have two values at a kink.
 pub(super) fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> String {
     if switching.corners.is_empty() {
         return String::new();
@@ -48,7 +48,7 @@ pub(super) fn corners(emission: &Emission<'_>, switching: &mut Regimes) -> Strin
     )
 }
 
-/// `breaks_at`, where gaps or constraints jump at a kink.
+/// `breaks_at`, if gaps or constraints jump at a kink.
 pub(super) fn breaks(emission: &Emission<'_>, switching: &Regimes) -> String {
     if switching.breaks.is_empty() {
         return String::new();

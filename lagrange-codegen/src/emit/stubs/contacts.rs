@@ -1,4 +1,4 @@
-//! What stands for the regimes of a system with contacts or friction.
+//! Stand-ins for the regimes of a system with contacts or friction.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -14,13 +14,13 @@ pub(super) fn any(item: &Item) -> bool {
     item.functions.iter().any(|function| function.meant().is_some_and(switches))
 }
 
-/// The integrator. How many kinks there are is not known.
+/// The integrator. The number of kinks is unknown.
 pub(super) fn method(held: &[Held]) -> TokenStream {
     let rows = rows(held);
     quote!(lagrange::Hybrid<lagrange::Dop853, #rows, 0>)
 }
 
-/// The implementations of what methods of its motions ask for.
+/// The implementations that methods of motions need.
 pub(super) fn implementations(
     item: &Item,
     held: &[Held],

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::*;
 use crate::expr::Variable;
 
-/// Small whole numbers without a library.
+/// Pseudo-random small whole numbers.
 struct Noise(u64);
 
 impl Noise {
@@ -14,7 +14,7 @@ impl Noise {
         (self.0 >> 33) % bound
     }
 
-    /// Of −2 to 2, seldom 0.
+    /// A whole number from −2 to 2, seldom 0.
     fn whole(&mut self) -> Number {
         Number::integer([-2, -1, 1, 2, 1, -1, 0][self.below(7) as usize])
     }
@@ -168,9 +168,9 @@ fn a_chain_costs_in_proportion_to_its_links() {
         let form = Quadratic::of(&mut graph, energy, &block).expect("it is quadratic");
         assert_eq!(form.definitions.len(), 2 * (links - 1));
         let (recursion, _) = Recursion::of(&mut graph, form, usize::MAX).expect("every velocity has inertia");
-        // Both components of the joint before are all that a link depends on.
+        // A link depends on both components of the joint before it, and on nothing else.
         assert!(recursion.steps.iter().all(|step| step.terms().len() <= 2));
-        // Between the velocities two numbers are in use, and two that follow them.
+        // Beside the velocities, two numbers are in use at a time, and the two that follow them.
         assert!(recursion.places().1 <= links + 4);
         let right: Vec<NodeId> = (0..links as u32).map(|i| graph.variable(Variable::Input(i))).collect();
         let solution = recursion.solve(&mut graph, &right);

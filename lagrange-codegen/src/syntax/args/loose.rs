@@ -1,4 +1,4 @@
-//! What declares something in arguments that do not parse: the items that follow from it outlive the mistake.
+//! Declarations from arguments that do not parse: the generated items outlive the mistake.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 
@@ -6,37 +6,38 @@ use super::{Argument, Declaration, KNOWN, WORDS};
 use crate::syntax::item::Kind;
 use crate::syntax::pieces::{between_commas, is_punct, read_as, unnamed};
 
-/// The arguments that can be read, wherever they stand.
+/// The arguments that can be read.
 pub fn arguments(tokens: TokenStream) -> Vec<Argument> {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     let mut found: Vec<Argument> = Vec::new();
     let mut claimed: Vec<usize> = Vec::new();
-    for (place, tree) in trees.iter().enumerate() {
+    for (index, tree) in trees.iter().enumerate() {
         let TokenTree::Ident(key) = tree else { continue };
         match key.to_string().as_str() {
             "coordinates" | "inputs" | "sensitivities" => {
-                let behind = trees[place + 1..].iter().take_while(|tree| !is_key(tree));
+                let behind = trees[index + 1..].iter().take_while(|tree| !is_key(tree));
                 let list =
                     behind.enumerate().find_map(|(distance, tree)| Some((distance, in_brackets(tree)?)));
                 if let Some((distance, list)) = list {
-                    claimed.push(place + 1 + distance);
+                    claimed.push(index + 1 + distance);
                     found.push(listed(key.clone(), list));
                 }
             }
             "crate" => {
-                let path = trees.iter().skip(place + 2).take_while(|tree| !is_punct(tree, ','));
+                let path = trees.iter().skip(index + 2).take_while(|tree| !is_punct(tree, ','));
                 let path = read_as(path.cloned().collect());
                 found.extend(path.map(|path| Argument::Crate(key.clone(), path)));
             }
-            // Where there is a certificate, there is an analysis.
+            // A certificate includes the analysis.
             "verify" => found.push(Argument::Word(syn::Ident::new("analysis", key.span()))),
             word if WORDS.contains(&word) => found.push(Argument::Word(key.clone())),
             _ => {}
         }
     }
-    // Lists whose key is missing come in this order, and parameters begin with `self`.
-    for (place, tree) in trees.iter().enumerate() {
-        let Some(list) = in_brackets(tree).filter(|_| !claimed.contains(&place)) else { continue };
+    // A list without a key is the first of these that is missing. One that begins with `self` is of
+    // parameters.
+    for (index, tree) in trees.iter().enumerate() {
+        let Some(list) = in_brackets(tree).filter(|_| !claimed.contains(&index)) else { continue };
         let of_parameters =
             matches!(list.clone().into_iter().next(), Some(TokenTree::Ident(word)) if word == "self");
         let keys = if of_parameters { &["sensitivities"][..] } else { &["coordinates", "inputs"] };
@@ -46,8 +47,8 @@ pub fn arguments(tokens: TokenStream) -> Vec<Argument> {
         }
     }
     let keys: Vec<String> = found.iter().map(|argument| argument.key().to_string()).collect();
-    let mut place = 0..;
-    found.retain(|_| place.next().is_some_and(|place| !keys[..place].contains(&keys[place])));
+    let mut index = 0..;
+    found.retain(|_| index.next().is_some_and(|index| !keys[..index].contains(&keys[index])));
     found
 }
 
@@ -55,14 +56,14 @@ fn is_key(tree: &TokenTree) -> bool {
     matches!(tree, TokenTree::Ident(word) if KNOWN.iter().any(|key| word == key))
 }
 
-/// A list with its key. An element of which nothing can be read counts all the same.
+/// A list with its key. An element that cannot be read counts, too.
 fn listed(key: Ident, list: TokenStream) -> Argument {
     let elements = between_commas(list).into_iter();
     if key == "sensitivities" {
         let parameter = |tokens| read_as(tokens).unwrap_or_else(|| syn::parse_quote!(self));
         return Argument::Sensitivities(key, elements.map(parameter).collect());
     }
-    let names = elements.enumerate().map(|(place, tokens)| declaration(place, tokens));
+    let names = elements.enumerate().map(|(index, tokens)| declaration(index, tokens));
     Argument::Names(key.clone(), names.collect())
 }
 
@@ -73,8 +74,8 @@ fn in_brackets(tree: &TokenTree) -> Option<TokenStream> {
     }
 }
 
-/// A declared name with as much of its type as can be read. `place` tells it from others.
-fn declaration(place: usize, tokens: TokenStream) -> Declaration {
+/// A declared name with as much of its type as can be read. Without a name, `index` makes one.
+fn declaration(index: usize, tokens: TokenStream) -> Declaration {
     if let Some(declaration) = read_as(tokens.clone()) {
         return declaration;
     }
@@ -94,6 +95,6 @@ fn declaration(place: usize, tokens: TokenStream) -> Declaration {
         Kind::Scalar
     };
     let ident = ident.filter(|ident| ident != "Rotation" && ident != "Pose");
-    let ident = ident.unwrap_or_else(|| unnamed(place, Span::call_site()));
+    let ident = ident.unwrap_or_else(|| unnamed(index, Span::call_site()));
     Declaration { ident, kind, length }
 }

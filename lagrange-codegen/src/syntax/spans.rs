@@ -1,14 +1,13 @@
-//! The place of an expression: all of it where the compiler can join spans.
+//! Spans: that of all tokens, if the compiler can join spans.
 //!
-//! A stable compiler cannot. There the place is one telling token: the operator, the method, the
-//! field, else the first one. The walks along the edges avoid printing every subexpression into
-//! tokens.
+//! A stable compiler cannot. Then the span of one telling token serves: the operator, the method, the field,
+//! or else the first one. The walks along the edges spare printing every subexpression into tokens.
 
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use syn::Expr;
 
-/// The span of some tokens: all of them where the compiler can join, else the first.
+/// The span of some tokens: of all if the compiler can join spans, else of the first.
 pub fn span(tokens: &dyn ToTokens) -> Span {
     let mut stream = TokenStream::new();
     tokens.to_tokens(&mut stream);
