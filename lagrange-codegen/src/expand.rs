@@ -18,22 +18,22 @@ use crate::structure::{Facts, Solution};
 use crate::syntax::{Incomplete, Item};
 use crate::{eliminate, jets, lower, mechanics, regimes, syntax};
 
-/// Expands `#[lagrangian(args)] item`. Generated code names `default_crate` unless the user says
-/// `crate = path`. Where the description has mistakes, the expansion is all of their messages
-/// and as much of the user's item as lets the compiler be silent about the rest.
+/// Expands `#[lagrangian(args)] item`. Generated code names `default_crate` unless the user says `crate =
+/// path`. If the description has mistakes, the expansion has the messages about them, and as much of the
+/// user's item and of the generated ones that the compiler has nothing to add.
 pub fn expand(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
     expansion(args, item, default_crate, false)
 }
 
-/// The same with the constants `EQUATIONS_LATEX` and `EQUATIONS_MATHML`, which otherwise `analysis` asks for,
-/// for tools that show equations.
+/// The same with the constants `EQUATIONS_LATEX` and `EQUATIONS_MATHML`, for tools that show equations.
+/// Otherwise only `analysis` adds them.
 pub fn expand_with_formulas(args: TokenStream, item: TokenStream, default_crate: &str) -> TokenStream {
     expansion(args, item, default_crate, true)
 }
 
 fn expansion(args: TokenStream, item: TokenStream, default_crate: &str, formulas: bool) -> TokenStream {
     let mut diagnostics = Diagnostics::new();
-    // Nothing that descends into expressions may see what is too deep, not even to recover.
+    // What is nested too deep must not reach code that recurses into expressions, not even to recover.
     if let Some(span) = [&args, &item].into_iter().find_map(|tokens| syntax::too_deep(tokens.clone())) {
         diagnostics.error(span, catalogue::too_deep(syntax::DEEPEST));
         return diagnostics.to_tokens();
@@ -45,21 +45,21 @@ fn expansion(args: TokenStream, item: TokenStream, default_crate: &str, formulas
         parsed.formulas |= formulas;
         try_expand(parsed, &mut diagnostics)
     };
-    // A panic is always a bug of ours; as an error on the attribute it can be reported as one.
+    // A panic is a bug of the macro. It becomes an error on the attribute that asks for a report.
     match catch_unwind(AssertUnwindSafe(attempt)) {
         Ok(Some(expansion)) => return expansion,
         Ok(None) => {}
         Err(_) => diagnostics.error(Span::call_site(), physics::internal_error()),
     }
-    // Who has not written to the end has been told so, and of the rest later.
+    // The compiler has reported what does not parse. Other mistakes are reported when it does.
     let messages = match parsed.as_ref().and_then(|item| item.incomplete.as_ref()) {
         Some(Incomplete::Form(reason)) => syntax::refusal(reason),
         Some(Incomplete::Declarations) | None => diagnostics.to_tokens(),
     };
-    // Everything that a program may use of a system is there as far as declarations can be read.
+    // All items that a program may use of a system exist, as far as declarations can be read.
     let stubs = parsed.as_mut().map(stubs);
-    // rust-analyzer compares the expansion of what is written with that of a word at the cursor, place by
-    // place, so nothing that depends on the mistake stands before the user's block.
+    // rust-analyzer compares the expansion of the text with that of the text with a word at the cursor,
+    // position by position. So nothing that depends on the mistake stands before the user's block.
     let recovered = syntax::recover(item);
     quote!(#recovered #messages #stubs)
 }
@@ -138,7 +138,7 @@ fn names_are_free(item: &Item, model: &Model, equations: &Equations, diagnostics
     }
 }
 
-/// Reports what contacts and dry friction do not go with.
+/// Reports arguments that contacts and dry friction exclude.
 fn contacts_stand_alone(item: &Item, model: &Model, diagnostics: &mut Diagnostics) {
     let Some(contact) = model.contacts.first() else { return };
     let asked = [
@@ -151,7 +151,7 @@ fn contacts_stand_alone(item: &Item, model: &Model, diagnostics: &mut Diagnostic
     }
 }
 
-/// Operations of the accelerations before anything is simplified, shared or hoisted, for the report.
+/// Operations of the accelerations before anything is simplified, shared or hoisted, for `COST`.
 fn as_derived(model: &mut Model, equations: &Equations, diagnostics: &mut Diagnostics) -> Operations {
     let facts = Facts::of(model, equations);
     let told = (equations, &facts);

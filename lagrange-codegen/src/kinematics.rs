@@ -19,8 +19,7 @@ pub(crate) fn time_direction(graph: &mut Graph, coordinates: usize) -> Vec<(Node
     turning_direction(graph, coordinates, &[])
 }
 
-/// The same where the matrices of these orientations are variables: R′ = R \[ω]ₓ, with ω in the places of the
-/// velocities.
+/// The same if the matrices of these orientations are variables: R′ = R \[ω]ₓ, with ω in place of the rates.
 pub(crate) fn turning_direction(
     graph: &mut Graph,
     coordinates: usize,
@@ -41,8 +40,8 @@ pub(crate) fn turning_direction(
     direction
 }
 
-/// The slopes of Σ seed · output by the coordinates: by turns about body axes, δR = R \[δφ]ₓ, in the places
-/// of the numbers of an orientation whose matrix is a variable.
+/// The slopes of Σ seed · output by the coordinates. For an orientation whose matrix is a variable they are
+/// slopes by turns about body axes, δR = R \[δφ]ₓ.
 pub(crate) fn slopes(
     graph: &mut Graph,
     seeds: &[(NodeId, NodeId)],
@@ -52,7 +51,8 @@ pub(crate) fn slopes(
     slopes_to(graph, seeds, &[], coordinates, turning).1
 }
 
-/// The same with what passes through the nodes of `held` counted there alone, before the slopes.
+/// The slopes by the nodes of `held` and then by the coordinates. What passes through the former does not
+/// count for the latter.
 pub(crate) fn slopes_to(
     graph: &mut Graph,
     seeds: &[(NodeId, NodeId)],
@@ -137,7 +137,7 @@ pub(crate) fn space_rate(
     }
 }
 
-/// The axes that an angular velocity has its components in.
+/// The axes of the components of an angular velocity.
 #[derive(Clone, Copy, PartialEq)]
 enum Frame {
     Body,
@@ -145,7 +145,7 @@ enum Frame {
 }
 
 impl Frame {
-    /// The sign of a × b in the space axes, as it is in these.
+    /// The sign of a × b in these axes; in space axes it is positive.
     fn sign(self) -> Number {
         if self == Frame::Space { Number::ONE } else { Number::MINUS_ONE }
     }

@@ -1,7 +1,7 @@
-//! The mechanical system as graph nodes: what lowering hands to mechanics.
+//! The mechanical system as graph nodes, made by lowering for mechanics.
 //!
-//! Names, shapes, loops and helper calls are resolved; every quantity is a scalar node.
-//! Contributions of several functions to one role are kept apart until mechanics adds them.
+//! Names, shapes, loops and helper calls are resolved, and every quantity is a scalar node. Contributions of
+//! several functions to one role are kept apart until mechanics adds them.
 
 mod constraints;
 mod levers;
@@ -22,25 +22,24 @@ pub use velocities::{Rates, Spin, Twist, Velocity};
 pub struct Model {
     /// The graph that all nodes below belong to.
     pub graph: Graph,
-    /// Generalized coordinates, arrays flattened, in declaration order. Those that are eliminated are not
-    /// among them.
+    /// Generalized coordinates without eliminated ones, arrays flattened, in declaration order.
     pub coordinates: Vec<Quantity>,
-    /// Where the three numbers of each orientation begin among the coordinates.
+    /// The first of the three coordinates of each orientation.
     pub orientations: Vec<usize>,
-    /// The same while quantities are functions of their matrices and angular velocities, which are variables:
-    /// until [`crate::eliminate::in_parameters`].
+    /// The same while matrices and angular velocities of orientations are variables, until
+    /// [`crate::eliminate::in_parameters`] replaces them.
     pub turning: Vec<usize>,
     /// Inputs, arrays flattened, in declaration order.
     pub inputs: Vec<Quantity>,
     /// Parameters in order of their first use: `Variable::Parameter(i)` is the i-th.
     pub parameters: Vec<Parameter>,
-    /// Arrays among the parameters whose length was taken from what they stand beside.
+    /// Arrays among the parameters whose length is inferred from their context.
     pub lengths: Vec<Length>,
-    /// What names in the description must mean for it to have been read rightly.
+    /// The meanings that the macro has assumed for names in the description.
     pub meanings: Vec<Meaning>,
-    /// What the functions with a role, and the arguments of roles, were read as.
+    /// The values that the interpreter found for functions with a role and for arguments of roles.
     pub readings: Vec<Reading>,
-    /// Velocities that the description names.
+    /// Velocities that the description uses.
     pub velocities: Vec<Velocity>,
     /// Particles.
     pub points: Vec<Point>,
@@ -58,41 +57,41 @@ pub struct Model {
     pub forces: Vec<Force>,
     /// Constraints, arrays flattened, in the order of declaration.
     pub constraints: Vec<Constraint>,
-    /// How many of the last constraints hold at times only.
+    /// The number of constraints, at the end of the list, that hold at times only.
     pub at_times: usize,
     /// Gaps and slip velocities, in the order of declaration, gaps first: rows that are constraints at times.
     pub contacts: Vec<Contact>,
-    /// What limits friction where that is the common size of several reactions.
+    /// Loads: reactions whose common size limits friction.
     pub loads: Vec<Load>,
     /// Functions whose zeros are events.
     pub events: Vec<Term>,
-    /// Particles and bodies in the order of declaration, as places where constraint forces act; empty
-    /// without holonomic constraints.
+    /// Particles and bodies in the order of declaration, as places where constraint forces act; empty without
+    /// constraints.
     pub places: Vec<Place>,
-    /// How places are carried by rotations.
+    /// The levers by which rotations carry places.
     pub levers: Levers,
-    /// Constraints that are to be solved for a coordinate, in the order of declaration.
+    /// Constraints that a coordinate is to be eliminated by, in the order of declaration.
     pub eliminations: Vec<Elimination>,
     /// Coordinates that constraints have eliminated, in declaration order.
     pub eliminated: Vec<Eliminated>,
-    /// Parameters that derivatives are taken by, as indices into `parameters`.
+    /// Parameters by which derivatives are taken, as indices into `parameters`.
     pub sensitivities: Vec<u32>,
-    /// Rate of Baumgarte's stabilisation \[1/s\], where it is asked for instead of projection.
+    /// The rate of Baumgarte's stabilisation \[1/s\], if the description asks for it.
     pub baumgarte: Option<NodeId>,
     /// Names that the user gave to intermediate results.
     pub hints: Hints,
-    /// Where in the source a node was first written.
+    /// The origin of the first expression that made each node.
     pub origins: Lookup<NodeId, Origin>,
     /// Names of the variables in emitted bodies, chosen when emission starts.
     pub locals: Locals,
 }
 
 impl Model {
-    /// Where a constraint's own function wrote the first of some nodes; its name where it wrote none. A node
-    /// that an earlier function wrote as well would point there.
-    pub fn place_in(&self, constraint: &Constraint, nodes: &[NodeId]) -> Origin {
-        let places = nodes.iter().filter_map(|node| self.origins.get(node).copied());
-        places.into_iter().find(|&place| place > constraint.origin).unwrap_or(constraint.origin)
+    /// The origin of the first of some nodes that a constraint's own function wrote, or else of the
+    /// function's name. An earlier function that wrote the same node would be the wrong place.
+    pub fn origin_in(&self, constraint: &Constraint, nodes: &[NodeId]) -> Origin {
+        let mut origins = nodes.iter().filter_map(|node| self.origins.get(node).copied());
+        origins.find(|&origin| origin > constraint.origin).unwrap_or(constraint.origin)
     }
 }
 
@@ -103,7 +102,7 @@ pub struct Locals {
     pub coordinates: Vec<String>,
     /// Names of the velocities.
     pub velocities: Vec<String>,
-    /// Names of the accelerations, where bodies are given them.
+    /// Names of the accelerations, for bodies that take them.
     pub accelerations: Vec<String>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
@@ -124,7 +123,7 @@ pub struct Quantity {
     pub name: String,
     /// The index within an array.
     pub index: Option<usize>,
-    /// Where it was declared.
+    /// The origin of its declaration.
     pub origin: Origin,
 }
 
@@ -155,7 +154,7 @@ pub struct Parameter {
     pub path: String,
     /// A name for a local variable, such as `m_0`.
     pub label: String,
-    /// Where it was first used.
+    /// The origin of its first use.
     pub origin: Origin,
 }
 
@@ -166,29 +165,29 @@ pub struct Length {
     pub path: String,
     /// The number of its elements.
     pub length: usize,
-    /// Where it was used.
+    /// The origin of its use.
     pub origin: Origin,
 }
 
-/// Rust that compiles only if a name means what the description was read with.
+/// Rust that compiles only if a name has the assumed meaning.
 #[derive(Clone, Debug)]
 pub struct Meaning {
     /// A statement or an item.
     pub statement: String,
-    /// Where the name stands.
+    /// The origin of the name.
     pub origin: Origin,
 }
 
-/// What was read of a function of the user, or of an argument of its role.
+/// The value that the interpreter found for a function of the user, or for an argument of its role.
 #[derive(Clone, Debug)]
 pub struct Reading {
     /// Index of the function in the description.
     pub function: usize,
-    /// The argument of its role, if it is that.
+    /// The argument of its role, if the value is that of an argument.
     pub argument: Option<&'static str>,
     /// All numbers of its value, in the order of the runtime's `Numbers`.
     pub nodes: Vec<NodeId>,
-    /// Their sizes as written, once elimination begins.
+    /// The sizes of these numbers in the user's own form, once elimination begins.
     pub sizes: Vec<NodeId>,
 }
 
@@ -239,8 +238,8 @@ pub enum Attitude {
     },
 }
 
-/// A rotation in space that remembers how it was composed, because the angular velocity of
-/// a product follows from those of its factors without differentiating nine entries.
+/// A rotation in space with its composition. The angular velocity of a product follows from those of its
+/// factors, which spares differentiating nine entries.
 #[derive(Clone, Debug)]
 pub struct Rotation {
     /// Entries, row by row.
@@ -249,7 +248,7 @@ pub struct Rotation {
     pub form: RotationForm,
 }
 
-/// How a rotation was made.
+/// The composition of a rotation.
 #[derive(Clone, Debug)]
 pub enum RotationForm {
     /// About a unit axis (the same in body and space), which may move, by an angle.
@@ -261,13 +260,14 @@ pub enum RotationForm {
     },
     /// v ↦ q v q* / |q|² by a quaternion of any length: w, i, j, k.
     Quaternion([NodeId; 4]),
-    /// The left rotation after the right one.
+    /// The product of two rotations; the right one applies first.
     Product(Box<Rotation>, Box<Rotation>),
     /// The inverse.
     Inverse(Box<Rotation>),
-    /// Of an orientation among the coordinates, by its angular velocity in body axes: see [`orientation`].
+    /// That of an orientation among the coordinates, with its angular velocity in body axes: see
+    /// [`orientation`].
     Turning([NodeId; 3]),
-    /// Given by its entries alone.
+    /// Known by its entries alone.
     Entries,
 }
 
@@ -287,7 +287,7 @@ pub struct Term {
 pub struct Force {
     /// The user's function.
     pub name: String,
-    /// What it acts on.
+    /// The place or coordinates of the force.
     pub action: Action,
     /// The function's name in the source.
     pub origin: Origin,
@@ -300,7 +300,7 @@ pub enum Action {
     Generalized(Vec<(usize, NodeId)>),
     /// A Cartesian force at a position: Q = Fᵀ ∂r/∂q.
     AtPosition {
-        /// Where it acts.
+        /// The position.
         position: Vec<NodeId>,
         /// Components in space axes \[N\].
         force: Vec<NodeId>,
@@ -323,7 +323,7 @@ pub enum Action {
     },
 }
 
-/// Names of intermediate results; the first name given to a node stays.
+/// Names of intermediate results. The first name of a node stays.
 #[derive(Clone, Debug, Default)]
 pub struct Hints {
     names: Lookup<NodeId, String>,

@@ -15,8 +15,8 @@ mod parts;
 pub enum Number {
     /// `numerator / denominator` in lowest terms, denominator positive.
     Ratio(i128, i128),
-    /// A value that does not fit into a ratio: a double, as the arithmetic of doubles gives it, and what that
-    /// lacks.
+    /// A value that does not fit into a ratio: the double that arithmetic of doubles gives, and the rest that
+    /// it lacks.
     Float(f64, f64),
 }
 
@@ -144,7 +144,7 @@ impl Number {
         self.exact_sqrt().unwrap_or_else(|| Number::refined(self.value().sqrt(), parts::root(self.parts())))
     }
 
-    /// The square root where it is rational.
+    /// The square root, if it is rational.
     pub fn exact_sqrt(self) -> Option<Number> {
         let root = |value: i128| {
             let guess = (value as f64).sqrt().round() as i128;
@@ -257,7 +257,7 @@ impl fmt::Display for Number {
         match self {
             Number::Ratio(numerator, 1) => write!(f, "{numerator}"),
             Number::Ratio(numerator, denominator) => {
-                // A decimal where it is short and exact, as the user would have written it.
+                // A decimal, if it is short and exact, as the user would have written it.
                 let short = format!("{}", self.value());
                 if short.len() < 17 && Number::parse(&short) == Some(*self) {
                     f.write_str(&short)

@@ -15,16 +15,16 @@ use crate::kinematics::{slopes, turning_direction};
 use crate::model::{Action, Eliminated, Elimination, Force, Model, orientation};
 use crate::simplify::simplify;
 
-/// A coordinate with what takes its place.
+/// A coordinate with the quantities that replace it and its velocity.
 struct Solved {
     coordinate: usize,
     position: NodeId,
 }
 
-/// Carries out the eliminations of a model, or reports why they cannot be.
+/// Carries out the eliminations of a model, or reports why it cannot.
 pub fn eliminate(model: &mut Model, diagnostics: &mut Diagnostics) {
-    // Sizes are those of the functions as written: from here on the eliminated coordinate cancels in its
-    // constraint, but not in the user's function.
+    // Sizes are taken from the functions as written. Once a coordinate is eliminated it cancels in its
+    // constraint, though not in the user's function.
     let known = orientation::of_parameters(&mut model.graph, &model.turning);
     for reading in &mut model.readings {
         let nodes = substitute(&mut model.graph, &reading.nodes, &known);
@@ -79,7 +79,7 @@ fn solve(
     let value = substitute(graph, &[constraint.value], &known)[0];
     let one = graph.one();
     let slopes = pullback(graph, &[(value, one)], &q);
-    // What is constant need not look so before its terms have met.
+    // A slope may turn out to be constant only after its terms have cancelled.
     let slopes = simplify(graph, &mut model.hints, &slopes);
     let graph = &mut model.graph;
 
@@ -113,7 +113,7 @@ fn solve(
     };
     if !is_fixed(&coordinate) {
         let culprits = not_affine(graph, constraint.value, q[coordinate]);
-        let place = model.place_in(constraint, &culprits);
+        let place = model.origin_in(constraint, &culprits);
         return Err((place, physics::not_solvable(&constraint.written(), &quantity(coordinate))));
     }
     let zero = graph.zero();

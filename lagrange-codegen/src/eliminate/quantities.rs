@@ -4,7 +4,7 @@ use crate::calculus::substitute;
 use crate::expr::{Node, NodeId};
 use crate::model::{Action, Attitude, Contact, Eliminated, Law, Lever, Model, Rotation, RotationForm};
 
-/// Replaces nodes in all quantities of a model. Names and places in the source go with what they belong to.
+/// Replaces nodes in all quantities of a model. Names and origins go with them.
 pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
     let mut roots = Vec::new();
     visit(model, &mut |node| roots.push(*node));
@@ -32,7 +32,7 @@ pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
 
 /// Calls a function with every quantity that may depend on coordinates.
 fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
-    // By name, so that a new field of the model does not compile until it is known here.
+    // The fields are listed, so that a new field of the model does not compile until it is handled here.
     let Model {
         graph: _,
         coordinates: _,
@@ -43,7 +43,7 @@ fn visit(model: &mut Model, each: &mut dyn FnMut(&mut NodeId)) {
         lengths: _,
         meanings: _,
         readings,
-        // They are functions of all declared coordinates.
+        // Velocities are functions of all declared coordinates.
         velocities: _,
         points,
         bodies,

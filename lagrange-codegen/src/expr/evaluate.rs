@@ -1,4 +1,4 @@
-//! The reference interpreter: what the emitted program is checked against.
+//! The reference interpreter, against which emitted programs are checked.
 
 use super::graph::{Graph, Node, NodeId, Variable};
 use super::op::Unary;
@@ -35,13 +35,13 @@ impl Graph {
 pub struct Rounded {
     /// The value.
     pub value: f64,
-    /// By how much it may be off.
+    /// The bound of its rounding error.
     pub error: f64,
 }
 
 impl Rounded {
-    /// A function of this value that rounds once: errors go through it as they are, so that it needs no
-    /// derivative.
+    /// A function of this value that rounds once. Its error follows from the ends of the value's bounds,
+    /// without a derivative.
     fn through(self, f: impl Fn(f64) -> f64) -> Rounded {
         let value = f(self.value);
         let change = |x: f64| (f(x) - value).abs();
@@ -61,9 +61,9 @@ impl Rounded {
 }
 
 impl Graph {
-    /// The values of some nodes with their rounding errors, where functions with kinks go on as they are on
-    /// one side of them: `side` says for each argument whether it counts as positive. What holds on all
-    /// sides holds wherever the kinks are.
+    /// The values of some nodes with their rounding errors, with each function that has a kink continued from
+    /// one side of it: `side` tells for each argument whether it counts as positive. What holds on all sides
+    /// holds at any kink.
     pub fn evaluate_on_sides(
         &self,
         roots: &[NodeId],

@@ -33,14 +33,14 @@ impl Graph {
         self.intern(Node::Unary(function, argument))
     }
 
-    /// The larger of two, b + (a − b)⁺: where b is the larger, it is b to the last bit.
+    /// The larger of two numbers, b + (a − b)⁺. If b is the larger, the result is b to the last bit.
     pub fn max(&mut self, a: NodeId, b: NodeId) -> NodeId {
         let difference = self.sub(a, b);
         let excess = self.unary(Unary::PositivePart, difference);
         self.add(b, excess)
     }
 
-    /// The smaller of two, b − (b − a)⁺.
+    /// The smaller of two numbers, b − (b − a)⁺.
     pub fn min(&mut self, a: NodeId, b: NodeId) -> NodeId {
         let difference = self.sub(b, a);
         let excess = self.unary(Unary::PositivePart, difference);
@@ -62,7 +62,7 @@ impl Graph {
         }
     }
 
-    /// A pivot that must stay above the rounding errors of `scale`.
+    /// A pivot that is NaN unless it stands above the rounding errors of `scale`.
     pub fn pivot(&mut self, value: NodeId, scale: NodeId) -> NodeId {
         match self.as_constant(value) {
             Some(number) if !number.is_negative() => value,
@@ -70,9 +70,9 @@ impl Graph {
         }
     }
 
-    /// `base` to any power: a product where the exponent is a constant half-integer.
+    /// `base` to any power, as a product if the exponent is a constant half-integer.
     pub fn powf(&mut self, base: NodeId, exponent: NodeId) -> NodeId {
-        /// Larger powers are cheaper by the library's function than by multiplications.
+        /// The largest power that is a product. For larger ones the library's function is cheaper.
         const LARGEST: i128 = 64;
         if let Some(value) = self.as_constant(exponent) {
             let halves = (value * Number::integer(2)).as_integer();

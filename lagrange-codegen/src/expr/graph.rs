@@ -33,15 +33,15 @@ impl Exponent {
     }
 }
 
-/// A quantity that the expressions are functions of.
+/// A quantity that expressions are functions of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Variable {
     /// A generalized coordinate.
     Coordinate(u32),
-    /// A generalized velocity. Of an orientation whose matrix is a variable: a component of its angular
-    /// velocity, in its own axes.
+    /// A generalized velocity. For an orientation whose matrix is a variable, it is a component of the
+    /// angular velocity in body axes.
     Velocity(u32),
-    /// A generalized acceleration, where it is given instead of solved for.
+    /// A generalized acceleration, if it is given instead of solved for.
     Acceleration(u32),
     /// Time.
     Time,
@@ -55,7 +55,7 @@ pub enum Variable {
     Multiplier(u32),
     /// An entry of the matrix of an orientation: nine an orientation, row by row.
     Entry(u32),
-    /// A component of the position of a particle or body, where a constraint is a function of that.
+    /// A component of the position of a particle or body, in a constraint as a function of positions.
     Position(u32),
 }
 
@@ -113,7 +113,7 @@ impl Dependence {
         self.0 & other.0 != 0
     }
 
-    /// Whether the value is the same all through a run: parameters and constants alone.
+    /// Whether the value is constant all through a run, being made of parameters and constants alone.
     pub fn is_fixed(self) -> bool {
         self.0 & !Dependence::PARAMETERS.0 == 0
     }

@@ -8,8 +8,8 @@ use super::graph::{Exponent, Graph, Node, NodeId};
 use super::op::Unary;
 use crate::number::Number;
 
-/// Beyond this many factors a product is kept nested: the gradient of one flat product of n
-/// factors costs n², that of nested ones stays linear.
+/// The most factors of a flat product. Longer ones are nested, since the gradient of a flat product of n
+/// factors costs n² and that of nested ones n.
 const LONGEST_FLAT: usize = 12;
 
 impl Graph {
@@ -55,7 +55,7 @@ impl Graph {
         self.scale(product, flat.coefficient)
     }
 
-    /// The factors of a node seen as a product; a node that is none is its own single factor.
+    /// The factors of a node as a product. Any other node is its own single factor.
     pub fn factors(&self, id: NodeId) -> Vec<(NodeId, Exponent)> {
         match self.node(id) {
             Node::Product(factors) => factors.clone(),
@@ -63,9 +63,9 @@ impl Graph {
         }
     }
 
-    /// A node without some of its factors: their exponents are lowered. A product with the
-    /// reciprocals would not do: it opens factors that are products themselves, as those of nested
-    /// products are, and leaves a quotient of equals that is no number where they vanish.
+    /// A node with the exponents of some factors lowered. A product with their reciprocals would not do: it
+    /// opens factors that are products themselves, and it leaves a quotient of equals, which is no number
+    /// where they vanish.
     pub fn without(&mut self, id: NodeId, taken: &[(NodeId, Exponent)]) -> NodeId {
         let mut factors = self.factors(id);
         for &(factor, power) in taken {
@@ -91,7 +91,7 @@ impl Graph {
                 match (power, exponent.as_integer()) {
                     (Some(power), _) => flat.coefficient = flat.coefficient * power,
                     (None, Some(_)) => {
-                        // The negative power of zero: what doubles make of it.
+                        // A negative power of zero is what doubles make of it.
                         flat.coefficient = flat.coefficient * Number::Float(f64::INFINITY, 0.0);
                     }
                     (None, None) => flat.factors.push((factor, exponent)),
@@ -108,7 +108,7 @@ impl Graph {
                 }
             }
             Node::Product(inner) => match exponent.as_integer() {
-                // (x²)^½ is |x|, so only whole powers go inside.
+                // (x²)^½ is |x|, so only whole powers move inside.
                 Some(power) => {
                     flat.factors.extend(inner.iter().map(|&(f, e)| (f, Exponent(e.0 * power))));
                 }
@@ -120,9 +120,9 @@ impl Graph {
         }
     }
 
-    /// Writes powers of a hyperbolic cosine as such of its reciprocal, or the other way round. While factors
-    /// are collected, all are powers of the cosine, so that they meet; afterwards those below zero are powers
-    /// of the reciprocal: it does not overflow, and neither do derivatives of its powers.
+    /// Replaces powers of a hyperbolic cosine by powers of its reciprocal, or the other way round. While
+    /// factors are collected, all are powers of the cosine, so that equal ones meet. Afterwards negative ones
+    /// become powers of the reciprocal, which does not overflow, and whose derivatives do not either.
     fn swap(&mut self, flat: &mut Flat, from: Unary, is_swapped: impl Fn(i32) -> bool) {
         let mut swapped = false;
         for (factor, exponent) in &mut flat.factors {

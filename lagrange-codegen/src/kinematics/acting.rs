@@ -11,12 +11,13 @@ use crate::expr::{Exponent, Graph, Node, NodeId, Variable};
 use crate::model::{Constraint, ConstraintKind, Model, Place, component_of_one, orientation};
 use crate::number::Number;
 
-/// What a constraint does at a place.
+/// The action of a constraint on a place.
 #[derive(Clone, Debug)]
 pub(crate) struct Acting {
     /// The force of a unit multiplier, as a function of coordinates.
     pub force: Vec<NodeId>,
-    /// Whether that is all. If not, the constraint also names coordinates that move the place.
+    /// Whether that is the whole action. It is not if the constraint also contains coordinates that move the
+    /// place.
     pub is_whole: bool,
 }
 
@@ -34,14 +35,14 @@ impl Acting {
     }
 }
 
-/// Places as variables of what is written through them.
+/// Variables for the positions of places.
 pub(crate) struct Standing<'a> {
     pub places: &'a [Place],
     /// Coordinates that are a component of one position, with the variables of these components.
     pub components: Vec<(NodeId, NodeId)>,
     /// The variables of all components.
     pub variables: Vec<NodeId>,
-    /// These with the positions that they stand for.
+    /// The variables with the components that they stand for.
     pub values: Vec<(NodeId, NodeId)>,
 }
 
@@ -56,7 +57,7 @@ impl<'a> Standing<'a> {
         Standing { places, components, variables, values }
     }
 
-    /// A constraint as a function of the places that it is written through.
+    /// A constraint as a function of the positions of places.
     fn through(&self, graph: &mut Graph, constraint: &Constraint) -> Option<NodeId> {
         Some(substitute(graph, &[constraint.through?], &self.components)[0])
     }
@@ -83,7 +84,8 @@ impl<'a> Standing<'a> {
     }
 }
 
-/// How each of some constraints acts on each of the places; of constraints on velocities whether.
+/// The action of each constraint on each place. For a constraint on velocities it only tells whether there is
+/// one.
 pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<Acting>> {
     let count = model.coordinates.len() as u32;
     let coordinates: Vec<NodeId> =
@@ -93,7 +95,7 @@ pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<A
     let standing = Standing::of(places, &coordinates);
     let movers: Vec<Option<Vec<NodeId>>> =
         places.iter().map(|place| movers(graph, place, &coordinates, orientations)).collect();
-    // Inertia that is given as an energy may belong to any coordinate.
+    // Inertia given as an energy may belong to any coordinate.
     let has_energies = !kinetic.is_empty() || !lagrangian.is_empty();
     let mut all = Vec::with_capacity(constraints.len());
     for constraint in constraints {
@@ -113,7 +115,7 @@ pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<A
         for (i, (place, force)) in places.iter().zip(standing.by_place(slopes)).enumerate() {
             let is_whole = match &movers[i] {
                 Some(movers) => !named.iter().any(|q| movers.contains(q)),
-                // Of one that turns with an orientation the position may be all that is named.
+                // A constraint may use nothing but the position of a body that turns with an orientation.
                 None => {
                     let cone = graph.cone(place.position.iter().copied());
                     !named.iter().any(|q| cone.contains(q))
@@ -138,8 +140,8 @@ pub(crate) fn acting(model: &mut Model, constraints: &[Constraint]) -> Vec<Vec<A
     all
 }
 
-/// Of a constraint on velocities that names these nodes its force is not asked for, but whether there may be
-/// one.
+/// The action of a constraint on velocities that contains these nodes. Its force is not needed, only whether
+/// there may be one.
 fn on_velocities(
     places: &[Place],
     movers: &[Option<Vec<NodeId>>],
@@ -158,7 +160,7 @@ fn on_velocities(
     places.iter().zip(movers).map(|one| Acting { force: Vec::new(), is_whole: !acts(one) }).collect()
 }
 
-/// The coordinates that move a place; `None` where orientations do.
+/// The coordinates that move a place; `None` if orientations move it.
 fn movers(
     graph: &Graph,
     place: &Place,
@@ -179,8 +181,8 @@ fn movers(
     Some(movers)
 }
 
-/// ∂f/∂r where f and r are functions of as many coordinates as r has components, by Cramer's rule; `None`
-/// where the coordinates do not move r in all directions.
+/// ∂f/∂r of functions f and r of as many coordinates as r has components, by Cramer's rule; `None` if the
+/// coordinates do not move r in all directions.
 fn inverse_slopes(
     graph: &mut Graph,
     value: NodeId,

@@ -27,7 +27,8 @@ impl Rounded {
 
     /// A double, and what it becomes as a single.
     pub fn of(value: f64) -> Rounded {
-        // The bits of a double that a single has not.
+        // The bits of a double that a single lacks. Halfway between two singles the decimal decides, which
+        // the double no longer shows.
         const TAIL: u64 = (1 << 29) - 1;
         let tie = value.to_bits() & TAIL == 1 << 28;
         Rounded { double: Some(value), single: (!tie).then_some(value as f32) }

@@ -17,12 +17,12 @@ use crate::kinematics::slopes;
 use crate::model::{Constraint, ConstraintKind, Model};
 use crate::number::Number;
 
-/// What the constraints of a model contribute, one entry for each constraint unless said otherwise.
+/// The contributions of a model's constraints, one entry for each constraint unless said otherwise.
 #[derive(Clone, Debug, Default)]
 pub struct Conditions {
     /// f of the holonomic constraints, zero for the others.
     pub positions: Vec<NodeId>,
-    /// Σ |summands of f|, which its rounding errors are measured against.
+    /// Σ |summands of f|, by which its rounding errors are measured.
     pub position_sizes: Vec<NodeId>,
     /// w: df/dt of the holonomic constraints, g of the others.
     pub rates: Vec<NodeId>,
@@ -34,13 +34,13 @@ pub struct Conditions {
     pub gamma: Vec<NodeId>,
     /// Aᵀμ with multipliers as variables, one entry for each coordinate.
     pub reactions: Vec<NodeId>,
-    /// −A v on the constraints: what a unit multiplier takes from the energy in a unit of time. ∂f/∂t of the
-    /// holonomic ones.
+    /// −A v on the constraints: the power that a unit multiplier takes from the motion. For holonomic
+    /// constraints it is ∂f/∂t.
     pub losses: Vec<NodeId>,
     /// The Cartesian force of a unit multiplier on each of the model's places, by constraint, place and
     /// component.
     pub on_places: Vec<Vec<Vec<NodeId>>>,
-    /// dw/dt, where stabilised by Baumgarte's method; elsewhere it is zero.
+    /// dw/dt with Baumgarte's stabilisation; `None` without, where it is zero.
     pub relaxation: Option<Vec<NodeId>>,
     /// The terms of rows that are constraints at times: contacts and frictions.
     pub switched: Option<Switched>,
@@ -49,25 +49,25 @@ pub struct Conditions {
 /// Rows that are constraints at times, with the friction that reactions drive.
 #[derive(Clone, Debug)]
 pub struct Switched {
-    /// What the reaction of each row exerts beside its own direction, by coordinate.
+    /// The force of each row's reaction beside that along the row's gradient, by coordinate.
     pub coupling: Vec<Vec<NodeId>>,
-    /// One for a row that holds, else zero.
+    /// One for each row that holds, and zero for the others.
     pub active: Vec<NodeId>,
-    /// The last rows, which are no constraints.
+    /// The last rows, which are loads instead of constraints.
     pub loads: Vec<LoadRow>,
 }
 
-/// A row that is no constraint: its multiplier follows from others.
+/// A row that is no constraint. Its multiplier follows from those of others.
 #[derive(Clone, Debug)]
 pub enum LoadRow {
-    /// Their sum with these factors.
+    /// The sum of these multipliers, each with a factor.
     Sum(Vec<(usize, NodeId)>),
-    /// The size of the force with these components.
+    /// The size of the force that has these components.
     Size(Vec<usize>),
 }
 
 impl Switched {
-    /// Sums of multipliers: their rows, and the rows and factors of the summands.
+    /// Rows of sums, each with the rows and factors of its summands.
     pub fn sums(&self) -> impl Iterator<Item = (usize, &[(usize, NodeId)])> {
         let first = self.active.len() - self.loads.len();
         self.loads.iter().enumerate().filter_map(move |(place, load)| match load {
@@ -78,8 +78,8 @@ impl Switched {
 }
 
 impl Conditions {
-    /// What a factorisation needs of rows that hold at times: their coupling, then whether they hold, then
-    /// the factors of sums of multipliers.
+    /// The values that a factorisation needs of rows that hold at times: their coupling, whether they hold,
+    /// and the factors of sums of multipliers.
     pub fn switches(&self) -> Vec<NodeId> {
         let Some(switched) = &self.switched else { return Vec::new() };
         let factors = switched.sums().flat_map(|(_, terms)| terms).map(|(_, factor)| factor);
@@ -218,7 +218,7 @@ fn is_holonomic(constraint: &Constraint) -> bool {
     constraint.kind == ConstraintKind::Holonomic
 }
 
-/// g − ∂g/∂v · v: for a constraint affine in v the part without v.
+/// g − ∂g/∂v · v, which for a constraint affine in v is the part without v.
 fn drift(graph: &mut Graph, value: NodeId, gradient: &[NodeId], motion: &Motion) -> NodeId {
     if velocity_degrees(graph, value).at_most(1) {
         let zero = graph.zero();
@@ -230,7 +230,7 @@ fn drift(graph: &mut Graph, value: NodeId, gradient: &[NodeId], motion: &Motion)
     graph.sum(Number::ZERO, &terms)
 }
 
-/// Aᵀμ by one reverse sweep, so that no gradient is written out.
+/// Aᵀμ by one reverse sweep, without writing the gradients out.
 fn reactions(
     graph: &mut Graph,
     constraints: &[Constraint],
@@ -248,9 +248,9 @@ fn reactions(
     through_q.into_iter().zip(through_v).map(|(q, v)| graph.add(q, v)).collect()
 }
 
-/// What rounding errors of a constraint are relative to. One without summands, such as z = 0, has no size of
-/// its own and takes that of the state: Σ |∂f/∂q[i]| |q[j]|, where √(M[j][j] / M[i][i]) brings coordinates of
-/// different units together.
+/// The scale of a constraint's rounding errors. A constraint without summands, such as z = 0, has none of its
+/// own and takes that of the state: Σ |∂f/∂q[i]| |q[j]|, where √(M[j][j] / M[i][i]) relates coordinates of
+/// different units.
 fn size_of(
     graph: &mut Graph,
     value: NodeId,
@@ -267,7 +267,7 @@ fn size_of(
         return own;
     }
     let inertia: Vec<NodeId> = (0..state.len()).map(|i| graph.unary(Unary::Abs, mass[i][i])).collect();
-    // A root that may vanish is no unit.
+    // A root that may vanish cannot serve as a unit.
     let is_unit =
         |graph: &Graph, i: usize| !graph.is_zero(inertia[i]) && graph.dependence(inertia[i]).is_fixed();
     let mut terms = vec![(own, Number::ONE)];
@@ -291,7 +291,7 @@ fn size(graph: &mut Graph, value: NodeId) -> NodeId {
     match graph.node(value).clone() {
         Node::Sum { offset, terms } => summed(graph, offset, terms, size),
         Node::Product(factors) => {
-            // The root of a sum of squares changes by no more than these themselves, even where it vanishes.
+            // The root of a sum of squares changes no more than the squared terms do, even where it vanishes.
             let is_whole = |exponent: Exponent| exponent.0 > 0 && exponent.0 % 2 == 0;
             let absolute = absolute(graph, &factors, |exponent| !is_whole(exponent));
             let mut changes = Vec::new();
@@ -332,7 +332,7 @@ fn summed(
     graph.sum(offset.abs(), &terms)
 }
 
-/// The factors without their signs; of sums to these positive powers the [`magnitude`].
+/// Factors without their signs. A sum to a positive power is replaced by its [`magnitude`].
 fn absolute(
     graph: &mut Graph,
     factors: &[(NodeId, Exponent)],

@@ -16,7 +16,7 @@ use crate::number::Number;
 pub(super) struct Energies {
     pub kinetic: NodeId,
     pub potential: NodeId,
-    /// The Lagrangians that are given whole.
+    /// The sum of the Lagrangians given as a whole.
     pub whole: NodeId,
     pub total: NodeId,
     pub jacobi: Option<NodeId>,
@@ -111,7 +111,7 @@ pub(super) fn balance(
     terms
 }
 
-/// d(T + V)/dt along a motion, from [`balance`]: what T + V differs from the Jacobi integral by is
+/// d(T + V)/dt along a motion, from [`balance`]. The difference between T + V and the Jacobi integral is
 /// differentiated as it stands.
 pub(super) fn rate(
     graph: &mut Graph,

@@ -8,8 +8,7 @@ use crate::kinematics::{cross, slopes_to, times, transposed_times};
 use crate::model::Model;
 use crate::number::Number;
 
-/// Seeds of a reverse sweep: what pulls back through positions to generalized forces, what
-/// pulls back through rates, and what is a generalized force already.
+/// Seeds of a reverse sweep: loads on positions, loads on rates, and generalized forces.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Loads {
     /// `(r, F)`: contributes Fᵀ ∂r/∂q.
@@ -29,7 +28,7 @@ impl Loads {
         self
     }
 
-    /// A load on what moves, by ∂r/∂q or by ∂ṙ/∂v, which is the same.
+    /// A load on a moving point, seeded by ∂r/∂q or by ∂ṙ/∂v, which are equal.
     fn on(&mut self, body: &Translation, load: &[NodeId]) {
         let load = load.iter().copied();
         match &body.position {
@@ -64,8 +63,8 @@ impl Loads {
     }
 }
 
-/// What loads on functions of the coordinates are to each coordinate, and to the velocities of places that
-/// rotations carry, in the axes of these: (∂r/∂q)ᵀ F = (∂ṙ/∂v)ᵀ F.
+/// Turns loads on positions into generalized forces, (∂r/∂q)ᵀ F = (∂ṙ/∂v)ᵀ F. For places that rotations
+/// carry, the load acts on their velocities in the axes of these rotations.
 fn through_places(
     graph: &mut Graph,
     seeds: &[(NodeId, NodeId)],
@@ -134,7 +133,7 @@ pub(super) fn inertial(model: &mut Model, motion: &Motion, momenta: &[NodeId]) -
             loads.through_v.push((body.rate[k], torque));
         }
     }
-    // Energies given as functions: d/dt ∂L/∂v at a = 0, less ∂L/∂q.
+    // Energies that are given as functions contribute d/dt ∂L/∂v at a = 0, less ∂L/∂q.
     let functions: Vec<NodeId> =
         model.kinetic.iter().chain(&model.lagrangian).map(|term| term.value).collect();
     if functions.is_empty() {
@@ -182,7 +181,7 @@ pub(super) fn momentum_rates(model: &mut Model, motion: &Motion, momenta: &[Node
     loads.sweep(model, motion)
 }
 
-/// p × ω: what changes the angular momentum of an orientation because its axes turn.
+/// p × ω: the rate of an orientation's angular momentum that comes from the turning of its axes.
 fn carried(graph: &mut Graph, motion: &Motion, momenta: &[NodeId]) -> Vec<(usize, NodeId)> {
     let mut carried = Vec::with_capacity(3 * motion.turning.len());
     for &first in &motion.turning {

@@ -19,7 +19,7 @@ pub(super) fn loads(model: &mut Model, motion: &Motion) -> Loads {
             Action::PlanarTorque { angle, torque } => loads.through_q.push((*angle, *torque)),
             Action::Along(along) => loads.through_v.extend(along.iter().copied()),
             Action::SpatialTorque { rotation, torque } => {
-                // The torque turns into body axes, where the angular velocity is known.
+                // The torque is turned into body axes, where the angular velocity is known.
                 let rate = body_rate(graph, rotation, &motion.direction);
                 let torque = transposed_times(graph, &rotation.matrix, torque);
                 loads.through_v.extend(rate.into_iter().zip(torque));

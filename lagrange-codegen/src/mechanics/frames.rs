@@ -23,7 +23,7 @@ pub(super) struct Spin {
     pub rate: Vector,
     /// ω̇.
     pub change: Vector,
-    /// ω̇ × a + ω × (ω × a) as a matrix: what the arms that it carries are accelerated by.
+    /// ω̇ × a + ω × (ω × a) as a matrix: the acceleration of an arm a that the rotation carries.
     swing: Entries,
 }
 
@@ -36,7 +36,7 @@ pub(super) struct Move {
     pub acceleration: Vector,
 }
 
-/// All that is known of motions.
+/// The known motions.
 pub(super) struct Frames<'a> {
     levers: &'a Levers,
     direction: &'a [(NodeId, NodeId)],
@@ -87,7 +87,7 @@ impl<'a> Frames<'a> {
                 let of_left = self.motion(graph, left, place);
                 of_left.map(|vector| transposed_times(graph, &right.matrix, &vector))
             }
-            // No rotation that this one is made of carries the place.
+            // The place is carried by none of the rotations in this product.
             (Some(lever), _) => {
                 let own = self.motion(graph, &lever.rotation, place);
                 let in_space = own.map(|vector| times(graph, &lever.rotation.matrix, &vector));
@@ -104,7 +104,7 @@ impl<'a> Frames<'a> {
         motion
     }
 
-    /// The end of an arm, from its base.
+    /// The motion of the end of an arm, from that of its base.
     fn carried(&mut self, graph: &mut Graph, rotation: &Rotation, base: Move, arm: &Vector) -> Move {
         let Spin { rate, swing, .. } = self.spin(graph, rotation);
         let extends = self.rates(graph, arm);

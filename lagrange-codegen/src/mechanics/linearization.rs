@@ -29,22 +29,22 @@ pub struct Derivatives {
 /// Derivatives by parameters, a column each.
 #[derive(Clone, Debug)]
 pub struct Sensitivities {
-    /// Of r.
+    /// Derivatives of r.
     pub forces: Vec<Vec<NodeId>>,
-    /// Of A a − γ.
+    /// Derivatives of A a − γ.
     pub conditions: Vec<Vec<NodeId>>,
-    /// Of f of the holonomic constraints.
+    /// Derivatives of f of the holonomic constraints.
     pub positions: Vec<Vec<NodeId>>,
-    /// Of w.
+    /// Derivatives of w.
     pub rates: Vec<Vec<NodeId>>,
 }
 
 /// The residuals and their derivatives.
 #[derive(Clone, Debug)]
 pub struct Linearization {
-    /// Inertia forces and weights, where their derivatives follow from screws.
+    /// Inertia forces and weights, if their derivatives follow from screws.
     pub screws: Option<Screws>,
-    /// r, or what `screws` leave of it.
+    /// r, or the part of it that is not in `screws`.
     pub forces: Derivatives,
     /// ∂r/∂u.
     pub by_u: Vec<Vec<NodeId>>,
@@ -52,7 +52,7 @@ pub struct Linearization {
     pub conditions: Derivatives,
     /// ∂w/∂q, with w the constraints at the level of velocities.
     pub rates_by_q: Vec<Vec<NodeId>>,
-    /// By the parameters that are asked for.
+    /// Derivatives by the parameters in `sensitivities`.
     pub by_p: Sensitivities,
 }
 
@@ -86,7 +86,7 @@ impl Linearization {
     }
 }
 
-/// Screws, if there are any, where they take fewer operations than sweeps.
+/// Screws, if there are any and they take fewer operations than sweeps.
 fn cheaper_screws(model: &mut Model, residual: &[NodeId]) -> Option<Screws> {
     let count = model.coordinates.len();
     let mut trial = model.clone();

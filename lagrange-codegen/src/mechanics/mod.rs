@@ -49,11 +49,11 @@ pub struct Equations {
     pub momentum_rates: Vec<NodeId>,
     /// T.
     pub kinetic_energy: NodeId,
-    /// T as it was derived: sums of velocities stand in it as the user nested the positions.
+    /// T before simplification. It keeps sums of velocities as the user nested the positions.
     pub inertia: NodeId,
     /// V.
     pub potential_energy: NodeId,
-    /// The sum of the Lagrangians that are given whole.
+    /// The sum of the Lagrangians given as a whole.
     pub whole: NodeId,
     /// T + V.
     pub energy: NodeId,
@@ -64,13 +64,13 @@ pub struct Equations {
     /// d(T + V)/dt along the motion of a constrained system, with its accelerations and multipliers as
     /// variables.
     pub energy_rate: Option<NodeId>,
-    /// What the constraints contribute.
+    /// The contributions of the constraints.
     pub conditions: Conditions,
-    /// Orientations whose matrices are variables, and whose angular velocities stand in the places of their
-    /// velocities.
+    /// Orientations whose matrices are variables. Their angular velocities replace the rates of their
+    /// coordinates.
     pub turning: Vec<usize>,
-    /// Whether the mass matrix is symmetric positive semidefinite by construction or by the
-    /// meaning of a kinetic energy; a Lagrangian given as a whole may have any signature.
+    /// Whether the mass matrix is known to be symmetric positive semidefinite, by construction or because it
+    /// is that of a kinetic energy. A Lagrangian given as a whole may have a mass matrix of any signature.
     pub definite: bool,
 }
 
@@ -80,8 +80,8 @@ impl Equations {
         self.mass.iter().flatten().chain(&self.force).copied().chain(self.conditions.roots()).collect()
     }
 
-    /// The same with cheaper roots where the motion is solved for and facts are read: the mass
-    /// matrix, the right-hand side, and the energies.
+    /// The same with simplified roots where a motion is solved and facts are read: the mass matrix, the
+    /// right-hand side, and the energies.
     pub fn simplified(&self, model: &mut Model) -> Equations {
         let mut simpler = self.clone();
         simpler.simplify_motion(model);
@@ -100,7 +100,7 @@ impl Equations {
     }
 }
 
-/// Derives the equations of motion, or reports why that is impossible.
+/// Derives the equations of motion, or reports why it cannot.
 pub fn derive(
     model: &mut Model,
     allows: &dyn Fn(&str) -> bool,
@@ -115,8 +115,8 @@ pub fn derive(
     (!diagnostics.has_errors()).then_some(equations)
 }
 
-/// What is derived in the axes in which its roots take fewer operations: a single top is written best in
-/// space axes, where its spin does not appear, and an arm in those of its links.
+/// A derivation in the axes in which its roots take fewer operations. A single top is written best in space
+/// axes, where its spin does not appear, and an arm in the axes of its links.
 fn cheapest<T>(
     model: &mut Model,
     derived: impl Fn(&mut Model, Axes) -> T,
@@ -139,7 +139,7 @@ fn cheapest<T>(
     space
 }
 
-/// M from composite inertias, where that takes fewer operations than a sweep for each column.
+/// M from composite inertias, if that takes fewer operations than a sweep for each column.
 fn composed(graph: &mut Graph, mass: Vec<Vec<NodeId>>, energy: NodeId) -> Vec<Vec<NodeId>> {
     let all: Vec<usize> = (0..mass.len()).collect();
     let Some(form) = Quadratic::of(graph, energy, &all) else { return mass };

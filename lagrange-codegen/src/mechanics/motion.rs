@@ -6,12 +6,12 @@ use crate::expr::{Graph, NodeId};
 use crate::kinematics::{body_rate, turning_direction};
 use crate::model::{Attitude, Body, Model, Point, Rotation};
 
-/// The axes in which the velocities of what rotations carry have their components.
+/// The axes of the components of velocities of what rotations carry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axes {
-    /// Those of space.
+    /// Space axes.
     Space,
-    /// Those of the rotation that carries it.
+    /// The axes of the carrying rotation.
     Own,
 }
 
@@ -26,11 +26,12 @@ pub(super) struct Motion {
     pub direction: Vec<(NodeId, NodeId)>,
     /// Orientations whose matrices and angular velocities are variables.
     pub turning: Vec<usize>,
-    /// What moves in straight lines: particles, centres of mass, and planar angles.
+    /// Quantities with an inertia and no direction of their own: particles, centres of mass, and planar
+    /// angles.
     pub translations: Vec<Translation>,
     /// Spatial rotations.
     pub rotations: Vec<Turning>,
-    /// Places at which forces are turned into the axes of what carries them.
+    /// Places with forces, which are turned into the axes of the carrying rotation.
     pub carried: Vec<Carried>,
 }
 
@@ -39,7 +40,7 @@ pub(super) struct Motion {
 pub(super) struct Translation {
     /// Mass, or moment of inertia for an angle.
     pub mass: NodeId,
-    /// r, where the components below are those in space axes.
+    /// r, if the components below are in space axes.
     pub position: Option<Vec<NodeId>>,
     /// ṙ.
     pub velocity: Vec<NodeId>,
@@ -61,7 +62,7 @@ pub(super) struct Turning {
 /// A place that a rotation carries.
 #[derive(Clone, Debug)]
 pub(super) struct Carried {
-    /// Where it is, in space axes.
+    /// The place, in space axes.
     pub place: [NodeId; 3],
     /// The rotation.
     pub matrix: [[NodeId; 3]; 3],
@@ -117,7 +118,7 @@ impl Motion {
             }
         }
 
-        // One forward sweep for all positions, so that shared parts are differentiated once.
+        // One forward sweep for all positions differentiates shared parts once.
         let all: Vec<NodeId> = moving.iter().flat_map(|(_, position)| position.iter().copied()).collect();
         let velocities = pushforward(graph, &all, &direction);
         let accelerations = pushforward(graph, &velocities, &direction);
@@ -162,7 +163,7 @@ impl Motion {
 }
 
 impl Translation {
-    /// Of a place in the axes of a rotation.
+    /// The motion of a place in the axes of a rotation.
     fn carried(
         graph: &mut Graph,
         frames: &mut Frames<'_>,

@@ -1,7 +1,7 @@
-//! Cartesian forces of constraints on the particles and bodies that they are written through.
+//! Cartesian forces of constraints on the particles and bodies through whose positions they are written.
 //!
-//! That of a holonomic constraint is λ ∂f/∂r where f is written through the position r. A constraint g on
-//! velocities that names the velocity ṙ of a place acts there with λ ∂g/∂ṙ, and a coordinate that is a
+//! A holonomic constraint exerts λ ∂f/∂r on a particle, where f is a function of the position r. A constraint
+//! g on velocities that uses the velocity ṙ of a particle exerts λ ∂g/∂ṙ, and a coordinate that is a
 //! component of one position counts as that component.
 
 use super::motion::Motion;
@@ -32,7 +32,7 @@ pub(super) fn forces(
     for (constraint, gradient) in constraints.iter().zip(jacobian) {
         let flat: Vec<NodeId> = match constraint.through {
             Some(through) if constraint.kind != ConstraintKind::Holonomic => {
-                // What it says of a coordinate that is a component counts there as well.
+                // A coordinate that is a component of one position counts as that component.
                 let named: Vec<NodeId> =
                     places.iter().flat_map(|place| place.rates.iter().copied()).collect();
                 let by = [named.as_slice(), &motion.v].concat();
@@ -57,7 +57,7 @@ pub(super) fn forces(
                 flat
             }
             Some(_) => standing.forces(graph, constraint),
-            // A force on velocities: what they are the velocities of.
+            // A force on velocities acts on the places with these velocities.
             None => {
                 let slope = |&variable: &NodeId| {
                     let coordinate = components.iter().find(|&&(_, of)| of == variable)?.0;

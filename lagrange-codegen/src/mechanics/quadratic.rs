@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use crate::expr::{Dependence, Exponent, Graph, Node, NodeId, Variable};
 use crate::number::Number;
 
-/// The velocities first, then what is defined by them, each by some of those before it.
+/// A velocity, or behind all velocities a definition in terms of unknowns before it.
 pub(crate) type Unknown = usize;
 
 /// A linear combination.
@@ -21,25 +21,25 @@ pub(crate) type Linear = Vec<(Unknown, NodeId)>;
 pub(crate) struct Quadratic {
     /// The number of velocities.
     pub velocities: usize,
-    /// What the other unknowns are.
+    /// The definitions of the other unknowns.
     pub definitions: Vec<Linear>,
     /// The symmetric matrix Q, by row and column; the lower triangle with its diagonal.
     pub entries: BTreeMap<(Unknown, Unknown), NodeId>,
 }
 
-/// What a node is as a polynomial of the velocities.
+/// A node as a polynomial of the velocities.
 #[derive(Clone, Copy, Debug)]
 enum Part {
-    /// It does not depend on them.
+    /// Independent of them.
     Fixed,
-    /// Of first degree: its linear part, none where that is zero.
+    /// Of first degree: its linear part, `None` for zero.
     First(Option<(Unknown, NodeId)>),
     Second,
 }
 
 impl Quadratic {
-    /// The part of second degree of a polynomial of the velocities of some coordinates, the others at rest;
-    /// `None` where it is no polynomial of second degree.
+    /// The part of second degree of a polynomial of the velocities of some coordinates, with the others at
+    /// rest; `None` if it is no such polynomial.
     pub fn of(graph: &mut Graph, energy: NodeId, coordinates: &[usize]) -> Option<Quadratic> {
         let cone = graph.cone([energy]);
         let mut reading = Reading {
@@ -58,7 +58,7 @@ impl Quadratic {
         Some(reading.form.without_unused())
     }
 
-    /// M, lower triangle, row by row, with all definitions substituted. For bodies that others carry its
+    /// M, lower triangle, row by row, with all definitions substituted. For bodies carried by others its
     /// entries are those of composite inertias (Featherstone, *Rigid Body Dynamics Algorithms*, chapter 6).
     pub fn formed(self, graph: &mut Graph) -> Vec<Vec<NodeId>> {
         let mut matrix = Symmetric::of(&self);
@@ -71,7 +71,7 @@ impl Quadratic {
         (0..velocities).map(|row| (0..=row).map(|column| entry(row, column)).collect()).collect()
     }
 
-    /// The same without definitions that nothing asks for.
+    /// The form without unused definitions.
     fn without_unused(self) -> Quadratic {
         let Quadratic { velocities, definitions, entries } = self;
         let mut used = vec![false; velocities + definitions.len()];
@@ -104,15 +104,15 @@ impl Quadratic {
     }
 }
 
-/// The symmetric matrix Q while unknowns are taken out of it.
+/// The symmetric matrix Q, while unknowns are eliminated from it.
 #[derive(Debug)]
 pub(crate) struct Symmetric {
-    /// Rows, whole.
+    /// The rows, both triangles.
     pub rows: Vec<BTreeMap<Unknown, NodeId>>,
 }
 
 impl Symmetric {
-    /// That of a form.
+    /// The matrix of a form.
     pub fn of(form: &Quadratic) -> Self {
         let mut rows = vec![BTreeMap::new(); form.velocities + form.definitions.len()];
         for (&(a, b), &entry) in &form.entries {
@@ -122,7 +122,7 @@ impl Symmetric {
         Symmetric { rows }
     }
 
-    /// Puts w = Σ c x into the form.
+    /// Substitutes w = Σ c x into the form.
     pub fn substitute(&mut self, graph: &mut Graph, unknown: Unknown, terms: &Linear) {
         let row = std::mem::take(&mut self.rows[unknown]);
         for (&other, &entry) in &row {
@@ -133,7 +133,8 @@ impl Symmetric {
             for &(x, c) in terms {
                 let share = graph.mul(entry, c);
                 if x == other {
-                    // Q w x with w = c x + …: c Q x², of which the diagonal has twice as much.
+                    // Q w x with w = c x + … contributes c Q x², and the diagonal holds twice the coefficient
+                    // of a square.
                     let share = graph.scale(share, Number::integer(2));
                     self.add(graph, x, x, share);
                 } else {
@@ -195,7 +196,7 @@ impl Reading {
         }
     }
 
-    /// The linear part of a sum: a definition where it has more than one term.
+    /// The linear part of a sum, as a definition if it has several terms.
     fn sum(&mut self, graph: &mut Graph, terms: &[(NodeId, Number)]) -> Option<(Unknown, NodeId)> {
         let mut merged: BTreeMap<Unknown, Vec<(NodeId, Number)>> = BTreeMap::new();
         for &(term, number) in terms {
@@ -287,7 +288,7 @@ impl Reading {
                     let (Some((a, by_a)), Some((b, by_b))) = (first, second) else { continue };
                     rest.extend([(by_a, Exponent(2)), (by_b, Exponent(2))]);
                     let product = graph.product(&rest);
-                    // ½ Q x² has one such term, Q x y two of which each is half of it.
+                    // ½ Q x² appears once. Q x y appears as two halves.
                     let twice = if a == b { Number::integer(2) } else { Number::ONE };
                     entries.entry((a.max(b), a.min(b))).or_default().push((product, twice));
                 }

@@ -14,7 +14,7 @@ pub fn turning(model: &mut Model) -> Option<Equations> {
 }
 
 impl Equations {
-    /// With the terms of others to solve for the motion with: those that a series is made of.
+    /// These equations, with the terms of `others` that a motion is solved with and its series are made of.
     pub fn turned(&self, model: &mut Model, others: Equations) -> Equations {
         let Equations { mass, force, momenta, momentum_rates, inertia, conditions, turning, .. } = others;
         let Conditions { rates, jacobian, reactions, relaxation, switched, .. } = conditions;

@@ -1,4 +1,4 @@
-//! What restricts a motion: constraints, contacts, and coordinates that constraints give.
+//! Restrictions of a motion: constraints, contacts, and coordinates that constraints give.
 
 use super::{Quantity, label, written};
 use crate::diagnostics::Origin;
@@ -11,11 +11,11 @@ pub struct Constraint {
     pub name: String,
     /// The index within an array.
     pub index: Option<usize>,
-    /// f(q, t) or g(q, v, t), which is to stay zero.
+    /// f(q, t) or g(q, v, t), which stays zero.
     pub value: NodeId,
-    /// f of a holonomic constraint as a function of the places that it is written through.
+    /// f of a holonomic constraint as a function of places.
     pub through: Option<NodeId>,
-    /// What it is a function of.
+    /// Whether it is one on coordinates or on velocities.
     pub kind: ConstraintKind,
     /// The function's name in the source.
     pub origin: Origin,
@@ -50,7 +50,7 @@ impl Constraint {
 pub struct Contact {
     /// The gap as a holonomic constraint, or the slip velocity as a nonholonomic one.
     pub constraint: Constraint,
-    /// When it holds, and what it exerts when it does not.
+    /// The conditions under which it holds, and its force otherwise.
     pub law: Law,
 }
 
@@ -66,11 +66,11 @@ pub enum Law {
     },
     /// Dry friction.
     Friction {
-        /// Coefficient while slipping, or the force itself.
+        /// The coefficient while slipping, or the largest force itself.
         kinetic: NodeId,
         /// The same while sticking.
         fixed: NodeId,
-        /// What limits it beside its coefficients.
+        /// The reaction that the coefficients multiply.
         normal: Option<Normal>,
         /// The other component of a slip in two directions, likewise.
         pair: Option<usize>,
@@ -91,8 +91,8 @@ pub enum Normal {
 pub struct Load {
     /// The friction that it limits.
     pub friction: String,
-    /// The components of the force: constraints by their rows, and the component of the force of a unit
-    /// multiplier.
+    /// The components of the force. Each is a list of constraints, by their rows, with the component of the
+    /// force that a unit multiplier exerts.
     pub force: Vec<Vec<(usize, NodeId)>>,
     /// The friction's name in the source.
     pub origin: Origin,
@@ -109,9 +109,9 @@ pub struct Place {
     pub position: Vec<NodeId>,
     /// The variables that stand for the components of the position in [`Constraint::through`].
     pub variables: Vec<NodeId>,
-    /// The variables that stand for their velocities there, in a constraint on velocities.
+    /// The variables that stand for the components of its velocity in a constraint on velocities.
     pub rates: Vec<NodeId>,
-    /// Whether it is a body, which a constraint may turn as well.
+    /// Whether it is a body, on which a constraint may also exert a torque.
     pub turns: bool,
     /// The function's name in the source.
     pub origin: Origin,
@@ -122,9 +122,9 @@ pub struct Place {
 pub struct Elimination {
     /// The constraint.
     pub constraint: Constraint,
-    /// The coordinate, where the user names it.
+    /// The coordinate, if the user names it.
     pub coordinate: Option<usize>,
-    /// Where it is asked for.
+    /// The origin of the request.
     pub origin: Origin,
 }
 
@@ -133,15 +133,15 @@ pub struct Elimination {
 pub struct Eliminated {
     /// As it was declared.
     pub quantity: Quantity,
-    /// Its place among all declared coordinates.
+    /// Its index among all declared coordinates.
     pub declared_index: usize,
-    /// Its value, a function of the coordinates that are left and of time.
+    /// Its value, a function of the remaining coordinates and of time.
     pub position: NodeId,
     /// Its total time derivative.
     pub velocity: NodeId,
 }
 
-/// The variable of the component that a coordinate is, if it is one of exactly one position.
+/// The variable of a component that is just this coordinate, if exactly one position has such a component.
 pub fn component_of_one(places: &[Place], q: NodeId) -> Option<NodeId> {
     let mut found = places.iter().flat_map(|place| {
         place

@@ -9,7 +9,7 @@ use crate::expr::NodeId;
 pub struct Lever {
     /// p, in space axes.
     pub place: [NodeId; 3],
-    /// The base, in space axes; zero of a vector that is only turned.
+    /// The base, in space axes. It is zero for a vector that is only turned.
     pub base: [NodeId; 3],
     /// R.
     pub rotation: Rotation,
@@ -17,7 +17,7 @@ pub struct Lever {
     pub arm: [NodeId; 3],
 }
 
-/// All of them, each place once.
+/// The levers of a description, one for each place.
 #[derive(Clone, Debug, Default)]
 pub struct Levers {
     levers: Vec<Lever>,
@@ -25,7 +25,7 @@ pub struct Levers {
 }
 
 impl Levers {
-    /// Adds one, unless its place is known, or is not made of its base: following the bases of places must
+    /// Adds a lever, unless its place is known or does not depend on its base: a walk from place to base must
     /// come to an end.
     pub fn insert(&mut self, lever: Lever) {
         let follows = lever.place.iter().zip(&lever.base).all(|(place, base)| place >= base);
@@ -35,22 +35,22 @@ impl Levers {
         }
     }
 
-    /// How a place was made.
+    /// The lever of a place.
     pub fn of(&self, place: &[NodeId; 3]) -> Option<&Lever> {
         self.known.get(place).map(|&index| &self.levers[index])
     }
 
-    /// What carries a particle.
+    /// The lever that carries a particle.
     pub fn carrying(&self, position: &[NodeId]) -> Option<&Lever> {
         self.of(&position.try_into().ok()?)
     }
 
-    /// In the order in which they were made.
+    /// All levers, in the order in which they were added.
     pub fn iter(&self) -> impl Iterator<Item = &Lever> {
         self.levers.iter()
     }
 
-    /// All taken out, to be changed and inserted again.
+    /// Takes all levers out, to be changed and added again.
     pub fn take(&mut self) -> Vec<Lever> {
         std::mem::take(self).levers
     }

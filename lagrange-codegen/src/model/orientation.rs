@@ -75,7 +75,7 @@ pub fn holds(orientations: &[usize], coordinate: usize) -> bool {
     orientations.iter().any(|&first| (first..first + 3).contains(&coordinate))
 }
 
-/// The variables of the matrix of an orientation, the one at this place among all.
+/// The variables of the matrix of an orientation, given by its index.
 pub fn entries(graph: &mut Graph, place: usize) -> [[NodeId; 3]; 3] {
     let entry = |row: u32, column: u32| Variable::Entry(9 * place as u32 + 3 * row + column);
     [0, 1, 2].map(|row| [0, 1, 2].map(|column| graph.variable(entry(row, column))))
@@ -86,12 +86,12 @@ pub fn spin(graph: &mut Graph, first: usize) -> [NodeId; 3] {
     [0, 1, 2].map(|i| graph.variable(Variable::Velocity(first as u32 + i)))
 }
 
-/// What matrices and angular velocities are as functions of a state's numbers.
+/// Matrices and angular velocities as functions of a state's numbers.
 pub fn of_parameters(graph: &mut Graph, orientations: &[usize]) -> Vec<(NodeId, NodeId)> {
     let mut known = Vec::with_capacity(12 * orientations.len());
     for (place, &first) in orientations.iter().enumerate() {
         let rho = [0, 1, 2].map(|i| graph.variable(Variable::Coordinate(first as u32 + i)));
-        // The same variables are ω before and ρ′ after.
+        // The same variables mean ω before the replacement and ρ′ after it.
         let rates = spin(graph, first);
         let (entries, values) = (entries(graph, place), matrix(graph, &rho));
         known.extend(entries.into_iter().flatten().zip(values.into_iter().flatten()));

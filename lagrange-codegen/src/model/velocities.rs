@@ -1,16 +1,16 @@
-//! Velocities that a description names, and the form they have.
+//! Velocities that a description uses, and their forms.
 
 use crate::expr::NodeId;
 
-/// A function of coordinates, velocities and time that the macro writes: the rate of what a function of the
-/// user returns. Its nodes are those of all declared coordinates.
+/// A function of coordinates, velocities and time that the macro writes: the rate of a result of a user's
+/// function. It is in terms of all declared coordinates.
 #[derive(Clone, Debug)]
 pub struct Velocity {
     /// Index of the user's function in the description.
     pub function: usize,
     /// Its own name.
     pub name: String,
-    /// What it returns.
+    /// Its result.
     pub rates: Rates,
 }
 
@@ -32,7 +32,7 @@ pub enum Rates {
 /// Velocity of a body.
 #[derive(Clone, Debug)]
 pub struct Twist {
-    /// Where its reference point is \[m\].
+    /// Position of its reference point \[m\].
     pub position: Vec<NodeId>,
     /// Velocity of the reference point \[m/s\].
     pub velocity: Vec<NodeId>,
@@ -81,7 +81,7 @@ impl Twist {
 }
 
 impl Rates {
-    /// Puts others in the places of all numbers, in order.
+    /// Replaces all numbers by others, in order.
     pub fn set(&mut self, nodes: &[NodeId]) {
         let mut nodes = nodes.iter();
         self.each(&mut |node| nodes.next().into_iter().for_each(|&new| *node = new));

@@ -7,7 +7,7 @@ use crate::mechanics::Equations;
 use crate::model::{Action, Contact, Law, Model, orientation};
 use crate::number::Number;
 
-/// What changes in the course of a step.
+/// What changes during a step.
 pub(super) const MOVING: Dependence = Dependence::COORDINATES
     .union(Dependence::VELOCITIES)
     .union(Dependence::TIME)
@@ -36,7 +36,7 @@ pub(super) fn arguments(graph: &mut Graph, nodes: impl IntoIterator<Item = NodeI
     let mut arguments: Vec<NodeId> = Vec::new();
     for id in graph.cone(nodes) {
         let Some(argument) = kinked(graph, id) else { continue };
-        // The smaller and the larger of two have one switch between them.
+        // The smaller and the larger of two numbers share one switch.
         let opposite = graph.neg(argument);
         if !arguments.contains(&argument) && !arguments.contains(&opposite) {
             arguments.push(argument);
@@ -45,8 +45,8 @@ pub(super) fn arguments(graph: &mut Graph, nodes: impl IntoIterator<Item = NodeI
     arguments
 }
 
-/// These arguments as they stood in a graph while matrices of orientations were variables, or in the laws of
-/// its frictions; `None` if one did not.
+/// The same arguments in a graph in which matrices of orientations are variables, or in the laws of its
+/// frictions; `None` if one of them is not found.
 pub(super) fn described(
     before: &Graph,
     model: &mut Model,
@@ -66,12 +66,12 @@ pub(super) fn described(
     kinks.iter().map(of).collect()
 }
 
-/// Whether there is one in a node.
+/// Whether a node contains one.
 pub(super) fn are_in(model: &Model, node: NodeId) -> bool {
     model.graph.cone([node]).into_iter().any(|id| kinked(&model.graph, id).is_some())
 }
 
-/// The argument of a function with a kink, where it moves.
+/// The argument of a function with a kink, if it moves.
 fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
     match *graph.node(id) {
         Node::Unary(Unary::Abs | Unary::Signum | Unary::PositivePart, argument)
@@ -83,25 +83,25 @@ fn kinked(graph: &Graph, id: NodeId) -> Option<NodeId> {
     }
 }
 
-/// What the energy gains where the argument of each kink passes zero upwards: nothing, unless a function of
-/// the energy jumps.
+/// The gain of the energy when the argument of each kink passes zero upwards. It is zero unless the energy
+/// contains a function that jumps.
 pub(super) fn jumps(model: &mut Model, equations: &Equations, kinks: &[NodeId]) -> Vec<NodeId> {
     kinks.iter().map(|&argument| across(&mut model.graph, argument, &[equations.energy])[0]).collect()
 }
 
-/// A function of the motion that has two values where a kink is: a momentum, or the rate of a constraint.
+/// A function of the motion with two values at a kink: a momentum, or the rate of a constraint.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner {
     /// The kink.
     pub kink: usize,
-    /// What the function gains where the argument of the kink passes zero upwards.
+    /// The gain of the function when the argument of the kink passes zero upwards.
     pub gain: NodeId,
     /// The function.
     pub function: NodeId,
 }
 
-/// The corners at each kink. Velocities go through a kink as they are, which momenta and constraints permit
-/// where they are continuous.
+/// The corners at each kink. Velocities are continuous at a kink, so momenta and the rates of constraints
+/// must be.
 pub(super) fn corners(
     model: &mut Model,
     equations: &Equations,
@@ -120,14 +120,14 @@ pub(super) fn corners(
     corners
 }
 
-/// A contact or constraint whose function has two values where a kink is.
+/// A contact or constraint whose function has two values at a kink.
 #[derive(Clone, Copy, Debug)]
 pub struct Jump {
     /// The kink.
     pub kink: usize,
     /// The row.
     pub row: usize,
-    /// What it gains where the argument of the kink passes zero upwards.
+    /// The gain of its function when the argument of the kink passes zero upwards.
     pub gain: NodeId,
 }
 
@@ -143,7 +143,7 @@ pub(super) fn breaks(model: &mut Model, equations: &Equations, kinks: &[NodeId])
     breaks
 }
 
-/// What some functions gain where the argument of a kink passes zero upwards.
+/// The gains of some functions when the argument of a kink passes zero upwards.
 fn across(graph: &mut Graph, argument: NodeId, functions: &[NodeId]) -> Vec<NodeId> {
     let one = graph.one();
     let minus_one = graph.neg(one);
@@ -154,7 +154,7 @@ fn across(graph: &mut Graph, argument: NodeId, functions: &[NodeId]) -> Vec<Node
     above.into_iter().zip(below).map(|(above, below)| graph.sub(above, below)).collect()
 }
 
-/// The user's function that each kink stands in, the first of several; no name where none shows it.
+/// The user's function in which each kink was first written; an empty name if none is known.
 pub(super) fn names(model: &mut Model, kinks: &[NodeId], contacts: &[Contact]) -> Vec<String> {
     let zero = model.graph.zero();
     let mut functions: Vec<(String, Vec<NodeId>)> = Vec::new();
@@ -187,11 +187,11 @@ pub(super) fn names(model: &mut Model, kinks: &[NodeId], contacts: &[Contact]) -
     kinks.iter().map(owner).collect()
 }
 
-/// Replaces these functions by what they are on the side that each switch names. Returns the arguments with
-/// those replaced that stand in them.
+/// Replaces these functions by their forms on the side that each switch gives. Returns the arguments after
+/// the replacement.
 pub(super) fn replace(model: &mut Model, kinks: &[NodeId], sides: &[NodeId]) -> Vec<NodeId> {
     let mut arguments = kinks.to_vec();
-    // Outer ones first: the argument of one may hold another.
+    // Outer ones come first, since the argument of one may contain another.
     for (&argument, &side) in kinks.iter().zip(sides).rev() {
         let replacements = on_side(&mut model.graph, argument, side);
         rewrite(model, &replacements);
@@ -200,7 +200,7 @@ pub(super) fn replace(model: &mut Model, kinks: &[NodeId], sides: &[NodeId]) -> 
     arguments
 }
 
-/// The functions with a kink where an argument is zero, and what they are on a side of it, one or minus one.
+/// The functions with a kink at the zero of an argument, and their forms on a side of it, one or minus one.
 pub(super) fn on_side(graph: &mut Graph, argument: NodeId, side: NodeId) -> Vec<(NodeId, NodeId)> {
     let (opposite, other_side) = (graph.neg(argument), graph.neg(side));
     let mut replacements = Vec::new();
@@ -213,7 +213,7 @@ pub(super) fn on_side(graph: &mut Graph, argument: NodeId, side: NodeId) -> Vec<
         ];
         for (function, image) in images {
             let node = graph.unary(function, argument);
-            // What is even or odd has one node for both signs.
+            // An even or odd function has one node for both signs of its argument.
             if matches!(*graph.node(node), Node::Unary(own, own_argument) if own == function && own_argument == argument)
             {
                 replacements.push((node, image));

@@ -1,9 +1,9 @@
 //! Systems whose equations switch: kinks, contacts, friction.
 //!
-//! All regimes of a system are one system whose parameters are more: for each row that is a constraint at
-//! times whether it is one now, for each friction the sign of its slip, for each kink its side. With these
-//! held the equations are smooth, so everything that a smooth constrained system has serves them: series,
-//! retraction, checks. The runtime's `Switching` says what a regime is.
+//! All regimes of a system are one system with more parameters. For each row that is a constraint at times
+//! there is one that tells whether it holds, for each friction the sign of its slip, and for each kink its
+//! side. With these held constant the equations are smooth, so all that serves smooth constrained systems
+//! serves them: series, retraction, checks. The runtime's `Switching` defines a regime.
 
 mod kinks;
 mod sliding;
@@ -22,50 +22,51 @@ use crate::orders::Expansions;
 use crate::structure::{Facts, Solution};
 use switches::Switches;
 
-/// What the names of rows begin with that are no constraints.
+/// The prefix of the names of rows that are loads.
 pub const LOAD: &str = "__load_of_";
 
 /// A system whose equations switch.
 #[derive(Debug)]
 pub struct Regimes {
-    /// The system with all rows as constraints that always hold, as the laws see them.
+    /// The system with all rows as constraints that always hold, from which the laws are read.
     pub rows: Model,
     /// Its equations: gaps, their rates and slip velocities.
     pub laws: Equations,
     /// Switching functions, in the graph of `rows`.
     pub kinks: Vec<NodeId>,
-    /// The user's functions that they stand in.
+    /// The user's functions that contain them.
     pub kink_names: Vec<String>,
-    /// What the energy gains where each passes zero, likewise.
+    /// The gain of the energy when each of them passes zero, in the same graph.
     pub jumps: Vec<NodeId>,
-    /// What else has two values at a kink, likewise.
+    /// Other quantities with two values at a kink, in the same graph.
     pub corners: Vec<Corner>,
-    /// The gaps that jump at a kink, likewise.
+    /// The gaps that jump at a kink, in the same graph.
     pub breaks: Vec<Jump>,
     /// The system of one regime, with its switches as its last parameters.
     pub model: Model,
     /// Gaps and slip velocities in one regime, in the graph of `model`.
     pub rows_in: Vec<NodeId>,
-    /// Coefficients of friction that sticks, likewise, for slips forward and backward; zero of other rows.
+    /// Coefficients of sticking friction for slips forward and backward, in the graph of `model`; zero for
+    /// other rows.
     pub fixed_in: [Vec<NodeId>; 2],
-    /// Coefficients of friction for slips forward and backward, in the graph of `rows`; `None` where no law
+    /// Coefficients of friction for slips forward and backward, in the graph of `rows`; `None` if no law
     /// depends on the direction of a slip.
     pub coefficients: Option<[Coefficients; 2]>,
-    /// Switching functions in one regime, likewise.
+    /// Switching functions in one regime, in the graph of `model`.
     pub kinks_in: Vec<NodeId>,
     /// Its equations.
     pub equations: Equations,
-    /// Those that its series is made of, where they are others.
+    /// The equations that its series is made of, if they are others.
     pub turned: Option<Equations>,
     /// Facts about them.
     pub facts: Facts,
     /// How they are solved.
     pub solution: Solution,
-    /// The recurrences of its series; `None` where it is not smooth even so.
+    /// The recurrences of its series; `None` if even one regime is not smooth.
     pub jets: Option<Jets>,
     /// The operations of these recurrences, an order at a time.
     pub orders: Option<Expansions>,
-    /// What each row stands for, but for the last ones, which are no constraints.
+    /// The law of each row; `None` for the last rows, which are loads.
     pub laws_of: Vec<Option<Law>>,
 }
 
@@ -81,8 +82,8 @@ impl Regimes {
     }
 }
 
-/// The regimes of a system; `None` of one that has a single one. `is_smooth` says whether the system has a
-/// series as it is; `described` is the model while matrices of orientations were variables, if there are any.
+/// The regimes of a system; `None` if it has a single one. `is_smooth` tells whether the system has a series
+/// as it is. `described` is the model with matrices of orientations as variables, if it has orientations.
 pub fn derive(
     model: &Model,
     described: Option<&Model>,
@@ -90,7 +91,7 @@ pub fn derive(
     is_smooth: bool,
     diagnostics: &mut Diagnostics,
 ) -> Option<Regimes> {
-    // A step of the energy or of a constraint leaves no trace in the equations.
+    // A step in the energy or in a constraint does not show in the equations of motion.
     let mut steps = model.constraints.iter().map(|constraint| constraint.value).chain([energy]);
     if model.contacts.is_empty() && is_smooth && !steps.any(|function| kinks::are_in(model, function)) {
         return None;
@@ -98,8 +99,8 @@ pub fn derive(
     let mut rows = model.clone();
     let held = rows.constraints.len();
     let (contacts, loads) = as_rows(&mut rows);
-    // Rows hold at times: there may be more of them than coordinates, and a slip may be the rate of a
-    // function. Of all else the system by itself was asked.
+    // The checks of the system itself are done. Rows that hold at times may outnumber the coordinates, and a
+    // slip may be the rate of a function.
     let permits = |_: &str| true;
     let mut laws = mechanics::derive(&mut rows, &permits, diagnostics)?;
     let mut switches = Switches::of_rows(&mut rows);
@@ -182,8 +183,9 @@ pub fn derive(
     })
 }
 
-/// Puts a model on the sides of kinks that switches name. Returns the switching functions there, and the
-/// contacts, whose coefficients may have kinks too: that of friction on a curved surface has its gradient.
+/// Puts a model on the sides of kinks that switches give. Returns the switching functions there, and the
+/// contacts, whose coefficients may have kinks, too: the coefficient of friction on a curved surface contains
+/// its gradient.
 fn on_sides(
     model: &mut Model,
     kinks: &[NodeId],
@@ -195,7 +197,7 @@ fn on_sides(
     (arguments, std::mem::take(&mut model.contacts))
 }
 
-/// Takes the contacts of a model as constraints that always hold, and gives its loads rows behind them.
+/// Makes the contacts of a model constraints that always hold, with rows for its loads behind them.
 fn as_rows(model: &mut Model) -> (Vec<Contact>, Vec<LoadRow>) {
     let mut contacts = std::mem::take(&mut model.contacts);
     model.at_times = contacts.len();
@@ -206,7 +208,7 @@ fn as_rows(model: &mut Model) -> (Vec<Contact>, Vec<LoadRow>) {
         let mut parts = Vec::with_capacity(load.force.len());
         for terms in &load.force {
             parts.push(match terms.as_slice() {
-                // A size does not depend on signs.
+                // The sign of a factor does not change a size.
                 &[(row, factor)] if model.graph.as_constant(factor).map(Number::abs) == Some(Number::ONE) => {
                     row
                 }
@@ -229,7 +231,7 @@ fn as_rows(model: &mut Model) -> (Vec<Contact>, Vec<LoadRow>) {
     (contacts, rows)
 }
 
-/// Names the rows of loads. Nobody else names them.
+/// Names the rows of loads, which have no name of the user's.
 fn name_loads(model: &mut Model, loads: &[LoadRow]) {
     let mut owners = model.loads.iter();
     let mut index = 0;
@@ -250,10 +252,10 @@ fn name_loads(model: &mut Model, loads: &[LoadRow]) {
     }
 }
 
-/// The equations of one regime with angular velocities; `None` where a kink is not found again.
+/// The equations of one regime with angular velocities; `None` if a kink is not found again.
 fn turned(described: &Model, regime: &mut Model, switches: &Switches, kinks: &[NodeId]) -> Option<Equations> {
     let mut model = described.clone();
-    // What was a node of this graph still is one of the other.
+    // Nodes of this graph keep their meaning in the other.
     (model.graph, model.hints) = (regime.graph.clone(), regime.hints.clone());
     model.parameters.clone_from(&regime.parameters);
     let held = model.constraints.len();
@@ -293,7 +295,7 @@ fn hold(
             Some(other) => {
                 let carrier = switches.slip[row.min(other)];
                 let squares = [row, other].map(|row| graph.powi(speeds[row], 2));
-                // Where nothing slips the direction has any finite value.
+                // With no slip the direction may have any finite value.
                 let apart = graph.sum(
                     Number::ONE,
                     &[(squares[0], Number::ONE), (squares[1], Number::ONE), (carrier, Number::MINUS_ONE)],

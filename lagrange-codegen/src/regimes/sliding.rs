@@ -1,26 +1,26 @@
 //! Laws of friction that depend on the direction of the slip.
 //!
 //! A one-way clutch has another limit in each direction, and a coefficient that falls with the speed is a
-//! function of |slip|. Such functions have their kink where the friction sticks, and there the direction is
-//! no matter of the state: it is that in which the slip would begin. So in the laws of a friction they become
-//! functions of the switch that says in which direction it slips.
+//! function of |slip|. The kink of such a function lies where the friction sticks. There the direction is not
+//! given by the state: it is the one in which the slip would begin. So in the laws of a friction these
+//! functions become functions of the switch that gives the direction of its slip.
 
 use super::kinks::{self, MOVING};
 use crate::calculus::substitute;
 use crate::expr::{Graph, NodeId, Unary};
 use crate::model::{Contact, Law};
 
-/// Coefficients of friction, or coefficients, of some rows; zero of those that are none.
+/// Coefficients or limits of friction of some rows; zero for rows without friction.
 #[derive(Debug)]
 pub struct Coefficients {
-    /// Of friction that slips.
+    /// Of slipping friction.
     pub kinetic: Vec<NodeId>,
-    /// Of friction that sticks.
+    /// Of sticking friction.
     pub fixed: Vec<NodeId>,
 }
 
 impl Coefficients {
-    /// The same with places for rows before and behind.
+    /// The same with zeros for rows before and behind.
     pub(super) fn on_rows(mut self, zero: NodeId, before: usize, behind: usize) -> Coefficients {
         for list in [&mut self.kinetic, &mut self.fixed] {
             list.splice(0..0, std::iter::repeat_n(zero, before));
@@ -38,7 +38,7 @@ pub(super) fn along(graph: &mut Graph, contacts: &[Contact], directions: &[NodeI
         .map(|(contact, &direction)| {
             let mut contact = contact.clone();
             let slip = contact.constraint.value;
-            // Of a slip in two directions no component says in which it is.
+            // A component of a slip in two directions does not tell its direction.
             if let Law::Friction { kinetic, fixed, pair: None, .. } = &mut contact.law {
                 let replacements = own(graph, [*kinetic, *fixed], slip, direction);
                 [*kinetic, *fixed] = replaced(graph, [*kinetic, *fixed], &replacements);
@@ -48,12 +48,12 @@ pub(super) fn along(graph: &mut Graph, contacts: &[Contact], directions: &[NodeI
         .collect()
 }
 
-/// The functions of some laws whose kink is where a slip is zero, and what they are in a direction of it.
+/// The functions of some laws with a kink where a slip is zero, and their forms in a direction of that slip.
 fn own(graph: &mut Graph, laws: [NodeId; 2], slip: NodeId, direction: NodeId) -> Vec<(NodeId, NodeId)> {
     let mut replacements = Vec::new();
     for argument in kinks::arguments(graph, laws) {
         let share = graph.div(argument, slip);
-        // A multiple of the slip by what may pass zero itself has other kinks.
+        // A multiple of the slip has further kinks if its factor may vanish, too.
         if graph.dependence(share).meets(MOVING) {
             continue;
         }
@@ -64,12 +64,12 @@ fn own(graph: &mut Graph, laws: [NodeId; 2], slip: NodeId, direction: NodeId) ->
     replacements
 }
 
-/// Whether any law has become one of directions.
+/// Whether a law depends on the direction of a slip.
 pub(super) fn have_directions(contacts: &[Contact], sliding: &[Contact]) -> bool {
     contacts.iter().zip(sliding).any(|(contact, sliding)| kinks::laws(contact) != kinks::laws(sliding))
 }
 
-/// Switching functions as they are at a state, where the slip itself has a direction.
+/// The switching functions at a state, where the slip itself has a direction.
 pub(super) fn at_a_state(
     graph: &mut Graph,
     kinks: &[NodeId],

@@ -4,9 +4,9 @@ use crate::diagnostics::Origin;
 use crate::expr::{NodeId, Variable};
 use crate::model::{Model, Parameter};
 
-/// The switches as variables of the graph, in the order in which they are parameters.
+/// The switches as variables of the graph, in the order of the parameters.
 pub(super) struct Switches {
-    /// Which rows are constraints.
+    /// Whether each row is a constraint.
     pub active: Vec<NodeId>,
     /// The directions of slips.
     pub slip: Vec<NodeId>,
@@ -17,7 +17,7 @@ pub(super) struct Switches {
 }
 
 impl Switches {
-    /// Those of the rows of a model, as parameters of it.
+    /// The switches of the rows of a model, as parameters of it.
     pub fn of_rows(model: &mut Model) -> Switches {
         let labels: Vec<(String, _)> =
             model.constraints.iter().map(|row| (row.label(), row.origin)).collect();
@@ -28,7 +28,7 @@ impl Switches {
         Switches { active: each("active"), slip: each("slip"), side: each("side"), kinks: Vec::new() }
     }
 
-    /// Adds those of kinks.
+    /// Adds the switches of kinks.
     pub fn add_kinks(&mut self, model: &mut Model, kinks: usize) {
         let origin = model.coordinates[0].origin;
         self.kinks = (0..kinks).map(|kink| parameter(model, format!("side_{kink}"), origin)).collect();

@@ -23,7 +23,7 @@ pub(super) fn keeps_digits(graph: &Graph, before: NodeId, after: NodeId) -> bool
     !ratios.is_empty() && ratios.iter().all(|&ratio| ratio <= MOST_LOSS)
 }
 
-/// The rounding errors of two nodes at a point, in units of the rounding of 1.
+/// The rounding errors of two nodes at a point, in units of ε.
 fn roundings(graph: &Graph, roots: [NodeId; 2], point: u32) -> [f64; 2] {
     let cone = graph.cone(roots);
     let values = graph.evaluate(&cone, |variable| sample(variable, point));
@@ -49,7 +49,7 @@ fn roundings(graph: &Graph, roots: [NodeId; 2], point: u32) -> [f64; 2] {
     roots.map(|root| gathered[place(root)])
 }
 
-/// The value of a variable: of either sign and of the size of 1, parameters positive.
+/// The value of a variable, of size 1. Parameters are positive.
 fn sample(variable: Variable, point: u32) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_895;
     let (kind, index) = match variable {

@@ -1,14 +1,14 @@
 //! Sines and cosines of sums of angles whose own sines and cosines are needed anyway.
 //!
-//! cos(a − b) = cos a cos b + sin a sin b costs three operations where a further call costs tens.
-//! The error stays of the order of a rounding of the angles themselves.
+//! cos(a − b) = cos a cos b + sin a sin b costs three operations, and a further call costs tens. The error is
+//! of the order of a rounding error of the angles themselves.
 
 use crate::calculus::substitute;
 use crate::collections::Lookup;
 use crate::expr::{Graph, Node, NodeId, Unary};
 use crate::number::Number;
 
-/// The roots with every sine or cosine of `±a ± b` replaced where those of a and b are at hand.
+/// The roots with every sine or cosine of `±a ± b` replaced if those of a and b are at hand.
 pub(super) fn add_angles(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     let mut arguments = Vec::new();
     let mut present: Lookup<NodeId, ()> = Lookup::default();
@@ -37,7 +37,8 @@ pub(super) fn add_angles(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     if replacements.is_empty() {
         return roots.to_vec();
     }
-    // A sum may be part of a longer one whose replacement names it: repeat inside the images.
+    // A sum may be part of a longer one, in whose replacement it then appears, so the images are replaced,
+    // too.
     let mut current = roots.to_vec();
     for _ in 0..replacements.len() {
         let next = substitute(graph, &current, &replacements);

@@ -1,6 +1,6 @@
-//! What a set of roots costs to evaluate, in units of one addition.
+//! The cost of evaluating a set of roots, in additions.
 //!
-//! Parts that depend on parameters alone are free: they are computed once per run.
+//! Parts that depend on parameters alone are free, since they are computed once per run.
 
 use crate::expr::{Binary, Exponent, Graph, Node, NodeId, Unary};
 

@@ -1,8 +1,8 @@
 //! Multiplying out where terms then cancel.
 //!
-//! `c₀(A s₀ + B s₁) − s₀(A c₀ + B c₁)` becomes `B(c₀ s₁ − s₀ c₁)`. A node is replaced only by
-//! something cheaper, which multiplying out alone never is: something must have cancelled or
-//! merged. It must keep the digits as well: the terms of (a − b)², multiplied out, cancel near a = b.
+//! `c₀(A s₀ + B s₁) − s₀(A c₀ + B c₁)` becomes `B(c₀ s₁ − s₀ c₁)`. A node is replaced only by something
+//! cheaper. Multiplying out alone makes nothing cheaper, so terms must have cancelled or merged. The
+//! replacement must keep the digits as well: the terms of (a − b)², multiplied out, cancel near a = b.
 
 use super::accuracy::keeps_digits;
 use super::cost::cost;
@@ -11,7 +11,7 @@ use crate::calculus::rebuild;
 use crate::expr::{Dependence, Exponent, Graph, Node, NodeId};
 use crate::number::Number;
 
-/// Expansions beyond this many monomials are not tried.
+/// The most monomials of an expansion that is tried.
 const MOST_MONOMIALS: u32 = 48;
 
 /// The roots with every sum and product that gets cheaper multiplied out.

@@ -6,13 +6,13 @@ use crate::calculus::rebuild;
 use crate::expr::{Exponent, Graph, Node, NodeId};
 use crate::number::Number;
 
-/// Sums beyond this many terms are left alone: the search is quadratic in them.
+/// The most terms of a sum that is factored, since the search is quadratic in them.
 const MOST_TERMS: usize = 64;
 
-/// Sums of up to this many terms are factored in several ways, to keep the cheapest.
+/// The most terms of a sum that is factored in several ways, of which the cheapest is kept.
 const FEW_TERMS: usize = 8;
 
-/// How many ways.
+/// The number of these ways.
 const TRIES: usize = 4;
 
 /// The roots with the factors of partial sums taken out, the most frequent first.
@@ -27,8 +27,8 @@ pub(super) fn factor(graph: &mut Graph, roots: &[NodeId]) -> Vec<NodeId> {
     roots.iter().map(|root| image_of(&cone, &images, *root)).collect()
 }
 
-/// The sum with factors of partial sums taken out. Which factor goes first decides what is left
-/// for the others, so the most promising ones are tried in turn.
+/// The sum with factors of partial sums taken out. The first factor decides what remains for the others, so
+/// the most promising ones are tried in turn.
 fn factor_sum(graph: &mut Graph, id: NodeId) -> NodeId {
     let Node::Sum { offset, terms } = graph.node(id).clone() else { return id };
     if terms.len() < 2 || terms.len() > MOST_TERMS {

@@ -1,7 +1,7 @@
 //! Rewritings that lower the cost of a set of roots and never harm their accuracy.
 //!
-//! Each pass proposes; [`mod@cost`] decides. What a pass makes is kept only where the whole set of
-//! roots gets cheaper, so nothing here can swell.
+//! Each pass proposes, and [`mod@cost`] decides. A proposal is kept only if the whole set of roots gets
+//! cheaper, so expressions cannot swell.
 
 mod accuracy;
 mod angles;
@@ -13,8 +13,8 @@ use crate::expr::{Graph, NodeId};
 use crate::model::Hints;
 use cost::cost;
 
-/// Beyond this many nodes the passes that compare whole sets of roots are left out: they cost
-/// time in proportion to roots × nodes, and large systems are chains that nest well.
+/// The most nodes for which whole sets of roots are compared. These passes cost time in proportion to roots ×
+/// nodes, and larger systems are chains, which nest well.
 const COMPARABLE: usize = 4_000;
 
 /// Cheaper roots of equal value.
@@ -34,7 +34,7 @@ pub fn simplify(graph: &mut Graph, hints: &mut Hints, roots: &[NodeId]) -> Vec<N
     best
 }
 
-/// What the roots cost: simplified where cancellations are searched for, else as they are.
+/// The cost of the roots: simplified if cancellations are searched for, else as they are.
 pub fn price(graph: &mut Graph, hints: &mut Hints, roots: &[NodeId]) -> u32 {
     if graph.cone(roots.iter().copied()).len() > COMPARABLE {
         return cost(graph, roots);
@@ -43,7 +43,7 @@ pub fn price(graph: &mut Graph, hints: &mut Hints, roots: &[NodeId]) -> u32 {
     cost(graph, &simpler)
 }
 
-/// Takes a proposal root by root where it lowers the cost of the whole.
+/// Takes a proposal root by root, each if it lowers the cost of the whole.
 fn cheaper_of_each(graph: &Graph, mut roots: Vec<NodeId>, proposal: &[NodeId]) -> Vec<NodeId> {
     let mut lowest = cost(graph, &roots);
     let all = cost(graph, proposal);

@@ -99,7 +99,7 @@ fn factors_of_long_products_are_taken_out_without_division() {
     let (a, b) = (g.mul(product, x), g.mul(product, y));
     let root = g.sum(Number::ONE, &[(a, Number::ONE), (b, Number::integer(3)), (z, Number::ONE)]);
     let after = factor::factor(&mut g, &[root]);
-    // Everything but the constant vanishes; a quotient of zeros would not.
+    // Everything but the constant vanishes, where a quotient of zeros would be NaN.
     assert_eq!(g.evaluate(&after, |_| 0.0), [1.0]);
     assert_ne!(after, [root]);
 }

@@ -31,7 +31,7 @@ pub struct Covariant {
 }
 
 impl Covariant {
-    /// Differentiates the momenta; `None` where the mass matrix depends on velocities.
+    /// Differentiates the momenta; `None` if the mass matrix depends on velocities.
     pub fn of(model: &mut Model, equations: &Equations) -> Option<Covariant> {
         let graph = &mut model.graph;
         let mass = &equations.mass;

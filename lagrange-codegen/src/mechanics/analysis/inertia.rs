@@ -21,7 +21,7 @@ pub struct Inertia {
     pub parts: [NodeId; 3],
     /// −M a.
     pub relative: Vec<NodeId>,
-    /// −(C v + ½ ∂M/∂t v): what T₂ contributes without accelerations.
+    /// −(C v + ½ ∂M/∂t v): the contribution of T₂ without accelerations.
     pub coriolis: Vec<NodeId>,
     /// −G v.
     pub gyroscopic: Vec<NodeId>,

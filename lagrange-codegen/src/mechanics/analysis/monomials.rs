@@ -1,22 +1,22 @@
-//! Expressions as polynomials in the parameters, with coefficients that no parameter enters.
+//! Expressions as polynomials in the parameters. No parameter appears in a coefficient.
 
 use std::collections::BTreeMap;
 
 use crate::expr::{Dependence, Exponent, Graph, Node, NodeId};
 use crate::number::Number;
 
-/// Coefficient by monomial; both are nodes. What is no power of a parameter but made of parameters alone
-/// counts as one.
+/// Coefficient by monomial; both are nodes. A factor of parameters alone that is no power of one counts as a
+/// parameter.
 pub(super) type Polynomial = BTreeMap<NodeId, NodeId>;
 
-/// More monomials than this lump nothing together.
+/// The most monomials of an expression. Longer ones are not taken apart.
 const MOST: usize = 96;
 
-/// Writes an expression as a polynomial; `None` where it is none, or too long a one.
+/// Writes an expression as a polynomial; `None` if it is none, or one with too many terms.
 pub(super) fn polynomial(graph: &mut Graph, root: NodeId) -> Option<Polynomial> {
     let mut images: BTreeMap<NodeId, Polynomial> = BTreeMap::new();
     for id in graph.cone([root]) {
-        // What depends on parameters within a function is refused where it reaches the root.
+        // A function of parameters and variables has no image, and so has no node above it.
         if let Some(image) = of_node(graph, id, &images)
             && image.len() <= MOST
         {

@@ -1,11 +1,11 @@
 //! Null space of a matrix given by random samples.
 
-/// Pivots below this share of the largest entry of their row as it was given count as zero.
+/// A pivot counts as zero below this share of the largest entry of its given row.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// A basis of all x with `rows` x = 0: each vector has a one in a column of its own, as far right as can be,
-/// and zeros in those of the others. Rows are scaled to a largest entry of one; rows that are not finite are
-/// left out.
+/// A basis of all x with `rows` x = 0. Each vector has a one in a column of its own, as far right as
+/// possible, where the others have zeros. Rows are scaled to a largest entry of one, and those that are not
+/// finite are left out.
 pub(super) fn null_space(rows: Vec<Vec<f64>>, columns: usize) -> Vec<Vec<f64>> {
     let mut rows: Vec<Vec<f64>> = rows.into_iter().filter_map(scaled).collect();
     let mut pivots: Vec<Option<usize>> = vec![None; columns];
@@ -50,7 +50,7 @@ fn scaled(mut row: Vec<f64>) -> Option<Vec<f64>> {
     Some(row)
 }
 
-/// Numbers without a pattern, the same in every run.
+/// Pseudo-random numbers, the same in every run.
 pub(super) struct Noise(pub u64);
 
 impl Noise {

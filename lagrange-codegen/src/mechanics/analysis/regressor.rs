@@ -24,7 +24,7 @@ pub struct Regressor {
 }
 
 impl Regressor {
-    /// Takes L apart; `None` where it is not a polynomial in the parameters, or one of too many terms.
+    /// Takes L apart; `None` if it is no polynomial in the parameters, or one with too many terms.
     pub fn of(model: &mut Model, equations: &Equations) -> Option<Regressor> {
         let lagrangian = lagrangian(model, equations);
         let parts = polynomial(&mut model.graph, lagrangian)?;
@@ -67,7 +67,7 @@ impl Regressor {
     }
 }
 
-/// L = T − V, or from the momenta where a Lagrangian is given as a whole.
+/// L = T − V, or L from the momenta if a Lagrangian is given as a whole.
 fn lagrangian(model: &mut Model, equations: &Equations) -> NodeId {
     let graph = &mut model.graph;
     if model.lagrangian.is_empty() {

@@ -16,7 +16,7 @@ use crate::mechanics::Equations;
 use crate::model::{Model, orientation};
 use crate::number::Number;
 
-/// More unknowns than this are too many for an elimination in an unoptimised macro.
+/// The most unknowns of a search. More would take too long to eliminate in an unoptimised macro.
 const MOST: usize = 280;
 
 /// Samples beyond the number of unknowns.
@@ -28,7 +28,7 @@ const CONFIRMED: usize = 40;
 /// The largest dI/dt that counts as zero, in units of the first-order bound of its rounding errors.
 const ROUNDINGS: f64 = 8.0;
 
-/// Points of confirmation have coordinates of up to this power of ten.
+/// Points of confirmation have coordinates up to ten to this power.
 const FAR: f64 = 6.0;
 
 /// Largest denominator of an entry of S and s.
@@ -48,7 +48,7 @@ pub struct Generator {
 /// A conserved quantity.
 #[derive(Clone, Debug)]
 pub struct Integral {
-    /// What makes it one.
+    /// The symmetry that it belongs to.
     pub generator: Generator,
     /// p·ξ.
     pub value: NodeId,
@@ -63,7 +63,7 @@ enum Unknown {
     Plane(usize, usize),
     /// s_i.
     Shift(usize),
-    /// Of an orientation.
+    /// A turn of an orientation.
     Turn(Turn),
 }
 
@@ -98,7 +98,7 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
     let Some(samples) = samples(unknowns.len() + SPARE, near) else {
         return Vec::new();
     };
-    // Momenta say how large a force on a coordinate must be to count: masses may differ by many orders.
+    // A force on a coordinate is weighed by the coordinate's momenta, since masses may differ by many orders.
     let weights: Vec<f64> = (0..equations.mass.len())
         .map(|i| {
             let largest =
@@ -127,7 +127,7 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
     let Some(others) = self::samples(CONFIRMED, far) else { return Vec::new() };
     let is_confirmed = |candidate: &Generator| others.iter().all(|sample| sample.confirms(candidate));
     let mut confirmed: Vec<Generator> = candidates.into_iter().filter(is_confirmed).collect();
-    // Translations first, as they stand in the coordinates.
+    // Translations come first, in the order of the coordinates.
     confirmed.sort_by_key(|generator| !generator.linear.is_empty() || !generator.turns.is_empty());
     confirmed
         .into_iter()
@@ -138,13 +138,12 @@ pub fn integrals(model: &mut Model, equations: &Equations) -> Vec<Integral> {
         .collect()
 }
 
-/// What to search: all of S where there are few coordinates, rotations where M is diagonal, else translations
-/// alone.
+/// The unknowns: all of S for few coordinates, rotations if M is diagonal, else translations alone.
 fn unknowns(model: &Model, equations: &Equations) -> Vec<Unknown> {
     let graph = &model.graph;
     let mass = &equations.mass;
     let count = mass.len();
-    // Linear functions of an orientation's numbers mean nothing.
+    // Linear functions of an orientation's numbers have no meaning.
     let plain: Vec<usize> = (0..count).filter(|&i| !orientation::holds(&model.orientations, i)).collect();
     let shifts = plain.iter().copied().map(Unknown::Shift);
     let turns = model.orientations.iter().flat_map(|&first| {
@@ -189,7 +188,7 @@ struct Sample {
 impl Sample {
     fn draw(model: &Model, equations: &Equations, noise: &mut Noise, attempt: usize, scale: f64) -> Sample {
         let count = equations.mass.len();
-        // Roots and logarithms may want positive coordinates.
+        // Roots and logarithms may need positive coordinates.
         let low = if attempt.is_multiple_of(2) { -1.5 } else { 0.1 };
         let mut draw = |count: usize, low: f64, high: f64| -> Vec<f64> {
             (0..count).map(|_| noise.between(low, high)).collect()
@@ -263,15 +262,14 @@ impl Sample {
     }
 }
 
-/// `wanted` points at which every value is finite; `None` if fewer than one in four of the points drawn is
-/// one.
+/// `wanted` points at which every value is finite; `None` if fewer than one in four draws gives such a point.
 fn samples(wanted: usize, draw: impl FnMut(usize) -> Sample) -> Option<Vec<Sample>> {
     let samples: Vec<Sample> = (0..4 * wanted).map(draw).filter(Sample::is_finite).take(wanted).collect();
     (samples.len() == wanted).then_some(samples)
 }
 
 impl Generator {
-    /// The rational vector that a numerical one stands for.
+    /// The rational vector nearest to a numerical one.
     fn rational(vector: &[f64], generators: &[Generator]) -> Option<Generator> {
         let mut generator = Generator::default();
         for (&entry, part) in vector.iter().zip(generators) {

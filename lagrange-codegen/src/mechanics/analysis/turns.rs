@@ -18,7 +18,8 @@ pub struct Turn {
     pub in_body: bool,
 }
 
-/// What a coordinate moves by: the value, its rate along the motion, and bounds of the terms of both.
+/// The motion of a coordinate under a turn: its value, its rate along the motion, and bounds of the terms of
+/// both.
 #[derive(Clone, Copy, Debug)]
 pub struct Shift {
     pub row: usize,
@@ -32,7 +33,7 @@ impl Turn {
         if self.in_body { 1.0 } else { -1.0 }
     }
 
-    /// What it moves.
+    /// The motion of the orientation's three numbers.
     pub fn field(self, q: &[f64], v: &[f64]) -> [Shift; 3] {
         let Turn { first, axis, .. } = self;
         let three = |all: &[f64]| [all[first], all[first + 1], all[first + 2]];

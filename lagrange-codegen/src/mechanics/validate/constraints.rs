@@ -1,4 +1,4 @@
-//! Constraints that restrain nothing, too much, or something else than they say.
+//! Checks of constraints that restrict nothing, too much, or something else than they say.
 
 use super::exactness::is_exact;
 use super::matching::Matching;
@@ -15,18 +15,18 @@ struct Row {
     gradient: Vec<NodeId>,
     /// The columns in which the gradient is not zero.
     columns: Vec<usize>,
-    /// Whether a mistake of it is reported.
+    /// Whether a mistake in it is reported.
     faulty: bool,
 }
 
-/// Reports what is wrong with constraints. Returns the patterns of the gradients that can be independent.
+/// Reports mistakes in constraints. Returns the patterns of the gradients that can be independent.
 pub(in crate::mechanics) fn constraints(
     model: &mut Model,
     allows: &dyn Fn(&str) -> bool,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Vec<bool>> {
     let mut rows: Vec<Row> = Vec::with_capacity(model.constraints.len());
-    // What holds at times contradicts nothing by itself.
+    // Rows that hold at times need not hold together.
     let always = model.constraints.len() - model.at_times;
     for (place, constraint) in model.constraints.clone().into_iter().enumerate() {
         let gradient = gradient(model, &constraint);
@@ -78,8 +78,8 @@ fn gradient(model: &mut Model, constraint: &Constraint) -> Vec<NodeId> {
     pullback(graph, &[(constraint.value, one)], &variables)
 }
 
-/// What is wrong with one constraint by itself, and where. A constraint on velocities that holds at times is
-/// a friction.
+/// The mistake in a constraint by itself, and its origin. A constraint on velocities that holds at times is a
+/// friction.
 fn fault(
     model: &mut Model,
     constraint: &Constraint,
@@ -104,11 +104,11 @@ fn fault(
     }
     if constraint.kind == (ConstraintKind::Nonholonomic { chetaev: false }) {
         let beyond = beyond_degree(&model.graph, constraint.value, 1);
-        // What is affine need not look so before its terms have met.
+        // An affine constraint may have terms beyond that cancel.
         if !beyond.is_empty() {
             let slopes = simplify(&mut model.graph, &mut model.hints, gradient);
             if slopes.iter().any(|&slope| model.graph.dependence(slope).meets(Dependence::VELOCITIES)) {
-                let place = model.place_in(constraint, &beyond);
+                let place = model.origin_in(constraint, &beyond);
                 let message = match at_times {
                     true => physics::slip_not_affine(&name),
                     false => physics::not_affine_in_velocities(&name),
@@ -118,7 +118,7 @@ fn fault(
         }
     }
     if let Some(advice) = vanishing_gradient(&model.graph, constraint.value, moving) {
-        let place = model.place_in(constraint, &[model.graph.scaled(constraint.value).1]);
+        let place = model.origin_in(constraint, &[model.graph.scaled(constraint.value).1]);
         return Some((place, physics::vanishing_gradient(&name, advice)));
     }
     let is_affine =
@@ -133,8 +133,7 @@ fn fault(
     None
 }
 
-/// Where the gradient of an expression vanishes, or has no value, wherever the expression is zero: how to
-/// mend it.
+/// A remedy for an expression whose gradient vanishes, or has no value, wherever the expression is zero.
 fn vanishing_gradient(graph: &Graph, value: NodeId, moving: Dependence) -> Option<&'static str> {
     let (_, value) = graph.scaled(value);
     let moves = |node: NodeId| graph.dependence(node).meets(moving);
@@ -154,7 +153,7 @@ fn vanishing_gradient(graph: &Graph, value: NodeId, moving: Dependence) -> Optio
     }
 }
 
-/// Whether an expression vanishes only where each of its terms does, and all of them are squares.
+/// Whether an expression is a sum of squares, so that it vanishes only where all its terms do.
 fn is_sum_of_squares(graph: &Graph, base: NodeId, moving: Dependence) -> bool {
     let Node::Sum { offset, terms } = graph.node(base) else { return false };
     let is_square = |&(term, _): &(NodeId, Number)| {
@@ -168,7 +167,7 @@ fn is_sum_of_squares(graph: &Graph, base: NodeId, moving: Dependence) -> bool {
         && terms.iter().all(is_square)
 }
 
-/// Whether a constraint restrains what an earlier one restrains: their gradients are parallel everywhere.
+/// Whether a constraint repeats an earlier one: their gradients are parallel everywhere.
 fn repetition(
     model: &mut Model,
     earlier: &Row,

@@ -12,7 +12,7 @@ pub(super) fn is_exact(model: &mut Model, value: NodeId, gradient: &[NodeId]) ->
     let (zero, one) = (graph.zero(), graph.one());
     let at_rest: Vec<_> = (0..count as u32).map(|i| (graph.variable(Variable::Velocity(i)), zero)).collect();
     let rest = substitute(graph, &[value], &at_rest)[0];
-    // Time stands beside the coordinates with b beside G: then all conditions have one form.
+    // With b as the component of G along time, all conditions have one form.
     let mut variables: Vec<NodeId> =
         (0..count as u32).map(|i| graph.variable(Variable::Coordinate(i))).collect();
     variables.push(graph.variable(Variable::Time));
@@ -33,7 +33,7 @@ pub(super) fn is_exact(model: &mut Model, value: NodeId, gradient: &[NodeId]) ->
             }
         }
     }
-    // Most constraints are not exact at the first state that one looks at.
+    // A single state shows of most constraints that they are not exact.
     let sample = |variable: Variable| match variable {
         Variable::Coordinate(i) | Variable::Velocity(i) | Variable::Parameter(i) => {
             0.41 + 0.27 * f64::from(i)

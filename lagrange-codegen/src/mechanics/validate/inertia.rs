@@ -1,4 +1,4 @@
-//! Coordinates whose accelerations nothing determines.
+//! Coordinates whose accelerations are not determined.
 
 use super::matching::Matching;
 use crate::calculus::velocity_degrees;
@@ -33,7 +33,7 @@ pub(in crate::mechanics) fn inertia(
     if massless {
         return;
     }
-    // Rows of A come first: they have a matching among themselves, so what is left over is a coordinate.
+    // Rows of A come first. They can all be matched, so a row without a match is a coordinate.
     let mut whole = Matching::new(count + held, |row: usize, column: usize| {
         match (row.checked_sub(held), column < count) {
             (None, true) => rows[row][column],

@@ -11,12 +11,12 @@ pub(super) struct Matching<F> {
 }
 
 impl<F: Fn(usize, usize) -> bool> Matching<F> {
-    /// No row is matched yet.
+    /// A matching without rows.
     pub fn new(columns: usize, nonzero: F) -> Matching<F> {
         Matching { nonzero, partner: vec![None; columns] }
     }
 
-    /// Matches one more row; false where that cannot be. Rows matched before stay matched.
+    /// Matches one more row, or returns false if that is impossible. Rows matched before stay matched.
     pub fn add(&mut self, row: usize) -> bool {
         let mut seen = vec![false; self.partner.len()];
         self.augment(row, &mut seen)

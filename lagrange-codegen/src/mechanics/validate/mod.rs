@@ -1,4 +1,4 @@
-//! Physics that cannot be right: reported on the user's own expression, never ignored.
+//! Physics that cannot be right. It is reported on the user's own expression, never ignored.
 
 mod constraints;
 mod exactness;
@@ -14,7 +14,7 @@ use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::{Action, Attitude, Law, Model};
 use crate::number::Number;
 
-/// Contributions that have no effect or the wrong form.
+/// Reports contributions without effect or of the wrong form.
 pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mut Diagnostics) {
     for term in &model.kinetic {
         if let Some(node) = beyond_degree(&model.graph, term.value, 2).first() {
@@ -99,7 +99,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
     }
 }
 
-/// Constants that are no numbers: roots and logarithms of negative ones, quotients by zero.
+/// Reports constants that are not numbers: roots and logarithms of negative numbers, quotients by zero.
 pub(super) fn constants(model: &Model, diagnostics: &mut Diagnostics) {
     let graph = &model.graph;
     let terms =
@@ -125,7 +125,7 @@ pub(super) fn constants(model: &Model, diagnostics: &mut Diagnostics) {
 /// Whether a constant node has a finite value.
 fn is_number(graph: &Graph, id: NodeId) -> bool {
     if let Node::Product(factors) = graph.node(id) {
-        // A constant root stands among the other factors of its product.
+        // In a product a constant root is one factor among others.
         let negative = |node: NodeId| graph.as_constant(node).is_some_and(Number::is_negative);
         if factors.iter().any(|&(node, exponent)| exponent.as_integer().is_none() && negative(node)) {
             return false;
@@ -140,7 +140,7 @@ fn is_number(graph: &Graph, id: NodeId) -> bool {
     }
 }
 
-/// Inputs that appear in no equation and no law of a contact.
+/// Reports inputs that appear in no equation and in no law of a contact.
 pub(super) fn inputs(
     model: &Model,
     force: &[NodeId],
