@@ -29,7 +29,7 @@ use newton::Search;
 pub use stability::Stability;
 use statics::{Rest, Statics};
 
-/// Forces that have fallen to this share of their first value count as faded.
+/// The share of their first value below which forces count as faded.
 const FADED: f64 = 1e-3;
 
 /// The largest number of descents. Each begins at the saddle where the one before has ended, and ends lower.
@@ -50,17 +50,17 @@ pub struct Equilibrium<R, const N: usize, const C: usize> {
     pub is_isolated: bool,
     /// What becomes of small deviations.
     pub stability: Stability,
-    /// How it was found.
+    /// The method that found it.
     pub found_by: FoundBy,
 }
 
-/// How an equilibrium was found.
+/// The methods that find equilibria.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FoundBy {
-    /// The guess, once it is on the constraints, is an equilibrium up to roundings.
+    /// None: the guess, moved onto the constraints, is an equilibrium up to rounding errors.
     Guess,
-    /// Down in potential energy, to a minimum.
+    /// Descent in potential energy, to a minimum.
     Descent,
     /// Newton's method, to an equilibrium of any kind near the guess.
     Newton,
@@ -165,7 +165,7 @@ impl core::error::Error for EquilibriumError {
     }
 }
 
-/// The lowest place downhill of a guess, or an equilibrium near it where forces have no potential.
+/// The lowest position downhill of a guess, or an equilibrium near it if forces have no potential.
 pub(super) fn equilibrium<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     guess: State<S::Scalar, N>,
@@ -221,7 +221,7 @@ where
     statics.found(rest, &search, FoundBy::Newton)
 }
 
-/// The guess, on the constraints.
+/// The guess, moved onto the constraints.
 #[allow(clippy::type_complexity)]
 fn begun<'a, S, const N: usize, const K: usize, const C: usize>(
     system: &'a S,
@@ -248,7 +248,7 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    /// Whether what is left of the forces at a start is rounding of those that a change by the size of the
+    /// Whether the remaining forces at a start are rounding errors of those that a change by the size of the
     /// coordinates makes.
     fn is_stationary(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> bool {
         let share = S::Scalar::from_f64(16.0 * N as f64) * S::Scalar::epsilon() * rest.stiffness.size;
@@ -256,7 +256,7 @@ where
         most <= share * self.reach(rest, search).sqrt()
     }
 
-    /// The last digits of a stationary place, unless they lead elsewhere.
+    /// A stationary position to its last digits, unless the further steps lead elsewhere.
     fn polished(
         &self,
         rest: Rest<S::Scalar, N, C>,
@@ -268,7 +268,7 @@ where
         if way <= S::Scalar::epsilon() * self.reach(&better, search) { better } else { self.rest(q) }
     }
 
-    /// The equilibrium, if there is one where a search has ended.
+    /// The equilibrium, if the search has ended at one.
     fn found(
         &self,
         rest: Rest<S::Scalar, N, C>,
@@ -278,7 +278,7 @@ where
         let verdict = self.judged(&rest, search);
         let faded = S::Scalar::from_f64(FADED);
         let fades = rest.norm <= faded * search.met && search.goes_on();
-        // Far out all forces are small, or vanish altogether.
+        // Far out all forces are small or vanish, so a balance there proves nothing.
         if fades && if verdict.is_balanced { verdict.stiffness <= faded } else { !verdict.ends } {
             return Err(self.ran_away(&rest, search));
         }
@@ -298,8 +298,8 @@ where
         })
     }
 
-    /// The error of a search whose energy falls without end. Where the force is constant, the error names the
-    /// force, which says more than the way.
+    /// The error of a search whose energy falls without end. If the force is constant, the error names it,
+    /// which says more than the coordinate.
     fn ran_away(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> EquilibriumError {
         let two = S::Scalar::from_f64(2.0);
         if rest.norm <= two * search.first && search.first <= two * rest.norm {
@@ -315,7 +315,7 @@ where
     }
 }
 
-/// Refuses a place at which a constraint restricts nothing.
+/// Refuses a position at which a constraint restricts nothing.
 fn has_gradients<R, const N: usize, const C: usize>(rest: &Rest<R, N, C>) -> Result<(), EquilibriumError> {
     let vanishing =
         rest.vanishing.map(|constraint| Cause::VanishingGradient { constraint, name: Name::NONE });

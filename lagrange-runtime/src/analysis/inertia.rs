@@ -1,7 +1,7 @@
 //! What a model tells about itself: inertia forces by origin, Christoffel symbols, Legendre's transformation.
 //!
-//! Generated methods of a system with `analysis` in its attribute return [`InertiaForces`]; the functions
-//! here are what they are made of.
+//! Generated methods of a system with `analysis` in its attribute return [`InertiaForces`] and call the
+//! functions here.
 
 use nalgebra::SMatrix;
 use num_traits::{One, Zero};
@@ -39,13 +39,10 @@ impl<R: Real, const N: usize> InertiaForces<R, N> {
     }
 }
 
-/// Refuses masses below zero in what needs no accelerations: statics, where masses of zero do no harm.
+/// Refuses negative masses in statics, where masses of zero do no harm.
 ///
-/// A mass matrix that the equations of motion solve with may have any signature. Of one that they refuse,
-/// M + √ε diag M tells a negative mass from one that is missing.
-///
-/// # Errors
-/// [`Cause::SingularMassMatrix`] with the coordinate.
+/// The mass matrix of solvable equations of motion may have any signature. If they are not solvable, M + √ε
+/// diag M tells a negative mass from a missing one.
 pub(super) fn refuse_negative<S: System<N, K>, const N: usize, const K: usize>(
     system: &S,
     constants: &S::Constants,
@@ -67,7 +64,7 @@ pub(super) fn refuse_negative<S: System<N, K>, const N: usize, const K: usize>(
     found.map(|_| ()).map_err(|pivot| Cause::SingularMassMatrix { pivot, name }.named(&S::NAMES))
 }
 
-/// Symbols symmetric in their last two indices, of which those with j ≤ i are given.
+/// Symbols symmetric in their last two indices, from those with j ≤ i.
 #[inline]
 pub fn symmetric<R: Real, const N: usize>(symbols: [[[R; N]; N]; N]) -> [[[R; N]; N]; N] {
     symbols.map(|given| core::array::from_fn(|i| core::array::from_fn(|j| given[i.max(j)][i.min(j)])))
@@ -82,7 +79,7 @@ pub fn second_kind<R: Real, const N: usize>(
     first: &[[[R; N]; N]; N],
     t: R,
 ) -> Result<[[[R; N]; N]; N], MotionError<R>> {
-    // Columns are rows: M is symmetric.
+    // M is symmetric, so its columns are its rows.
     let factors = Lu::<R, N>::factor(mass.data.0)
         .map_err(|pivot| MotionError { cause: Cause::SingularMassMatrix { pivot, name: Name::NONE }, t })?;
     let mut second = [[[R::zero(); N]; N]; N];
@@ -97,10 +94,10 @@ pub fn second_kind<R: Real, const N: usize>(
     Ok(second)
 }
 
-/// The largest number of corrections. No regular Legendre transformation takes as many.
+/// The most corrections. A regular Legendre transformation takes fewer.
 const CORRECTIONS: usize = 60;
 
-/// The largest number of halvings of a correction that goes too far.
+/// The most halvings of a correction that goes too far.
 const HALVINGS: usize = 40;
 
 /// The velocities at which momenta have the values `p`; `at` gives ∂p/∂v (its lower triangle) and p. Newton's
@@ -141,7 +138,7 @@ pub fn velocities<R: Real, const N: usize>(
             }
             share *= R::from_f64(0.5);
         }
-        // What cannot be improved on is rounding: of the momenta, or of the velocities.
+        // A residual that cannot be improved is a rounding error of the momenta, or of the velocities.
         let sum = |values: &[R; N]| values.iter().fold(R::zero(), |sum, &x| sum + x.abs());
         let rounding = R::epsilon() * R::from_f64(64.0);
         let settled = size <= (sum(p) * rounding).largest()

@@ -48,7 +48,7 @@ pub struct LinearModel<R, const N: usize, const K: usize> {
 pub struct Basis<R, const N: usize> {
     vectors: Stored<SMatrix<R, N, N>>,
     count: usize,
-    /// What gives the components of a vector: rows.
+    /// The rows that give the components of a vector.
     dual: Stored<SMatrix<R, N, N>>,
 }
 
@@ -93,7 +93,7 @@ impl<R: Real, const N: usize> Basis<R, N> {
         Self { dual: vectors.clone(), vectors, count: N }
     }
 
-    /// Of a null space: orthonormal in `mass` where that is possible, else in its diagonal.
+    /// The basis of a null space: orthonormal in `mass` if possible, else in its diagonal.
     #[inline(never)]
     fn new<const C: usize>(mass: &[[R; N]; N], gradients: &[[R; N]; C]) -> Self {
         let space = Stored::new(TangentSpace::new(mass, gradients));
@@ -104,7 +104,7 @@ impl<R: Real, const N: usize> Basis<R, N> {
         }
         let mut rows = Stored::new(space.vectors);
         for k in 0..count {
-            // Twice is enough, as in the Gram–Schmidt of the multipliers.
+            // Two passes suffice, as in the Gram–Schmidt orthogonalisation of the multipliers.
             for _ in 0..2 {
                 let (done, rest) = rows.split_at_mut(k);
                 let Some(vector) = rest.first_mut() else { continue };
@@ -126,7 +126,7 @@ impl<R: Real, const N: usize> Basis<R, N> {
 /// Whether a mass matrix is positive on a space.
 #[inline(never)]
 fn is_positive<R: Real, const N: usize>(mass: &[[R; N]; N], space: &TangentSpace<R, N>) -> bool {
-    // Beyond the basis the matrix is completed by ones.
+    // Behind the basis the matrix is filled up with ones.
     let mut lower = Stored::<[[R; N]; N]>::zeros();
     for (l, y) in space.vectors.iter().enumerate() {
         let image = mass.each_ref().map(|row| dot(row, y));
@@ -148,7 +148,7 @@ fn filled<R: Real, const A: usize, const B: usize>(
     Stored::new(SMatrix::from_fn(entry))
 }
 
-/// X Y, and nothing of it on the stack.
+/// X Y, without a matrix on the stack.
 fn times<R: Real, const N: usize, const D: usize>(
     x: &SMatrix<R, N, N>,
     y: &SMatrix<R, N, D>,
@@ -258,7 +258,7 @@ impl<R: Real, const N: usize, const K: usize> LinearModel<R, N, K> {
         }
     }
 
-    /// The part of x that a component belongs to, and its place there.
+    /// The part of x that a component belongs to, and its index in that part.
     fn split(&self, i: usize) -> (usize, usize) {
         let count = self.displacements.len();
         if i < count { (0, i) } else { (1, i - count) }
@@ -306,7 +306,7 @@ where
     let a_by_q = columns(&saddle, |i, j| by_q[i][j], |c, j| conditions_by_q[c][j]);
     let a_by_v = columns(&saddle, |i, j| by_v[i][j], |c, j| conditions_by_v[c][j]);
     let a_by_u: Stored<SMatrix<S::Scalar, N, K>> = columns(&saddle, |i, j| by_u[i][j], |_, _| zero);
-    // The change of velocity that a change of place needs.
+    // The change of velocity that a change of position needs.
     let entrained = columns(&saddle, |_, _| zero, |c, j| rates_by_q[c][j]);
 
     let (displacements, velocities) = if C == 0 {

@@ -24,8 +24,8 @@ use vectors::{eigenvector, null_vectors};
 /// Iterations for each eigenvalue of a symmetric matrix before the search is given up.
 const ITERATIONS: usize = 100;
 
-/// The smallest scale of an eigenvalue of a matrix with entries of size one. Pivots are rounding errors of
-/// the eigenvalue, and their squares must not underflow.
+/// The smallest scale of an eigenvalue beside entries of size one. Pivots are rounding errors of the
+/// eigenvalue, and their squares must not underflow.
 const SOFTEST: f64 = 1e-120;
 
 const ZERO: Complex<f64> = Complex::new(0.0, 0.0);
@@ -56,7 +56,7 @@ impl<const N: usize> Mode<N> {
     /// zero for λ = 0.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
-        // From zero, so that an undamped mode has no negative zero.
+        // Subtracting from zero gives an undamped mode a positive zero.
         if self.frequency() > 0.0 { 0.0 - self.eigenvalue.re / self.frequency() } else { 0.0 }
     }
 }
@@ -78,8 +78,8 @@ where
         return Err(Cause::NotFinite);
     }
     let equations = SecondOrder::new(model, &mass);
-    // Of equations that are of the first order, as about a spin, the symmetry is not known: an eigenvalue
-    // that rounding could have moved off an axis is on it.
+    // The symmetry of equations of the first order, as about a spin, is not known. So an eigenvalue counts as
+    // on an axis if rounding could have moved it off.
     let is_reversible = equations.as_ref().is_none_or(|equations| equations.is_reversible(unit));
     let mut modes = match equations.and_then(|equations| equations.modes(&mass, unit)) {
         Some(modes) => modes,
@@ -96,8 +96,7 @@ where
     Ok(modes)
 }
 
-/// All eigenvalues of a matrix whose entries have a relative error of `unit`; `None` where the iteration
-/// fails.
+/// All eigenvalues of a matrix whose entries have a relative error of `unit`; `None` if the iteration fails.
 pub(super) fn values(matrix: &DMatrix<f64>, unit: f64) -> Option<Vec<Complex<f64>>> {
     let found = eigenvalues(matrix, unit, false)?;
     Some(found.into_iter().map(|found| found.value).collect())
@@ -132,7 +131,7 @@ pub(super) fn double<R: Ordered>(value: R) -> f64 {
     if !rest.is_finite() || rest == R::zero() {
         return if rest == R::zero() { 0.0 } else { f64::NAN };
     }
-    // To between one and two.
+    // Brings the number between one and two.
     for shift in (0..10).rev().map(|k| 2.0_f64.powi(1 << k)) {
         let (factor, inverse) = (R::from_f64(shift), R::from_f64(shift.recip()));
         if rest >= factor {
@@ -207,7 +206,7 @@ impl<const N: usize> SecondOrder<N> {
         })
     }
 
-    /// Whether the motion is the same backwards, in the mirror or not: forces without power and a potential.
+    /// Whether the motion is the same backwards, up to a reflection: forces without power and a potential.
     fn is_reversible(&self, unit: f64) -> bool {
         let share = rounding(self.stiffness.nrows(), unit);
         let skew = &self.stiffness - self.stiffness.transpose();
@@ -215,7 +214,7 @@ impl<const N: usize> SecondOrder<N> {
             && skew.iter().zip(&self.sizes).all(|(x, size)| x.abs() <= share * size)
     }
 
-    /// The modes where there is nothing but inertia and a potential; `None` for other systems.
+    /// The modes of a system with inertia and a potential alone; `None` for others.
     fn modes(&self, mass: &DMatrix<f64>, unit: f64) -> Option<Vec<Mode<N>>> {
         let pattern = self.stiffness.abs() + self.damping.abs() + self.gyroscopic.abs();
         let mut modes = Vec::new();
@@ -261,7 +260,7 @@ where
     let mut balanced = matrix;
     let scales = balance(&mut balanced);
     let size = moderated(&mut balanced);
-    // Beside parts that are so much stiffer, the vectors of a soft one have no digits.
+    // A part that is so much softer than others has no digits beside them.
     if size != 1.0 && found.iter().any(|found| found.scale > 0.0 && found.scale / size < SOFTEST) {
         return None;
     }
@@ -293,7 +292,7 @@ fn mode<const N: usize>(
     let shape = SVector::<Complex<f64>, N>::from_fn(|i, _| shape[i]);
     let size = |x: &Complex<f64>| x.re.hypot(x.im);
     let leading = shape.iter().fold(ZERO, |most, x| {
-        // Of components of equal size the first leads, whatever their roundings.
+        // Of components of equal size the first one leads, whatever their rounding errors.
         if size(x) > size(&most) * (1.0 + 1e-9) { *x } else { most }
     });
     if size(&leading) == 0.0 {

@@ -55,10 +55,11 @@ where
     S: Sensitive<N, K, C, P, D>,
     S::Scalar: Ordered + Into<f64>,
 {
-    /// The multipliers of the periodic motion from the start. That it is periodic is the caller's to know:
+    /// The multipliers of the periodic motion from the start. The caller must know that it is periodic, since
     /// the eigenvalues of another motion's matrix mean little.
     ///
     /// # Errors
+    ///
     /// Why and when the motion or a derivative cannot go on; [`Cause::NoEigenvalues`] for eigenvalues that
     /// the iteration does not find.
     pub fn monodromy(
@@ -90,7 +91,7 @@ where
         let basis = ColPivQR::new(projection).q().columns(0, rank).into_owned();
         matrix = basis.transpose() * matrix * basis;
     }
-    // In units of the largest entry no square is out of range.
+    // In units of the largest entry no square overflows.
     let scale = matrix.amax();
     if scale == 0.0 {
         return Some(std::vec![Complex::new(0.0, 0.0); matrix.nrows()]);

@@ -26,8 +26,8 @@ where
     core::array::from_fn(|i| found[i] - a[i])
 }
 
-/// 1, ∂a/∂q and ∂a/∂v; NaN where there are no accelerations. They are those of the state to which
-/// `accelerations_at` moves a stage beside the constraints: at the stage itself the derivatives have poles.
+/// 1, ∂a/∂q and ∂a/∂v; NaN without accelerations. They are taken at the state to which `accelerations_at`
+/// moves a stage beside the constraints. At the stage itself the derivatives have poles.
 pub fn reduced<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     constants: &S::Constants,
@@ -55,7 +55,7 @@ where
     Linearization { mass, by_q: rows(&by_q), by_v: rows(&by_v) }
 }
 
-/// ∂a/∂u; NaN where there are no accelerations.
+/// ∂a/∂u; NaN without accelerations.
 pub fn reduced_by_inputs<S, const N: usize, const K: usize, const C: usize>(
     system: &S,
     constants: &S::Constants,

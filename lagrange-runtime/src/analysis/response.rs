@@ -41,8 +41,8 @@ pub(super) struct Factored<R, const N: usize, const K: usize, const C: usize> {
     pub saddle: Stored<Saddle<R, N, C>>,
 }
 
-/// Evaluates and factors at a state. Not inlined, so that what a factorisation needs on the stack is free
-/// again afterwards.
+/// Evaluates and factors at a state. It is not inlined, so that the stack of the factorisation is free again
+/// afterwards.
 #[inline(never)]
 pub(super) fn factored<S, const N: usize, const K: usize, const C: usize>(
     system: &S,

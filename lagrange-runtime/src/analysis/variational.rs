@@ -37,7 +37,7 @@ pub struct Variational<
     const D: usize,
 > {
     system: &'a S,
-    /// That of the first pass.
+    /// The system of the first pass.
     first: Varied<S, N, K, C, P, D>,
 }
 
@@ -47,8 +47,8 @@ type Varied<S, const N: usize, const K: usize, const C: usize, const P: usize, c
 type Pass<'a, T, const N: usize, const K: usize> =
     Simulation<'a, T, Held<<T as System<N, K>>::Scalar, K>, <T as System<N, K>>::Method, N, K>;
 
-/// On the heap where there is one. With D directions the tables of a Taylor series are D + 1 times as large
-/// as those of the motion alone.
+/// On the heap if there is one. With D directions the tables of a Taylor series are D + 1 times as large as
+/// those of the motion alone.
 #[cfg(feature = "std")]
 type Place<T> = std::boxed::Box<T>;
 #[cfg(not(feature = "std"))]

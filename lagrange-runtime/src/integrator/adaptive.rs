@@ -117,7 +117,7 @@ where
     {
         let driven = Driven { system, constants, control };
         if memory.end.state.t != t && !memory.ahead(t) {
-            // Such a step does not end at any target.
+            // A step that series have taken is not cut at a target. The state is taken inside it.
             if memory.passage.is_some() && memory.covers(t) {
                 return driven.inside(memory, limits, t);
             }
@@ -157,7 +157,7 @@ where
     }
 }
 
-/// A system under control, as the integrator wants it.
+/// A system under control, in the form that the integrator takes.
 struct Driven<'a, S: System<N, K>, C, const N: usize, const K: usize> {
     system: &'a S,
     constants: &'a S::Constants,
@@ -170,7 +170,7 @@ where
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
 {
-    /// One step towards `target`; with `exactly`, one that ends on it if it would lead beyond.
+    /// One step towards `target`. With `exactly` it ends there instead of leading beyond.
     #[inline]
     fn step(
         &self,
@@ -204,14 +204,14 @@ where
         landed.map_err(|error| self.named(memory, limits, target, natural, error))
     }
 
-    /// What constraints determine at the start of a motion.
+    /// How well the constraints determine the start of a motion.
     fn ground(&self, start: &State<S::Scalar, N>) -> Result<Ground<S::Scalar>, MotionError<S::Scalar>> {
         let footing = self.system.land_at(self.constants, &mut start.clone(), None);
         let here = footing.map_err(|cause| MotionError { cause, t: start.t })?.independence;
         Ok(Ground { here, determined: Determined::at_start(&here) })
     }
 
-    /// Brings the end of a step back onto the constraints, or takes another one that can be.
+    /// Brings the end of a step back onto the constraints, or takes another step whose end can be.
     fn land(
         &self,
         memory: &mut Dop853Memory<S::Scalar, N>,
@@ -241,7 +241,8 @@ where
                 Verdict::Try { length, cause } => (Some(length), cause),
                 Verdict::GiveUp(cause) => (None, cause),
             };
-            // Shorter steps would only come closer to where constraints depend on each other.
+            // Shorter steps would only come closer to the configuration in which constraints depend on each
+            // other.
             if is_first {
                 memory.rewind();
                 if self.passes(memory, limits, target, &here, attempts) {

@@ -62,7 +62,7 @@ impl<R: Ordered, const N: usize> Dop853Memory<R, N> {
     {
         let last = match self.slope {
             Some(slope) => slope,
-            // The end has been corrected since.
+            // The end has been corrected after the step.
             None => self.slope_at_end(f)?,
         };
         let from = &self.start.state;

@@ -61,7 +61,7 @@ impl Tabulated<4> for Gauss<4> {
     const TABLE: Collocation<4> = GAUSS8;
 }
 
-/// A step as the next one needs it.
+/// The last step, as far as the next one needs it.
 #[derive(Clone, Copy, Debug)]
 pub struct LastStep<R, const N: usize, const K: usize, const STAGES: usize> {
     h: R,
@@ -72,10 +72,10 @@ pub struct LastStep<R, const N: usize, const K: usize, const STAGES: usize> {
 }
 
 impl<R: Ordered, const N: usize, const K: usize, const STAGES: usize> LastStep<R, N, K, STAGES> {
-    /// The accelerations that its polynomial gives at the stages of a step of `h`.
+    /// The accelerations at the stages of a step of `h`, extrapolated by the polynomial of the last step.
     fn extrapolated(&self, c: &[f64; STAGES], h: R, u: &[R; K]) -> Option<[[R; N]; STAGES]> {
         let ratio = h / self.h;
-        // Further out a polynomial says nothing.
+        // Further out the polynomial is no guess.
         if self.u != *u || !(ratio > R::zero() && ratio < R::from_f64(2.5)) {
             return None;
         }

@@ -21,13 +21,13 @@ use crate::system::state::State;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Jet<const ORDER: usize>;
 
-/// What a [`Jet`] remembers between steps.
+/// The memory of a [`Jet`] between steps.
 #[derive(Clone, Copy, Debug)]
 pub struct JetMemory<C, T, R, const N: usize, const ORDER: usize> {
     constants: C,
     tables: T,
     series: Series<R, N, ORDER>,
-    /// The compensation of coordinates and velocities: what rounding has taken from them.
+    /// Residues of compensated summation, of coordinates and velocities.
     residue: ([R; N], [R; N]),
     /// The largest number of independent constraints that a step has started with.
     rank_so_far: Option<usize>,
@@ -69,7 +69,7 @@ where
         if S::COUPLED {
             let here = &series.independence;
             let is_dependent = here.rank < rank_so_far.unwrap_or(here.rows);
-            // Series about later states show what roundings make of them; a start may be exact.
+            // A start may be exact. Series about later states show what rounding errors make of them.
             let begins_beside = || {
                 rank_so_far.is_none()
                     && !system
@@ -95,8 +95,8 @@ where
     }
 }
 
-/// Whether a series about a state tells the motion: independent rows determine the state well, and the terms
-/// do not grow beyond the rounding errors of the state.
+/// Whether a series about a state describes the motion: independent rows determine the state well, and the
+/// terms do not grow beyond the rounding errors of the state.
 pub(super) fn is_sound<R: Real, const N: usize, const P: usize>(
     series: &Series<R, N, P>,
     at: &State<R, N>,
@@ -107,15 +107,15 @@ pub(super) fn is_sound<R: Real, const N: usize, const P: usize>(
     (here.rank < here.rows || here.is_determined()) && falls(series, known, largest)
 }
 
-/// Whether the last terms of a series are no larger than those before them, or than what is `known` of the
-/// coordinates and of the velocities, by a measure of their size.
+/// Whether the last terms of a series are no larger than those before them, or than the `known` uncertainty
+/// of the coordinates and of the velocities, by a measure of their size.
 fn falls<R: Real, const N: usize, const P: usize>(
     series: &Series<R, N, P>,
     known: [R; 2],
     size: impl Fn(&[R; N]) -> R,
 ) -> bool {
     [&series.q, &series.v].into_iter().zip(known).all(|(rows, known)| {
-        // Symmetry makes every other term vanish, so the last one is held against two.
+        // Symmetry makes every other term vanish, so the last one is compared with two.
         let [.., before_last, next_to_last, last] = rows.as_slice() else { return true };
         let usual = size(before_last).max(size(next_to_last)).max(known);
         (size(last) - usual).largest() <= R::zero().largest()

@@ -44,27 +44,26 @@ pub struct Jets;
 /// benchmarks.
 const ORDERS_PER_DIGIT: f64 = 0.8;
 
-/// exp(−1 / `ORDERS_PER_DIGIT`): how much the terms of a series fall from order to order at the tolerated
-/// length.
+/// exp(−1 / `ORDERS_PER_DIGIT`): the ratio of successive terms of a series at the tolerated length.
 const DECAY: f64 = 0.29;
 
 /// Safety factor: the last term of a series falls to this part of the tolerance. The sum of all terms after
 /// it is then smaller still.
 pub(crate) const SAFETY: f64 = 0.2;
 
-/// Tolerances of at most this many ulps ask for the accuracy of rounding.
+/// Tolerances of at most this many ulps mean the accuracy of rounding.
 const AT_ROUNDING: f64 = 8.0;
 
-/// The last term of a series, in ulps, where the tolerance asks for the accuracy of rounding. Truncation
-/// errors add up systematically and rounding errors as a random walk, so over millions of steps truncation
-/// must be the smaller one by far. The compensated sums of the state carry the additional digits.
+/// The last term of a series, in ulps, if the tolerance means the accuracy of rounding. Truncation errors add
+/// up systematically and rounding errors as a random walk, so over millions of steps truncation must be the
+/// smaller one by far. The compensated sums of the state carry the additional digits.
 const FINEST: f64 = 1e-3;
 
-/// What is asked of the last term for a tolerance on a component's size, relative to that size.
+/// The bound of the last term for a tolerance, both relative to the size of a component.
 #[inline]
 pub(crate) fn last_term<R: Ordered>(tolerance: R) -> R {
     let rounding = R::epsilon();
-    // A tolerance near rounding asks for the accuracy of rounding.
+    // A tolerance near ε means the accuracy of rounding.
     if tolerance > R::from_f64(AT_ROUNDING) * rounding {
         R::from_f64(SAFETY) * tolerance
     } else {
@@ -72,7 +71,8 @@ pub(crate) fn last_term<R: Ordered>(tolerance: R) -> R {
     }
 }
 
-/// Terms of a series decay by less than this from order to order, at a step that follows from the last two.
+/// The largest ratio of successive terms of a series that counts as decay, at a step that follows from the
+/// last two.
 pub(crate) const STEEPEST: f64 = 6.0;
 
 /// The same where [`HIGHEST`] leaves fewer orders per digit than [`ORDERS_PER_DIGIT`], as happens for scalars
@@ -84,18 +84,20 @@ fn steepest<R: Ordered>(relative: R, orders: usize) -> R {
     larger(R::from_f64(STEEPEST), R::from_f64(1.5) * demanded)
 }
 
-/// A step that grows by less than this needs no second look: its error would grow by a few times at most.
+/// The growth of a step below which a second look is not needed, since the error grows by a few times at
+/// most.
 const GROWTH: f64 = 1.1;
 
-/// A unit of time within this factor of the step keeps all coefficients far from the ends of the arithmetic.
+/// The ratio of the unit of time to the step, or its inverse, up to which all coefficients stay far from the
+/// ends of the range of numbers.
 pub(crate) const NEAR: f64 = 64.0;
 
-/// The order for a tolerance, with so many orders for each of its natural digits.
+/// The order for a tolerance, with a given number of orders for each of its natural digits.
 #[inline]
 pub(crate) fn orders<R: Ordered>(relative: R, per_digit: f64) -> usize {
     let digits = -last_term(relative).ln();
     let mut orders = 4;
-    // A cast of a generic scalar: the smallest integer above.
+    // The smallest integer above a number, for a generic scalar.
     while orders < HIGHEST && R::from_f64(orders as f64) < R::from_f64(per_digit) * digits + R::one() {
         orders += 1;
     }
@@ -258,7 +260,7 @@ where
             }
         }
         let mut state = memory.at(t);
-        // The polynomial obeys constraints to the tolerance, the ends of its steps to rounding.
+        // Inside a step the polynomial obeys constraints to the tolerance, at its ends to rounding errors.
         if S::CONSTRAINED && t != memory.end.t {
             let failed = |cause| MotionError { cause, t: memory.end.t };
             system.project_at(constants, &mut state, None).map_err(failed)?;

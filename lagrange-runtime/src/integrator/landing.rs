@@ -41,9 +41,9 @@ pub(crate) struct Determined<R> {
 }
 
 impl<R: Ordered> Determined<R> {
-    /// What a start determines.
+    /// How well a start determines the motion.
     pub(crate) fn at_start(here: &Independence<R>) -> Self {
-        // Rows that are closer than that from the beginning may come a little closer.
+        // Rows that are nearly dependent from the beginning may come a little closer.
         Self { rank: here.rank, least: smaller(determined(), R::from_f64(0.25) * here.least) }
     }
 
@@ -52,7 +52,7 @@ impl<R: Ordered> Determined<R> {
         here.rank >= self.rank && here.least >= self.least
     }
 
-    /// Takes in a state that was accepted.
+    /// Records an accepted state.
     pub(crate) fn learn(&mut self, here: &Independence<R>) {
         if here.rank > self.rank {
             *self = Self::at_start(here);
@@ -63,18 +63,18 @@ impl<R: Ordered> Determined<R> {
     }
 }
 
-/// The relative tolerance, but not below the rounding errors.
+/// The relative tolerance, but not below rounding errors.
 fn relative<R: Ordered>(limits: &Limits<R>) -> R {
     larger(limits.relative, R::from_f64(NOISE) * R::epsilon())
 }
 
-/// What an error across the constraints may be, relative to a state, at a tolerance: its square over the
+/// The bound of errors across the constraints, relative to a state, at a tolerance: its square over the
 /// distance from a configuration in which constraints depend on each other is the tolerance.
 pub(crate) fn across<R: Ordered>(relative: R, independence: &Independence<R>) -> R {
     (relative * independence.least).sqrt()
 }
 
-/// How much the accelerations of a polynomial differ from those of the equations.
+/// The difference between the accelerations of a polynomial and those of the equations.
 struct Defect<R, const N: usize> {
     difference: [R; N],
     /// The larger of both.
@@ -102,7 +102,7 @@ fn is_within<R: Ordered, const N: usize>(
     footing.metric.extent(&change.q) <= size && footing.metric.extent(&change.v) <= speed
 }
 
-/// What errors of a step are held against, in the kinetic metric.
+/// The scale of errors of a step, in the kinetic metric.
 #[derive(Clone, Copy)]
 struct Sizes<R> {
     /// Of the coordinates and of the velocities.
@@ -120,7 +120,7 @@ pub(crate) struct Landing<R, const N: usize> {
     pub(crate) is_right: bool,
 }
 
-/// What a step is checked against.
+/// The data that a step is checked with.
 pub(crate) struct Check<'a, S: System<N, K>, const N: usize, const K: usize> {
     pub(crate) system: &'a S,
     pub(crate) constants: &'a S::Constants,
@@ -176,7 +176,7 @@ where
     pub(crate) fn leaves(&self, landing: &Landing<S::Scalar, N>) -> bool {
         let Landing { end, footing, .. } = landing;
         let mut ahead = *end;
-        // Independence is about the distance as a part of the coordinates.
+        // Independence is a distance as a part of the coordinates.
         let near = footing.independence.least * footing.metric.extent(&end.q) / footing.metric.extent(&end.v);
         let step = end.t - self.from.t;
         let span = S::Scalar::from_f64(AHEAD) * step.signum() * smaller(near, step.abs());
@@ -229,7 +229,7 @@ where
     ) -> bool {
         let sizes = self.sizes(self.from, (to.t - self.from.t).abs(), footing);
         let turned = footing.metric.extent(&difference(&to.v, &self.from.v)) / sizes.of[1];
-        // At rest nothing turns, and nothing is within a bound of NaN.
+        // At rest nothing turns. NaN is within no bound.
         is_within(change, footing, self.bounds(&sizes).map(|bound| bound / turned))
     }
 
@@ -266,8 +266,8 @@ where
             <= self.bound(size, sizes.absolute) + roundings * span
     }
 
-    /// What roundings of the coordinates make of the accelerations. Where strong forces keep a balance it is
-    /// more than the accelerations show.
+    /// The change of the accelerations by rounding errors of the coordinates. Where strong forces are in
+    /// balance it exceeds the rounding errors of the accelerations.
     #[cold]
     fn roundings(&self, state: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> S::Scalar {
         let here = self.accelerations(state);
@@ -337,12 +337,12 @@ where
         self.system.accelerations_on_at(self.constants, state.t, &state.q, &state.v, self.inputs)
     }
 
-    /// What errors of coordinates and velocities may be.
+    /// The bounds of errors of coordinates and velocities.
     fn bounds(&self, sizes: &Sizes<S::Scalar>) -> [S::Scalar; 2] {
         sizes.of.map(|size| self.bound(size, sizes.absolute))
     }
 
-    /// What an error may be of something of this size.
+    /// The bound of an error of a quantity of this size.
     fn bound(&self, size: S::Scalar, absolute: S::Scalar) -> S::Scalar {
         S::Scalar::from_f64(MARGIN) * (relative(self.limits) * size + absolute)
     }
@@ -360,7 +360,8 @@ mod tests {
         assert!(determined.accepts(&of(2, 0.1)) && !determined.accepts(&of(1, 1.0)));
         determined.learn(&of(3, 1.0));
         assert!(determined.accepts(&of(3, 0.1)) && !determined.accepts(&of(2, 1.0)));
-        // Rows that were close from the beginning may come a little closer, until they have been far apart.
+        // Rows that were nearly dependent from the beginning may come a little closer, until they have been
+        // far apart.
         let mut determined = Determined::at_start(&of(3, 1e-6));
         assert!(determined.accepts(&of(3, 3e-7)) && !determined.accepts(&of(3, 1e-7)));
         determined.learn(&of(3, 8e-7));

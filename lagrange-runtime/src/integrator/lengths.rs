@@ -6,19 +6,19 @@ use crate::number::real::{Ordered, larger, smaller};
 use crate::system::System;
 use crate::system::error::Cause;
 
-/// Parts of a length that ends where the state is not determined well: a little shorter or longer ones first,
-/// so that the cost is small.
+/// The parts of a length that are tried if it ends where the state is not determined well. Nearby lengths
+/// come first, so that the cost is small.
 pub(crate) const PARTS: [f64; 8] = [0.9, 1.05, 0.8, 0.7, 0.6, 0.5, 0.35, 0.25];
 
-/// A length whose error is not measured but bounded is shortened to this part where the bound does not hold.
+/// The factor on a length whose error is bounded instead of measured, if the bound does not hold.
 const SHORTER: f64 = 0.9;
 
-/// A measured length whose end is wrong is shortened to this part.
+/// The factor on a measured length whose end is wrong.
 const HALF: f64 = 0.5;
 
-/// What a step does after it has landed.
+/// What follows after a step has landed.
 pub(crate) enum Verdict<R, const N: usize> {
-    /// It ends here; what the constraints have determined so far goes on with the motion.
+    /// It ends here. The motion keeps how well the constraints have determined it.
     Take(Landing<R, N>, Determined<R>),
     /// It is tried with another length. The cause is that of the error if time does not resolve that length.
     Try { length: R, cause: Cause },
@@ -30,7 +30,7 @@ pub(crate) enum Verdict<R, const N: usize> {
 enum Outcome<R> {
     /// The end is not right.
     Wrong,
-    /// The end is right; this is how independent the constraints are there.
+    /// The end is right, with constraints of this independence.
     Right(Independence<R>),
 }
 
@@ -48,20 +48,20 @@ enum Next<R> {
 /// The lengths that are tried for one step, in any unit of time.
 pub(crate) struct Lengths<R> {
     determined: Determined<R>,
-    /// How independent constraints are where the step begins, and the tolerance: they give what is good
-    /// enough for an end.
+    /// The independence of the constraints where the step begins, and the tolerance. From them follows which
+    /// end is good enough.
     begun: R,
     tolerance: R,
     /// The longest step whose error is measured.
     measured: R,
-    /// The longest step that error control allows, where a limit makes it shorter than that; `None` once it
-    /// has been tried.
+    /// The longest step that error control allows, if a limit makes the step shorter than that; `None` once
+    /// it has been tried.
     natural: Option<R>,
-    /// The way to go, until it has been tried.
+    /// The time to go, until it has been tried.
     left: Option<R>,
-    /// What [`PARTS`] are parts of.
+    /// The length that [`PARTS`] refers to.
     base: R,
-    /// How many of them have been tried.
+    /// The number of parts that have been tried.
     tried: usize,
     best: Option<(R, R)>,
 }
@@ -100,7 +100,7 @@ impl<R: Ordered> Lengths<R> {
         self
     }
 
-    /// Whether constraints are so independent at an end that it is good enough.
+    /// Whether constraints are independent enough at an end.
     fn is_enough(&self, there: &Independence<R>) -> bool {
         if there.least >= R::from_f64(0.5) * self.begun {
             return true;
@@ -109,7 +109,7 @@ impl<R: Ordered> Lengths<R> {
         there.least >= larger(determined(), by_tolerance)
     }
 
-    /// What to do after a step of this length has `landed`.
+    /// The verdict on a step of this length that has `landed`.
     pub(crate) fn judge<S, const N: usize, const K: usize>(
         &mut self,
         check: &Check<'_, S, N, K>,
@@ -144,7 +144,7 @@ impl<R: Ordered> Lengths<R> {
         }
     }
 
-    /// What to do after a length was tried. `leaves` tells whether constraints become more independent beyond
+    /// The next length after one was tried. `leaves` tells whether constraints become more independent beyond
     /// its end.
     fn next(&mut self, length: R, outcome: Outcome<R>, leaves: impl FnOnce() -> bool) -> Next<R> {
         match outcome {
@@ -183,8 +183,8 @@ impl<R: Ordered> Lengths<R> {
             (self.base, self.tried) = (left, 0);
             return Next::Try(left);
         }
-        // A limit of the step must not keep it where it cannot end. Once: a length that was shortened because
-        // it was wrong is below that as well.
+        // A limit of the step must not keep it where it cannot end. This length is tried once, since a length
+        // that was shortened because it was wrong is below it as well.
         if let Some(natural) = self.natural.take()
             && self.base < natural
         {

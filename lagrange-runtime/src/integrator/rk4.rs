@@ -34,7 +34,7 @@ impl<S: System<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Rk4
     ) -> Result<State<S::Scalar, N>, Cause> {
         let mut slope_q = from.v;
         let mut slope_v = system.accelerations_at(constants, from.t, &from.q, &from.v, u);
-        // Outside of the loop, where the compiler converts them.
+        // The conversion is outside of the loop, so that the compiler makes it once.
         let [first, weights @ ..]: [_; 4] = array::from_fn(|i| S::Scalar::from_parts(B[i], REST[i]));
         let [_, nodes @ ..] = C.map(S::Scalar::from_f64);
         let mut sum_q = slope_q.map(|x| first * x);

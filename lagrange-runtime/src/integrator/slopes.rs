@@ -18,7 +18,7 @@ pub(crate) fn combine<R: Real, const N: usize, const M: usize, const W: usize, c
 ) -> Slope<R, N> {
     let first = R::from_f64(weights[0]);
     let mut sum = Slope { q: slopes[0].q.map(|x| first * x), v: slopes[0].v.map(|x| first * x) };
-    // Written out because LLVM leaves a loop over the stages standing, and with it tests that are on
+    // The sum is written out, because LLVM does not unroll a loop over the stages, nor remove its tests of
     // constants.
     macro_rules! terms {
         ($($j:literal)*) => {$(

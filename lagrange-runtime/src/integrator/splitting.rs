@@ -19,10 +19,10 @@ use crate::system::error::Cause;
 use crate::system::proved::Separable;
 use crate::system::state::State;
 
-/// A step as the next one needs it.
+/// The last step, as far as the next one needs it.
 #[derive(Clone, Copy, Debug)]
 pub struct LastSplit<R, const N: usize, const K: usize> {
-    /// Where it ended, and what rounding took from there.
+    /// The end of the step, with its residue of compensated summation.
     end: State<R, N>,
     lost_q: [R; N],
     lost_v: [R; N],
@@ -89,8 +89,8 @@ trait Splitting {
     const KICKS: &'static [f64];
     /// Drifts.
     const DRIFTS: &'static [f64];
-    /// Whether sums are compensated. They are not where the error of the method exceeds rounding at every
-    /// step worth taking.
+    /// Whether sums are compensated. That is of no use where the error of the method exceeds rounding errors
+    /// at every sensible step.
     const COMPENSATED: bool;
 }
 
@@ -113,8 +113,8 @@ tabulated! {
     BlanesMoan6 = BLANES_MOAN6;
 }
 
-// Three implementations written out: one for every `Splitting` would take the compiler's messages about other
-// methods away, and a macro would stand in the middle of those about these.
+// The three implementations are written out. With one for every `Splitting` the compiler could not give the
+// message about other methods, and a macro would stand in the middle of its messages about these.
 
 impl<S: Separable<N, K>, const N: usize, const K: usize> FixedStep<S, N, K> for Leapfrog {
     type Memory = Option<LastSplit<S::Scalar, N, K>>;
@@ -226,7 +226,7 @@ fn step<M: Splitting, S: Separable<N, K>, const N: usize, const K: usize>(
     at.end
 }
 
-/// x + h ẋ, and what rounding took from it.
+/// x + h ẋ, and its rounding error.
 #[inline(always)]
 fn grow<M: Splitting, R: Real, const N: usize>(x: &mut [R; N], lost: &mut [R; N], h: R, rates: &[R; N]) {
     for n in 0..N {

@@ -50,7 +50,7 @@ pub trait Real:
     /// The same value in every lane.
     fn splat(lane: Self::Lane) -> Self;
 
-    /// The largest lane. A NaN lane may be skipped; ask [`Real::is_finite`] first where it matters.
+    /// The largest lane. It may skip a lane with NaN, which [`Real::is_finite`] tells.
     fn largest(self) -> Self::Lane;
 
     /// The nearest value to a double.

@@ -18,11 +18,11 @@ use crate::linear::diagonalise;
 use crate::linear::stored::Stored;
 use crate::number::real::{Ordered, Real, larger, smaller};
 
-/// Steps before the search is given up.
+/// The most steps of a search.
 const STEPS: usize = 200;
 
-/// Halvings of an interval of multipliers of the trust region: its radius is arbitrary, and a few digits of
-/// it will do.
+/// Halvings of the interval of the trust region's multiplier. The radius is arbitrary, so a few digits of it
+/// suffice.
 const HALVINGS: usize = 40;
 
 /// The rule of Kronrod with seven points on [−1, 1]: points, weights, and the weights of the rule of Gauss
@@ -37,31 +37,31 @@ const RULE: [(f64, f64, f64); 7] = [
     (0.960_491_268_708_020_3, 0.104_656_226_026_467_27, 0.0),
 ];
 
-/// Where a descent ended.
+/// The end of a descent.
 pub(super) enum Descent<R, const N: usize, const C: usize> {
-    /// Near a minimum, or as near as it came.
+    /// Near a minimum, or as near as the search came.
     At(Rest<R, N, C>),
-    /// The energy falls without end.
+    /// Nowhere: the energy falls without end.
     Endless(Rest<R, N, C>),
-    /// These forces have no potential.
+    /// Nowhere: these forces have no potential.
     Circulatory,
 }
 
-/// The energy along a step.
+/// The change of the energy along a step.
 struct Fall<R> {
-    /// By how much it falls.
+    /// How far it falls.
     by: R,
-    /// How uncertain that is.
+    /// The uncertainty of that.
     doubt: R,
     /// Whether it rises and falls again.
     crosses_a_hill: bool,
 }
 
-/// Second derivatives of the energy by their eigenvectors.
+/// The second derivatives of the energy, by eigenvalues and eigenvectors.
 pub(super) struct Curvature<R, const N: usize> {
     pub values: [R; N],
     vectors: Stored<[[R; N]; N]>,
-    /// Values up to here are roundings.
+    /// Eigenvalues up to this size are rounding errors.
     pub rounding: R,
 }
 
@@ -70,10 +70,9 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    /// The curvature of the energy; `None` where forces have no potential.
+    /// The curvature of the energy; `None` if forces have no potential.
     ///
-    /// An entry is rounded by 16 N roundings of the magnitudes that it is summed up from at the most, as in
-    /// the modes.
+    /// An entry errs by 16 N ε times the magnitudes of its summands at most, as in the modes.
     pub fn curvature(&self, rest: &Rest<S::Scalar, N, C>) -> Option<Curvature<S::Scalar, N>> {
         let count = rest.motions.count;
         let mut stiffness = rest.stiffness.clone();
@@ -93,7 +92,7 @@ where
         Some(Curvature { values: core::array::from_fn(|k| rows[k][k]), vectors, rounding })
     }
 
-    /// Goes down from a place as far as the energy falls.
+    /// Goes down from a position as far as the energy falls.
     pub fn descended(
         &self,
         mut rest: Rest<S::Scalar, N, C>,
@@ -110,8 +109,8 @@ where
             let stiffest = curvature.values.iter().fold(zero, |most, x| larger(x.abs(), most));
             let mut model = Model::new(&curvature, &rest.forces, count);
             model.flatten(&curvature, epsilon * stiffest * stiffest * reach);
-            // Near enough for Newton's method: a quarter of the digits are there, and it doubles them with
-            // each step.
+            // Newton's method takes over once a quarter of the digits are right: it doubles them with each
+            // step.
             if model.is_low() && model.newton_square() <= epsilon.sqrt() * reach {
                 return Descent::At(rest);
             }
@@ -123,7 +122,8 @@ where
                 let (components, predicted, is_cut) = model.step(length, count);
                 let size = dot(&components, &components).sqrt();
                 if !(size * size > epsilon * epsilon * reach && predicted > zero) {
-                    // Into a singularity energy falls and forces grow until coordinates have no more digits.
+                    // Towards a singularity the energy falls and forces grow until the coordinates have no
+                    // more digits.
                     let is_singular = rest.norm >= search.met && falls_on(fallen, last, steps);
                     return ended(rest, is_singular);
                 }
@@ -151,9 +151,9 @@ where
         ended(rest, goes_on)
     }
 
-    /// The place at the end of a step, the fall and the way there; `None` if the step is too long for the
-    /// model: the energy does not surely fall by a tenth of what is predicted, or it crosses a hill, or
-    /// the constraints lead elsewhere.
+    /// The position at the end of a step, the fall and the displacement; `None` if the step is too long for
+    /// the model: the energy does not surely fall by a tenth of the prediction, it crosses a hill, or the
+    /// constraints lead elsewhere.
     #[allow(clippy::type_complexity)]
     fn fallen(
         &self,
@@ -175,8 +175,9 @@ where
         next.norm.is_finite().then_some((next, by, length))
     }
 
-    /// The work of the forces along a straight way between two places on the constraints. The multipliers do
-    /// none, because both ends are on the constraints; with them the forces are those that are left.
+    /// The work of the forces along a straight line between two positions on the constraints. The multipliers
+    /// do no work, since both ends are on the constraints. With them the forces are the remaining ones, which
+    /// are small.
     fn fall(&self, rest: &Rest<S::Scalar, N, C>, way: &[S::Scalar; N]) -> Fall<S::Scalar> {
         let number = S::Scalar::from_f64;
         let mut powers = [number(0.0); RULE.len()];
@@ -188,7 +189,7 @@ where
             by += number(0.5 * fine) * *power;
             coarse += number(0.5 * rough) * *power;
         }
-        // Half of the digits of a force are no hill.
+        // A rise within half of the digits of the forces is no hill.
         let most = powers.iter().fold(number(0.0), |most, x| larger(x.abs(), most));
         let noise = S::Scalar::epsilon().sqrt() * most;
         let (mut has_risen, mut crosses_a_hill) = (false, false);
@@ -200,7 +201,7 @@ where
     }
 }
 
-/// Whether the last fall was no less than half of all on the average.
+/// Whether the last fall was at least half of the average.
 fn falls_on<R: Ordered>(fallen: R, last: R, steps: R) -> bool {
     steps > R::one() && (last + last) * steps >= fallen
 }
@@ -226,7 +227,7 @@ impl<R: Ordered, const N: usize> Curvature<R, N> {
         signature
     }
 
-    /// From components along eigenvectors to those along motions.
+    /// A vector along the motions, from its components along eigenvectors.
     fn turned(&self, components: &[R; N], count: usize) -> [R; N] {
         let mut sum = [R::zero(); N];
         for (vector, &y) in self.vectors.iter().zip(components).take(count) {
@@ -254,8 +255,8 @@ impl<R: Ordered, const N: usize> Model<R, N> {
         Self { forces: along, values: curvature.values, least: R::zero() }
     }
 
-    /// Curvatures that are rounding become zero, and with them forces whose square is below a bound: nothing
-    /// holds them and nothing drives them, as along a symmetry.
+    /// Sets curvatures that are rounding errors to zero, and with them forces whose square is below a bound.
+    /// Along such directions, as along a symmetry, nothing holds the system and nothing drives it.
     fn flatten(&mut self, curvature: &Curvature<R, N>, bound: R) {
         for (value, force) in self.values.iter_mut().zip(&mut self.forces) {
             if value.abs() <= curvature.rounding {
@@ -268,7 +269,7 @@ impl<R: Ordered, const N: usize> Model<R, N> {
         }
     }
 
-    /// Whether nothing leads down but the forces in stiff directions.
+    /// Whether only forces in stiff directions lead down.
     fn is_low(&self) -> bool {
         let held = |(&value, &force): (&R, &R)| value > R::zero() || value == R::zero() && force == R::zero();
         self.values.iter().zip(&self.forces).all(held)
@@ -279,7 +280,8 @@ impl<R: Ordered, const N: usize> Model<R, N> {
         self.square(R::zero())
     }
 
-    /// A first radius: Newton's step with all curvatures positive, as far as they are more than roundings.
+    /// A first radius: the length of Newton's step with the magnitudes of all curvatures that exceed rounding
+    /// errors.
     fn scale(&self, rounding: R) -> R {
         let components = self.values.iter().zip(&self.forces);
         let stiff = components.filter(|(value, _)| value.abs() > rounding);
@@ -298,13 +300,14 @@ impl<R: Ordered, const N: usize> Model<R, N> {
         sum
     }
 
-    /// The least of the model within a radius, by how much it is less, and whether the radius cuts it.
+    /// The minimum of the model within a radius, the fall to it, and whether the radius limits it.
     fn step(&self, radius: R, count: usize) -> ([R; N], R, bool) {
         let most = radius * radius;
         let is_cut = !(self.is_low() && self.square(R::zero()) <= most);
         let mut shift = R::zero();
         if is_cut {
-            // |y| falls with μ, from infinity or a smaller value at the pole to less than the radius.
+            // |y| falls as μ grows: from its value at the pole, which may be infinite, to less than the
+            // radius.
             let force = dot(&self.forces, &self.forces).sqrt();
             let (mut low, mut high) = (-self.least, -self.least + force / radius);
             for _ in 0..HALVINGS {
@@ -319,7 +322,8 @@ impl<R: Ordered, const N: usize> Model<R, N> {
                 *y = force / (value + shift);
             }
         }
-        // The hard case: no force along the most negative curvature, which leads down both ways.
+        // The hard case: there is no force along the most negative curvature, so both of its directions lead
+        // down.
         let rest = most - dot(&y, &y);
         let is_hard = is_cut && self.least < R::zero() && rest > R::from_f64(0.5) * most;
         if let Some(k) = (0..count).find(|&k| is_hard && self.values[k] == self.least) {

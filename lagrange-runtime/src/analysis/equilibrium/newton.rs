@@ -1,29 +1,29 @@
-//! Levenberg–Marquardt steps to a place where forces vanish, whatever its stability, and the judgement of
-//! such a place.
+//! Levenberg–Marquardt steps to a position where forces vanish, whatever its stability, and the judgement of
+//! such a position.
 //!
 //! With the multipliers of least squares the derivative of the forces along the constraints is exactly Zᵀ
-//! (∂r/∂q) Z, so that the steps converge quadratically, also to equilibria that are not isolated (N.
-//! Yamashita, M. Fukushima, Computing Suppl. 15 (2001) 239).
+//! (∂r/∂q) Z. So the steps converge quadratically, also to equilibria that are not isolated (N. Yamashita, M.
+//! Fukushima, Computing Suppl. 15 (2001) 239).
 
 use super::statics::{Rest, Statics};
 use crate::analysis::Tangent;
 use crate::linear::SingularValues;
 use crate::number::real::{Ordered, Real, larger, smaller};
 
-/// Steps before the search is given up.
+/// The most steps of a search.
 const STEPS: usize = 200;
 
-/// Damping, relative to the largest singular value squared: at the start, and what is too much.
+/// The damping at the start, and the largest one, relative to the largest singular value squared.
 const DAMPING: (f64, f64) = (1e-3, 1e12);
 
-/// A search so far: where it began, what it met, and whether its steps become shorter.
+/// A search so far: its start, the forces on its way, and the lengths of its steps.
 #[derive(Clone, Copy)]
 pub(super) struct Search<R, const N: usize> {
     /// Coordinates of the start.
     pub start: [R; N],
     /// The size of the forces at the start.
     pub first: R,
-    /// The largest size of forces.
+    /// The largest size of the forces so far.
     pub met: R,
     /// The largest singular value of the stiffness.
     pub stiffest: R,
@@ -37,31 +37,31 @@ impl<R: Ordered, const N: usize> Search<R, N> {
         Self { start: rest.q, first: rest.norm, met: rest.norm, stiffest: zero, path: [zero; 3] }
     }
 
-    /// Takes note of a step of this length.
+    /// Records a step of this length.
     pub fn stepped<const C: usize>(&mut self, length: R, next: &Rest<R, N, C>) {
         let [sum, _, count] = self.path;
         self.path = [sum + length, length, count + R::one()];
         self.met = larger(self.met, next.norm);
     }
 
-    /// Whether the way grows with the number n of steps like a power of it: as n^p, the last of them is p/n
-    /// of the way, and that of a search that converges far less. The force of a Gaussian bump drives
-    /// Newton's method out as √n.
+    /// Whether the distance grows like a power n^p of the number n of steps. Then the last step is p/n of the
+    /// distance, while that of a convergent search is far less. The force of a Gaussian bump drives Newton's
+    /// method out as √n.
     pub fn goes_on(&self) -> bool {
         let [sum, last, count] = self.path;
         count > R::one() && R::from_f64(8.0) * last * count >= sum
     }
 }
 
-/// What is known of a place.
+/// The judgement of a position.
 pub(super) struct Verdict<R> {
-    /// Whether what is left of the forces is rounding.
+    /// Whether the remaining forces are rounding errors.
     pub is_balanced: bool,
-    /// Whether the steps of Newton's method end near.
+    /// Whether the steps of Newton's method end nearby.
     pub ends: bool,
     /// Whether the stiffness is regular.
     pub is_isolated: bool,
-    /// What is left of the stiffness as a share of the largest.
+    /// The stiffness as a share of the largest one of the search.
     pub stiffness: R,
 }
 
@@ -70,7 +70,7 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    /// Goes to a place where the forces vanish, as near as it comes.
+    /// Goes to a position where the forces vanish, or as near as it comes.
     pub fn balance(
         &self,
         mut rest: Rest<S::Scalar, N, C>,
@@ -109,7 +109,7 @@ where
         rest
     }
 
-    /// The change of coordinates by a step.
+    /// The step of the coordinates with a damping.
     fn displacement(
         &self,
         rest: &Rest<S::Scalar, N, C>,
@@ -119,7 +119,7 @@ where
         self.allowed(rest).combined(&values.solve(&rest.forces, damping))
     }
 
-    /// Judges where a search has ended.
+    /// Judges the position where a search has ended.
     pub fn judged(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> Verdict<S::Scalar> {
         let number = S::Scalar::from_f64;
         let values = SingularValues::new(&rest.stiffness.rows);
@@ -127,10 +127,10 @@ where
         let (step, remainder) =
             (self.size(&self.displacement(rest, &values, number(0.0))), values.remainder(&rest.forces));
         let (epsilon, reach) = (S::Scalar::epsilon(), self.reach(rest, search));
-        // What a step leaves of the forces, because nothing stiff is in their way, must be rounding of those
-        // in balance.
+        // Forces that a step does not remove, because no stiffness acts against them, must be rounding errors
+        // of the balanced forces.
         let is_rounding = remainder <= epsilon * epsilon.sqrt() * largest * reach;
-        // Forces that fade on the way to infinity are small there, too, but the way does not end.
+        // Forces that fade towards infinity become small, too, but the steps do not end there.
         let ends = step <= number(1e-6) * reach;
         let is_small = rest.norm <= epsilon.sqrt() * search.met || step <= epsilon * reach;
         // Where the stiffness vanishes, Newton's step does not.
@@ -138,18 +138,19 @@ where
         let stiffest = larger(search.stiffest, here);
         let stiffness = if stiffest > number(0.0) { here / stiffest } else { number(1.0) };
         let free = rest.motions.count.max(self.allowed(rest).count);
-        // In units of the place, what is no rounding of the stiffest.
+        // The least stiffness, in units of the position, that exceeds the rounding errors of the stiffest
+        // direction.
         let least = epsilon * (largest / (stiffness * stiffness));
         let is_isolated = values.rank(least) == free && step <= epsilon * reach;
         Verdict { is_balanced: is_rounding && ends && is_small, ends, is_isolated, stiffness }
     }
 
-    /// The squared size of the coordinates and of the way so far.
+    /// The squared size of the coordinates and of the distance so far.
     pub fn reach(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> S::Scalar {
         self.size(&rest.q) + self.size(&self.travelled(rest, search))
     }
 
-    /// The way from the start.
+    /// The distance from the start, as a vector.
     pub fn travelled(&self, rest: &Rest<S::Scalar, N, C>, search: &Search<S::Scalar, N>) -> [S::Scalar; N] {
         core::array::from_fn(|i| rest.q[i] - search.start[i])
     }

@@ -1,9 +1,9 @@
-//! Whether coordinates have digits enough to tell a place of rest.
+//! Whether coordinates have enough digits to tell an equilibrium.
 //!
-//! Forces that are left at a place count as roundings where a change of the coordinates by their last digits
-//! makes forces of that size. That holds as long as forces are linear over such a change. An angle of 10¹⁷
-//! has no digits after the point: each turn of it, and so any force, lies between two numbers, and every
-//! guess would pass for an equilibrium.
+//! Remaining forces count as rounding errors if a change of the coordinates by their last digits makes forces
+//! of that size. That holds as long as forces are linear over such a change. An angle of 10¹⁷ has no digits
+//! after the point: a whole turn, and so any force, lies between two numbers, and every guess would pass for
+//! an equilibrium.
 
 use num_traits::Zero;
 
@@ -14,8 +14,8 @@ use crate::analysis::Tangent;
 use crate::number::real::{Ordered, Real, larger};
 use crate::system::name::Name;
 
-/// Places that a change is tried at, in units of it. By accident forces are linear at one of them, not at
-/// all.
+/// The points at which a change is tried, in units of it. By accident forces may look linear at one of them,
+/// but not at all.
 const PLACES: [f64; 4] = [1.0, -1.0, 2.0, -2.0];
 
 impl<S, const N: usize, const K: usize, const C: usize> Statics<'_, S, N, K, C>
@@ -23,12 +23,13 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    /// Refuses a place with a coordinate over whose last digits forces are not linear.
+    /// Refuses a position with a coordinate over whose last digits forces are not linear.
     ///
-    /// Forces that are left and of which the last digits of a coordinate explain less than half of the digits
-    /// come from elsewhere: from roundings of the forces themselves, or from a place beside a flat minimum.
-    /// Otherwise a change is tried at each scale from the last digit of the coordinate to the coordinate
-    /// itself, because roundings may hide a small one. Smooth forces are linear at one of these scales.
+    /// If the last digits of a coordinate explain less than half of the digits of the remaining forces, these
+    /// come from elsewhere: from rounding errors of the forces themselves, or from a position beside a flat
+    /// minimum. Otherwise a change is tried at each scale from the last digit of the coordinate to the
+    /// coordinate itself, because rounding errors may hide a small one. Smooth forces are linear at one of
+    /// these scales.
     pub fn resolved(
         &self,
         rest: &Rest<S::Scalar, N, C>,
@@ -55,8 +56,9 @@ where
         Ok(())
     }
 
-    /// Whether forces along the motions are linear, as far as half of a change tells, where one coordinate
-    /// changes. Forces of half of the digits of those met count as none, as they do where a search ends.
+    /// Whether forces along the motions are linear in a change of one coordinate, as far as half of the
+    /// change tells. Forces below half of the digits of the largest ones count as zero, as they do where a
+    /// search ends.
     fn are_linear(
         &self,
         rest: &Rest<S::Scalar, N, C>,

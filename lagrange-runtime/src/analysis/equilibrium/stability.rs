@@ -59,13 +59,13 @@ impl fmt::Display for Stability {
     }
 }
 
-/// Inertia and forces by velocity on the motions that the constraints allow.
+/// The inertia, and the forces that depend on velocities, along the motions that the constraints allow.
 struct Moving {
     /// Whether the inertia is positive.
     is_positive: bool,
-    /// Whether forces by velocity nowhere feed the motion.
+    /// Whether these forces never do work on the system.
     is_damped: bool,
-    /// Whether there are forces that turn.
+    /// Whether some of these forces are gyroscopic.
     is_gyroscopic: bool,
 }
 
@@ -74,7 +74,7 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    /// What becomes of small deviations from a place at which the system can rest.
+    /// What becomes of small deviations from an equilibrium.
     pub fn stability(&self, rest: &Rest<S::Scalar, N, C>) -> Stability {
         let count = rest.motions.count;
         if count == 0 && Self::HOLONOMIC {
@@ -113,7 +113,8 @@ where
         }
     }
 
-    /// By the eigenvalues of the linear equations; `down` are the directions in which a potential falls.
+    /// Stability by the eigenvalues of the linear equations. `down` is the number of directions in which a
+    /// potential falls.
     #[cfg(feature = "std")]
     fn by_eigenvalues(&self, rest: &Rest<S::Scalar, N, C>, down: Option<usize>) -> Stability {
         use crate::analysis::{linear_model, modes};

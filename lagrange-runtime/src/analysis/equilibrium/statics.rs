@@ -1,4 +1,4 @@
-//! Places on the constraints: forces, stiffness, and the way from one place to another.
+//! Positions on the constraints: their forces, their stiffness, and the displacement from one to another.
 //!
 //! What needs large tables on the stack for a moment is a function that is not inlined, so that only one of
 //! them is there at a time.
@@ -16,7 +16,7 @@ use crate::system::error::Cause;
 use crate::system::name::Name;
 use crate::system::state::State;
 
-/// Corrections back onto the constraints.
+/// The most corrections back onto the constraints.
 const CORRECTIONS: usize = 30;
 
 /// The problem at the time of the guess.
@@ -25,40 +25,41 @@ pub(super) struct Statics<'a, S: Tangent<N, K, C>, const N: usize, const K: usiz
     constants: S::Constants,
     pub t: S::Scalar,
     pub u: &'a [S::Scalar; K],
-    /// Squares of the sizes of the coordinates: their inertia at the guess, the same all through a search.
+    /// Squares of the sizes of the coordinates: their inertia at the guess, constant through a search.
     pub sizes: [S::Scalar; N],
     /// The same as a matrix.
     metric: Stored<[[S::Scalar; N]; N]>,
 }
 
-/// A place on the constraints.
+/// A position on the constraints.
 pub(super) struct Rest<R, const N: usize, const C: usize> {
     pub q: [R; N],
-    /// Those of least squares: f + Aᵀλ is as small as can be.
+    /// The multipliers of least squares, which make f + Aᵀλ as small as possible.
     pub multipliers: [R; C],
-    /// How many constraints are independent.
+    /// The number of independent constraints.
     pub rank: usize,
     /// A constraint without a gradient.
     pub vanishing: Option<usize>,
     /// Motions that all constraints allow, orthonormal in the metric.
     pub motions: Directions<R, N>,
-    /// Motions that the holonomic constraints allow, where that is not the same.
+    /// Motions that the holonomic constraints allow, if these are not the same.
     places: Option<Directions<R, N>>,
     pub gradients: Stored<[[R; N]; C]>,
-    /// The unit of `forces` and `stiffness`: the largest of their entries, so that squares of them are
-    /// numbers where forces fade, or grow, by more than the exponents of the scalar.
+    /// The unit of `forces` and `stiffness`: the largest of their entries. In this unit squares neither
+    /// overflow nor underflow where forces fade, or grow, by more than the exponents of the scalar.
     pub unit: R,
     /// f + Aᵀλ along `motions`; zero from their number on.
     pub forces: [R; N],
     /// The size of the forces.
     pub norm: R,
-    /// The derivative of the forces along what the coordinates may do, with the sign changed.
+    /// The derivative of the forces along the displacements that the constraints allow, with the sign
+    /// changed.
     pub stiffness: Stiffness<R, N>,
     /// f + Aᵀλ, in its own units.
     pub left: [R; N],
 }
 
-/// Vectors of unit size in the metric, one a row; the rows from `count` on are zero.
+/// Vectors of unit size in the metric, one a row. Rows from `count` on are zero.
 pub(super) struct Directions<R, const N: usize> {
     pub vectors: Stored<[[R; N]; N]>,
     pub count: usize,
@@ -70,7 +71,7 @@ impl<R: Real, const N: usize> Directions<R, N> {
         let TangentSpace { vectors, count, metric } = TangentSpace::new(metric, gradients);
         let mut vectors = Stored::new(vectors);
         if C == 0 {
-            // Unit vectors, of any size.
+            // Without constraints the vectors are the coordinates, which get unit size in the metric.
             for (k, vector) in vectors.iter_mut().enumerate() {
                 vector[k] = metric[k].sqrt().recip();
             }
@@ -102,7 +103,7 @@ impl<R: Real, const N: usize> Directions<R, N> {
     }
 }
 
-/// A table, and the largest sum of magnitudes in it, which its roundings are relative to.
+/// A table, and the largest sum of magnitudes in it, by which its rounding errors are measured.
 #[derive(Clone)]
 pub(super) struct Stiffness<R, const N: usize> {
     pub rows: Stored<[[R; N]; N]>,
@@ -114,7 +115,7 @@ where
     S: Tangent<N, K, C>,
     S::Scalar: Ordered,
 {
-    /// Whether constraints restrict the same motions as places.
+    /// Whether constraints on velocities allow the same motions as those on coordinates.
     pub const HOLONOMIC: bool = {
         let (mut c, mut all) = (0, true);
         while c < C {
@@ -124,21 +125,21 @@ where
         all
     };
 
-    /// With the inertia at a guess as the metric.
+    /// The problem with the inertia at a guess as the metric.
     pub fn new(system: &'a S, guess: &State<S::Scalar, N>, u: &'a [S::Scalar; K]) -> Self {
         let metric = Stored::zeros();
         let constants = system.constants();
         let mut this = Self { system, constants, t: guess.t, u, sizes: [S::Scalar::zero(); N], metric };
         let first = this.variation(&guess.q, &[S::Scalar::zero(); C]);
         this.put(&core::array::from_fn(|i| first.mass[i][i].abs()));
-        // What has no inertia gets the size that the constraints suggest.
+        // A coordinate without inertia gets the size that the constraints suggest.
         this.sizes = TangentSpace::new(&this.metric, &first.gradients).metric;
         let sizes = this.sizes;
         this.put(&sizes);
         this
     }
 
-    /// Refuses masses below zero, whose potential energy a place of rest does not minimise.
+    /// Refuses negative masses, with which an equilibrium does not minimise the potential energy.
     pub fn masses(&self, q: [S::Scalar; N]) -> Result<(), Cause> {
         let mass = || self.variation(&q, &[S::Scalar::zero(); C]).mass;
         refuse_negative(self.system, &self.constants, &State::at_rest(q).at_time(self.t), mass)
@@ -175,7 +176,7 @@ where
         self.system.variation_at(&self.constants, &self.place(q, &zeros, multipliers))
     }
 
-    /// The power of forces along a way.
+    /// The power of forces along a displacement.
     pub fn power(&self, q: &[S::Scalar; N], multipliers: &[S::Scalar; C], way: &[S::Scalar; N]) -> S::Scalar {
         dot(&self.imbalance(q, multipliers), way)
     }
@@ -221,7 +222,7 @@ where
             let there = self.system.deviations_at(self.t, &moved, &none);
             let better = there.distance(Level::Positions, &slopes) < before;
             if !better && residuals.is_within(Level::Positions, S::Scalar::epsilon().sqrt(), &by_state) {
-                // No better place in this arithmetic.
+                // No position is better in this arithmetic.
                 return Ok(q);
             }
             (q, residuals) = (moved, there);
@@ -295,8 +296,8 @@ where
         }
     }
 
-    /// The number of independent constraints, one without a gradient, and the multipliers that balance the
-    /// forces as well as can be.
+    /// The number of independent constraints, one without a gradient if there is one, and the multipliers
+    /// that balance the forces as well as possible.
     #[inline(never)]
     fn balancing(
         &self,
@@ -311,7 +312,7 @@ where
         (saddle.rank(), saddle.vanishing(), saddle.solve(&self.imbalance(q, &none), &none).1)
     }
 
-    /// The directions that the coordinates may take.
+    /// The displacements that the constraints allow.
     pub fn allowed<'b>(&self, rest: &'b Rest<S::Scalar, N, C>) -> &'b Directions<S::Scalar, N> {
         rest.places.as_ref().unwrap_or(&rest.motions)
     }
@@ -346,7 +347,7 @@ pub(super) fn size_of<R: Real, const N: usize>(a: &[R; N], b: &[R; N]) -> R {
     a.iter().zip(b).fold(R::zero(), |sum, (&a, &b)| sum + (a * b).abs())
 }
 
-/// Zᵀ X Z′ of −∂r/∂q, with Z the motions and Z′ what the coordinates may do.
+/// Zᵀ X Z′ of X = −∂r/∂q, with Z the motions and Z′ the displacements that the constraints allow.
 fn stiffness<R: Ordered, const N: usize>(
     by_q: &[[R; N]; N],
     motions: &Directions<R, N>,

@@ -9,15 +9,15 @@ use nalgebra::{DMatrix, DVector};
 
 use super::largest;
 
-/// Each sweep that changes anything makes a row and its column less by a twentieth or more. From the ends of
-/// the range of numbers that takes some ten sweeps, because a factor is found at once.
+/// The most sweeps. Each that changes anything makes a row with its column smaller by a twentieth or more.
+/// From the ends of the range of numbers it takes some ten sweeps, because a factor is found at once.
 const SWEEPS: usize = 100;
 
-/// A sum of squares must be less by this factor to be worth a change.
+/// A change is made if it multiplies a sum of squares by less than this.
 const GAIN: f64 = 0.95;
 
-/// Factors are no further from one than this power of two, so that their products with entries stay numbers;
-/// what is left is for the next sweep.
+/// The largest exponent of two in a factor, so that its products with entries stay numbers. The next sweep
+/// does the rest.
 const POWERS: f64 = 512.0;
 
 /// Balances a matrix, and gives the diagonal D of D⁻¹ A D.
@@ -59,10 +59,10 @@ fn norm<'a>(entries: impl Iterator<Item = &'a f64> + Clone) -> f64 {
     if most == 0.0 { 0.0 } else { most * entries.map(|x| (x / most).powi(2)).sum::<f64>().sqrt() }
 }
 
-/// Between these sizes squares and products of entries are numbers.
+/// Sizes between which squares and products of entries neither overflow nor underflow.
 const MODERATE: (f64, f64) = (1e-100, 1e100);
 
-/// Divides a matrix by a power of two such that products of its entries are numbers: one, where they are.
+/// Divides a matrix by a power of two, which it returns, such that products of its entries stay numbers.
 pub(super) fn moderated(matrix: &mut DMatrix<f64>) -> f64 {
     let most = largest(matrix);
     if most == 0.0 || (MODERATE.0..=MODERATE.1).contains(&most) {

@@ -15,7 +15,7 @@ use super::largest;
 /// Iterations for one eigenvalue or pair: two or three are usual.
 const ITERATIONS: usize = 100;
 
-/// Iterations after which a shift is exceptional, and again after as many.
+/// Iterations before a shift is exceptional, and between two such shifts.
 const PATIENCE: usize = 10;
 
 /// All eigenvalues; `None` where the iteration fails.
@@ -28,8 +28,8 @@ pub(super) fn iterated(matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     let (mut values, mut end, mut moved, mut count) = (Vec::new(), h.nrows(), 0.0, 0);
     while end > 0 {
         let last = end - 1;
-        // Beside a diagonal that is small, or equal eigenvalues, an entry may stay at some roundings of the
-        // matrix.
+        // Beside a small diagonal, or equal eigenvalues, an entry may keep the size of some rounding errors
+        // of the matrix.
         let floor = if count < PATIENCE { 0.0 } else { norm * 2.0_f64.powi((count / PATIENCE) as i32 - 1) };
         let is_small = |&l: &usize| {
             let beside = h[(l, l)].abs() + h[(l - 1, l - 1)].abs();
@@ -71,7 +71,8 @@ pub(super) fn iterated(matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
 /// 2 × 2 matrix whose eigenvalues they are, and the product of its other entries.
 fn sweep(h: &mut DMatrix<f64>, start: usize, end: usize, [x, y, w]: [f64; 3]) {
     let last = end - 1;
-    // The first column of (H − s₁)(H − s₂), from where two small entries in succession let the step begin.
+    // The first column of (H − s₁)(H − s₂). The step begins at two small entries in succession, if there are
+    // any.
     let first = |m: usize| {
         let z = h[(m, m)];
         let (r, s) = (x - z, y - z);
@@ -140,8 +141,8 @@ pub(super) fn of_two([[a, b], [c, d]]: [[f64; 2]; 2]) -> [Complex<f64>; 2] {
     if mean == 0.0 || root == 0.0 {
         return [real(mean + root), real(mean - root)];
     }
-    // The smaller one as a difference would be a rounding of the larger one. Kahan's ad − bc errs by two
-    // roundings.
+    // As a difference, the smaller one would be a rounding error of the larger one. Kahan's ad − bc errs by
+    // two ulps.
     let large = mean + root.copysign(mean);
     let product = b * c;
     let determinant = a.mul_add(d, -product) - b.mul_add(c, -product);

@@ -19,7 +19,7 @@ use super::{largest, rounding};
 pub(super) struct Eigenvalue {
     /// λ.
     pub value: Complex<f64>,
-    /// The largest entry of the balanced part that it belongs to: what its error is relative to.
+    /// The largest entry of its balanced part, by which its error is measured.
     pub scale: f64,
     /// The rows of that part.
     pub members: Rc<[usize]>,
@@ -63,17 +63,17 @@ pub(super) fn parts(matrix: &DMatrix<f64>) -> Vec<Vec<usize>> {
 /// The eigenvalues of a balanced part that does not split.
 fn of_part(part: &DMatrix<f64>, tolerance: f64) -> Option<Vec<Complex<f64>>> {
     if part.nrows() == 2 {
-        // The closed form resolves what elimination and iteration would take for zero.
+        // The closed form resolves eigenvalues that elimination and iteration would take for zero.
         return Some(of_two([[part[(0, 0)], part[(0, 1)]], [part[(1, 0)], part[(1, 1)]]]).to_vec());
     }
-    // One that stands alone is exact.
+    // A single entry is exact.
     let rest = if part.nrows() > 1 { deflated(part, tolerance) } else { part.clone() };
     let mut values = std::vec![Complex::new(0.0, 0.0); part.nrows() - rest.nrows()];
     values.extend(iterated(rest)?);
     Some(values)
 }
 
-/// What acts on the orthogonal complement of the null space, and again until nothing is null.
+/// The matrix on the orthogonal complement of its null space, again and again until that is regular.
 fn deflated(part: &DMatrix<f64>, tolerance: f64) -> DMatrix<f64> {
     let mut rest = part.clone();
     loop {
@@ -95,7 +95,7 @@ fn deflated(part: &DMatrix<f64>, tolerance: f64) -> DMatrix<f64> {
 /// eigenvectors of the matrix and of the transpose; two that meet are uncertain by the root, to which that
 /// grows (Golub and Van Loan, § 7.2.2).
 fn settled(part: &DMatrix<f64>, value: Complex<f64>, scale: f64, share: f64) -> Complex<f64> {
-    // Of a pair both alike.
+    // Both of a conjugate pair get the same treatment.
     let above = Complex::new(value.re, value.im.abs());
     let all: Vec<usize> = (0..part.nrows()).collect();
     let vector = |matrix: &DMatrix<f64>| eigenvector(matrix, above, scale, (&all, 0));

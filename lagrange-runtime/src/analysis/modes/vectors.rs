@@ -35,14 +35,13 @@ pub(super) fn eigenvector(
             upper[(i, i)] = Complex::new(least, 0.0);
         }
     }
-    // That of a real eigenvalue stays real.
+    // The vector of a real eigenvalue stays real.
     let imaginary = if eigenvalue.im == 0.0 { 0.0 } else { 0.5 };
     let mut vector = DVector::from_element(order, Complex::new(0.0, 0.0));
     for &i in members {
         vector[i] = Complex::new(((1 + i) as f64 * (1.3 + start as f64)).cos(), imaginary);
     }
-    // What a step grows by is the inverse of the residual, and near a defective eigenvalue a later step can
-    // be worse.
+    // A step's growth is the inverse of the residual. Near a defective eigenvalue a later step may be worse.
     let (mut best, mut growth) = (None, 0.0);
     for _ in 0..3 {
         permutation.permute_rows(&mut vector);
@@ -69,7 +68,7 @@ pub(super) fn null_vectors(matrix: &DMatrix<f64>, unit: f64, zeros: usize) -> Ve
     if zeros == 0 {
         return Vec::new();
     }
-    // Rows are of the scale of their part, so that a stiff part does not make a soft one vanish.
+    // Rows are divided by the scales of their parts, so that a soft part does not vanish beside a stiff one.
     let mut rows = matrix.transpose();
     for members in parts(matrix) {
         let scale = largest(&matrix.select_rows(&members).select_columns(&members));

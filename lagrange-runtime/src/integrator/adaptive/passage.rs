@@ -17,7 +17,7 @@ use crate::system::limits::Limits;
 use crate::system::method::Adaptive;
 use crate::system::state::State;
 
-/// What the system's own method remembers.
+/// The memory of the system's own method.
 type Own<S, const N: usize, const K: usize> =
     <<S as System<N, K>>::Method as Adaptive<S, Held<<S as System<N, K>>::Scalar, K>, N, K>>::Memory;
 
@@ -27,8 +27,8 @@ where
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
 {
-    /// Takes a step from where one has failed; constraints are so independent `here`. False where series
-    /// cannot help.
+    /// Takes a step from the state where another has failed. `here` tells how independent the constraints are
+    /// there. False if series cannot help.
     #[cold]
     #[inline(never)]
     pub(super) fn passes(
@@ -48,8 +48,8 @@ where
         true
     }
 
-    /// The state at a part of such a step, which is taken once more: it is rare, and a memory for it would be
-    /// that of series.
+    /// The state at a part of such a step. The step is taken once more for it: it is rare, and a memory for
+    /// it would be as large as that of series.
     #[cold]
     #[inline(never)]
     pub(super) fn on_passage(

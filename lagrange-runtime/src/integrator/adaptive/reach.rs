@@ -1,4 +1,4 @@
-//! What tolerance leads on from a state where the one that is asked for does not.
+//! Looks for a tolerance with which a motion goes on from a state where it ends with the given one.
 
 use super::super::dop853::Dop853Memory;
 use super::super::landing::Check;
@@ -9,7 +9,7 @@ use crate::system::control::Control;
 use crate::system::error::{Cause, MotionError, magnitude};
 use crate::system::limits::Limits;
 
-/// Lengths that are tried, each twice the one before.
+/// The number of lengths that are tried, each twice the one before.
 const LENGTHS: i32 = 10;
 
 impl<S, C, const N: usize, const K: usize> Driven<'_, S, C, N, K>
@@ -18,8 +18,8 @@ where
     S::Scalar: Ordered,
     C: Control<S::Scalar, N, K>,
 {
-    /// What really ended a motion whose step became too small: the tolerance, where longer steps with a
-    /// larger error end well, else the error as it is.
+    /// The cause of a motion's end by too small steps: the tolerance, if longer steps with a larger error end
+    /// well, else the given error.
     #[cold]
     #[inline(never)]
     pub(super) fn named(
@@ -42,7 +42,7 @@ where
         MotionError { cause, ..error }
     }
 
-    /// The finest tolerance of longer steps that end where the state is determined, if there is one.
+    /// The finest tolerance at which some longer step ends where the state is determined, if there is one.
     fn reachable(
         &self,
         memory: &mut Dop853Memory<S::Scalar, N>,
@@ -50,7 +50,7 @@ where
         target: S::Scalar,
         natural: S::Scalar,
     ) -> Option<S::Scalar> {
-        // Half of all digits.
+        // A tolerance of half of all digits.
         let coarse = Limits { relative: S::Scalar::epsilon().sqrt(), ..*limits };
         let (start, kept) = (memory.end.state, *memory);
         let inputs = self.control.inputs(&start);
@@ -77,7 +77,7 @@ where
             }
             length += length;
         }
-        // Where a longer step meets the tolerance that is asked for, that one is not the cause.
+        // If a longer step meets the given tolerance, the tolerance is not the cause.
         finest.filter(|&finest| finest > limits.relative)
     }
 }

@@ -15,13 +15,13 @@ use crate::number::real::{Ordered, Real, extent, larger};
 use crate::system::linearized::{Linearization, Linearized};
 use crate::system::state::State;
 
-/// Corrections that a solution may take.
+/// The most corrections of a solution.
 const CORRECTIONS: usize = 40;
 
-/// Matrices that it may take.
+/// The most matrices of a solution.
 const MATRICES: usize = 4;
 
-/// Most pairs of eigenvalues that a method has.
+/// The most pairs of eigenvalues of a method.
 const MODES: usize = 2;
 
 /// The factored matrices, one for each mode.
@@ -35,7 +35,7 @@ where
     S: Linearized<N, K>,
     S::Scalar: Ordered,
 {
-    /// Accelerations at the stages from a guess of them; `None` where corrections do not shrink to rounding.
+    /// Accelerations at the stages, from a guess; `None` if corrections do not shrink to rounding errors.
     pub(super) fn solve(&self, guess: [[S::Scalar; N]; STAGES]) -> Option<[[S::Scalar; N]; STAGES]> {
         let mut a = guess;
         let mut factors = self.factored(&a);

@@ -1,8 +1,9 @@
 //! Newton's method with the derivatives of every stage, for long steps of stiff systems.
 //!
-//! Where a stiff force turns within a step, no single matrix stands for all stages. The matrix of all of
-//! them, M Δᵢ δᵢⱼ − h aᵢⱼ (∂r/∂v)ᵢ − h² (A²)ᵢⱼ (∂r/∂q)ᵢ, is eliminated as a whole. That costs some ten times
-//! as much, so it is the second choice, and it stays on the stack, so it is for systems of moderate size.
+//! If a stiff force turns within a step, no single matrix serves for all stages. Here the matrix of all
+//! stages, M Δᵢ δᵢⱼ − h aᵢⱼ (∂r/∂v)ᵢ − h² (A²)ᵢⱼ (∂r/∂q)ᵢ, is eliminated as a whole. That costs some ten
+//! times as much, so it is the second choice. The matrix is on the stack, so it serves systems of moderate
+//! size.
 
 use num_traits::Zero;
 
@@ -10,7 +11,7 @@ use super::stages::{Places, Stages, Verdict};
 use crate::number::real::{Ordered, Real, extent, larger};
 use crate::system::linearized::{Linearization, Linearized};
 
-/// Corrections that a solution may take.
+/// The most corrections of a solution.
 const CORRECTIONS: usize = 20;
 
 /// Unknowns of the largest system: its matrix takes 128 kB in `f64`.
@@ -27,8 +28,8 @@ where
     S: Linearized<N, K>,
     S::Scalar: Ordered,
 {
-    /// Accelerations at the stages from a guess of them; `None` where corrections do not shrink to rounding,
-    /// or the system is too large.
+    /// Accelerations at the stages, from a guess; `None` if corrections do not shrink to rounding errors, or
+    /// if the system is too large.
     #[cold]
     #[inline(never)]
     pub(super) fn solve_fully(&self, guess: Row<S::Scalar, N, STAGES>) -> Option<Row<S::Scalar, N, STAGES>> {
@@ -87,7 +88,7 @@ where
     }
 }
 
-/// Solves in place, with partial pivoting; of a singular matrix the solution is not finite.
+/// Solves in place, with partial pivoting. The solution of a singular matrix is not finite.
 fn eliminate<R: Ordered, const N: usize, const STAGES: usize>(
     rows: &mut Rows<R, N, STAGES>,
     right: &mut Row<R, N, STAGES>,

@@ -1,4 +1,5 @@
-//! The equations of one step: what follows from accelerations at the stages, and when they are solved.
+//! The equations of one step: the states that follow from accelerations at the stages, and whether a
+//! correction has solved the equations.
 
 use core::cmp::Ordering;
 
@@ -9,11 +10,12 @@ use crate::number::real::{Ordered, Real, extent, larger};
 use crate::system::linearized::Linearized;
 use crate::system::state::State;
 
-/// A correction that no longer shrinks is rounding if it is below this many roundings of what it corrects.
+/// A correction that no longer shrinks is a rounding error if it is below this many ulps of the corrected
+/// number.
 const ROUNDINGS: f64 = 1e4;
 
-/// A correction of this many roundings is not worth making. Anything larger turns the random walk of the
-/// energy into a drift.
+/// A correction of this many ulps is not worth making. A larger threshold turns the random walk of the energy
+/// into a drift.
 const REST: f64 = 1e-4;
 
 /// The equations of one step.
@@ -30,7 +32,7 @@ pub(super) struct Stages<'a, S: Linearized<N, K>, const N: usize, const K: usize
     pub mu: [[S::Scalar; STAGES]; STAGES],
 }
 
-/// Where a step starts, and what rounding took from there.
+/// The start of a step, with its residue of compensated summation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Start<R, const N: usize> {
     pub state: State<R, N>,
@@ -44,7 +46,7 @@ pub(super) struct Places<R, const N: usize, const STAGES: usize> {
     pub v: [[R; N]; STAGES],
 }
 
-/// What a correction shows.
+/// What the size of a correction tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Verdict {
     /// Only rounding is left.
@@ -73,7 +75,7 @@ where
     ) -> Self {
         let number = S::Scalar::from_f64;
         let mut weights = table.b.map(|b| number(b) * h);
-        // Those in the middle make up for the rounding of the others.
+        // The middle weights make up for the rounding of the others.
         let middle = (STAGES - 1) / 2;
         let rest = weights.iter().take(middle).fold(h, |rest, &weight| rest - (weight + weight));
         weights[middle] = if STAGES.is_multiple_of(2) { rest / number(2.0) } else { rest };
@@ -110,13 +112,13 @@ where
         }
     }
 
-    /// The velocity that coordinates of this size could have.
+    /// The scale of velocities that coordinates of this size could have.
     fn reach(&self) -> S::Scalar {
         let size = self.from.state.q.iter().fold(S::Scalar::zero(), |most, &q| larger(most, extent(q)));
         (size / self.h).abs()
     }
 
-    /// The size of what corrections change.
+    /// The scale of velocities by which corrections are judged.
     fn speed(&self, a: &[[S::Scalar; N]; STAGES]) -> S::Scalar {
         let mut speed = S::Scalar::zero();
         for a in a {
@@ -141,7 +143,7 @@ where
         Places { q: self.reached(&state.q, lost_q, &v), v }
     }
 
-    /// What grows at the given rates, at the stages.
+    /// Numbers that grow at the given rates, at the stages.
     #[inline]
     fn reached(
         &self,
@@ -191,14 +193,14 @@ where
         (State { t, q: self.average(&q), v: self.average(&v) }, self.average(a))
     }
 
-    /// The average over the step of what has these values at the stages.
+    /// The average over the step of a function with these values at the stages.
     fn average(&self, values: &[[S::Scalar; N]; STAGES]) -> [S::Scalar; N] {
         let share = |i: usize, n: usize| self.weights[i] / self.h * values[i][n];
         core::array::from_fn(|n| (0..STAGES).fold(S::Scalar::zero(), |sum, i| sum + share(i, n)))
     }
 }
 
-/// a + b, and what rounding takes from it.
+/// a + b, and its rounding error.
 #[inline]
 fn sum<R: Real>(a: R, b: R) -> (R, R) {
     let sum = a + b;

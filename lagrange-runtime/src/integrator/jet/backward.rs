@@ -19,14 +19,15 @@ use crate::system::state::{State, difference};
 /// the time in which accelerations change.
 const CORRECTIONS: usize = 24;
 
-/// A step is halved so often at most, until one of the two ends of its first part is far enough from where
+/// The most halvings of a step, until one end of its first part is far enough from configurations in which
 /// constraints depend on each other.
 const HALVINGS: i32 = 6;
 
-/// Largest lack of a series at the start of the step, in units of its last terms, beside half of all digits.
+/// The largest accepted gap between the series and the start of the step, in units of its last terms, beside
+/// half of all digits.
 const MARGIN: f64 = 16.0;
 
-/// The state after a step, by series about the start or the end of its parts, whichever holds.
+/// The state after a step, by series about the start or the end of its parts, whichever describes the motion.
 #[cold]
 #[inline(never)]
 pub(super) fn advance<S, const N: usize, const K: usize, const ORDER: usize>(
@@ -45,13 +46,14 @@ where
     let here = system.land_at(outer, &mut from.clone(), None)?;
     let mut weakest = here.independence.weakest;
     step.rank = rank_so_far.unwrap_or_else(|| {
-        // Rows that depend on each other at the start of a motion do so everywhere, or at this place only.
+        // Rows that depend on each other at the start of a motion do so everywhere, or at this configuration
+        // only.
         let ahead = system.land_at(outer, &mut flown(from, h), None);
         ahead.map_or(0, |ahead| ahead.independence.rank).max(here.independence.rank)
     });
     *rank_so_far = Some(step.rank);
     let shortest = S::Scalar::from_f64(0.5).powi(HALVINGS);
-    // Parts of the step that are left, and the next one: sums of few powers of two.
+    // The remaining part of the step, and the next part: sums of few powers of two.
     let (mut left, mut part): (S::Scalar, S::Scalar) = (num_traits::One::one(), num_traits::One::one());
     let mut state = *from;
     while left.abs().largest() > num_traits::Zero::zero() {
@@ -76,7 +78,7 @@ where
     Ok(state.at_time(from.t + h))
 }
 
-/// What a step works with.
+/// The data of a step.
 struct Step<'a, S: Smooth<N, K>, const N: usize, const K: usize, const ORDER: usize> {
     system: &'a S,
     outer: &'a S::Constants,
@@ -86,7 +88,7 @@ struct Step<'a, S: Smooth<N, K>, const N: usize, const K: usize, const ORDER: us
     u: &'a [S::Scalar; K],
     /// The number of independent constraints.
     rank: usize,
-    /// What the last landing found, where rows contradict each other.
+    /// The error of the last landing, if rows contradict each other.
     contradiction: Option<Cause>,
 }
 
@@ -94,7 +96,7 @@ impl<S, const N: usize, const K: usize, const ORDER: usize> Step<'_, S, N, K, OR
 where
     S: Smooth<N, K>,
 {
-    /// The series about a state, in units of `h`, leads to the state that is returned.
+    /// Expands the series about a state, in units of `h`, and returns the state that it leads to.
     fn expand(&mut self, at: &State<S::Scalar, N>, h: S::Scalar) -> Option<State<S::Scalar, N>> {
         let Self { system, constants, tables, series, u, .. } = self;
         if !system.jet_at(constants, at.t, &at.q, &at.v, u, h, ORDER, tables, series) {
@@ -109,7 +111,7 @@ where
         next.is_finite().then_some(next)
     }
 
-    /// The state on the constraints nearest to one, which is replaced by it, and how well it is determined.
+    /// Moves a state to the nearest one on the constraints, and returns how well that is determined.
     fn land(&mut self, state: &mut State<S::Scalar, N>) -> Option<Footing<S::Scalar, N>> {
         let landed = self.system.land_at(self.outer, state, None);
         self.contradiction =
@@ -117,7 +119,8 @@ where
         landed.ok()
     }
 
-    /// Whether the series about a state tells the motion along the constraints at the `end` of the step.
+    /// Whether the series about a state describes the motion along the constraints up to the `end` of the
+    /// step.
     fn is_sound(&self, footing: &Footing<S::Scalar, N>, end: &State<S::Scalar, N>) -> bool {
         let here = &footing.independence;
         if here.rank < self.rank || here.rank == here.rows && !here.is_determined() {
@@ -129,8 +132,8 @@ where
         falls(self.series, [known * metric.extent(&end.q), known * metric.extent(&end.v)], along)
     }
 
-    /// The end of a step by the series about its start or about its end: first about the one at which the
-    /// constraints are further from depending on each other, then about the other.
+    /// The end of a step by the series about its start or about its end. The one at which the constraints are
+    /// further from depending on each other is tried first.
     fn about_either(&mut self, from: &State<S::Scalar, N>, h: S::Scalar) -> Option<State<S::Scalar, N>> {
         let here = self.land(&mut from.clone())?.independence;
         let there = self.land(&mut flown(from, h)).map(|there| there.independence);
@@ -171,7 +174,7 @@ where
             let change = [difference(&end.q, &kept.q), difference(&end.v, &kept.v)];
             let moved =
                 (metric.extent(&change[0]) / sizes[0]).max(metric.extent(&change[1]) / sizes[1]).largest();
-            // Until rounding keeps the corrections from becoming smaller.
+            // The corrections go on until rounding keeps them from becoming smaller.
             if moved <= S::Scalar::epsilon().largest() || last.is_some_and(|last| moved >= last) {
                 let half = S::Scalar::epsilon().sqrt();
                 let rows = [&self.series.q, &self.series.v].into_iter();

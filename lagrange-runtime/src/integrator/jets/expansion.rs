@@ -1,4 +1,4 @@
-//! The series at a state, in a unit of time near the length that it bears.
+//! The series at a state, in a unit of time near the length that it allows.
 
 use super::super::step_size;
 use super::{Jets, JetsMemory, NEAR};
@@ -10,8 +10,7 @@ use crate::system::method::Adaptive;
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 
-/// Computes the coefficients at a state in the unit of the memory. False where the equations have no
-/// solution.
+/// Computes the coefficients at a state in the unit of the memory. False if the equations have no solution.
 #[inline(always)]
 fn at<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
@@ -44,8 +43,8 @@ where
     at(memory, system, control, from)
 }
 
-/// Expands the motion about the start of the memory, for a step of `left` \[s] at most. Returns the length
-/// that the tolerance allows \[s], without direction; `None` of a polynomial in time, or of coefficients that
+/// Expands the motion about the start of the memory, for a step of at most `left` \[s]. Returns the length
+/// \[s] that the tolerance allows, without direction; `None` for a polynomial in time, or if coefficients
 /// underflow.
 #[inline(always)]
 pub(super) fn expand<S, const N: usize, const K: usize>(
@@ -72,8 +71,8 @@ where
         }
         *attempts -= 1;
         memory.unit = left.signum() * unit;
-        // One copy of the code is optimised better than several, and that of a free motion best where it is
-        // called.
+        // The compiler optimises one copy of the code better than several, but that of a free motion best
+        // where it is called.
         let solved = if S::CONSTRAINED {
             outlined(memory, system, control, &from)
         } else {
@@ -85,7 +84,7 @@ where
         let steady = remembered && !rescaled;
         let mut tolerated = memory.tolerated(limits, num_traits::One::one(), steady);
         let mut span = number(1.0);
-        // In a unit much longer than the step the first terms are no measure of the size.
+        // In a unit much longer than the step, the first terms do not measure the size of a component.
         while tolerated < number(0.5) * span && tolerated * number(NEAR * NEAR) > num_traits::One::one() {
             span = tolerated;
             tolerated = memory.tolerated(limits, span, steady);
@@ -103,16 +102,16 @@ where
             && (tolerated < number(NEAR) || overflowed)
             && tolerated * number(NEAR) > num_traits::One::one()
         {
-            // A shorter step than the tolerance allows where coefficients overflow in a longer unit.
+            // In a longer unit coefficients overflow, so the step is shorter than the tolerance allows.
             let natural = smaller(tolerated, number(NEAR)) * unit;
             return Ok(Some(natural));
         }
-        // A unit far from the step: coefficients near the ends of the arithmetic, or beyond.
+        // In a unit far from the step, coefficients are near the ends of the range of numbers, or beyond.
         overflowed |= !is_finite;
         let factor =
             if is_finite { smaller(larger(tolerated, number(1e-9)), number(1e9)) } else { number(1e-3) };
-        // Two units may each ask for the other: a component that starts with many zero derivatives has no
-        // size but in the unit. The shorter one is sure.
+        // Two units may each ask for the other, since a component that starts with many zero derivatives has
+        // no size but in the unit. The shorter unit is safe.
         overflowed |= lengthened && factor < num_traits::One::one();
         lengthened |= factor > num_traits::One::one();
         unit *= factor;

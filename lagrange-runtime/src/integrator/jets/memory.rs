@@ -1,4 +1,4 @@
-//! The series of a step, and how far it reaches.
+//! The series of a step, and the length to which it may be used.
 
 use num_traits::{One, Zero};
 
@@ -18,22 +18,23 @@ use crate::system::method::Terms;
 use crate::system::smooth::Series;
 use crate::system::state::State;
 
-/// What [`Jets`] remember between steps, with series to order `P`.
+/// The memory of [`Jets`] between steps, with series to order `P`.
 #[derive(Clone, Copy, Debug)]
 pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
     pub(super) constants: C,
-    /// Where the three numbers of each orientation begin.
+    /// The first of the three numbers of each orientation.
     orientations: &'static [usize],
     pub(super) tables: T,
     pub(super) series: Series<R, N, P>,
-    /// Whether `tables` belong to it as it is: not once it has been taken about another place.
+    /// Whether `tables` still belong to the series. They do not once the series has been moved to another
+    /// start.
     pub(super) is_as_expanded: bool,
     pub(super) orders: usize,
-    /// The tolerance that the order is for.
+    /// The tolerance from which the order follows.
     pub(super) tolerance: R,
-    /// The decay from order to order that this order and tolerance may bring.
+    /// The largest ratio of successive terms at this order and tolerance.
     pub(super) steepest: R,
-    /// The point of expansion and what rounding took from it.
+    /// The point of expansion, with its residue of compensated summation.
     pub(super) start: State<R, N>,
     pub(super) residue: State<R, N>,
     /// Unit of time of the coefficients \[s], with the direction of the motion.
@@ -42,14 +43,13 @@ pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
     pub(super) next: R,
     /// Length of the last step \[s], without direction; zero before the first.
     pub(super) last: R,
-    /// The largest accelerations that were met where steps were probed.
+    /// The largest accelerations found by probing steps.
     pub(super) strongest: [R; N],
     /// How independent constraints are at the start of the step; `None` before the first step.
     pub(super) independence: Option<Independence<R>>,
-    /// What constraints have determined so far; `None` before the first step.
+    /// How well the constraints have determined the motion so far; `None` before the first step.
     pub(super) determined: Option<Determined<R>>,
-    /// Ulps below which neither coordinates nor velocities are known through the constraints that couple
-    /// them.
+    /// The uncertainty of coupled coordinates and velocities, in ulps.
     pub(super) ulps: [[R; N]; 2],
     pub(super) end: State<R, N>,
     pub(super) end_residue: State<R, N>,
@@ -83,7 +83,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
         }
     }
 
-    /// Takes the order from the tolerance, where that has changed.
+    /// Derives the order from the tolerance, if that has changed.
     #[inline]
     pub(super) fn prepare(&mut self, limits: &Limits<R>) {
         if self.tolerance != limits.relative {
@@ -120,7 +120,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
         state
     }
 
-    /// Forgets the motion before a state, but for the unit of the next step and what it has cost.
+    /// Forgets the motion before a state, except the unit of the next step and the counts.
     pub(super) fn begin(&mut self, start: State<R, N>) {
         let zero = State { t: R::zero(), q: [R::zero(); N], v: [R::zero(); N] };
         (self.start, self.residue) = (start, zero);
@@ -192,13 +192,13 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
         }
     }
 
-    /// Takes in what is known of the state from which the next step starts.
+    /// Records how well the state is determined from which the next step starts.
     pub(super) fn stand(&mut self, footing: &Footing<R, N>) {
         self.ulps = [footing.ulps_q, footing.ulps_v];
         self.independence = Some(footing.independence);
     }
 
-    /// No step: the motion stays where it was, for this reason.
+    /// Takes no step, for this cause: the motion stays where it was.
     #[cold]
     pub(super) fn stay(&mut self, cause: Cause) -> Cause {
         (self.end, self.end_residue) = (self.start, self.residue);
@@ -214,7 +214,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
     /// Replaces the end of the step by a state beside it.
     pub(super) fn correct(&mut self, end: State<R, N>) {
         for i in 0..N {
-            // What rounding took belongs to the number that was rounded.
+            // A residue belongs to the number that was rounded, so a corrected one has none.
             if end.q[i] != self.end.q[i] {
                 (self.end.q[i], self.end_residue.q[i]) = (end.q[i], R::zero());
             }
@@ -258,7 +258,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let p = self.orders;
         let weights = self.weights(limits, span, part);
         let term = |order| self.term(&weights, order, part);
-        // At the tolerated length one term is about this much smaller than the one before it.
+        // The ratio of successive terms at the tolerated length.
         let decay = R::Lane::from_f64(DECAY);
         let length = reach(larger(term(p), decay * term(p - 1)), p);
         if steady && length <= R::Lane::from_f64(GROWTH) {
@@ -267,8 +267,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         self.bounded(length, term)
     }
 
-    /// Weights of coordinates and of velocities, or of one of their derivatives: the reciprocals of what a
-    /// last term may be.
+    /// Weights of coordinates and of velocities, or of one of their derivatives: the reciprocals of the
+    /// bounds of a last term.
     #[inline]
     fn weights(&self, limits: &Limits<R>, span: R, part: usize) -> [[R::Lane; N]; 2] {
         let (number, zero) = (R::Lane::from_f64, R::Lane::zero());
@@ -286,7 +286,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         };
         let mut sizes = [sizes(&self.start.q, &series.q), sizes(&self.start.v, &series.v)];
         for &first in self.orientations {
-            // The size of the parameters of any orientation is 1 rad: the identity is one among others.
+            // An orientation has the size 1 rad wherever it is, since the identity is an orientation like
+            // others.
             let least = if part == 0 { R::Lane::one() } else { zero };
             attitude::share(&mut sizes[0], first, least);
             attitude::share(&mut sizes[1], first, zero);
@@ -316,8 +317,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         })
     }
 
-    /// The last terms of the series at `theta` units of the scaled time, each as large as those that follow
-    /// it may be.
+    /// The last two terms of the series at `theta` units of the scaled time, as measures of the terms that
+    /// follow: the last one, and the one before it reduced by the decay of an order.
     pub(super) fn last_terms(&self, theta: R) -> [State<R, N>; 2] {
         let zero = [R::zero(); N];
         [(self.orders, R::one()), (self.orders - 1, R::from_f64(DECAY))].map(|(order, share)| {
@@ -340,7 +341,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         let (number, p) = (R::Lane::from_f64, self.orders);
         let weights = self.weights(limits, theta, 0);
         let at = theta.largest();
-        // Halfway, in two orders, since symmetry makes every other term vanish.
+        // Both of two orders are taken, halfway, since symmetry makes every other term vanish.
         let term = |order: usize| self.term(&weights, order, 0) * at.powi(order as i32);
         let halfway = larger(term(p / 2), term(p / 2 - 1));
         if halfway.ln() > -number(DECAY).ln() * number(0.25) * number(p as f64) {
@@ -355,11 +356,13 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         (longer > theta && longer.is_finite()).then_some(longer)
     }
 
-    /// A length that the terms of lower orders bear as well: `term` gives the weighted size of an order.
+    /// A length at which the terms of lower orders are small enough as well. `term` gives the weighted size
+    /// of an order.
     #[inline]
     fn bounded(&self, length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
         let (steepest, half) = (self.steepest.largest(), self.orders / 2);
-        // All at once, as in Horner's scheme: term(k) lengthᵏ against the power of the orders that follow.
+        // All terms at once, as in Horner's scheme: term(k) lengthᵏ against the power of the orders that
+        // follow.
         let steep = steepest * length;
         let most = (half..self.orders - 1)
             .rev()
@@ -370,7 +373,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         self.shortened(length, term)
     }
 
-    /// The same where some term asks for less.
+    /// The same if some term needs a shorter length.
     #[cold]
     fn shortened(&self, mut length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
         let steepest = self.steepest.largest();

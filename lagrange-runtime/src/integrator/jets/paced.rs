@@ -18,14 +18,14 @@ use crate::system::method::{Adaptive, Steps, Terms};
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 
-/// A step is halved so often at most.
+/// The most halvings of a step.
 const HALVINGS: i32 = 6;
 
-/// Taylor steps of order `ORDER` that end where they are asked to.
+/// Taylor steps of order `ORDER` that end where the caller says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Paced<const ORDER: usize>;
 
-/// What a step remembers.
+/// The memory of a step.
 type Memory<S, const N: usize, const K: usize, const ORDER: usize> =
     <Paced<ORDER> as Adaptive<S, Held<<S as crate::System<N, K>>::Scalar, K>, N, K>>::Memory;
 
@@ -37,7 +37,8 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
     }
 }
 
-/// One series from the start of the memory on, for a step of `unit` \[s]. False where it is too long.
+/// Expands one series about the start of the memory, for a step of `unit` \[s]. False if the step is too
+/// long.
 fn reach<S, const N: usize, const K: usize, const ORDER: usize>(
     memory: &mut Memory<S, N, K, ORDER>,
     system: &S,
@@ -74,13 +75,14 @@ where
     }
     memory.correct(end);
     if S::COUPLED && S::CONSERVES_ENERGY && !is_kept(system, constants, &from, &end) {
-        // Where constraints are far apart, it is the caller's choice of a length that has lost it.
+        // If constraints are far from depending on each other, the length that the caller chose has lost the
+        // energy, and the step stands.
         return Ok(system.land_at(constants, &mut end, None)?.independence.are_far_apart());
     }
     Ok(true)
 }
 
-/// One step to time `t`, or less far where that is too long for one.
+/// One step to time `t`, or less far if that is too long for one.
 fn advance<S, const N: usize, const K: usize, const ORDER: usize>(
     memory: &mut Memory<S, N, K, ORDER>,
     system: &S,
@@ -247,7 +249,7 @@ where
     }
 }
 
-/// A state on the step, on the constraints as its ends are.
+/// A state on the step, moved onto the constraints like its ends.
 fn onto<S, const N: usize, const K: usize, const ORDER: usize>(
     memory: &Memory<S, N, K, ORDER>,
     system: &S,

@@ -8,13 +8,14 @@ use crate::number::real::Real;
 use crate::system::smooth::{Series, Smooth};
 use crate::system::state::State;
 
-/// Places of a step at which the series is compared with the equations. The last one is the end of the step.
+/// The number of points of a step at which the series is compared with the equations. The last one is the end
+/// of the step.
 pub(super) const PLACES: usize = 7;
 
 /// The largest ratio of a step to the one before it.
 const GROWTH: f64 = 2.0;
 
-/// The largest first step, as a part of the way to go.
+/// The largest first step, as a part of the time to go.
 const FIRST: f64 = 1.0 / 16.0;
 
 /// Allowed difference of the accelerations, in tolerances. At the end of a step the truncated series differs
@@ -25,12 +26,12 @@ const MARGIN: f64 = 16.0;
 const NOISE: f64 = 256.0;
 
 /// Limits the growth of a step of this `length`, so that it does not jump over what is far away. `last` is
-/// the length of the step before it, or zero; `left` the way to go.
+/// the length of the step before it, or zero, and `left` the time to go.
 pub(crate) fn restrained<R: Real>(length: R, last: R, left: R) -> R {
     length.min(if last.is_positive() { R::from_f64(GROWTH) * last } else { R::from_f64(FIRST) * left })
 }
 
-/// A series and what it is to be compared with.
+/// A series, and the equations that it is compared with.
 pub(crate) struct Probe<'a, S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> {
     pub system: &'a S,
     pub constants: &'a S::Constants,
@@ -46,8 +47,8 @@ pub(crate) struct Probe<'a, S: Smooth<N, K>, const N: usize, const K: usize, con
 
 impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, S, N, K, P> {
     /// Whether the first `theta` units agree with the equations of motion. `known` are the largest
-    /// accelerations that were met so far, whose roundings are no disagreement; those met here join them
-    /// where there is none.
+    /// accelerations so far, whose rounding errors count as agreement. If the series agrees, the
+    /// accelerations found here are added to them.
     pub fn agrees(&self, theta: S::Scalar, known: &mut [S::Scalar; N]) -> bool {
         let mut strongest = *known;
         let agrees = self.compared(theta, &mut strongest);
@@ -57,15 +58,14 @@ impl<S: Smooth<N, K>, const N: usize, const K: usize, const P: usize> Probe<'_, 
         agrees
     }
 
-    /// The comparison, with all accelerations that were met. Of a polynomial in time they are those that lie
-    /// ahead.
+    /// The comparison, with all accelerations found. For a polynomial in time they are those that lie ahead.
     pub fn compared(&self, theta: S::Scalar, strongest: &mut [S::Scalar; N]) -> bool {
         let span = theta * self.unit;
         let noise = S::Scalar::from_f64(NOISE) * S::Scalar::epsilon();
         let [relative, absolute] = self.tolerances;
         let relative = S::Scalar::from_f64(MARGIN) * relative.max(noise);
         let tiny = S::Scalar::epsilon().powi(4);
-        // Every place, so that no strength is missed.
+        // All points are evaluated, so that no strong force is missed.
         let apart = theta * S::Scalar::from_f64(1.0 / PLACES as f64);
         let mut theta: S::Scalar = num_traits::Zero::zero();
         (0..PLACES).fold(true, |agrees, _| {

@@ -19,7 +19,8 @@ use crate::system::method::Adaptive;
 use crate::system::smooth::Smooth;
 use crate::system::state::State;
 
-/// Lengths of the step that are tried, each half of the one before, from half of the way to go.
+/// The number of lengths that are tried. Each is half of the one before, beginning with half of the time to
+/// go.
 const LENGTHS: usize = 64;
 
 /// Corrections of the end of the step. Each leaves a part of the error that is the square of the step over
@@ -96,7 +97,7 @@ where
 {
     let time = beyond.t - from.t;
     let one: S::Scalar = num_traits::One::one();
-    // The end of the step stands for the start that it is to lead to.
+    // For the moment the end of the step takes the place of the start, to which it is to lead.
     let ahead = beyond;
     let check = Check { system, constants, inputs: &control.0, limits, from: &ahead };
     for _ in 0..CORRECTIONS {

@@ -20,8 +20,8 @@ use crate::system::smooth::Smooth;
 /// it keeps the end within reach of the check.
 const LONGER: f64 = 32.0;
 
-/// How much better a state beyond a configuration in which constraints depend on each other is determined
-/// than the start of the step that leads across, at least.
+/// The least factor by which a state beyond a configuration in which constraints depend on each other must be
+/// determined better than the start of the step that leads across.
 const BETTER: f64 = 2.0;
 
 /// One step from the end of the last one towards `target`.
@@ -68,7 +68,7 @@ where
     let resolution = memory.resolution();
     let is_free = natural.is_none();
     let mut natural = natural.unwrap_or_else(|| left.abs());
-    // The coefficients do not know what rounding has hidden from them.
+    // Coefficients do not show what rounding has hidden from them.
     if S::STEEP {
         natural = probe::restrained(natural, memory.last, left.abs());
     } else if S::CONSTRAINED && memory.last.is_positive() {
@@ -78,11 +78,11 @@ where
     if !is_free && step_size::is_below(length, resolution) {
         return Err(Cause::StepTooSmall);
     }
-    // Not from the times, whose rounding grows with them.
+    // The difference of the times would not do, since rounding errors grow with time.
     let theta = length / memory.unit.abs();
     memory.reach(theta);
     memory.next = if is_free { num_traits::Zero::zero() } else { natural };
-    // Of a polynomial in time only the equations tell whether it holds. A constrained step is always compared
+    // The end of a polynomial in time is told by the equations alone. A constrained step is always compared
     // with them.
     if !S::CONSTRAINED && (S::STEEP || is_free) {
         let free = is_free.then_some(left);
@@ -182,7 +182,7 @@ where
 }
 
 /// The length, in units of the scaled time, that leads across a configuration in which constraints depend on
-/// each other, where the roundings that grow there keep the step to the length `theta`.
+/// each other, if the rounding errors that grow there keep the step to the length `theta`.
 #[cold]
 #[inline(never)]
 fn beyond<C, T, R, const N: usize>(memory: &JetsMemory<C, T, R, N>, limits: &Limits<R>, theta: R) -> Option<R>
@@ -199,8 +199,7 @@ where
     (longest > theta * unit).then(|| longest / unit)
 }
 
-/// Halves the step until it obeys the equations of motion. For a polynomial in time, what is left to go is
-/// given.
+/// Halves the step until it obeys the equations of motion. `left` is the time to go for a polynomial in time.
 #[cold]
 fn shorten<S, const N: usize, const K: usize>(
     memory: &mut <Jets as Adaptive<S, Held<S::Scalar, K>, N, K>>::Memory,
@@ -228,7 +227,8 @@ where
         tolerances: [limits.relative, absolute],
     };
     if let (Some(left), false) = (free, memory.last.is_positive()) {
-        // At rest, how strong the forces ahead are is the only measure of the roundings of one that sets in.
+        // At rest, the strength of the forces ahead is the only measure of the rounding errors of one that
+        // sets in.
         probe.compared(left / memory.unit, &mut strongest);
     }
     let (mut length, mut is_shorter) = (memory.end.t - start.t, false);

@@ -1,6 +1,5 @@
-//! The energy as a check of a step: where the macro has proved that it is conserved, what a step has
-//! changed of it is an error, whatever the cause. It tells a jump to another motion that obeys the
-//! equations as well.
+//! The energy as a check of a step. If the macro has proved that it is conserved, any change of it in a step
+//! is an error. It also shows a jump to another motion that obeys the equations as well.
 
 use super::{Check, relative};
 use crate::constraints::Footing;
@@ -8,15 +7,15 @@ use crate::number::real::{Ordered, Real};
 use crate::system::System;
 use crate::system::state::State;
 
-/// Roundings of the energy itself, in ulps: it is a sum of a few terms.
+/// Rounding errors of the energy itself, in ulps: it is a sum of a few terms.
 const ULPS: f64 = 4.0;
 
 impl<S: System<N, K>, const N: usize, const K: usize> Check<'_, S, N, K>
 where
     S::Scalar: Ordered,
 {
-    /// Whether a step to this end keeps the energy, where it is conserved: to what errors within the
-    /// tolerance make of it, one of each coordinate and velocity.
+    /// Whether a step to this end keeps the energy, if it is conserved. Its change may be what errors within
+    /// the tolerance make of it, one in each coordinate and velocity.
     #[inline]
     pub(crate) fn keeps_energy(&self, end: &State<S::Scalar, N>, footing: &Footing<S::Scalar, N>) -> bool {
         if !S::CONSERVES_ENERGY {
@@ -29,7 +28,7 @@ where
         change <= relative(self.limits) * speed * speed || change <= self.tolerated_energy(end, footing, here)
     }
 
-    /// What errors within the tolerance make of the energy, and roundings of it.
+    /// The change of the energy by errors within the tolerance, with its rounding errors.
     #[cold]
     #[inline(never)]
     fn tolerated_energy(
@@ -50,7 +49,7 @@ where
     }
 }
 
-/// Whether a step has lost so little of the energy that half of all digits are left of the kinetic energy.
+/// Whether a step has lost so little of the energy that half of the digits of the kinetic energy are right.
 #[inline]
 pub(crate) fn is_kept<S, const N: usize, const K: usize>(
     system: &S,
@@ -77,7 +76,8 @@ pub(crate) fn energy<S: System<N, K>, const N: usize, const K: usize>(
     system.energy_at(constants, state.t, &state.q, &state.v).part(0)
 }
 
-/// What errors of coordinates and velocities, each by itself, make of the energy at a state: the sum of all.
+/// The uncertainty of the energy at a state: the sum of its changes by errors of each coordinate and
+/// velocity.
 #[cold]
 #[inline(never)]
 pub(crate) fn blurred<S: System<N, K>, const N: usize, const K: usize>(

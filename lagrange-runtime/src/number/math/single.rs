@@ -38,7 +38,7 @@ pub(crate) fn sincosf(x: f32) -> (f32, f32) {
     (signed(sin, quarter), signed(cos, quarter.wrapping_add(1)))
 }
 
-/// The nearest multiple of π/2 modulo 4 (more of its bits may be set), and what is left of the angle.
+/// The nearest multiple of π/2 modulo 4 (more of its bits may be set), and the remaining angle.
 #[inline]
 fn reduce(x: f32) -> (u32, f32) {
     let shifted = x * FRAC_2_PI + TO_INTEGER;
@@ -57,7 +57,8 @@ fn reduce_large(x: f32) -> (u32, f32) {
         [0, 0xa2f9_836e, 0x4e44_1529, 0xfc27_57d1, 0xf534_ddc0, 0xdb62_9599, 0x3c43_9041, 0xfe51_63ab];
     let bits = x.to_bits();
     let (exponent, mantissa) = ((bits >> 23) & 0xff, (bits & 0x7f_ffff) | 0x80_0000);
-    // From the digit on that times the last bit of the mantissa is 2: those before make full turns.
+    // From this digit on, the digit times the last bit of the mantissa is 2. The digits before make full
+    // turns.
     let first = exponent.wrapping_sub(120);
     let Some(&[a, b, c, d]) = DIGITS.get(first as usize / 32..).and_then(|digits| digits.first_chunk())
     else {

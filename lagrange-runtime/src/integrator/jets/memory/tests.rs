@@ -20,7 +20,7 @@ fn a_term_of_the_upper_half_that_is_too_large_shortens_the_step_to_where_it_is_n
 #[test]
 fn terms_that_fall_as_fast_as_they_are_to_leave_the_length() {
     let memory = memory();
-    // A hair below, for the roundings of powers.
+    // A little below the limit, because powers are rounded.
     assert_eq!(memory.bounded(1.0, |order| 0.999 * 0.5_f64.powi(20 - order as i32)), 1.0);
     // The lower half is the motion itself.
     assert_eq!(memory.bounded(1.0, |order| if order < 10 { 1e3 } else { 0.0 }), 1.0);
@@ -32,7 +32,7 @@ fn states_inside_a_step_begin_with_what_rounding_took() {
     (memory.start, memory.unit) = (State::new([1.0], [0.0]), 1.0);
     memory.end = memory.start.at_time(1.0);
     memory.series.q[0] = [0.9 * f64::EPSILON];
-    // Less than half an ulp is gained, and more with the residue.
+    // Each addition is less than half an ulp. With the residue they count.
     assert_eq!(memory.at_part(0.5).q, [1.0]);
     memory.residue.q = [0.1 * f64::EPSILON];
     assert_eq!(memory.at_part(0.5).q, [1.0 + f64::EPSILON]);

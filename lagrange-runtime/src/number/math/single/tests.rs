@@ -12,7 +12,7 @@ fn unit(x: f64) -> f64 {
 /// The largest error in units of the last place, over arguments of both signs from `low` to `high`.
 fn worst(function: fn(f32) -> f32, exact: fn(f64) -> f64, low: f32, high: f32) -> f64 {
     let mut worst = 0.0_f64;
-    // A prime number, so that all patterns of the low bits come.
+    // The step is prime, so that all patterns of the low bits occur.
     for bits in (low.to_bits()..=high.to_bits()).step_by(12_373) {
         for x in [f32::from_bits(bits), -f32::from_bits(bits)] {
             let expected = exact(f64::from(x));
