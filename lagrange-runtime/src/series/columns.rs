@@ -19,8 +19,8 @@ pub trait Products<const C: usize, const L: usize> {
 /// A pattern of `M` products over columns that are `width` apart.
 pub trait Pattern<const C: usize, const M: usize> {
     /// Adds the terms of two rows at the same distance from the ends, for `W` instances whose first column
-    /// starts at `place`.
-    fn add<R: Real, const W: usize>(low: &[R; C], high: &[R; C], place: usize, sum: &mut [[R; W]; M]);
+    /// starts at `base`.
+    fn add<R: Real, const W: usize>(low: &[R; C], high: &[R; C], base: usize, sum: &mut [[R; W]; M]);
 }
 
 /// Factors of products, coefficients of the orders 1 to `P` (at the index before). Rows start on lines of the
@@ -60,7 +60,7 @@ fn outlined<S: Products<C, L>, R: Real, const C: usize, const L: usize>(rows: &[
     S::sum(rows, sums);
 }
 
-/// The sums of one tile, `used` of `W` instances of `M` products, to the places from `first` on. Its columns
+/// The sums of one tile, `used` of `W` instances of `M` products, to those from `first` on. Its columns
 /// start at `base`.
 #[inline(always)]
 pub fn tile<T, R, const C: usize, const L: usize, const W: usize, const M: usize>(
@@ -87,9 +87,9 @@ pub fn tile<T, R, const C: usize, const L: usize, const W: usize, const M: usize
     }
 }
 
-/// The sums of `W` instances whose first column starts at `place`.
+/// The sums of `W` instances whose first column starts at `base`.
 #[inline(always)]
-fn part<T, R, const C: usize, const W: usize, const M: usize>(rows: &[[R; C]], place: usize) -> [[R; W]; M]
+fn part<T, R, const C: usize, const W: usize, const M: usize>(rows: &[[R; C]], base: usize) -> [[R; W]; M]
 where
     T: Pattern<C, M>,
     R: Real,
@@ -102,26 +102,26 @@ where
         && let Some(middle) = high.next()
     {
         // Both terms are the same one.
-        T::add(middle, middle, place, &mut sum);
+        T::add(middle, middle, base, &mut sum);
         for x in sum.as_flattened_mut() {
             *x *= R::from_f64(0.5);
         }
     }
     // From the middle outwards: the row that was just written comes last.
     for (low, high) in low.iter().rev().zip(high) {
-        T::add(low, high, place, &mut sum);
+        T::add(low, high, base, &mut sum);
     }
     sum
 }
 
-/// The column at `place` of two rows.
+/// The `W` entries from `start` on of two rows.
 #[inline(always)]
 pub fn column<'a, R: Real, const C: usize, const W: usize>(
     low: &'a [R; C],
     high: &'a [R; C],
-    place: usize,
+    start: usize,
 ) -> Option<(&'a [R; W], &'a [R; W])> {
-    Some((low.get(place..)?.first_chunk()?, high.get(place..)?.first_chunk()?))
+    Some((low.get(start..)?.first_chunk()?, high.get(start..)?.first_chunk()?))
 }
 
 /// A column of both rows.
@@ -161,8 +161,8 @@ mod tests {
     struct Three;
 
     impl Pattern<6, 3> for Three {
-        fn add<R: Real, const W: usize>(low: &[R; 6], high: &[R; 6], place: usize, sum: &mut [[R; W]; 3]) {
-            let [a, b, c] = [0, 2, 4].map(|column| super::column::<_, _, W>(low, high, place + column));
+        fn add<R: Real, const W: usize>(low: &[R; 6], high: &[R; 6], index: usize, sum: &mut [[R; W]; 3]) {
+            let [a, b, c] = [0, 2, 4].map(|column| super::column::<_, _, W>(low, high, index + column));
             product(&mut sum[0], a, b);
             square(&mut sum[1], a);
             product(&mut sum[2], b, c);
@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn sums_are_the_interiors_of_convolutions() {
         const ORDERS: usize = 9;
-        let coefficient = |order: usize, place: usize| ((7 * order + 3 * place) % 11) as f64 - 4.5;
+        let coefficient = |order: usize, index: usize| ((7 * order + 3 * index) % 11) as f64 - 4.5;
         let mut columns = Columns::<f64, 6, ORDERS>::default();
         let mut sums = [f64::NAN; 6];
         for order in 1..=ORDERS {
@@ -185,7 +185,7 @@ mod tests {
                     assert_eq!(sums[2 * product + instance], expected, "order {order}, product {product}");
                 }
             }
-            *columns.row(order).unwrap() = core::array::from_fn(|place| coefficient(order, place));
+            *columns.row(order).unwrap() = core::array::from_fn(|index| coefficient(order, index));
         }
         assert!(columns.row(ORDERS + 1).is_none());
     }

@@ -1,18 +1,19 @@
 //! The tables behind the recurrences of Taylor coefficients. Reached through generated code only.
 //!
-//! In c\[k] = Σ a\[j] b\[k − j] only the two end terms know coefficients of order k. The interior needs lower
-//! orders alone, for every product of a system at once: each product is a lane of two tables, and one sweep
-//! over the rows sums all lanes. No lane waits for another, so the sweep runs on vectors of any width.
+//! In c\[k] = Σ a\[j] b\[k − j] only the two end terms contain coefficients of order k. The interior needs lower
+//! orders alone, for every product of a system at once. The factors of a product are a column of each of two
+//! tables, and one sweep over the rows sums all products. No product waits for another, so the sweep runs on
+//! vectors of any width.
 //! Numbers that are vectors themselves leave nothing to put side by side: there each factor is stored once,
 //! and the sweep takes two rows at a time, so that a coefficient is loaded once for all products that it is a
 //! factor of. For systems of few products; [`crate::series::columns`] serves those of many.
 
 use crate::number::real::Real;
 
-/// The largest number of lanes whose sums are written out in the code that uses them.
+/// The most products whose sums are written out in the code that uses them.
 const INLINE: usize = 12;
 
-/// Expansions to no higher order, those of fixed steps, are written out order by order.
+/// The highest order of expansions that are written out order by order: those of fixed steps.
 const LOW: usize = 8;
 
 /// Whether numbers are vectors, or carry other parts.
@@ -43,8 +44,8 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         Some((self.left.get_mut(order - 1)?, self.right.get_mut(order - 1)?))
     }
 
-    /// Σ left\[j] right\[order − j] over 1 < j < order − 1, for all lanes. The outermost terms, of orders
-    /// that were just stored, are the caller's.
+    /// Σ left\[j] right\[order − j] over 1 < j < order − 1, for all products. The outermost terms, of
+    /// orders that were just stored, are the caller's.
     #[inline(always)]
     pub fn interior(&self, order: usize) -> [R; L] {
         let rows = order.saturating_sub(2);
@@ -54,12 +55,12 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
         if L <= INLINE { self.sweep(rows) } else { self.outlined(rows) }
     }
 
-    /// Σ left\[j] right\[order − j] over 0 < j < order, for all lanes.
+    /// Σ left\[j] right\[order − j] over 0 < j < order, for all products.
     #[inline(always)]
     pub fn all(&self, order: usize) -> [R; L] {
         let mut sum = self.interior(order);
-        let mut add = |place: usize| {
-            if let (Some(left), Some(right)) = (self.left.get(place - 1), self.right.get(order - place - 1)) {
+        let mut add = |row: usize| {
+            if let (Some(left), Some(right)) = (self.left.get(row - 1), self.right.get(order - row - 1)) {
                 for i in 0..L {
                     sum[i] = Real::mul_add(left[i], right[i], sum[i]);
                 }
@@ -96,7 +97,7 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     /// The sums over the indices 1 to `rows` − 1 and back.
     #[inline(always)]
     fn sweep(&self, rows: usize) -> [R; L] {
-        // One chain of additions for each lane would wait for itself.
+        // In a single chain of additions each would wait for the one before it.
         let (mut sum, mut other) = ([R::zero(); L], [R::zero(); L]);
         let (Some(left), Some(right)) = (self.left.get(1..rows), self.right.get(1..rows)) else {
             return sum;
@@ -121,8 +122,8 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     }
 }
 
-/// Every sum anew, from the places of its factors and what it is. Written out: compilers know a product's
-/// factors then and keep the sums in registers, while a loop over products stays a loop.
+/// Replaces every sum, by a function of the indices of its factors and of the sum. The sums are written out, so that
+/// the compiler knows the factors of a product and keeps sums in registers. A loop over products would stay a loop.
 #[inline(always)]
 fn each<R: Copy, const N: usize>(
     products: &[[usize; 2]; N],
@@ -130,17 +131,17 @@ fn each<R: Copy, const N: usize>(
     next: impl Fn([usize; 2], R) -> R,
 ) {
     macro_rules! written {
-        ($($place:literal)*) => {{
-            const { assert!(N <= [$($place),*].len(), "more products than are written out") };
-            $(if $place < N {
-                sums[$place] = next(products[$place], sums[$place]);
+        ($($index:literal)*) => {{
+            const { assert!(N <= [$($index),*].len(), "more products than are written out") };
+            $(if $index < N {
+                sums[$index] = next(products[$index], sums[$index]);
             })*
         }};
     }
     written!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
 }
 
-/// The interior sums where each factor is stored once: Σ a\[j] b\[order − j] over 1 < j < order − 1.
+/// The interior sums if each factor is stored once: Σ a\[j] b\[order − j] over 1 < j < order − 1.
 #[inline(always)]
 fn shared<R: Real, const L: usize, const P: usize, const N: usize>(
     tables: &Tables<R, L, P>,
@@ -186,7 +187,7 @@ fn shared<R: Real, const L: usize, const P: usize, const N: usize>(
     sums
 }
 
-/// One order after another, until one says that it was the last.
+/// One order after another, until `expand` returns false.
 #[inline(always)]
 pub fn in_turn(orders: usize, mut expand: impl FnMut(usize) -> bool) {
     for order in 1..=orders {

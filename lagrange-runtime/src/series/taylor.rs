@@ -71,8 +71,8 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         let mut variable = Self::constant(value);
         let mut terms = terms.zip(powers.iter().skip(1)).map(|(term, &power)| term * power);
         let mut degree = 0;
-        for (place, term) in variable.coefficients.iter_mut().skip(1).zip(&mut terms) {
-            *place = term;
+        for (coefficient, term) in variable.coefficients.iter_mut().skip(1).zip(&mut terms) {
+            *coefficient = term;
             degree += 1;
         }
         while degree > 0 && variable.coefficients[degree].is_zero() {
@@ -234,7 +234,7 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
     }
 }
 
-/// Adds the terms of a product that have a place. Numbers with more coefficients and with fewer have this
+/// Adds the terms of a product that fit. Numbers with more coefficients and with fewer have this
 /// code in common.
 #[inline(never)]
 fn convolve<R: Real>(product: &mut [R], one: &[R], other: &[R]) {

@@ -21,14 +21,14 @@ pub(super) fn items(model: &Model, tiles: &Tiles, factors: &[Factor], of: &Of) -
         ));
     }
     text.push_str("}\n}\n");
-    for (place, pattern) in patterns.iter().enumerate() {
+    for (index, pattern) in patterns.iter().enumerate() {
         let products = pattern.products.len();
         text.push_str(&format!(
-            "struct Pattern{place};\n\
-             impl lagrange::jets::Pattern<{columns}, {products}> for Pattern{place} {{\n\
+            "struct Pattern{index};\n\
+             impl lagrange::jets::Pattern<{columns}, {products}> for Pattern{index} {{\n\
              #[inline(always)]\n\
              fn add<R: lagrange::Real, const W: usize>(low: &[R; {columns}], high: &[R; {columns}], \
-             place: usize, sum: &mut [[R; W]; {products}]) {{\n{}}}\n}}\n",
+             base: usize, sum: &mut [[R; W]; {products}]) {{\n{}}}\n}}\n",
             body(model, pattern, factors, of)
         ));
     }
@@ -45,16 +45,16 @@ fn body(model: &Model, pattern: &Pattern, factors: &[Factor], of: &Of) -> String
     for (offset, &factor) in pattern.columns.iter().zip(&pattern.factors) {
         let name = names.claim(of.factor(factors[factor].operand));
         text.push_str(&format!(
-            "let {name} = lagrange::jets::column::<_, _, W>(low, high, place + {offset});\n"
+            "let {name} = lagrange::jets::column::<_, _, W>(low, high, base + {offset});\n"
         ));
         columns.push(name);
     }
-    for (place, &[a, b]) in pattern.products.iter().enumerate() {
+    for (index, &[a, b]) in pattern.products.iter().enumerate() {
         let (a, b) = (&columns[a], &columns[b]);
         text.push_str(&if a == b {
-            format!("lagrange::jets::square(&mut sum[{place}], {a});\n")
+            format!("lagrange::jets::square(&mut sum[{index}], {a});\n")
         } else {
-            format!("lagrange::jets::product(&mut sum[{place}], {a}, {b});\n")
+            format!("lagrange::jets::product(&mut sum[{index}], {a}, {b});\n")
         });
     }
     text

@@ -1,19 +1,19 @@
-//! The sweep against the sum as it is written, in every way in which lanes are grouped.
+//! The sweep against the plain sum, for every way to group products.
 
 use super::*;
 use crate::number::real::Dual;
 
 /// A whole number that depends on everything, so that sums are exact.
-fn entry(order: usize, lane: usize, side: usize) -> f64 {
-    ((order * 7 + lane * 13 + side * 5) % 23) as f64 - 11.0
+fn entry(order: usize, product: usize, side: usize) -> f64 {
+    ((order * 7 + product * 13 + side * 5) % 23) as f64 - 11.0
 }
 
 fn filled<const L: usize, const P: usize>() -> Tables<f64, L, P> {
     let mut tables = Tables::default();
     for order in 1..=P {
         let (left, right) = tables.row(order).unwrap();
-        for lane in 0..L {
-            (left[lane], right[lane]) = (entry(order, lane, 0), entry(order, lane, 1));
+        for product in 0..L {
+            (left[product], right[product]) = (entry(order, product, 0), entry(order, product, 1));
         }
     }
     tables
@@ -23,10 +23,10 @@ fn sweeps<const L: usize, const P: usize>() {
     let tables = filled::<L, P>();
     for order in 1..=P + 1 {
         let found = tables.interior(order);
-        for (lane, found) in found.iter().enumerate() {
+        for (product, found) in found.iter().enumerate() {
             let inner = 2..order.saturating_sub(1);
-            let expected: f64 = inner.map(|j| entry(j, lane, 0) * entry(order - j, lane, 1)).sum();
-            assert_eq!(*found, expected, "{L} lanes, order {order}, lane {lane}");
+            let expected: f64 = inner.map(|j| entry(j, product, 0) * entry(order - j, product, 1)).sum();
+            assert_eq!(*found, expected, "{L} products, order {order}, product {product}");
         }
     }
 }

@@ -18,7 +18,7 @@ impl<R: Ordered, const T: usize> Taylor<R, T> {
         series
     }
 
-    /// The terms of the derivative, each in the place of the term that it is that of: j xⱼ.
+    /// The terms j xⱼ of the derivative, each at the index of its own term.
     fn rates(&self) -> [R; T] {
         let mut rates = self.coefficients;
         for (order, rate) in rates.iter_mut().enumerate().take(self.degree + 1) {
