@@ -11,9 +11,9 @@ mod cases;
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
+use cases::compiler::{report, text};
 use cases::{outputs, stems};
 
 /// Messages that no description can produce, each with the reason.
@@ -49,12 +49,12 @@ fn the_compiler_reports_mistakes_where_they_are() {
     let others = &(&cases::of_the_macro() & &stems("stderr")) | &cases::of_builds();
     let own = &stems("rs") - &others;
     assert!(own.len() > 30, "{own:?}");
-    let report = |name: String| {
+    let about = |name: String| {
         let source = Path::new(&cases::directory()).join(format!("{name}.rs"));
         let text = messages_about(&source, "bin").into_iter().map(|(_, text)| text).collect();
         (name, text)
     };
-    compare(own.into_iter().map(report).collect());
+    compare(own.into_iter().map(about).collect());
 }
 
 /// Constants in generic functions are evaluated where these are compiled. The place is in the library, so the
@@ -64,14 +64,14 @@ fn a_build_reports_what_checks_do_not() {
     if !cases::is_known_compiler() {
         return;
     }
-    let report = |name: String| {
+    let about = |name: String| {
         let source = Path::new(&cases::directory()).join(format!("{name}.rs"));
-        let messages = compiled(&source, "bin", "obj").into_iter();
-        let errors = messages.filter(|text| text.starts_with("error["));
+        let messages = report(&source, "bin", "obj");
+        let errors = messages.iter().map(text).filter(|text| text.starts_with("error["));
         let first = |text: String| text.lines().next().unwrap_or_default().to_owned() + "\n\n";
         (name, errors.map(first).collect())
     };
-    compare(cases::of_builds().into_iter().map(report).collect());
+    compare(cases::of_builds().into_iter().map(about).collect());
 }
 
 /// Compares the messages about each case with those beside it, or writes them.
@@ -94,31 +94,11 @@ fn compare(found: BTreeMap<String, String>) {
     assert!(wrong.is_empty(), "{} of {} cases\n{}", wrong.len(), found.len(), wrong.join("\n"));
 }
 
-/// What the compiler says of a crate of which this is made.
-fn compiled(source: &Path, kind: &str, made: &str) -> Vec<String> {
-    let deps = std::env::current_exe().expect("the test is a file");
-    let deps = deps.parent().expect("it stands in a folder");
-    let mut compiler = Command::new(cases::compiler());
-    compiler.args(["--edition=2024", "--error-format=json", "--verbose", "-Adead_code"]);
-    compiler.arg(format!("--emit={made}"));
-    compiler.arg(format!("--crate-type={kind}")).arg("--out-dir").arg(env!("CARGO_TARGET_TMPDIR"));
-    compiler.arg("-L").arg(format!("dependency={}", deps.display()));
-    compiler.arg("--extern").arg(format!("lagrangian={}", newest(deps, "liblagrangian-").display()));
-    // What a user of cargo is told.
-    let output = compiler.env("CARGO_CRATE_NAME", "case").arg(source).output().expect("rustc runs");
-    let output = String::from_utf8(output.stderr).expect("rustc writes text");
-    let rendered = |line: &str| {
-        let message: serde_json::Value = serde_json::from_str(line).expect("rustc writes JSON");
-        message["rendered"].as_str().expect("a message has a text").to_owned()
-    };
-    output.lines().map(rendered).collect()
-}
-
 /// What it says, each message with the name of the case that it is about.
 fn messages_about(source: &Path, kind: &str) -> Vec<(String, String)> {
     let place = format!("{}/", cases::directory());
     let mut messages = Vec::new();
-    for text in compiled(source, kind, "metadata") {
+    for text in report(source, kind, "metadata").iter().map(text) {
         // Without a place it says how many errors there were.
         let Some((_, name)) = text.split_once(&place) else { continue };
         let (name, _) = name.split_once(".rs:").expect("a place is a line of a file");
@@ -160,19 +140,6 @@ fn file(place: &str) -> String {
     let mut parts = path.split('/').skip(1);
     let package = parts.next().and_then(|part| part.rsplit_once('-')).expect("a package has a version").0;
     format!("$CARGO/{package}-$VERSION/{}.rs", parts.collect::<Vec<_>>().join("/"))
-}
-
-/// The library as this test was built with it: what was built last. Libraries of other features stand beside
-/// it, which are as new as their sources.
-fn newest(folder: &Path, start: &str) -> PathBuf {
-    let files = fs::read_dir(folder).expect("the folder of the test can be read");
-    let files = files.map(|file| file.expect("it can be read to its end").path()).filter(|path| {
-        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        name.starts_with(start) && name.ends_with(".rlib")
-    });
-    let age =
-        |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).expect("a file has a time");
-    files.max_by_key(age).unwrap_or_else(|| panic!("no {start}*.rlib in {}", folder.display()))
 }
 
 #[test]

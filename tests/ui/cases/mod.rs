@@ -1,5 +1,7 @@
 //! The cases of `tests/ui` and who reports their mistakes.
 
+pub mod compiler;
+
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs;
@@ -9,13 +11,13 @@ use std::process::Command;
 /// rustc's part of the output (how a place is drawn, its own errors about types) differs between versions.
 const RUSTC: &str = "rustc 1.95.";
 
-pub fn compiler() -> OsString {
+fn rustc() -> OsString {
     std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into())
 }
 
 /// Whether the outputs are those of this compiler. Says so where they are not.
 pub fn is_known_compiler() -> bool {
-    let version = Command::new(compiler()).arg("--version").output().expect("rustc runs");
+    let version = Command::new(rustc()).arg("--version").output().expect("rustc runs");
     let version = String::from_utf8_lossy(&version.stdout);
     let is_known = version.starts_with(RUSTC);
     if !is_known {
