@@ -118,7 +118,7 @@ pub struct Wanted<R> {
 /// How long the motion takes \[s].
 pub const DURATION: f64 = 1.0;
 
-/// Where it begins and ends \[rad].
+/// The joint angles at the start and at the end \[rad].
 pub const ENDS: [[f64; 6]; 2] = [[-0.6, 0.3, 1.2, -0.4, 0.5, 0.0], [0.9, -0.4, 1.9, 0.6, -0.7, 1.0]];
 
 /// The motion from rest to rest with the least jerk, all joints in step.

@@ -97,7 +97,7 @@ where
         self.study.count()
     }
 
-    /// No bar: for a rank that is not the first.
+    /// Progress without a bar, for ranks other than the first.
     pub fn silent(&self) -> Progress {
         Progress::new(self.study.name(), self.study.count(), 0, false)
     }

@@ -30,8 +30,9 @@ impl States {
         Self { rows: rows.collect(), base }
     }
 
-    /// The same with a level base, which are the same motions for all coordinates of a base: there its three
-    /// numbers are zero, and their rates are components of the angular velocity, here all equal.
+    /// The same states with a level base. They are the same motions whatever coordinates describe the base:
+    /// its three numbers are zero there, and their rates are the components of the angular velocity, here all
+    /// equal.
     pub fn level(robot: &Robot) -> Self {
         let mut states = Self::random(robot);
         for [q, v, torques] in &mut states.rows {

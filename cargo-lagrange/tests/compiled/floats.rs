@@ -22,7 +22,7 @@ fn a_floating_base_can_stand_still() {
     close(&[weight], &[9.81 * 2.3], 1e-13);
 }
 
-/// The change of velocities by name along accelerations: a difference of order four.
+/// The rate of named velocities along accelerations, by a difference of order four.
 fn change<const N: usize>(
     state: &State<f64, N>,
     accelerations: &[f64; N],

@@ -52,7 +52,7 @@ pub const METHODS: [&str; 40] = [
     "modulus",
 ];
 
-/// What floats have and the language has not.
+/// Methods of floats that the language does not have.
 pub const REFUSED: [&str; 11] = [
     "floor",
     "ceil",

@@ -78,7 +78,7 @@ impl Shape {
     }
 }
 
-/// Larger matrices cannot be unrolled.
+/// The most entries of a matrix. Larger ones could not be unrolled.
 const LARGEST_MATRIX: usize = 10_000;
 
 impl<'a> Interpreter<'a> {

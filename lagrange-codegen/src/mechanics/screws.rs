@@ -36,7 +36,7 @@ pub struct Screws {
     pub screws: Vec<[NodeId; 6]>,
     /// Their first and second rates along a motion without accelerations, where they are given.
     pub rates: Vec<[[NodeId; 6]; 2]>,
-    /// Their derivatives by the coordinates of the group, where rates are given.
+    /// The derivatives of the screws by the coordinates of the group, for groups whose rates are given.
     pub changes: Vec<[NodeId; 6]>,
     /// Mass, first moment, and moments of inertia xx, xy, xz, yy, yz, zz of what a group alone moves.
     pub inertias: Vec<[NodeId; 10]>,

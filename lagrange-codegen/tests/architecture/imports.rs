@@ -126,7 +126,7 @@ impl Names {
     /// members.
     pub fn rings(&self) -> Vec<Vec<String>> {
         let mut found = Vec::new();
-        // Those at the root have layers.
+        // Modules at the root have layers instead.
         for (parent, scope) in self.modules.iter().filter(|(parent, _)| !parent.is_empty()) {
             let mut needs: BTreeMap<&String, BTreeSet<&String>> = BTreeMap::new();
             for child in &scope.children {

@@ -47,10 +47,10 @@ fn singular(finite: bool, coordinate: usize) -> Cause {
     if finite { Cause::SingularMassMatrix { pivot: coordinate, name: Name::NONE } } else { Cause::NotFinite }
 }
 
-/// The accelerations if they are finite, and those of masses.
+/// The accelerations if they are finite and the masses are positive.
 ///
 /// # Errors
-/// What is wrong at the state.
+/// The cause at the state if not.
 #[inline(always)]
 pub fn finite<S: System<N, K>, const N: usize, const K: usize>(
     system: &S,

@@ -384,7 +384,7 @@ fn roundings_in_a_column_do_not_hold_a_motion_up() {
             let h = 1e-3;
             let [far, near] = [[beside(-2.0 * h), beside(2.0 * h)], [beside(-h), beside(h)]];
             for i in 0..3 {
-                // Of fourth order.
+                // A difference of fourth order.
                 let slope = (8.0 * (near[1][i] - near[0][i]) - (far[1][i] - far[0][i])) / (12.0 * h);
                 assert!((found[(i, j)] - slope).abs() < 1e-7 + 1e2 * tolerance, "{tolerance}: {i} by {j}");
             }

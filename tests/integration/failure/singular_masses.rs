@@ -55,7 +55,7 @@ fn a_fast_spin_keeps_away_from_the_pole() {
     close(motion.energy(), energy, 1e-9);
 }
 
-/// A chain whose M is factored in the runtime.
+/// A chain whose mass matrix the runtime factors.
 struct Chain {
     m: [f64; 4],
 }

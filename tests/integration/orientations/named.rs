@@ -69,7 +69,7 @@ fn what_belongs_to_angular_velocities_is_in_body_axes() {
     all_close(mass - expected, SMatrix::<f64, 7, 7>::zeros(), 1e-12);
 }
 
-/// Beside a coordinate that a constraint gives.
+/// An orientation beside a coordinate that a constraint gives.
 struct Geared;
 
 #[lagrangian(coordinates = [pinion, wheel, attitude: Rotation])]

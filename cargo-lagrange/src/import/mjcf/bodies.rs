@@ -164,7 +164,7 @@ impl<'r, 'a> Bodies<'r, 'a> {
     }
 
     fn action(&mut self, node: Element<'a>, kind: Kind, joint: &str) -> Action {
-        // It has no attributes of that kind, and takes none from defaults.
+        // A free joint has no such attributes and takes none from defaults.
         if node.has_tag_name("freejoint") {
             return Action::default();
         }

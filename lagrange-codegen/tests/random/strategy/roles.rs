@@ -34,7 +34,7 @@ pub enum Base {
     Whole(usize, Expr),
 }
 
-/// What gives inertia: quadratic forms only, or any.
+/// The inertia of a system: quadratic forms alone, or any energy.
 pub fn base(quadratic: bool) -> BoxedStrategy<Base> {
     let constant = fixed().prop_map(Base::Constant);
     let varying = (index(), scalar(Reach::Position)).prop_map(|(shape, x)| Base::Varying(shape, x));

@@ -107,7 +107,8 @@ where
         }
     }
 
-    /// Why the lanes of such a system would depend on each other, or would miss what a single motion sees.
+    /// Why such a system cannot run in lanes: its lanes would depend on each other, or would miss what a
+    /// single motion sees.
     pub fn unsuited() -> Option<&'static str> {
         if S::CONSTRAINED && !S::LANDS_APART {
             Some("has constraints, whose pivots and corrections lanes would share")

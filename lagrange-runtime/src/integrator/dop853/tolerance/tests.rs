@@ -107,7 +107,7 @@ fn a_jump_costs_the_tolerance_in_any_unit() {
 
 #[test]
 fn forces_of_nothing_but_noise_are_passed_over() {
-    // Noise of 1e-17 beside a rest that a force of 1 with a counterforce of 1 leaves.
+    // Noise of 1e-17, as at a rest where two forces of 1 are in balance.
     let noise = |t: f64, q: &[f64; 1], _: &[f64; 1]| {
         let bits = (t.to_bits() ^ q[0].to_bits().rotate_left(17)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         [1e-17 * ((bits >> 32) as f64 / 2.0_f64.powi(31) - 1.0)]
