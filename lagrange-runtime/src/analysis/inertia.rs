@@ -43,6 +43,9 @@ impl<R: Real, const N: usize> InertiaForces<R, N> {
 ///
 /// The mass matrix of solvable equations of motion may have any signature. If they are not solvable, M + √ε
 /// diag M tells a negative mass from a missing one.
+///
+/// # Errors
+/// [`Cause::SingularMassMatrix`] with the coordinate.
 pub(super) fn refuse_negative<S: System<N, K>, const N: usize, const K: usize>(
     system: &S,
     constants: &S::Constants,
