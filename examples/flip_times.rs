@@ -52,7 +52,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     // Rows are angles of the lower rod, columns of the upper one.
     let grid = Grid::new([(-PI, PI, options.height), (-PI, PI, options.width)]);
     let start = |index| {
-        let [lower, upper] = grid.place(index);
+        let [lower, upper] = grid.middle(index);
         (DoublePendulum { stiffness: 9.81 }, State::at_rest([upper, lower]))
     };
     let flips = Ensemble::new(grid.count(), start)
@@ -81,7 +81,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
 
     let (mut pixels, mut flipped, mut wrong) = (Vec::new(), 0, None);
     table.each(|index, result| {
-        let [lower, upper] = grid.place(index);
+        let [lower, upper] = grid.middle(index);
         // Too little energy to lift the lower rod over the upper one, whatever happens.
         let bound = 2.0 * upper.cos() + lower.cos() > 1.0;
         match result {

@@ -72,7 +72,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
 
     let grid = Grid::new([(-2.0, 2.0, options.height), (-2.0, 2.0, options.width)]);
     let start = |index| {
-        let [y, x] = grid.place(index);
+        let [y, x] = grid.middle(index);
         (pendulum, State::at_rest([x, y]))
     };
     let basins = Ensemble::new(grid.count(), start)

@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let grid = Grid::new([(-3.0, 3.0, side), (-3.0, 3.0, side)]);
     let begin = Instant::now();
     let study = Ensemble::new(grid.count(), |index| {
-        (DoublePendulum { stiffness: 9.81 }, State::at_rest(grid.place(index)))
+        (DoublePendulum { stiffness: 9.81 }, State::at_rest(grid.middle(index)))
     })
     .with_tolerance(1e-9)
     .in_lanes::<Lanes<f64x4>>()

@@ -1,7 +1,7 @@
-//! [`Grid`]: the places of a grid by their index.
+//! [`Grid`]: the cells of a grid by their index.
 
-/// A grid of cells in `D` dimensions. Its places are the middles of the cells, the last dimension fastest, as
-/// NumPy has it. A middle lies on no border, where motions often are special.
+/// A grid of cells in `D` dimensions, numbered with the last dimension fastest, as NumPy has it. A motion belongs to the
+/// middle of its cell, which lies on no border, where motions often are special.
 ///
 /// ```
 /// use lagrange_ensemble::Grid;
@@ -9,8 +9,8 @@
 /// // Three cells from 0 to 3 for rows, two from 0 to 1 for columns.
 /// let grid = Grid::new([(0.0, 3.0, 3), (0.0, 1.0, 2)]);
 /// assert_eq!((grid.count(), grid.shape()), (6, [3, 2]));
-/// assert_eq!(grid.place(3), [1.5, 0.75]);
-/// assert!(grid.place(6)[0].is_nan());
+/// assert_eq!(grid.middle(3), [1.5, 0.75]);
+/// assert!(grid.middle(6)[0].is_nan());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid<const D: usize> {
@@ -34,14 +34,14 @@ impl<const D: usize> Grid<D> {
     }
 
     /// The middle of a cell; not a number beyond the last one.
-    pub fn place(&self, index: u64) -> [f64; D] {
-        let (mut place, mut rest) = ([0.0; D], index);
-        for (at, (from, to, cells)) in place.iter_mut().zip(self.sides).rev() {
+    pub fn middle(&self, index: u64) -> [f64; D] {
+        let (mut middle, mut rest) = ([0.0; D], index);
+        for (at, (from, to, cells)) in middle.iter_mut().zip(self.sides).rev() {
             let cells = cells.max(1);
             let share = ((rest % cells) as f64 + 0.5) / cells as f64;
             *at = from * (1.0 - share) + to * share;
             rest /= cells;
         }
-        if rest > 0 { [f64::NAN; D] } else { place }
+        if rest > 0 { [f64::NAN; D] } else { middle }
     }
 }

@@ -33,7 +33,7 @@
 //! // 40 lengths by 30 amplitudes.
 //! let grid = Grid::new([(0.1, 2.0, 40), (0.0, 3.0, 30)]);
 //! let study = Ensemble::new(grid.count(), |index| {
-//!     let [length, amplitude] = grid.place(index);
+//!     let [length, amplitude] = grid.middle(index);
 //!     (Pendulum { length }, State::at_rest([amplitude]))
 //! })
 //! .with_tolerance(1e-9)

@@ -32,7 +32,7 @@ struct Behind {
 pub(crate) fn write(path: &Path, study: &Fingerprint, layout: &Layout, block: Block) -> Result<File, Error> {
     let count = (block.rows.len() / layout.row().max(1)) as u64;
     let Block { number, rows, failures, .. } = block;
-    whole::place(path, |out| {
+    whole::write_unflushed(path, |out| {
         let header = npy::header(layout, &[count])?;
         let text = serde_json::to_vec(&Behind { study: study.clone(), part: number, failures })?;
         let length = (text.len() as u64).to_le_bytes();

@@ -16,19 +16,19 @@ pub(crate) fn write(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<(), Error> {
-    placed(path, content, File::sync_all).map(|_| ())
+    renamed(path, content, File::sync_all).map(|_| ())
 }
 
-/// The same for every process that looks, while the operating system may still hold the content back from the
-/// disk: a failure of power can leave less of it. The file, to be flushed.
-pub(crate) fn place(
+/// Writes a file that is whole for every process that looks, though the operating system may hold its content back from
+/// the disk: a failure of power can leave less of it. Returns the file, to be flushed.
+pub(crate) fn write_unflushed(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<File, Error> {
-    placed(path, content, |_| Ok(()))
+    renamed(path, content, |_| Ok(()))
 }
 
-fn placed(
+fn renamed(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
     ready: impl FnOnce(&File) -> io::Result<()>,

@@ -202,16 +202,21 @@ messages! {
         constants are written in capitals";
     unknown_quantity(kind, name, declared; near) = "there is no {kind} `{name}`{near}; declared are \
         `{declared}`";
+    velocity_of_coordinate(name, coordinate) = "there is no coordinate `{name}`; the velocity of `{coordinate}` is \
+        `v.{coordinate}`, with `v: &Velocities` among the parameters";
     unknown_field(value, name) = "{value} has no field `{name}`; use a component or a method it has";
     unknown_method(value, name; near) = "{value} has no method `{name}` that the macro knows{near}; write \
         it out, or put it into a function of this impl block";
+    array_as_vector(array, name) = "{array} has no method `{name}`; make a vector of it, as by `Vector2::from(…)`";
     field_called(name) = "`{name}` is a field, not a method; remove the parentheses";
     unknown_function(name; near) = "there is no function `{name}` that the macro knows{near}; only functions \
         of this impl block and of nalgebra's small types can be used";
     unknown_helper(name; near) = "there is no function `{name}` in this impl block{near}; only functions of \
         this impl block can be inlined";
     free_function(name) = "only functions of this impl block can be inlined; move `{name}` in as an \
-        associated function and call it by `Self::`";
+        associated function and call it by `Self::`, or make its value a field";
+    foreign_value(name) = "`{name}(…)` makes a value that has no part in an equation; write the number, the vector or \
+        the pose itself";
     velocity_of_more(name) = "`{name}` is a function of more than coordinates and time, so its velocity is not known; \
         let it take `q: &Coordinates` and `t` only, and read all else from `self`";
     no_velocity(name, value) = "`{name}` returns {value}, which has no velocity; let it return numbers, vectors, poses or \
@@ -332,8 +337,8 @@ messages! {
         product of inertia";
     wrong_inertia(found) = "the inertia of a body in space is three principal moments or a `Matrix3`, not \
         {found}";
-    unknown_force_target(name; near) = "there is no function `{name}` for the force to act at{near}; name a \
-        `#[point]` or `#[body]` function";
+    unknown_force_target(name; near) = "there is no function `{name}` for the force to act at{near}; name one that \
+        returns a position or a pose, such as a `#[point]` or `#[body]`";
     not_a_place(name) = "`{name}` is no place; a force acts at a function of `&Coordinates` that returns a \
         position or a pose";
     eliminated_count(name, constraints, coordinates) = "`{name}` is {constraints} and cannot eliminate \

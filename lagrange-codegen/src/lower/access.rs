@@ -93,6 +93,11 @@ impl<'a> Interpreter<'a> {
         match groups.iter().position(|group| group.name() == word.name) {
             Some(index) => self.fields[position][index].clone(),
             None => {
+                if let Some(coordinate) = self.differentiated(&word.name).filter(|_| record != Record::Inputs)
+                {
+                    let message = catalogue::velocity_of_coordinate(&word.name, coordinate);
+                    return self.refuse(word.origin, message);
+                }
                 let names: Vec<Name> = groups.iter().map(|group| group.name()).collect();
                 let near = self.near(&word.name, &names);
                 let declared = names.join("`, `");

@@ -6,7 +6,7 @@ use super::value::Value;
 use crate::collections::Lookup;
 use crate::diagnostics::{Origin, catalogue};
 use crate::expr::{Dependence, Node, NodeId, Variable};
-use crate::syntax::body::{BinaryOperator, Expr, ExprKind, Owner, Path};
+use crate::syntax::body::{BinaryOperator, Expr, ExprKind, Name, Owner, Path};
 use crate::syntax::hygiene::written as written_name;
 use crate::syntax::item::{Argument, RoleKind};
 use crate::syntax::{Group, Record, Scalar, refused};
@@ -157,8 +157,26 @@ impl<'a> Interpreter<'a> {
             (None, [_, ..]) if scalar::REFUSED.contains(&name) => {
                 self.refuse(path.origin, catalogue::not_smooth(name, scalar::alternative(name)))
             }
+            (None, _) if name.starts_with(char::is_uppercase) => {
+                self.refuse(path.origin, catalogue::foreign_value(name))
+            }
             (None, _) => self.refuse(path.origin, catalogue::free_function(name)),
         }
+    }
+
+    /// The coordinate that a name such as `theta_dot` or `dx` means the velocity of.
+    pub fn differentiated(&self, name: &str) -> Option<Name> {
+        let means = |coordinate: &str| {
+            let before = name.strip_suffix(coordinate).is_some_and(|rest| matches!(rest, "d" | "d_"));
+            let behind = name.strip_prefix(coordinate).is_some_and(|rest| {
+                matches!(
+                    rest.trim_start_matches('_'),
+                    "d" | "dot" | "dt" | "prime" | "rate" | "vel" | "velocity"
+                )
+            });
+            before || behind
+        };
+        self.item.coordinates.iter().map(|group| group.name()).find(|coordinate| means(coordinate))
     }
 
     /// The field that a scalar is made of, if its expression is small and has one field only.

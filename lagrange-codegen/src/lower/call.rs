@@ -77,6 +77,10 @@ impl<'a> Interpreter<'a> {
         if arguments.iter().any(|argument| matches!(argument, Value::Closure(_))) {
             return self.refuse(origin, catalogue::closure_argument(&function.name));
         }
+        // The refusal of its type is enough.
+        if self.misshapen.contains(&index) {
+            return Value::Unknown;
+        }
         if arguments.len() != function.parameters.len() {
             let message = argument_count(&function.name, function.parameters.len(), arguments.len());
             return self.refuse(origin, message);

@@ -64,6 +64,8 @@ pub struct Interpreter<'a> {
     pub flow: Flow,
     /// Results of calls: function and arguments to value.
     pub memo: Lookup<(usize, Vec<u64>), Value>,
+    /// Functions whose return type their role refuses.
+    pub misshapen: Vec<usize>,
     /// The functions being evaluated.
     pub calls: Vec<usize>,
     /// Rates of functions whose velocities the description names, once they are derived.
@@ -114,6 +116,7 @@ impl<'a> Interpreter<'a> {
             scope: Scope::default(),
             flow: Flow::Next,
             memo: Lookup::default(),
+            misshapen: Vec::new(),
             calls: Vec::new(),
             rates: vec![None; item.velocities.len()],
             constants: vec![None; item.constants.len()],

@@ -125,6 +125,11 @@ impl<'a> Interpreter<'a> {
         if let Some(path) = self.taken_for_scalar(receiver).filter(|_| of_vectors()) {
             return self.refuse(word.origin, catalogue::method_of_scalar(path, &word.name));
         }
+        if let Value::Array(_) = receiver
+            && of_vectors()
+        {
+            return self.refuse(word.origin, catalogue::array_as_vector(receiver.describe(), &word.name));
+        }
         let near = nearest(&word.name, candidates.iter().copied()).map(String::from);
         self.refuse(word.origin, catalogue::unknown_method(receiver.describe(), &word.name, near))
     }

@@ -104,6 +104,7 @@ impl<'a> Interpreter<'a> {
             };
             let message = catalogue::wrong_return(&function.name, returns(&role.kind), described);
             self.report(origin, message);
+            self.misshapen.extend(self.item.functions.iter().position(|other| other.name == function.name));
         }
     }
 

@@ -106,11 +106,13 @@ pub fn derive(
     allows: &dyn Fn(&str) -> bool,
     diagnostics: &mut Diagnostics,
 ) -> Option<Equations> {
-    validate::contributions(model, allows, diagnostics);
+    let are_inert = validate::contributions(model, allows, diagnostics);
     validate::constants(model, diagnostics);
     let independent = validate::constraints(model, allows, diagnostics);
     let equations = cheapest(model, Equations::in_axes, Equations::roots);
-    validate::inertia(model, &equations.mass, &independent, diagnostics);
+    if !are_inert {
+        validate::inertia(model, &equations.mass, &independent, diagnostics);
+    }
     validate::inputs(model, &equations.force, &equations.mass, allows, diagnostics);
     (!diagnostics.has_errors()).then_some(equations)
 }

@@ -120,9 +120,12 @@ pub fn parse(attributes: &[Attribute], translator: &mut Translator) -> (Option<R
             }
             continue;
         }
-        if let Some((_, first)) = &role {
-            translator.diagnostics.error(span, catalogue::two_roles(first, &name));
-            continue;
+        if let Some((first, first_name)) = &role {
+            translator.diagnostics.error(span, catalogue::two_roles(first_name, &name));
+            // Which of them is meant is unknown, so nothing is asked of the function.
+            unread = Some(first.kind.clone());
+            role = None;
+            break;
         }
         let origin = translator.origin(span);
         match kind(&name, attribute, translator) {

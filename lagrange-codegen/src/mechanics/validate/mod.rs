@@ -14,8 +14,13 @@ use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::{Action, Attitude, Law, Model};
 use crate::number::Number;
 
-/// Reports contributions without effect or of the wrong form.
-pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagnostics: &mut Diagnostics) {
+/// Reports contributions without effect or of the wrong form. Returns whether a particle or body is among them, so
+/// that a coordinate may lack the inertia that it was to have.
+pub(super) fn contributions(
+    model: &Model,
+    allows: &dyn Fn(&str) -> bool,
+    diagnostics: &mut Diagnostics,
+) -> bool {
     for term in &model.kinetic {
         if let Some(node) = beyond_degree(&model.graph, term.value, 2).first() {
             let origin = model.origins.get(node).copied().unwrap_or(term.origin);
@@ -23,7 +28,7 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         }
     }
     if allows("no_effect") {
-        return;
+        return false;
     }
     let graph = &model.graph;
     let eliminated = !model.eliminated.is_empty();
@@ -40,20 +45,26 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         }
     }
     let mut reported: Vec<Origin> = Vec::new();
-    let mut complain = |origin: Origin, message: String, diagnostics: &mut Diagnostics| {
-        if !reported.contains(&origin) {
-            reported.push(origin);
-            diagnostics.at(origin, message);
-        }
-    };
+    let complain =
+        |reported: &mut Vec<Origin>, origin: Origin, message: String, diagnostics: &mut Diagnostics| {
+            if !reported.contains(&origin) {
+                reported.push(origin);
+                diagnostics.at(origin, message);
+            }
+        };
     let fixed = |position: &[NodeId]| position.iter().all(|&x| idle(x, Dependence::COORDINATES));
     for point in &model.points {
         if fixed(&point.position) {
-            complain(point.origin, physics::fixed_in_space("point", &point.name, eliminated), diagnostics);
+            complain(
+                &mut reported,
+                point.origin,
+                physics::fixed_in_space("point", &point.name, eliminated),
+                diagnostics,
+            );
         } else if graph.is_zero(point.mass) {
-            complain(point.origin, physics::zero_mass(&point.name), diagnostics);
+            complain(&mut reported, point.origin, physics::zero_mass(&point.name), diagnostics);
         } else if graph.as_constant(point.mass).is_some_and(Number::is_negative) {
-            complain(point.origin, physics::negative_mass(&point.name), diagnostics);
+            complain(&mut reported, point.origin, physics::negative_mass(&point.name), diagnostics);
         }
     }
     for body in &model.bodies {
@@ -65,9 +76,9 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
             ),
         };
         if graph.is_zero(body.mass) && inert {
-            complain(body.origin, physics::zero_mass(&body.name), diagnostics);
+            complain(&mut reported, body.origin, physics::zero_mass(&body.name), diagnostics);
         } else if graph.as_constant(body.mass).is_some_and(Number::is_negative) {
-            complain(body.origin, physics::negative_mass(&body.name), diagnostics);
+            complain(&mut reported, body.origin, physics::negative_mass(&body.name), diagnostics);
         }
         let moments = match &body.attitude {
             Attitude::Planar { inertia, .. } => vec![*inertia],
@@ -75,12 +86,18 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         };
         let negative = |&moment: &NodeId| graph.as_constant(moment).is_some_and(Number::is_negative);
         if moments.iter().any(negative) {
-            complain(body.origin, physics::negative_inertia(&body.name), diagnostics);
+            complain(&mut reported, body.origin, physics::negative_inertia(&body.name), diagnostics);
         }
         if fixed(&body.position) && !turns {
-            complain(body.origin, physics::fixed_in_space("body", &body.name, eliminated), diagnostics);
+            complain(
+                &mut reported,
+                body.origin,
+                physics::fixed_in_space("body", &body.name, eliminated),
+                diagnostics,
+            );
         }
     }
+    let are_inert = !reported.is_empty();
     for force in &model.forces {
         let has_effect = match &force.action {
             Action::Generalized(entries) => entries.iter().any(|&(_, value)| !graph.is_zero(value)),
@@ -94,9 +111,15 @@ pub(super) fn contributions(model: &Model, allows: &dyn Fn(&str) -> bool, diagno
         };
         let part_of_a_pair = model.forces.iter().filter(|other| other.origin == force.origin).count() > 1;
         if !has_effect && !part_of_a_pair {
-            complain(force.origin, physics::no_effect("force", &force.name, eliminated), diagnostics);
+            complain(
+                &mut reported,
+                force.origin,
+                physics::no_effect("force", &force.name, eliminated),
+                diagnostics,
+            );
         }
     }
+    are_inert
 }
 
 /// Reports constants that are not numbers: roots and logarithms of negative numbers, quotients by zero.

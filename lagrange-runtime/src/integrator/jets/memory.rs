@@ -160,7 +160,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize, const P: usize> Jet
     }
 
     /// The state at `theta` units of the scaled time.
-    pub(super) fn place(&self, theta: R) -> State<R, N> {
+    pub(super) fn state_at(&self, theta: R) -> State<R, N> {
         let (gain_q, gain_v) = self.series.gain(theta, self.orders);
         let mut state = self.start.at_time(self.start.t + theta * self.unit);
         for i in 0..N {

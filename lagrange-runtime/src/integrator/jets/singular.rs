@@ -109,7 +109,7 @@ where
         {
             return false;
         }
-        let back = memory.place(one);
+        let back = memory.state_at(one);
         if !back.is_finite() {
             return false;
         }

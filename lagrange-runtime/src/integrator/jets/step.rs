@@ -139,7 +139,7 @@ where
                 || (1..PLACES).all(|place| {
                     let theta =
                         S::Scalar::from_f64(place as f64) * S::Scalar::from_f64(1.0 / PLACES as f64) * theta;
-                    check.agrees(&memory.place(theta), &slopes(theta), landing)
+                    check.agrees(&memory.state_at(theta), &slopes(theta), landing)
                 })
         };
         let last_terms = |landing: &Landing<S::Scalar, N>| {
