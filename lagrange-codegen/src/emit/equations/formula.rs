@@ -119,6 +119,46 @@ impl Formula {
     }
 }
 
+/// The written terms of a sum. `signs` are those of a subtracted first term, of an added and of a subtracted later one.
+pub(super) fn terms(
+    terms: &[(bool, Formula)],
+    signs: [&str; 3],
+    written: impl Fn(&Formula) -> String,
+) -> String {
+    let mut text = String::new();
+    for (is_negative, term) in terms {
+        text.push_str(match (text.is_empty(), is_negative) {
+            (true, false) => "",
+            (true, true) => signs[0],
+            (false, false) => signs[1],
+            (false, true) => signs[2],
+        });
+        text.push_str(&written(term));
+    }
+    text
+}
+
+/// The written factors of a product. Words need a sign `between` them and their neighbours; other factors stand `beside`
+/// each other.
+pub(super) fn factors(
+    factors: &[Formula],
+    [beside, between]: [&str; 2],
+    written: impl Fn(&Formula) -> String,
+) -> String {
+    let mut text = String::new();
+    let mut after_word = None;
+    for factor in factors {
+        text.push_str(match after_word {
+            None => "",
+            Some(false) if !factor.begins_with_word() => beside,
+            Some(_) => between,
+        });
+        text.push_str(&written(factor));
+        after_word = Some(factor.ends_with_word());
+    }
+    text
+}
+
 /// Fractions with a character of their own.
 pub(super) const COMMON: [(i128, i128, &str); 7] =
     [(1, 2, "½"), (1, 3, "⅓"), (2, 3, "⅔"), (1, 4, "¼"), (3, 4, "¾"), (1, 8, "⅛"), (3, 8, "⅜")];

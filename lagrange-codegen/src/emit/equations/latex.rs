@@ -1,6 +1,6 @@
 //! Formulas in LaTeX.
 
-use super::formula::{Application, Formula, Page, fraction};
+use super::formula::{self, Application, Formula, Page, fraction};
 use super::symbols::{Symbol, greek, stem};
 use crate::number::Number;
 
@@ -22,9 +22,9 @@ fn formula(written: &Formula) -> String {
     match written {
         Formula::Symbol(name) => symbol(name),
         Formula::Number(value) => number(*value),
-        Formula::Sum(terms) => sum(terms),
+        Formula::Sum(terms) => formula::terms(terms, ["-", " + ", " - "], formula),
         Formula::Scaled(coefficient, factor) => format!("{} {}", number(*coefficient), formula(factor)),
-        Formula::Product(factors) => product(factors),
+        Formula::Product(factors) => formula::factors(factors, [" ", " \\, "], formula),
         Formula::Fraction(above, below) => format!("\\frac{{{}}}{{{}}}", formula(above), formula(below)),
         Formula::Power(base, power) => format!("{{{}}}^{{{}}}", formula(base), formula(power)),
         Formula::Root(inner) => format!("\\sqrt{{{}}}", formula(inner)),
@@ -41,36 +41,6 @@ fn formula(written: &Formula) -> String {
             }
         }
     }
-}
-
-fn sum(terms: &[(bool, Formula)]) -> String {
-    let mut text = String::new();
-    for (is_negative, term) in terms {
-        text.push_str(match (text.is_empty(), is_negative) {
-            (true, false) => "",
-            (true, true) => "-",
-            (false, false) => " + ",
-            (false, true) => " - ",
-        });
-        text.push_str(&formula(term));
-    }
-    text
-}
-
-/// Words need a space between them.
-fn product(factors: &[Formula]) -> String {
-    let mut text = String::new();
-    let mut after_word = None;
-    for factor in factors {
-        text.push_str(match after_word {
-            None => "",
-            Some(false) if !factor.begins_with_word() => " ",
-            Some(_) => " \\, ",
-        });
-        text.push_str(&formula(factor));
-        after_word = Some(factor.ends_with_word());
-    }
-    text
 }
 
 fn function(name: &str) -> String {

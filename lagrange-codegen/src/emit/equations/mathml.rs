@@ -1,6 +1,6 @@
 //! Formulas in MathML Core, for browsers, books and screen readers.
 
-use super::formula::{Application, Formula, Page, fraction};
+use super::formula::{self, Application, Formula, Page, fraction};
 use super::symbols::{Symbol, greek, stem};
 use crate::number::Number;
 
@@ -79,32 +79,11 @@ fn listed(parts: impl Iterator<Item = String>) -> String {
 }
 
 fn sum(terms: &[(bool, Formula)]) -> String {
-    let mut text = String::new();
-    for (is_negative, term) in terms {
-        text.push_str(match (text.is_empty(), is_negative) {
-            (true, false) => "",
-            (_, true) => "<mo>−</mo>",
-            (false, false) => "<mo>+</mo>",
-        });
-        text.push_str(&formula(term));
-    }
-    format!("<mrow>{text}</mrow>")
+    format!("<mrow>{}</mrow>", formula::terms(terms, ["<mo>−</mo>", "<mo>+</mo>", "<mo>−</mo>"], formula))
 }
 
-/// Words need a sign between them.
 fn product(factors: &[Formula]) -> String {
-    let mut text = String::new();
-    let mut after_word = None;
-    for factor in factors {
-        text.push_str(match after_word {
-            None => "",
-            Some(false) if !factor.begins_with_word() => TIMES,
-            Some(_) => "<mo>⋅</mo>",
-        });
-        text.push_str(&formula(factor));
-        after_word = Some(factor.ends_with_word());
-    }
-    format!("<mrow>{text}</mrow>")
+    format!("<mrow>{}</mrow>", formula::factors(factors, [TIMES, "<mo>⋅</mo>"], formula))
 }
 
 fn number(value: Number) -> String {

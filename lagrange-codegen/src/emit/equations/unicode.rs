@@ -1,6 +1,6 @@
 //! Formulas as plain text.
 
-use super::formula::{Application, COMMON, Formula, Page, Strength};
+use super::formula::{self, Application, COMMON, Formula, Page, Strength};
 use super::symbols::{Symbol, greek};
 use crate::number::Number;
 
@@ -22,9 +22,9 @@ pub(super) fn formula(written: &Formula) -> String {
     match written {
         Formula::Symbol(name) => symbol(name),
         Formula::Number(value) => number(*value),
-        Formula::Sum(terms) => sum(terms),
+        Formula::Sum(terms) => formula::terms(terms, ["−", " + ", " − "], formula),
         Formula::Scaled(coefficient, factor) => format!("{} {}", number(*coefficient), formula(factor)),
-        Formula::Product(factors) => product(factors),
+        Formula::Product(factors) => formula::factors(factors, [" ", "·"], formula),
         Formula::Fraction(above, below) if below.strength() < Strength::Atom => {
             format!("{}/({})", formula(above), formula(below))
         }
@@ -44,36 +44,6 @@ pub(super) fn formula(written: &Formula) -> String {
             }
         }
     }
-}
-
-fn sum(terms: &[(bool, Formula)]) -> String {
-    let mut text = String::new();
-    for (is_negative, term) in terms {
-        text.push_str(match (text.is_empty(), is_negative) {
-            (true, false) => "",
-            (true, true) => "−",
-            (false, false) => " + ",
-            (false, true) => " − ",
-        });
-        text.push_str(&formula(term));
-    }
-    text
-}
-
-/// Words need a sign between them.
-fn product(factors: &[Formula]) -> String {
-    let mut text = String::new();
-    let mut after_word = None;
-    for factor in factors {
-        text.push_str(match after_word {
-            None => "",
-            Some(false) if !factor.begins_with_word() => " ",
-            Some(_) => "·",
-        });
-        text.push_str(&formula(factor));
-        after_word = Some(factor.ends_with_word());
-    }
-    text
 }
 
 fn power(exponent: &str) -> String {
