@@ -28,10 +28,10 @@ pub fn pushforward(graph: &mut Graph, roots: &[NodeId], seeds: &[(NodeId, NodeId
 pub fn forward_operations(graph: &Graph, roots: &[NodeId], variables: &[NodeId]) -> usize {
     let words = variables.len().div_ceil(64);
     let mut sets: Vec<Vec<u64>> = vec![Vec::new(); graph.len()];
-    for (place, variable) in variables.iter().enumerate() {
+    for (index, variable) in variables.iter().enumerate() {
         let set = &mut sets[variable.index()];
         set.resize(words, 0);
-        set[place / 64] |= 1 << (place % 64);
+        set[index / 64] |= 1 << (index % 64);
     }
     let mut operations = 0;
     for id in graph.cone(roots.iter().copied()) {
@@ -65,10 +65,10 @@ fn rate(graph: &mut Graph, id: NodeId, rates: &[Option<NodeId>]) -> Option<NodeI
         }
         Node::Product(factors) => {
             let mut terms = Vec::new();
-            for (place, &(factor, exponent)) in factors.iter().enumerate() {
+            for (index, &(factor, exponent)) in factors.iter().enumerate() {
                 let Some(rate) = rates[factor.index()] else { continue };
                 let mut others = factors.clone();
-                others[place].1 = Exponent(exponent.0 - 2);
+                others[index].1 = Exponent(exponent.0 - 2);
                 others.push((rate, Exponent(2)));
                 terms.push((graph.product(&others), Number::halves(exponent.0)));
             }

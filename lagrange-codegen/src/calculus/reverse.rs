@@ -13,7 +13,7 @@ pub fn pullback(graph: &mut Graph, seeds: &[(NodeId, NodeId)], wrt: &[NodeId]) -
 }
 
 /// The same as a function of the nodes of `held` and of those of `wrt`: what passes through the former counts
-/// there alone. A node that `held` has more than once counts at its first place.
+/// there alone. A node that `held` has more than once counts the first time.
 pub fn pullback_to(
     graph: &mut Graph,
     seeds: &[(NodeId, NodeId)],
@@ -83,12 +83,12 @@ fn distribute(
             }
         }
         Node::Product(factors) => {
-            for (place, &(factor, exponent)) in factors.iter().enumerate() {
+            for (index, &(factor, exponent)) in factors.iter().enumerate() {
                 if !active[factor.index()] {
                     continue;
                 }
                 let mut others = factors.clone();
-                others[place].1 = Exponent(exponent.0 - 2);
+                others[index].1 = Exponent(exponent.0 - 2);
                 others.push((adjoint, Exponent(2)));
                 let share = graph.product(&others);
                 let power = Number::halves(exponent.0);

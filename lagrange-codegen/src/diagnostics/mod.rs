@@ -1,7 +1,7 @@
 //! The error sink: every stage reports into it, all mistakes are shown at once.
 //!
-//! The stages that know no tokens speak of an [`Origin`], a handle to a place in the user's
-//! source. Message texts stand in [`catalogue`].
+//! The stages that know no tokens speak of an [`Origin`], a handle to a span of the
+//! user's source. Message texts stand in [`catalogue`].
 
 pub mod catalogue;
 pub mod physics;
@@ -9,11 +9,11 @@ pub mod physics;
 use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;
 
-/// A place in the user's source.
+/// A span of the user's source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Origin(u32);
 
-/// Places and the complaints about them.
+/// The spans of origins, and the messages so far.
 #[derive(Debug, Default)]
 pub struct Diagnostics {
     spans: Vec<Span>,
@@ -26,23 +26,23 @@ impl Diagnostics {
         Diagnostics::default()
     }
 
-    /// Registers a place in the source.
+    /// The origin of a span.
     pub fn origin(&mut self, span: Span) -> Origin {
         self.spans.push(span);
         Origin(self.spans.len() as u32 - 1)
     }
 
-    /// The span of a registered place.
+    /// The span of an origin.
     pub fn span(&self, origin: Origin) -> Span {
         self.spans[origin.0 as usize]
     }
 
-    /// Reports a mistake at a registered place.
+    /// Reports a mistake at an origin.
     pub fn at(&mut self, origin: Origin, message: impl Into<String>) {
         self.error(self.span(origin), message);
     }
 
-    /// Reports a mistake at a span: one on each place of the user's source, however often a helper
+    /// Reports a mistake at a span: one for each span, however often a helper
     /// function is inlined or a loop unrolled.
     pub fn error(&mut self, span: Span, message: impl Into<String>) {
         let message = message.into();

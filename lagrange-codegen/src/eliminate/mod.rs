@@ -113,8 +113,8 @@ fn solve(
     };
     if !is_fixed(&coordinate) {
         let culprits = not_affine(graph, constraint.value, q[coordinate]);
-        let place = model.origin_in(constraint, &culprits);
-        return Err((place, physics::not_solvable(&constraint.written(), &quantity(coordinate))));
+        let origin = model.origin_in(constraint, &culprits);
+        return Err((origin, physics::not_solvable(&constraint.written(), &quantity(coordinate))));
     }
     let zero = graph.zero();
     let rest = substitute(graph, &[value], &[(q[coordinate], zero)])[0];
@@ -156,8 +156,8 @@ fn not_affine(graph: &Graph, root: NodeId, variable: NodeId) -> Vec<NodeId> {
 /// Takes the solved coordinates, ascending, out of the model and numbers the others anew.
 fn remove(model: &mut Model, solved: &[Solved]) {
     let count = model.coordinates.len();
-    let place = |coordinate: usize| solved.iter().position(|one| one.coordinate == coordinate);
-    let rest: Vec<usize> = (0..count).filter(|&coordinate| place(coordinate).is_none()).collect();
+    let index_of = |coordinate: usize| solved.iter().position(|one| one.coordinate == coordinate);
+    let rest: Vec<usize> = (0..count).filter(|&coordinate| index_of(coordinate).is_none()).collect();
     let graph = &mut model.graph;
     let direction = turning_direction(graph, count, &model.turning);
     let (q, v): (Vec<NodeId>, Vec<NodeId>) = direction[..count].iter().copied().unzip();
@@ -173,12 +173,12 @@ fn remove(model: &mut Model, solved: &[Solved]) {
         let mut turned = Vec::new();
         let mut shared = Vec::with_capacity(entries.len());
         for &(coordinate, load) in entries.iter() {
-            let Some(place) = place(coordinate) else {
+            let Some(index) = index_of(coordinate) else {
                 shared.push((coordinate, load));
                 continue;
             };
             for &i in &rest {
-                let share = model.graph.mul(weights[place][i], load);
+                let share = model.graph.mul(weights[index][i], load);
                 if model.graph.is_zero(share) {
                     continue;
                 }
@@ -206,9 +206,9 @@ fn remove(model: &mut Model, solved: &[Solved]) {
     let both = [positions, velocities].concat();
     let both = substitute(&mut model.graph, &both, &replacements);
     let (positions, velocities) = both.split_at(solved.len());
-    for (place, one) in solved.iter().enumerate() {
-        replacements.push((q[one.coordinate], positions[place]));
-        replacements.push((v[one.coordinate], velocities[place]));
+    for (index, one) in solved.iter().enumerate() {
+        replacements.push((q[one.coordinate], positions[index]));
+        replacements.push((v[one.coordinate], velocities[index]));
     }
     quantities::rewrite(model, &replacements);
 
@@ -216,11 +216,11 @@ fn remove(model: &mut Model, solved: &[Solved]) {
         *first = rest.iter().position(|i| i == first).unwrap_or_default();
     }
     for (declared_index, quantity) in std::mem::take(&mut model.coordinates).into_iter().enumerate() {
-        let Some(place) = place(declared_index) else {
+        let Some(index) = index_of(declared_index) else {
             model.coordinates.push(quantity);
             continue;
         };
-        let (position, velocity) = (positions[place], velocities[place]);
+        let (position, velocity) = (positions[index], velocities[index]);
         let label = quantity.label();
         for (node, name) in [(position, label.clone()), (velocity, format!("{label}_dot"))] {
             if !matches!(model.graph.node(node), Node::Constant(_) | Node::Variable(_)) {

@@ -24,8 +24,8 @@ pub(crate) fn rewrite(model: &mut Model, replacements: &[(NodeId, NodeId)]) {
         }
     }
     visit(model, &mut |node| {
-        if let Ok(place) = cone.binary_search(node) {
-            *node = images[place];
+        if let Ok(index) = cone.binary_search(node) {
+            *node = images[index];
         }
     });
 }

@@ -152,8 +152,8 @@ impl Graph {
             let met = |&(factor, exponent): &(NodeId, Exponent)| {
                 exponent.as_integer().is_some() && halves.contains(&factor)
             };
-            let Some(place) = flat.factors.iter().position(met) else { return };
-            let (factor, exponent) = flat.factors.remove(place);
+            let Some(index) = flat.factors.iter().position(met) else { return };
+            let (factor, exponent) = flat.factors.remove(index);
             halves.retain(|&half| half != factor);
             self.absorb(flat, factor, exponent);
         }

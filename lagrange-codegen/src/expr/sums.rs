@@ -113,7 +113,7 @@ impl Graph {
             Node::Product(factors) => factors.clone(),
             _ => return None,
         };
-        for (place, &(factor, exponent)) in factors.iter().enumerate() {
+        for (index, &(factor, exponent)) in factors.iter().enumerate() {
             let Node::Unary(function @ (Unary::Sin | Unary::Cos), argument) = *self.node(factor) else {
                 continue;
             };
@@ -121,7 +121,7 @@ impl Graph {
                 continue;
             }
             let mut rest = factors.clone();
-            rest[place].1 = Exponent(exponent.0 - 4);
+            rest[index].1 = Exponent(exponent.0 - 4);
             let rest = self.product(&rest);
             let other = if function == Unary::Sin { Unary::Cos } else { Unary::Sin };
             let partner = self.unary(other, argument);

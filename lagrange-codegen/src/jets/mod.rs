@@ -69,9 +69,9 @@ pub fn derive(model: &mut Model, equations: &Equations) -> Option<Jets> {
     let mut forms = vec![roots];
     if model.graph.cone(forms[0].iter().copied()).len() <= COMPARABLE {
         forms.push(simplify(&mut model.graph, &mut model.hints, &forms[0]));
-        for place in 0..forms.len() {
-            let contracted = contract_angles(&mut model.graph, &forms[place]);
-            if contracted != forms[place] {
+        for index in 0..forms.len() {
+            let contracted = contract_angles(&mut model.graph, &forms[index]);
+            if contracted != forms[index] {
                 forms.push(contracted);
             }
         }

@@ -155,12 +155,12 @@ fn less(
     tried.push((node, product));
     match graph.node(node).clone() {
         Node::Sum { offset, mut terms } => {
-            if let Some(place) = terms.iter().position(|&term| term == (product, coefficient)) {
-                terms.remove(place);
+            if let Some(index) = terms.iter().position(|&term| term == (product, coefficient)) {
+                terms.remove(index);
                 return Some(graph.sum(offset, &terms));
             }
-            let place = (0..terms.len()).find_map(|place| {
-                let (term, share) = terms[place];
+            let index = (0..terms.len()).find_map(|index| {
+                let (term, share) = terms[index];
                 // The rates of kinetic energies and of momenta have the same factors, up to the sign.
                 let coefficient = if share.is_one() {
                     coefficient
@@ -169,20 +169,20 @@ fn less(
                 } else {
                     return None;
                 };
-                less(graph, term, (product, coefficient), tried).map(|left| (place, left))
+                less(graph, term, (product, coefficient), tried).map(|left| (index, left))
             });
-            let (place, left) = place?;
-            terms[place].0 = left;
+            let (index, left) = index?;
+            terms[index].0 = left;
             Some(graph.sum(offset, &terms))
         }
         Node::Product(factors) => {
             let wanted = graph.factors(product);
-            for (place, &(sum, exponent)) in factors.iter().enumerate() {
+            for (index, &(sum, exponent)) in factors.iter().enumerate() {
                 if exponent != ONCE || !matches!(graph.node(sum), Node::Sum { .. }) {
                     continue;
                 }
                 let mut others = factors.clone();
-                others.remove(place);
+                others.remove(index);
                 let Some(rest) = quotient(&wanted, &others) else { continue };
                 let rest = graph.product(&rest);
                 if let Some(left) = less(graph, sum, (rest, coefficient), tried) {

@@ -131,10 +131,10 @@ pub(super) fn meet_flows(
         let Node::Product(factors) = graph.node(id) else { return None };
         // The partner of a factor in a term, as the product of both and the rest of the term.
         let met = |graph: &Graph, factor: NodeId, term: NodeId| match graph.node(term) {
-            Node::Product(inner) => inner.iter().enumerate().find_map(|(place, &(partner, exponent))| {
+            Node::Product(inner) => inner.iter().enumerate().find_map(|(index, &(partner, exponent))| {
                 let product = *pairs.get(&(factor, partner))?;
                 let mut rest = inner.clone();
-                rest[place].1 = Exponent(exponent.0 - ONCE.0);
+                rest[index].1 = Exponent(exponent.0 - ONCE.0);
                 rest.retain(|&(_, exponent)| exponent.0 != 0);
                 (exponent.0 >= ONCE.0).then_some((product, rest))
             }),
@@ -142,22 +142,22 @@ pub(super) fn meet_flows(
         };
         let (factors, graph) = (factors.clone(), graph);
         // A sum with other uses stays as it is, since multiplied out it would be formed twice.
-        let (place, partner) = factors.iter().enumerate().find_map(|(place, &(sum, exponent))| {
+        let (index, partner) = factors.iter().enumerate().find_map(|(index, &(sum, exponent))| {
             let Node::Sum { terms, .. } = graph.node(sum) else { return None };
             if exponent != ONCE || uses.get(&sum) != Some(&1) {
                 return None;
             }
             let meets = |factor: NodeId| terms.iter().any(|&(term, _)| met(graph, factor, term).is_some());
             let partner = factors.iter().position(|&(factor, exponent)| exponent == ONCE && meets(factor))?;
-            Some((place, partner))
+            Some((index, partner))
         })?;
         let factor = factors[partner].0;
         let of = |factors: &[(NodeId, Exponent)], except: &[usize]| -> Vec<(NodeId, Exponent)> {
-            let kept = factors.iter().enumerate().filter(|(place, _)| !except.contains(place));
+            let kept = factors.iter().enumerate().filter(|(index, _)| !except.contains(index));
             kept.map(|(_, &(factor, exponent))| (image(factor), exponent)).collect()
         };
-        let (alone, others) = (of(&factors, &[place, partner]), of(&factors, &[place]));
-        let Node::Sum { offset, terms } = graph.node(factors[place].0).clone() else { return None };
+        let (alone, others) = (of(&factors, &[index, partner]), of(&factors, &[index]));
+        let Node::Sum { offset, terms } = graph.node(factors[index].0).clone() else { return None };
         let mut multiplied = Vec::with_capacity(terms.len() + 1);
         for (term, coefficient) in terms {
             let mut product = match met(graph, factor, term) {

@@ -86,11 +86,11 @@ impl<'a> Order<'a> {
     }
 
     fn carry_source(&mut self, keeps: Keeps, source: Source) -> Slot {
-        let place = self.carried.iter().position(|&(_, known)| known == source).unwrap_or_else(|| {
+        let index = self.carried.iter().position(|&(_, known)| known == source).unwrap_or_else(|| {
             self.carried.push((keeps, source));
             self.carried.len() - 1
         });
-        self.given(Given::Carried(place as u32))
+        self.given(Given::Carried(index as u32))
     }
 
     /// The coefficient of a coordinate, from that of its velocity one order below.

@@ -12,10 +12,10 @@ impl Order<'_> {
         terms.sort_by_key(|term| (self.when(term.value), term.factor.is_some()));
         // A chain starts with a positive term if it has one, which saves a change of sign.
         let earliest = terms.first().map(|term| self.when(term.value));
-        if let Some(place) = terms.iter().position(|term| !term.negative)
-            && Some(self.when(terms[place].value)) == earliest
+        if let Some(index) = terms.iter().position(|term| !term.negative)
+            && Some(self.when(terms[index].value)) == earliest
         {
-            let term = terms.remove(place);
+            let term = terms.remove(index);
             terms.insert(0, term);
         }
         terms

@@ -73,11 +73,11 @@ impl Start {
             if !recursion.waits() || numbers == Numbers::Carrying {
                 return Start::Recursion(recursion.clone(), factors);
             }
-            let (places, count) = recursion.places();
-            let place = |step: &Step| {
-                (places[step.unknown()], step.terms().iter().map(|&(x, _)| places[x]).collect())
+            let (indices, count) = recursion.indices();
+            let of = |step: &Step| {
+                (indices[step.unknown()], step.terms().iter().map(|&(x, _)| indices[x]).collect())
             };
-            let steps = recursion.steps.iter().map(place).collect();
+            let steps = recursion.steps.iter().map(of).collect();
             return Start::Runtime(By::Inverse { steps, between: count - recursion.velocities, factors });
         }
         let indefinite = match block.method {
@@ -237,14 +237,14 @@ impl Order<'_> {
 
 /// The inverse pivots of a recursion. They are finite if there is a solution.
 pub(super) fn inverses(recursion: &Recursion, factors: &[Slot]) -> Vec<Slot> {
-    let mut place = 0;
+    let mut index = 0;
     let mut inverses = Vec::new();
     for step in &recursion.steps {
         if let Step::Eliminate { .. } = step {
-            inverses.push(factors[place]);
-            place += 1;
+            inverses.push(factors[index]);
+            index += 1;
         }
-        place += step.terms().len();
+        index += step.terms().len();
     }
     inverses
 }

@@ -60,8 +60,8 @@ pub(super) fn described(
     let images = substitute(&mut model.graph, &all, &known);
     let of = |kink: &NodeId| {
         let opposite = model.graph.neg(*kink);
-        let place = images.iter().position(|image| image == kink || *image == opposite)?;
-        Some(all[place])
+        let index = images.iter().position(|image| image == kink || *image == opposite)?;
+        Some(all[index])
     };
     kinks.iter().map(of).collect()
 }

@@ -203,7 +203,7 @@ fn as_rows(model: &mut Model) -> (Vec<Contact>, Vec<LoadRow>) {
     model.at_times = contacts.len();
     model.constraints.extend(contacts.iter().map(|contact| contact.constraint.clone()));
     let first = model.constraints.len();
-    let (mut rows, mut places) = (Vec::new(), Vec::new());
+    let (mut rows, mut indices) = (Vec::new(), Vec::new());
     for load in &model.loads {
         let mut parts = Vec::with_capacity(load.force.len());
         for terms in &load.force {
@@ -218,14 +218,14 @@ fn as_rows(model: &mut Model) -> (Vec<Contact>, Vec<LoadRow>) {
                 }
             });
         }
-        places.push(first + rows.len());
+        indices.push(first + rows.len());
         rows.push(LoadRow::Size(parts));
     }
     for contact in &mut contacts {
         if let Law::Friction { normal: Some(normal), .. } = &mut contact.law
             && let Normal::Load(load) = *normal
         {
-            *normal = Normal::Row(places[load]);
+            *normal = Normal::Row(indices[load]);
         }
     }
     (contacts, rows)

@@ -131,8 +131,8 @@ impl<'g> Lowering<'g> {
     fn accumulate(&mut self, summands: &[Signed]) -> (bool, Slot) {
         let lead = summands.iter().position(|&(negative, _)| !negative).unwrap_or(0);
         let (flipped, mut sum) = summands[lead];
-        for (place, &(negative, slot)) in summands.iter().enumerate() {
-            if place != lead {
+        for (index, &(negative, slot)) in summands.iter().enumerate() {
+            if index != lead {
                 sum = self.program.push(if negative == flipped {
                     Instruction::Add(sum, slot)
                 } else {

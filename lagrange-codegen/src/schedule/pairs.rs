@@ -15,32 +15,33 @@ pub(super) fn share_pairs(products: &mut [Vec<Item>], first_new: Item) -> Vec<(I
     let mut pairs: Vec<(Item, Item)> = Vec::new();
     loop {
         let mut occurrences: BTreeMap<(Item, Item), Vec<usize>> = BTreeMap::new();
-        for (place, product) in products.iter().enumerate() {
+        for (index, product) in products.iter().enumerate() {
             if product.len() < 2 {
                 continue;
             }
             for (i, &a) in product.iter().enumerate() {
                 for &b in &product[i + 1..] {
-                    occurrences.entry((a.min(b), a.max(b))).or_default().push(place);
+                    occurrences.entry((a.min(b), a.max(b))).or_default().push(index);
                 }
             }
         }
-        let mut frequent: Vec<_> = occurrences.into_iter().filter(|(_, places)| places.len() >= 2).collect();
+        let mut frequent: Vec<_> =
+            occurrences.into_iter().filter(|(_, indices)| indices.len() >= 2).collect();
         if frequent.is_empty() {
             return pairs;
         }
-        frequent.sort_by_key(|(pair, places)| (std::cmp::Reverse(places.len()), *pair));
-        for ((a, b), places) in frequent {
+        frequent.sort_by_key(|(pair, indices)| (std::cmp::Reverse(indices.len()), *pair));
+        for ((a, b), indices) in frequent {
             let contains = |product: &Vec<Item>| product.contains(&a) && product.contains(&b);
-            let still: Vec<usize> = places.into_iter().filter(|&place| contains(&products[place])).collect();
+            let still: Vec<usize> = indices.into_iter().filter(|&index| contains(&products[index])).collect();
             if still.len() < 2 {
                 continue;
             }
             let new = first_new + pairs.len() as Item;
             pairs.push((a, b));
-            for place in still {
-                products[place].retain(|&item| item != a && item != b);
-                products[place].push(new);
+            for index in still {
+                products[index].retain(|&item| item != a && item != b);
+                products[index].push(new);
             }
         }
     }

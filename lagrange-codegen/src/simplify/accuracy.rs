@@ -28,25 +28,25 @@ fn roundings(graph: &Graph, roots: [NodeId; 2], point: u32) -> [f64; 2] {
     let cone = graph.cone(roots);
     let values = graph.evaluate(&cone, |variable| sample(variable, point));
     let mut gathered: Vec<f64> = Vec::with_capacity(cone.len());
-    let place = |id: NodeId| cone.binary_search(&id).expect("accuracy: an operand outside the cone");
+    let at = |id: NodeId| cone.binary_search(&id).expect("accuracy: an operand outside the cone");
     for (&id, &value) in cone.iter().zip(&values) {
         let own = value.abs();
         let carried: f64 = match graph.node(id) {
             Node::Constant(_) | Node::Variable(_) | Node::Unary(..) | Node::Binary(..) => 0.0,
             Node::Sum { terms, .. } => {
-                terms.iter().map(|&(term, c)| c.value().abs() * gathered[place(term)]).sum()
+                terms.iter().map(|&(term, c)| c.value().abs() * gathered[at(term)]).sum()
             }
             Node::Product(factors) => {
                 let relative = |&(factor, exponent): &(NodeId, crate::expr::Exponent)| {
-                    let place = place(factor);
-                    f64::from(exponent.0).abs() / 2.0 * gathered[place] / values[place].abs()
+                    let i = at(factor);
+                    f64::from(exponent.0).abs() / 2.0 * gathered[i] / values[i].abs()
                 };
                 own * factors.iter().map(relative).sum::<f64>()
             }
         };
         gathered.push(own + carried);
     }
-    roots.map(|root| gathered[place(root)])
+    roots.map(|root| gathered[at(root)])
 }
 
 /// The value of a variable, of size 1. Parameters are positive.

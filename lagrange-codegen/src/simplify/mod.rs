@@ -51,16 +51,16 @@ fn cheaper_of_each(graph: &Graph, mut roots: Vec<NodeId>, proposal: &[NodeId]) -
         roots = proposal.to_vec();
         return roots;
     }
-    for place in 0..roots.len() {
-        if proposal[place] == roots[place] {
+    for index in 0..roots.len() {
+        if proposal[index] == roots[index] {
             continue;
         }
-        let kept = std::mem::replace(&mut roots[place], proposal[place]);
+        let kept = std::mem::replace(&mut roots[index], proposal[index]);
         let tried = cost(graph, &roots);
         if tried < lowest {
             lowest = tried;
         } else {
-            roots[place] = kept;
+            roots[index] = kept;
         }
     }
     roots
@@ -68,7 +68,7 @@ fn cheaper_of_each(graph: &Graph, mut roots: Vec<NodeId>, proposal: &[NodeId]) -
 
 /// The image of a node of an ascending cone whose nodes are rewritten in order.
 fn image_of(cone: &[NodeId], images: &[NodeId], node: NodeId) -> NodeId {
-    cone.binary_search(&node).map_or(node, |place| images[place])
+    cone.binary_search(&node).map_or(node, |index| images[index])
 }
 
 /// Roots keep the names they had before they were rewritten.

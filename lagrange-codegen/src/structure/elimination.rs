@@ -30,27 +30,27 @@ pub(super) fn order(
     let mut order = Vec::with_capacity(count);
     let mut operations = 0;
     while !remaining.is_empty() {
-        let degree = |place: usize| remaining.iter().filter(|&&other| linked[place][other]).count();
+        let degree = |index: usize| remaining.iter().filter(|&&other| linked[index][other]).count();
         // A pivot is no longer fixed once an earlier elimination has changed it.
-        let touched = |place: usize| order.iter().any(|&earlier: &usize| linked[earlier][place]);
+        let touched = |index: usize| order.iter().any(|&earlier: &usize| linked[earlier][index]);
         let fixed =
-            |place: usize| !touched(place) && graph.dependence(entry(block[place], block[place])).is_fixed();
+            |index: usize| !touched(index) && graph.dependence(entry(block[index], block[index])).is_fixed();
         // Whether a pivot has a numeric factor. Without one, quotients by it need no multiplication by the
         // factor's inverse.
-        let scaled = |place: usize| {
-            let pivot = entry(block[place], block[place]);
+        let scaled = |index: usize| {
+            let pivot = entry(block[index], block[index]);
             !graph.as_constant(pivot).unwrap_or(graph.scaled(pivot).0).is_one()
         };
-        let Some(&next) = remaining.iter().min_by_key(|&&place| (degree(place), !fixed(place), place)) else {
+        let Some(&next) = remaining.iter().min_by_key(|&&index| (degree(index), !fixed(index), index)) else {
             break;
         };
         let next = *remaining
             .iter()
-            .filter(|&&place| fixed(place) && degree(place) <= degree(next) + 1)
-            .min_by_key(|&&place| (degree(place), scaled(place), place))
+            .filter(|&&index| fixed(index) && degree(index) <= degree(next) + 1)
+            .min_by_key(|&&index| (degree(index), scaled(index), index))
             .unwrap_or(&next);
-        remaining.retain(|&place| place != next);
-        let neighbours: Vec<usize> = remaining.iter().copied().filter(|&place| linked[next][place]).collect();
+        remaining.retain(|&index| index != next);
+        let neighbours: Vec<usize> = remaining.iter().copied().filter(|&index| linked[next][index]).collect();
         operations += neighbours.len() * (neighbours.len() + 5) / 2 + 1;
         for &a in &neighbours {
             for &b in &neighbours {
@@ -110,8 +110,8 @@ pub(super) fn eliminate(
         x[k] = value;
     }
     let mut solution = x.clone();
-    for (place, &i) in order.iter().enumerate() {
-        solution[i] = x[place];
+    for (index, &i) in order.iter().enumerate() {
+        solution[i] = x[index];
     }
     Elimination { pivots, solution }
 }

@@ -46,7 +46,7 @@ pub enum Step {
 #[derive(Clone, Copy, Debug)]
 pub struct Articulated {
     /// The place in the block.
-    pub place: usize,
+    pub index: usize,
     /// Its value.
     pub pivot: NodeId,
     /// Its scale.
@@ -95,8 +95,8 @@ impl Recursion {
         }
         let mut left: Vec<Unknown> = (0..velocities).collect();
         system.eliminate_free(graph, &mut left)?;
-        for (place, definition) in definitions.into_iter().enumerate().rev() {
-            system.substitute(graph, velocities + place, definition)?;
+        for (index, definition) in definitions.into_iter().enumerate().rev() {
+            system.substitute(graph, velocities + index, definition)?;
             system.eliminate_free(graph, &mut left)?;
         }
         Some((Recursion { steps: asked_for(system.steps, unknowns), velocities, unknowns }, system.pivots))
@@ -137,25 +137,25 @@ impl Recursion {
 
     /// An index for each unknown, and the number of indices. Velocities have their own. The others, of which
     /// few are in use at a time, share those behind.
-    pub fn places(&self) -> (Vec<usize>, usize) {
-        let mut places: Vec<usize> = (0..self.unknowns).collect();
+    pub fn indices(&self) -> (Vec<usize>, usize) {
+        let mut indices: Vec<usize> = (0..self.unknowns).collect();
         let (mut free, mut count) = (Vec::new(), self.velocities);
         let mut placed = vec![false; self.unknowns];
         placed[..self.velocities].fill(true);
         for step in &self.steps {
             for &(x, _) in step.terms() {
                 if !std::mem::replace(&mut placed[x], true) {
-                    places[x] = free.pop().unwrap_or_else(|| {
+                    indices[x] = free.pop().unwrap_or_else(|| {
                         count += 1;
                         count - 1
                     });
                 }
             }
             if step.unknown() >= self.velocities {
-                free.push(places[step.unknown()]);
+                free.push(indices[step.unknown()]);
             }
         }
-        (places, count)
+        (indices, count)
     }
 
     /// Whether a product with the inverse takes less time an order than the recursion, in which each
@@ -222,12 +222,12 @@ impl Elimination {
     fn eliminate_free(&mut self, graph: &mut Graph, left: &mut Vec<Unknown>) -> Option<()> {
         loop {
             let free = left.iter().enumerate().filter(|&(_, &v)| self.users[v] == 0);
-            let Some((place, _)) =
+            let Some((index, _)) =
                 free.min_by_key(|&(_, &v)| (self.matrix.rows[v].len(), std::cmp::Reverse(v)))
             else {
                 return Some(());
             };
-            let velocity = left.remove(place);
+            let velocity = left.remove(index);
             self.eliminate(graph, velocity)?;
         }
     }
@@ -261,16 +261,16 @@ impl Elimination {
         }
         let depth = self.depths[unknown];
         let scale = if depth == 0 { pivot } else { self.scale(graph, unknown, depth)? };
-        self.pivots.push(Articulated { place: unknown, pivot, scale });
+        self.pivots.push(Articulated { index: unknown, pivot, scale });
         let divisor = guarded(graph, pivot, scale);
         let one = graph.one();
         let inverse = graph.div(one, divisor);
         let others: Linear = row.into_iter().filter(|&(other, _)| other != unknown).collect();
         let mut terms = Vec::with_capacity(others.len());
-        for (place, &(x, entry)) in others.iter().enumerate() {
+        for (index, &(x, entry)) in others.iter().enumerate() {
             self.matrix.rows[x].remove(&unknown);
             let factor = graph.div(entry, divisor);
-            for &(y, other) in &others[..=place] {
+            for &(y, other) in &others[..=index] {
                 let share = graph.mul(factor, other);
                 let share = graph.neg(share);
                 self.matrix.add(graph, x, y, share);

@@ -187,8 +187,8 @@ impl Solution {
                     roots.extend(solution);
                 }
                 Method::Ldlt | Method::Lu => {
-                    for (place, &i) in block.coordinates.iter().enumerate() {
-                        roots.extend(block.coordinates[..=place].iter().map(|&j| equations.mass[i][j]));
+                    for (index, &i) in block.coordinates.iter().enumerate() {
+                        roots.extend(block.coordinates[..=index].iter().map(|&j| equations.mass[i][j]));
                         roots.push(equations.force[i]);
                     }
                 }
@@ -287,7 +287,7 @@ fn recursive(graph: &mut Graph, equations: &Equations, block: &[usize]) -> Optio
     }
     *graph = trial;
     let pivots: Vec<_> =
-        pivots.into_iter().map(|Articulated { place, pivot, scale }| (block[place], pivot, scale)).collect();
+        pivots.into_iter().map(|Articulated { index, pivot, scale }| (block[index], pivot, scale)).collect();
     Some(Method::Recursive { recursion, pivots: unknown(graph, &pivots), solution })
 }
 

@@ -78,26 +78,26 @@ impl Sparsity {
             order.push(next);
             columns.push(neighbours);
         }
-        let mut places = vec![0; count];
-        for (place, &c) in order.iter().enumerate() {
-            places[c] = place;
+        let mut indices = vec![0; count];
+        for (index, &c) in order.iter().enumerate() {
+            indices[c] = index;
         }
         let placed = |constraints: &BTreeSet<usize>| {
-            let mut placed: Vec<usize> = constraints.iter().map(|&c| places[c]).collect();
+            let mut placed: Vec<usize> = constraints.iter().map(|&c| indices[c]).collect();
             placed.sort_unstable();
             placed
         };
         let later: Vec<Vec<usize>> = columns.iter().map(&placed).collect();
         let mut earlier = vec![Vec::new(); count];
-        for (place, later) in later.iter().enumerate() {
+        for (index, later) in later.iter().enumerate() {
             for &other in later {
-                earlier[other].push(place);
+                earlier[other].push(index);
             }
         }
         let coupled = order
             .iter()
             .enumerate()
-            .map(|(place, &c)| placed(&sharing[c]).into_iter().take_while(|&other| other < place).collect());
+            .map(|(index, &c)| placed(&sharing[c]).into_iter().take_while(|&other| other < index).collect());
         let coupled = coupled.collect();
         let coordinates = order.iter().map(|&c| rows[c].iter().copied().collect()).collect();
         Sparsity { order, coordinates, coupled, earlier, later }
@@ -124,7 +124,7 @@ impl Sparsity {
 
     /// Multiplications of A M⁻¹ Aᵀ, its factorisation, and one solution with A.
     fn operations(&self) -> usize {
-        let coupled = self.coupled.iter().flatten().map(|&place| self.coordinates[place].len());
+        let coupled = self.coupled.iter().flatten().map(|&index| self.coordinates[index].len());
         let factored = self.later.iter().map(|later| later.len() * (later.len() + 3) / 2);
         coupled.sum::<usize>() + factored.sum::<usize>() + 2 * (self.factor() + 2 * self.entries())
     }
@@ -173,8 +173,8 @@ mod tests {
                 assert!(later[k + 1..].iter().all(|other| found.later[first].contains(other)));
             }
         }
-        for (place, coupled) in found.coupled.iter().enumerate() {
-            assert!(coupled.iter().all(|other| found.earlier[place].contains(other)));
+        for (index, coupled) in found.coupled.iter().enumerate() {
+            assert!(coupled.iter().all(|other| found.earlier[index].contains(other)));
         }
     }
 }

@@ -23,8 +23,8 @@ impl Noise {
 /// A random form whose matrix is positive definite: squares of all unknowns, and of some sums of two.
 fn form(graph: &mut Graph, noise: &mut Noise, velocities: usize, defined: usize) -> Quadratic {
     let mut definitions = Vec::new();
-    for place in 0..defined {
-        let count = velocities + place;
+    for index in 0..defined {
+        let count = velocities + index;
         let mut terms: BTreeMap<Unknown, NodeId> = BTreeMap::new();
         for _ in 0..2 + noise.below(2) {
             let number = noise.whole();
@@ -52,7 +52,7 @@ fn form(graph: &mut Graph, noise: &mut Noise, velocities: usize, defined: usize)
         }
     }
     numbers.retain(|_, number| !number.is_zero());
-    let entries = numbers.into_iter().map(|(place, number)| (place, graph.constant(number))).collect();
+    let entries = numbers.into_iter().map(|(index, number)| (index, graph.constant(number))).collect();
     Quadratic { velocities, definitions, entries }
 }
 
@@ -127,16 +127,16 @@ fn places_are_shared_and_never_overwritten() {
         let mut graph = Graph::new();
         let form = form(&mut graph, &mut noise, 4, 8);
         let (recursion, _) = Recursion::of(&mut graph, form, usize::MAX).expect("every velocity has inertia");
-        let (places, count) = recursion.places();
+        let (indices, count) = recursion.indices();
         let mut owner: Vec<Option<usize>> = vec![None; count];
         for step in &recursion.steps {
             for unknown in step.terms().iter().map(|&(x, _)| x).filter(|&x| x >= 4) {
-                let owner = &mut owner[places[unknown]];
+                let owner = &mut owner[indices[unknown]];
                 assert!(owner.is_none_or(|owner| owner == unknown));
                 *owner = Some(unknown);
             }
             if step.unknown() >= 4 {
-                assert_eq!(owner[places[step.unknown()]].take(), Some(step.unknown()));
+                assert_eq!(owner[indices[step.unknown()]].take(), Some(step.unknown()));
             }
         }
     }
@@ -171,7 +171,7 @@ fn a_chain_costs_in_proportion_to_its_links() {
         // A link depends on both components of the joint before it, and on nothing else.
         assert!(recursion.steps.iter().all(|step| step.terms().len() <= 2));
         // Beside the velocities, two numbers are in use at a time, and the two that follow them.
-        assert!(recursion.places().1 <= links + 4);
+        assert!(recursion.indices().1 <= links + 4);
         let right: Vec<NodeId> = (0..links as u32).map(|i| graph.variable(Variable::Input(i))).collect();
         let solution = recursion.solve(&mut graph, &right);
         crate::simplify::cost::cost(&graph, &solution)
