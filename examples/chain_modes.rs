@@ -112,7 +112,7 @@ fn drawn<const J: usize, const N: usize>(
     chart
 }
 
-/// Frequencies of both chains against what is known of them, and their modes drawn.
+/// Compares frequencies of both chains with closed forms, and draws their modes.
 pub fn main() -> Result<(), Box<dyn Error>> {
     let chain = Chain { mass: 0.1, length: 0.1, g: 9.81 };
     let hanging = chain.equilibrium([0.3; Chain::LINKS], &[])?;

@@ -24,7 +24,7 @@ impl RollingDisc {
         Vector3::new(q.x, q.y, 0.0) + self.radius * (aside + q.lean.cos() * Vector3::z())
     }
 
-    /// Its own axis is horizontal where it does not lean.
+    /// The disc's own axis is horizontal where the disc does not lean.
     #[body(mass = self.mass, inertia = [
         self.mass * self.radius.powi(2) / 4.0,
         self.mass * self.radius.powi(2) / 2.0,

@@ -52,7 +52,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         kinetic_friction: 0.3,
         speed: 0.2,
     };
-    // It slips from where the spring is as strong as friction at rest, about the middle that sliding friction
+    // It slips from where the spring is as strong as static friction, about the middle that kinetic friction
     // gives, until it is as fast as the belt again.
     let rate = (belt.stiffness / belt.mass).sqrt();
     let [held, middle] =

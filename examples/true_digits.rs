@@ -35,8 +35,8 @@ impl<R: Real> DoublePendulum<R> {
 
 /// Prints the upper angle and how many of its digits two runs in doubles have.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // A parameter that is no double would differ between the two: then the decimal, "0.7".parse(), is what is
-    // meant.
+    // A parameter that is no double would differ between the two. Then parse the decimal that is meant:
+    // "0.7".parse().
     let exact = DoublePendulum { length: DoubleDouble::from(0.5) };
     let rough = DoublePendulum { length: 0.5 };
     println!("   t   upper angle, true to all digits shown   true digits of a run at 1e-10 and at 1e-14");

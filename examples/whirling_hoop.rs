@@ -155,7 +155,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         if tenths % 26 == 0 {
             println!("{rate:14.1} {:28.9} {is_stable:>8} {bottom_is_stable:>15}", PI - phi);
         }
-        // Bead and bottom part at the critical rate, and stability goes with the bead.
+        // The bead always rests stably. The bottom is stable below the critical rate.
         assert!(is_stable && bottom_is_stable == (rate < critical), "{rate} rad/s");
     }
     let charts = [

@@ -15,7 +15,7 @@ usage: scripts/check.sh NAME …
   features    the book's programs and tests that need a feature: lanes of SIMD vectors, 31 digits
   companions  tests of the command, of studies and of pictures
   book        its pictures are what the examples draw; where mdbook is there, it builds and its links resolve
-  ui          messages about mistakes, each beside its case
+  ui          messages about mistakes, each beside its case; none of an unfinished description where its system is used
   random      10 000 random systems (or CASES of them) against dual numbers
   command     `cargo lagrange new`, its program and `verify`, in a package from nothing
   editor      rust-analyzer in a body that is being written: completion, hover, no false message (installs it by rustup)
@@ -82,7 +82,7 @@ companions() { cargo test -p cargo-lagrange -p lagrange-ensemble -p lagrange-pic
 
 book() { scripts/book.sh check; }
 
-ui() { tests --test ui; }
+ui() { tests --test ui --test unfinished; }
 
 random() { PROPTEST_CASES=${CASES:-10000} cargo test --release -p lagrange-codegen --test random; }
 

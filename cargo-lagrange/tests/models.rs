@@ -66,7 +66,7 @@ fn equations_are_text_latex_mathml_and_json() {
 fn equations_with_contacts_and_friction_have_all_forms() {
     let values: serde_json::Value =
         serde_json::from_str(&printed(&["equations", "--json", "--file", CONTACTS])).expect("it is JSON");
-    // Between contacts; reactions and friction come with the regimes.
+    // The equations between contacts. Reactions and friction come with the regimes.
     let form = |name: &str| values[0][name].as_str().unwrap_or_default().to_owned();
     assert!(form("text").contains("mass·y\u{308} + 9.81 mass"), "{}", form("text"));
     assert!(form("latex").contains("\\ddot{y}"), "{}", form("latex"));
@@ -200,7 +200,7 @@ fn a_new_package_is_written_once() {
     assert!(read("../7up/Cargo.toml").contains("name = \"seven\""));
 }
 
-/// Cargo takes it as a member, and takes profiles from the root alone.
+/// Cargo makes the package a member, and reads profiles in the root alone.
 #[test]
 fn a_new_package_joins_the_workspace_around_it() {
     let folder = outside();

@@ -1,5 +1,5 @@
-//! An arm of six joints, the motion that it shall make, and the torques of its motors: one text for the desk
-//! and for the firmware.
+//! An arm of six joints, the motion that it shall make, and the torques of its motors, for the desk and for
+//! the firmware.
 
 use lagrangian::prelude::*;
 
@@ -135,7 +135,7 @@ pub fn wanted<R: Real>(t: R) -> Wanted<R> {
     Wanted { state, a: distance.map(|distance| distance * acceleration) }
 }
 
-/// By which rate the computed torque lets errors decay \[1/s].
+/// The rate at which the computed torque lets errors decay \[1/s].
 pub const DECAY: f64 = 12.0;
 
 /// Computed torque: the torques by which errors e obey e″ + 2λ e′ + λ² e = 0.

@@ -13,7 +13,7 @@ pub const RATE: u32 = 1000;
 /// The number of samples.
 pub const SAMPLES: usize = (RATE as f64 * DURATION) as usize;
 
-/// An error of 1 rad and one of 1 rad/s, for as long as a second, and a torque of 1 N m.
+/// The weights of an error of 1 rad and of 1 rad/s, which last a second, and of a torque of 1 N m.
 const WEIGHTS: [f64; 3] = [1e5, 1e2, 1e-1];
 
 /// A regulator for all samples.

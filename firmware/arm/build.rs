@@ -12,7 +12,7 @@ mod arm;
 #[allow(dead_code, reason = "the desk compares costs, too")]
 mod regulator;
 
-/// Samples for which the gains stay: they change more slowly than the state.
+/// The samples for which the gains stay the same: they change more slowly than the state.
 const HELD: usize = 20;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -11,7 +11,7 @@ pub struct Page<M, const N: usize> {
     parameters: Vec<f64>,
     model: M,
     state: State<f64, N>,
-    /// Time and energy from which the energy has to stay.
+    /// The time and the energy of the start, from which changes count.
     origin: [f64; 2],
     scene: Scene,
 }
@@ -39,8 +39,8 @@ impl<M: Model<N>, const N: usize> Page<M, N> {
         state.map(|state| self.restart(state)).is_some()
     }
 
-    /// Sets a parameter; `false` and no change where the system cannot have it in any state like the present
-    /// one.
+    /// Sets a parameter. Returns `false`, and changes nothing, where the system cannot have it in any state
+    /// like the present one.
     pub fn set_parameter(&mut self, index: usize, value: f64) -> bool {
         let mut parameters = self.parameters.clone();
         let Some(parameter) = parameters.get_mut(index) else { return false };
@@ -81,7 +81,8 @@ impl<M: Model<N>, const N: usize> Page<M, N> {
         self.state.iter().nth(index).unwrap_or(f64::NAN)
     }
 
-    /// Whether a state that was set number by number is one of the system; its rounding errors are removed.
+    /// Takes a state that was set number by number and removes its rounding errors. Returns whether it is a
+    /// state of the system.
     pub fn settle(&mut self) -> bool {
         let state = self.model.moved(&self.state, self.state.t).ok();
         self.accept(state)

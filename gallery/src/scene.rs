@@ -40,7 +40,7 @@ impl Scene {
         self.shape(3, colour, [x, y, along, up]);
     }
 
-    /// Where the path goes on that the page draws behind everything.
+    /// The next point of the path that the page draws behind everything.
     pub fn trail(&mut self, colour: u8, [x, y]: Point) {
         self.shape(4, colour, [x, y]);
     }

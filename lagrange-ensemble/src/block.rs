@@ -3,15 +3,15 @@
 use crate::failure::Failure;
 use crate::record::{Column, Kind};
 
-/// The columns of a study and how a row stands in a file: values in order, little endian, without gaps.
+/// The columns of a study, and the form of a row in a file: values in order, little endian, without gaps.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Layout {
     pub(crate) columns: Vec<Column>,
 }
 
 impl Layout {
-    /// Whether all columns are doubles: a plain array of NumPy, where what is missing is no number. Other
-    /// rows end in a byte that tells whether they have no result.
+    /// Whether all columns are doubles. Then a file is a plain array of NumPy, in which a missing value is
+    /// NaN. Other rows end in a byte that tells whether they have no result.
     pub(crate) fn is_plain(&self) -> bool {
         self.columns.iter().all(|column| column.kind == Kind::F64)
     }
@@ -26,14 +26,14 @@ impl Layout {
         self.columns.iter().map(|column| column.kind.size()).sum()
     }
 
-    /// Why a record does not fit into its columns, if it has so many bytes.
+    /// Why a record of so many bytes does not fit into its columns, if it does not.
     pub(crate) fn misfit(&self, bytes: usize) -> Option<Failure> {
         let values = self.values();
         let words = || format!("`Record::store` wrote {bytes} bytes, but `Record::columns` take {values}");
         (bytes != values).then(|| Failure::new(words()))
     }
 
-    /// Ends the row of a motion: of one without a result, what [`Kind`] says.
+    /// Ends the row of a motion. A row without a result gets the values that [`Kind`] names.
     pub(crate) fn close(&self, row: &mut Vec<u8>, failed: bool) {
         if failed {
             row.clear();

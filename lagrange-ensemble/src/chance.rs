@@ -33,14 +33,14 @@ impl Chance {
         scattered(self.motion ^ self.taken)
     }
 
-    /// Evenly between two numbers.
+    /// A number between two others, evenly distributed.
     pub fn between(&mut self, from: f64, to: f64) -> f64 {
         // The upper 53 bits and a half: neither 0 nor 1.
         let share = ((self.bits() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64;
         from * (1.0 - share) + to * share
     }
 
-    /// With a normal distribution, by Box and Muller. It takes two numbers.
+    /// A number with a normal distribution, by Box and Muller. It takes two of the motion's numbers.
     pub fn normal(&mut self, mean: f64, deviation: f64) -> f64 {
         let (radius, angle) = (self.between(0.0, 1.0), self.between(0.0, std::f64::consts::TAU));
         mean + deviation * Real::sqrt(-2.0 * Real::ln(radius)) * Real::cos(angle)
@@ -69,7 +69,7 @@ mod tests {
     #[test]
     fn moments_are_those_of_the_distributions() {
         let count = 200_000_u64;
-        // Over motions, and over the numbers of one.
+        // Averages over motions, and over the numbers of one motion.
         let mut one = Chance::new(3, 5);
         let all: Vec<_> = (0..count)
             .flat_map(|index| {
@@ -85,7 +85,7 @@ mod tests {
             for (which, mean, deviation) in [(0, 1.0, 4.0 / 12.0_f64.sqrt()), (1, 2.0, 0.5)] {
                 let found = numbers().map(|row| row[which]).sum::<f64>() / count as f64;
                 let square = numbers().map(|row| (row[which] - mean).powi(2)).sum::<f64>() / count as f64;
-                // Five standard errors; of a square for the kurtosis 3 at most.
+                // Five standard errors of the mean; for a square, of kurtosis 3 at most.
                 let unit = 5.0 / (count as f64).sqrt();
                 assert!((found - mean).abs() < unit * deviation, "{found}");
                 assert!((square / deviation.powi(2) - 1.0).abs() < unit * 2.0_f64.sqrt(), "{square}");

@@ -45,7 +45,7 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
-    /// What stands in the manifest.
+    /// The settings as text for the manifest.
     pub(crate) fn text(&self) -> String {
         let Self { tolerances, longest, max_steps } = self;
         format!("tolerances {tolerances:?}, longest step {longest:?}, most steps {max_steps:?}")
@@ -195,8 +195,8 @@ impl<F> Ensemble<F> {
             .also(format!("samples every {dt:?}"))
     }
 
-    /// A table of the times \[s] of the first `COUNT` zeros of `guard` up to time `until` \[s]; what is not
-    /// there is `None`.
+    /// A table of the times \[s] of the first `COUNT` zeros of `guard` up to time `until` \[s]; `None` where
+    /// there are fewer.
     pub fn event_times<const COUNT: usize, B, S, G, const N: usize, const K: usize>(
         self,
         name: &str,

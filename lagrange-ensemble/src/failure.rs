@@ -25,7 +25,7 @@ impl Failure {
 
     /// A cause at time `t` \[s].
     pub fn at(t: f64, cause: impl fmt::Display) -> Self {
-        // JSON has no infinities: a time that is no number is none.
+        // JSON has no infinities. A time that is infinite or NaN is left out.
         Self { t: Some(t).filter(|t| t.is_finite()), cause: cause.to_string() }
     }
 }

@@ -1,4 +1,4 @@
-//! [`Fingerprint`]: what makes a study this study. It stands in the manifest and in every part.
+//! [`Fingerprint`]: what tells a study from others. It stands in the manifest and in every part.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::record::Column;
 
-/// Of the layout of manifests and parts.
+/// The version of the layout of manifests and parts.
 const FORMAT: u32 = 1;
 
 /// What parts of one table have in common.
@@ -23,7 +23,7 @@ pub(crate) struct Fingerprint {
     key: String,
 }
 
-/// What other formats have in common with this one.
+/// The fields that every format has.
 #[derive(Deserialize)]
 struct Version {
     format: u32,

@@ -1,7 +1,7 @@
 //! [`Grid`]: the cells of a grid by their index.
 
-/// A grid of cells in `D` dimensions, numbered with the last dimension fastest, as NumPy has it. A motion belongs to the
-/// middle of its cell, which lies on no border, where motions often are special.
+/// A grid of cells in `D` dimensions, numbered with the last dimension fastest, as NumPy has it. A motion
+/// belongs to the middle of its cell: motions on borders are often special.
 ///
 /// ```
 /// use lagrange_ensemble::Grid;

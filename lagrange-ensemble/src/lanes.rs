@@ -100,7 +100,7 @@ impl<F, V: Vector> InLanes<F, V> {
     }
 }
 
-/// Motions that a lane has one after the other, before it may stand idle until others end.
+/// The number of motions that a lane takes one after the other before it may stand idle until others end.
 const MOTIONS_OF_A_LANE: u64 = 16;
 
 /// The rows of such a study.
@@ -171,7 +171,7 @@ where
             let like = lanes.iter().position(Option::is_some);
             let (Some(like), Some(template)) = (like, &template) else { return };
             let job = |lane: usize| lanes.get(lane).and_then(Option::as_ref);
-            // An idle lane has the numbers of one that is at work.
+            // An idle lane gets the numbers of a lane that is at work.
             let of = |lane| job(lane).or_else(|| job(like));
             if relay.is_none() || !begun.is_empty() || lanes.iter().any(Option::is_none) {
                 let system =
@@ -243,12 +243,12 @@ where
     V: Vector<Lane = S::Scalar>,
     S::Over<V>: Smooth<N, K>,
 {
-    /// The motion of an index for a lane; none where a single motion would not begin, or there is no time to
-    /// go to. The first system is kept as `template`.
+    /// The motion of an index for a lane. `None` if a single motion would not begin, or if there is no time
+    /// to integrate over. The first system is kept as `template`.
     fn job(&self, index: u64, template: &mut Option<S>) -> Result<Option<Job<S::Scalar, N>>, Failure> {
         let (system, start) = (self.ensemble.start)(index).start()?;
         let end = (0..).map_while(|k| (self.time)(&start, k)).last();
-        // What a motion checks where it begins: tolerances, masses, names of quantities.
+        // A motion checks tolerances, masses and names of quantities where it begins.
         let mut motion = self.ensemble.settings.motion(&system, start);
         let begun = motion.advance_to(start.t).copied();
         let (Some(end), Ok(start)) = (end.filter(|end| end.is_finite()), begun) else { return Ok(None) };
@@ -258,7 +258,7 @@ where
             value
         });
         let mut job = Job { index, parameters, start, end, states: Vec::new() };
-        // Samples begin with the start; one that is there when it begins needs no step.
+        // The first sample may be the start itself, which needs no step.
         if (self.time)(&start, 0) == Some(start.t) && end != start.t {
             job.states.push(start);
         }
@@ -292,8 +292,8 @@ where
         relay
     }
 
-    /// Takes the states at times that the last step of a lane has passed, but for the last one, which is
-    /// where it arrives.
+    /// Takes the states at times that the last step of a lane has passed, except the last state, at which the
+    /// lane arrives.
     fn sample(
         &self,
         relay: &mut Relay<S::Over<V>, N, K>,

@@ -1,5 +1,5 @@
-//! A part of a study as a file: an `.npy` array of its rows, which NumPy reads as it is, and behind the array
-//! what tells that it is whole: the study, the failures, the length and a checksum.
+//! A part of a study as a file: an `.npy` array of its rows, which NumPy reads as it is. Behind the array
+//! stand the study, the failures, the length and a checksum, which tell whether the file is whole.
 
 use std::fs::{self, File};
 use std::io::Write;
@@ -27,8 +27,7 @@ struct Behind {
     failures: Vec<(u64, Failure)>,
 }
 
-/// Writes a part. The file is to be flushed, but need not be: what a failure of power takes from it, its end
-/// tells.
+/// Writes a part. The file need not be flushed yet: its end tells what a failure of power takes from it.
 pub(crate) fn write(path: &Path, study: &Fingerprint, layout: &Layout, block: Block) -> Result<File, Error> {
     let count = (block.rows.len() / layout.row().max(1)) as u64;
     let Block { number, rows, failures, .. } = block;
@@ -72,13 +71,13 @@ pub(crate) fn read(
     if found.finalize() != u32::from_le_bytes(*sum) {
         return Err(damaged("its checksum is wrong"));
     }
-    // The sum is right: from here on the file is what somebody wrote.
+    // The checksum is right, so the file is what somebody wrote.
     let strange = "it is no part of a study";
     let text = usize::try_from(u64::from_le_bytes(*length)).ok();
     let start = text.and_then(|text| content.len().checked_sub(text)).ok_or_else(|| damaged(strange))?;
     let (array, text) = content.split_at(start);
     let value: serde_json::Value = serde_json::from_slice(text).map_err(|_| damaged(strange))?;
-    // The study first: parts of another version may have other fields.
+    // The study comes first: parts of another version may have other fields.
     let fingerprint = value.get("study").map(ToString::to_string).unwrap_or_default();
     study.confirm(path, fingerprint.as_bytes())?;
     let behind: Behind = serde_json::from_value(value).map_err(|_| damaged(strange))?;

@@ -2,8 +2,8 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// Counts motions on a bar, with the time that is left. Draws only if a person asked for it and a terminal
-/// shows it: logs stay clean.
+/// A bar that counts motions, with the time that is left. It is drawn only if a person asked for it and a
+/// terminal shows it, so that logs stay clean.
 #[derive(Clone, Debug)]
 pub struct Progress(ProgressBar);
 
@@ -30,7 +30,7 @@ impl Progress {
         self.0.inc(count);
     }
 
-    /// The bar is full, or the study has stopped: it stays as it is.
+    /// Leaves the bar as it is: it is full, or the study has stopped.
     pub fn end(&self) {
         self.0.abandon();
     }

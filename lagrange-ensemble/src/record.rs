@@ -41,10 +41,11 @@ pub struct Column {
     pub kind: Kind,
 }
 
-/// What a motion leaves: a fixed number of values.
+/// The result of a motion: a fixed number of values.
 ///
-/// Numbers, `bool`, `Option<f64>` (`None` is no number), [`State`], arrays and tuples of records are records.
-/// A type of yours is one by three short functions that go through its fields in the same order:
+/// Numbers, `bool`, `Option<f64>` (`None` is stored as NaN), [`State`], arrays and tuples of records are
+/// records. A type of yours becomes one by three short functions that go through its fields in the same
+/// order:
 ///
 /// ```
 /// use lagrange_ensemble::{Cells, Column, Record};
@@ -79,8 +80,7 @@ pub trait Record: Sized {
     /// Takes the values from a row, in the order in which they were stored.
     fn load(row: &mut Cells<'_>) -> Self;
 
-    /// The columns as parts of a larger record: those of a single number have this name, others begin with
-    /// it.
+    /// The columns as parts of a larger record. A single number has this name; other names begin with it.
     fn named(name: &str) -> Vec<Column> {
         let columns = Self::columns();
         let single = columns.len() == 1;
@@ -143,7 +143,7 @@ impl Record for bool {
     }
 }
 
-/// `None` is no number in the file, and a value that is no number is `None` when it is read back.
+/// `None` is stored as NaN, and NaN is read back as `None`.
 impl Record for Option<f64> {
     fn columns() -> Vec<Column> {
         f64::columns()

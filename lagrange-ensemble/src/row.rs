@@ -1,10 +1,10 @@
-//! [`Row`]: what makes the rows of a study.
+//! [`Row`]: a source of the rows of a study.
 
 use std::cell::Cell;
 
 use crate::failure::Failure;
 
-/// What makes the row of an index: a function of the index, or motions in the lanes of vectors.
+/// A source of rows: a function of the index, or motions in the lanes of vectors.
 pub trait Row<T>: Sync {
     /// The row of an index.
     ///
@@ -22,7 +22,8 @@ pub trait Row<T>: Sync {
         }
     }
 
-    /// How many indices [`Row::rows`] should be given at least: lanes stand idle where the last of them end.
+    /// The least number of indices that [`Row::rows`] should get: lanes stand idle while the last motions
+    /// end.
     fn at_once(&self) -> u64 {
         1
     }

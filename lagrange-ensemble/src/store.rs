@@ -39,7 +39,7 @@ impl Store {
             whole::write(&manifest, |out| out.write_all(&text))?;
             whole::flush(parent)?;
         }
-        // Read in any case: another study may have come first.
+        // The manifest is read in any case: another study may have come first.
         let text = fs::read(&manifest).map_err(Error::io("read", &manifest))?;
         fingerprint.confirm(&manifest, &text)?;
         Ok(Self { folder, fingerprint, layout, parts })
@@ -57,7 +57,7 @@ impl Store {
     fn write(&self, block: Block) -> Result<Option<(PathBuf, File)>, Error> {
         let path = self.path(block.number);
         match part::write(&path, &self.fingerprint, &self.layout, block) {
-            // Whoever found the study complete swept up, so this part was there.
+            // Another process found the study complete and swept up, so this part was there.
             Err(Error::Io { source, .. }) if source.kind() == ErrorKind::NotFound && path.exists() => {
                 Ok(None)
             }
@@ -81,16 +81,16 @@ impl Store {
             return Ok(false);
         }
         for name in names.iter().filter(|name| whole::is_unfinished(name)) {
-            // Another run that is complete may be first.
+            // Another run that completes the study may have removed it first.
             let _ = fs::remove_file(self.folder.join(name));
         }
         Ok(true)
     }
 }
 
-/// Flushing a part to the disk may take this part of the time of a run: it takes milliseconds, whatever is in
-/// it. Parts that are quickly made follow each other unflushed. What a failure of power takes from them,
-/// their ends tell, and they are computed again.
+/// Flushing a part to the disk may take a hundredth of the time of a run. It takes milliseconds, however
+/// small the part is, so parts that are quickly made follow each other unflushed. After a failure of power
+/// their ends tell what is missing, and that is computed again.
 const FLUSHING: u32 = 100;
 
 /// Writes the parts of a run.
@@ -115,7 +115,7 @@ impl<'a> Writer<'a> {
         if ended.elapsed() >= taken.saturating_mul(FLUSHING) { self.flush() } else { Ok(()) }
     }
 
-    /// Flushes the last part, where an operating system that writes late says that the disk is full.
+    /// Flushes the last part. An operating system that writes late reports a full disk here.
     fn flush(&mut self) -> Result<(), Error> {
         let begin = Instant::now();
         if let Some((path, file)) = self.last.take() {

@@ -83,10 +83,7 @@ where
         Ok(open)
     }
 
-    /// The same without a look at the parts: where another process has looked.
-    ///
-    /// # Errors
-    /// As [`StoredStudy::run`].
+    /// The same without a look at the parts, for a process beside one that has looked.
     pub fn open_without_look(&self) -> Result<OpenStudy<'_, F, T>, Error> {
         let store = self.study.store(&self.folder)?;
         Ok(OpenStudy { study: &self.study, store, job: self.job, missing: Vec::new() })
@@ -200,7 +197,7 @@ where
         };
         let Some(block) = block else { return Ok(false) };
         let (first, count) = store.parts.part(part);
-        // Any motion of it, another one in each part.
+        // An arbitrary motion, another one in each part.
         let index = first + scattered(part) % count.max(1);
         let mut again = Block::default();
         work::guarded(|at| study.append(&store.layout, index, 1, at, &mut again))?;

@@ -86,16 +86,16 @@ impl<F: Row<T>, T: Record> Study<F, T> {
 
     /// What the function of the index captures: parameters, ranges, the seed. A folder refuses parts of
     /// another key. (It also computes a motion of each part again, which finds most changes that the key does
-    /// not tell.)
+    /// not show.)
     #[must_use]
     pub fn with_key(mut self, key: impl Into<String>) -> Self {
         self.key = key.into();
         self
     }
 
-    /// Motions of a part: what is lost, a thread, when a run is killed, and what a thread keeps in memory.
-    /// Choose it so that a part takes between a second and some minutes. Default: a 128th of the study, at
-    /// least 64, in lanes 512, and at most 65 536. Zero is one.
+    /// The number of motions of a part. A killed run loses so many in each thread, and a thread keeps so many
+    /// in memory. Choose it so that a part takes between a second and some minutes. Default: a 128th of the
+    /// study, at least 64, in lanes 512, and at most 65 536. Zero counts as one.
     #[must_use]
     pub fn with_part_size(mut self, motions: u64) -> Self {
         self.size = motions.max(1);

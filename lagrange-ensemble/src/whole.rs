@@ -19,8 +19,8 @@ pub(crate) fn write(
     renamed(path, content, File::sync_all).map(|_| ())
 }
 
-/// Writes a file that is whole for every process that looks, though the operating system may hold its content back from
-/// the disk: a failure of power can leave less of it. Returns the file, to be flushed.
+/// Writes a file that is whole for every process that looks. The operating system may hold its content back
+/// from the disk, so that a failure of power can leave less of it. Returns the file, to be flushed.
 pub(crate) fn write_unflushed(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,

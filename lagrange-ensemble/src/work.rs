@@ -19,7 +19,7 @@ use crate::block::Block;
 use crate::error::Error;
 use crate::progress::Progress;
 
-/// Who says which part is next: a loop over all parts, or the first rank of a cluster.
+/// A source of part numbers: a loop over all parts, or the first rank of a cluster.
 pub trait Dispatch: Sync {
     /// The number of a part that nobody else computes, or `None` when there is nothing left to begin.
     fn next(&self) -> Option<u64>;
@@ -64,7 +64,7 @@ impl Parts {
     }
 }
 
-/// Appends the rows of so many indices from one on; says in the cell which one a function of the user works
+/// Appends the rows of so many consecutive indices. The cell is told which one a function of the user works
 /// on.
 pub(crate) type Motions<'a> = &'a (dyn Fn(u64, u64, &Cell<u64>, &mut Block) + Sync);
 
@@ -74,7 +74,7 @@ struct Open {
     first: u64,
     count: u64,
     taken: u64,
-    /// What is finished, in the order in which it was.
+    /// The finished pieces, in the order in which they were finished.
     pieces: Vec<Block>,
 }
 
@@ -180,7 +180,7 @@ impl Work<'_> {
         }
     }
 
-    /// Computes motions; the part, if they were the last ones of it.
+    /// Computes the motions of a piece. Returns the part if they were its last.
     fn finish(&self, piece: Piece) -> Option<Block> {
         let mut done = Block::default();
         if let Err(error) = guarded(|at| (self.motions)(piece.first, piece.count, at, &mut done)) {
@@ -203,7 +203,7 @@ impl Work<'_> {
     }
 }
 
-/// The result of functions of the user, or the panic of one as an error. The cell says at which index.
+/// The result of functions of the user; the panic of one becomes an error. The cell holds the index.
 pub(crate) fn guarded<T>(function: impl FnOnce(&Cell<u64>) -> T) -> Result<T, Error> {
     let at = Cell::new(0);
     catch_unwind(AssertUnwindSafe(|| function(&at)))

@@ -1,4 +1,4 @@
-//! What cannot be right is said, and what is finished stays.
+//! Impossible input is reported, and finished parts stay.
 
 use std::fs;
 use std::path::Path;
@@ -17,7 +17,7 @@ fn numbers_that_are_none_are_results() {
     };
     let study = || Study::new("numbers", 30, number).with_part_size(4).in_folder(folder.path());
     study().run().expect("the study runs");
-    // Computed again, a row that is no number is the same.
+    // A row that is NaN counts as the same when it is computed again.
     let table = study().run().expect("the study runs").expect("the study is complete");
     for (index, row) in table.to_vec().expect("rows").into_iter().enumerate() {
         let bits = |row: [f64; 2]| row.map(f64::to_bits);
@@ -59,14 +59,14 @@ fn a_record_that_does_not_fill_its_columns_is_a_failure() {
 #[test]
 #[cfg(target_os = "linux")]
 fn a_folder_without_permission_is_an_error() {
-    // Nobody makes folders there, the superuser neither.
+    // Nobody may make folders there, not even the superuser.
     let folder = Path::new("/sys/kernel/lagrange");
     let study = Study::new("numbers", 10, |_| Ok(0.0)).in_folder(folder);
     let error = study.run().map(|_| ()).expect_err("nobody writes there");
     assert!(matches!(&error, Error::Io { doing: "make", path, .. } if path.starts_with(folder)), "{error}");
 }
 
-/// What the test below starts. Does nothing by itself.
+/// The process that the test below starts. By itself it does nothing.
 #[test]
 fn as_a_process_of_its_own() {
     let Ok(folder) = std::env::var("LAGRANGE_TABLE_FOLDER") else { return };

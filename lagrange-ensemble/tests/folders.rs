@@ -77,7 +77,7 @@ fn parts(folder: &Path) -> Vec<PathBuf> {
     parts
 }
 
-/// What the tests below start and kill. Does nothing by itself.
+/// The process that the tests below start and kill. By itself it does nothing.
 #[test]
 fn as_a_process_of_its_own() {
     let Ok(folder) = std::env::var("LAGRANGE_ENSEMBLE_FOLDER") else { return };
@@ -90,7 +90,7 @@ fn as_a_process_of_its_own() {
     }
 }
 
-/// Runs the process above by a shell, in which `$RUN` is what starts it.
+/// Runs the process above by a shell, in which `$RUN` starts it.
 fn process(folder: &Path, script: &str) -> Child {
     let run = "\"$0\" --exact as_a_process_of_its_own --nocapture";
     Command::new("sh")
@@ -217,7 +217,7 @@ fn another_study_in_the_folder_is_an_error() {
     fs::copy(other.path().join(part), folder.path().join(part)).expect("copied");
     differs(run(numbers(100).in_folder(folder.path()).run()), "key");
     fs::remove_file(folder.path().join(part)).expect("removed");
-    // The same words, another function.
+    // The same words, but another function.
     let changed = Study::new("numbers", 100, |index| Ok(2.0 + index as f64)).with_part_size(10).with_key("a");
     let error = run(changed.in_folder(folder.path()).run());
     assert!(matches!(error, Error::NotTheSame { .. }), "{error}");

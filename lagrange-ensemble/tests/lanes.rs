@@ -161,7 +161,7 @@ fn bits<F: Row<T>, T: Record>(study: &Study<F, T>) -> Vec<Result<Vec<u8>, Failur
     rows.into_iter().map(|row| row.map(bytes)).collect()
 }
 
-/// Small and large motions, fast and slow ones, at rest, without numbers.
+/// Small and large motions, fast and slow ones, pendulums at rest, and numbers that are not finite.
 fn pendulums(index: u64) -> (Pendulum, State<f64, 2>) {
     let x = (index as f64 * 0.618_033_988_749_894_9).fract();
     let g = match index % 7 {
@@ -187,7 +187,7 @@ fn planets(index: u64) -> (Planet, State<f64, 2>) {
     (Planet { mu }, State::new([1.0, 0.0], [0.0, speed]))
 }
 
-/// Whirling, at rest, without numbers, and beside the constraint.
+/// Rods that whirl and rods at rest, lengths that are NaN, and starts off the constraint.
 fn rods(index: u64) -> (Rod, State<f64, 2>) {
     let x = (index as f64 * 0.618_033_988_749_894_9).fract();
     let length = if index % 7 == 6 { f64::NAN } else { 0.5 + x };

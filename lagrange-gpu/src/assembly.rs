@@ -1,14 +1,14 @@
-//! [`Usage`]: what a kernel takes of a processor, as the assembler says.
+//! [`Usage`]: the registers and the memory that a kernel takes, as the assembler reports them.
 
-/// What a thread of a kernel takes of a processor.
+/// The registers and the memory that a thread of a kernel takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Usage {
     /// The kernel.
     pub kernel: String,
     /// Registers of 32 bits; there are at most 255.
     pub registers: u32,
-    /// Bytes of the stack, with those of the functions that it calls: memory, where registers are too few or
-    /// where arrays are indexed.
+    /// Bytes of the stack, with those of the functions that the kernel calls: memory for numbers that have no
+    /// register, and for arrays that are indexed.
     pub stack: u32,
     /// Bytes written because registers are too few, in the functions that it calls, too.
     pub spill_stores: u32,
@@ -20,7 +20,7 @@ impl Usage {
     /// The kernels that `ptxas --verbose` tells of.
     pub fn of(report: &str) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::new();
-        // Those of the functions that a kernel calls follow behind its own.
+        // The lines of the functions that a kernel calls follow its own.
         let mut about = "";
         for line in report.lines() {
             if let Some(name) = between(line, "Compiling entry function '", "'") {

@@ -1,4 +1,5 @@
-//! What only a processor does: finds its motion, reads and writes memory, and refuses to panic.
+//! The part of a kernel that runs on a processor only: it finds its motion, reads and writes memory, and
+//! refuses to panic.
 
 use core::arch::nvptx::{_block_dim_x, _block_idx_x, _thread_idx_x};
 use core::panic::PanicInfo;
@@ -47,7 +48,7 @@ pub unsafe fn enter<S: Words, R: Words, E>(
     kernel::compute(row, first + place, &setting, put);
 }
 
-/// A kernel that could panic names a function that exists nowhere: it is not assembled.
+/// A kernel that could panic names a function that exists nowhere, so it is not assembled.
 #[panic_handler]
 fn panic(_: &PanicInfo<'_>) -> ! {
     #[allow(unsafe_code)]

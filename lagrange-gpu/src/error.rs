@@ -54,7 +54,7 @@ pub enum Error {
         /// The kernel.
         name: String,
     },
-    /// A row is another one on the processor than here: the kernel was built from another source.
+    /// A row differs from the one computed here: the kernel was built from another source.
     Differs {
         /// The kernel.
         name: String,
@@ -71,7 +71,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// What loading kernels for `needed` ended in.
+    /// The error of loading kernels, which need `needed`.
     pub(crate) fn of_loading(error: DriverError, needed: impl FnOnce() -> String) -> Self {
         match error.0 {
             CUresult::CUDA_ERROR_INVALID_PTX => Self::Refused { reason: "the text is not valid PTX" },

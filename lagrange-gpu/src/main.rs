@@ -1,4 +1,4 @@
-//! What `scripts/gpu.sh` asks of built kernels: `lagrange-gpu check FILE`, `fuse FILE TO`, `table EXACT
+//! The checks of built kernels for `scripts/gpu.sh`: `lagrange-gpu check FILE`, `fuse FILE TO`, `table EXACT
 //! FUSED`.
 
 use std::env;
@@ -7,7 +7,7 @@ use std::fs;
 
 use lagrange_gpu::{Arithmetic, Ptx, Usage};
 
-/// Says what is in a file, and refuses kernels that can panic or whose operations are not those of a CPU.
+/// Lists the kernels in a file. Refuses kernels that can panic or whose operations are not those of a CPU.
 fn check(path: &str) -> Result<(), Box<dyn Error>> {
     let ptx = Ptx::read(path)?;
     let unlike = ptx.unlike_a_cpu();
@@ -26,7 +26,7 @@ fn check(path: &str) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the assembler says of the kernels in both kinds of arithmetic, as a table.
+/// A table of the assembler's figures for the kernels in both kinds of arithmetic.
 fn table(exact: &str, fused: &str) -> Result<(), Box<dyn Error>> {
     let [mut exact, fused] =
         [fs::read_to_string(exact)?, fs::read_to_string(fused)?].map(|report| Usage::of(&report));

@@ -1,4 +1,4 @@
-//! [`Ptx`]: the text of built kernels, and what can be known of it without a processor.
+//! [`Ptx`]: the text of built kernels, and the facts about it that need no processor.
 
 use std::fs;
 use std::path::Path;
@@ -59,8 +59,8 @@ impl Ptx {
         self.directive(".version").unwrap_or_default()
     }
 
-    /// Operations that do not round as a CPU does: fused, approximate or without subnormal numbers. None are
-    /// there in kernels as they are built.
+    /// The number of operations that do not round as a CPU does: fused, approximate or without subnormal
+    /// numbers. Kernels have none as they are built.
     pub fn unlike_a_cpu(&self) -> usize {
         let instructions = self.text.lines().filter_map(|line| line.split_whitespace().next());
         let unlike = |name: &&str| {
@@ -69,8 +69,8 @@ impl Ptx {
         instructions.filter(unlike).count()
     }
 
-    /// The text, for one kind of arithmetic. An operation that names its rounding stays alone; the compiler
-    /// of the driver fuses those that do not.
+    /// The text for one kind of arithmetic. An operation that names its rounding stays alone; the compiler of
+    /// the driver fuses those that do not.
     pub fn text(&self, arithmetic: Arithmetic) -> String {
         if arithmetic == Arithmetic::Exact {
             return self.text.clone();

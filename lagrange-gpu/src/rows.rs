@@ -1,4 +1,4 @@
-//! [`Rows`]: what the motions of a study left on a processor; and the same study without one.
+//! [`Rows`]: the results of a study on a processor, and the same study without one.
 
 use lagrange_ensemble::{Failure, Record, Row, Study};
 
@@ -55,7 +55,7 @@ impl<S: Words, R: Words, E> Rows<S, R, E> {
         self.cells(index).eq(here)
     }
 
-    /// How many of some motions have the same bits here.
+    /// How many of these motions have the same bits here.
     pub fn equal_here(&self, indices: impl IntoIterator<Item = u64>) -> u64 {
         indices.into_iter().filter(|index| self.is_that_of_the_function(*index)).count() as u64
     }
@@ -65,8 +65,8 @@ impl<S: Words, R: Words, E: Into<Failure>> Rows<S, R, E> {
     /// The row of a motion.
     ///
     /// # Errors
-    /// Why the motion has no row. A processor only marks such a motion; it is computed again here, up to its
-    /// end, to say why.
+    /// Why the motion has no row. A processor only marks such a motion. It is computed again here, up to its
+    /// end, to find the cause.
     pub fn row(&self, index: u64) -> Result<R, Failure> {
         if let Some(row) = self.found(index) {
             return Ok(row);
@@ -87,7 +87,7 @@ impl<S: Words, R: Words, E: Into<Failure>> Rows<S, R, E> {
         (0..self.count).map(|index| self.row(index)).collect()
     }
 
-    /// The rows as a study, which has them as a table in memory, in files or in parts of a folder.
+    /// The rows as a study. It has them as a table in memory, in files or in parts of a folder.
     pub fn study(&self) -> Study<impl Row<R> + '_, R>
     where
         S: Sync,
@@ -119,7 +119,7 @@ mod tests {
         if index % 3 == third { Err(Failure::at(row.1, "a third")) } else { Ok(row) }
     }
 
-    /// What a processor leaves, made here, `batch` motions at a time.
+    /// The results as a processor would leave them, made here, `batch` motions at a time.
     fn left(count: u64, batch: u64, spoilt: Option<u64>) -> Rows<u64, (i64, f64), Failure> {
         let mut rows = Rows::new(crate::kernel!(thirds), 2, count, batch);
         for first in (0..count).step_by(batch as usize) {

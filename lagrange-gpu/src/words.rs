@@ -1,14 +1,14 @@
-//! [`Words`]: what travels between a machine and its processor, as words of 64 bits.
+//! [`Words`]: values that travel between a machine and its processor as words of 64 bits.
 //!
-//! Types have no layout that two targets must share. So values are taken apart into words and put together
+//! Two targets need not agree on the layout of a type. So values are taken apart into words and put together
 //! again.
 
 use lagrange_runtime::State;
 
-/// What can be handed to a processor and back: a fixed number of words of 64 bits.
+/// A value that can be handed to a processor and back: a fixed number of words of 64 bits.
 ///
-/// Numbers, `bool`, [`State`], arrays and tuples are made of words. A type of yours is by two short functions
-/// that go through its fields in the same order:
+/// Numbers, `bool`, [`State`], arrays and tuples are made of words. A type of yours becomes one by two short
+/// functions that go through its fields in the same order:
 ///
 /// ```
 /// use lagrange_gpu::Words;
@@ -135,7 +135,7 @@ tuple! { A B C D E F }
 mod tests {
     use super::*;
 
-    /// The words of a value; it must give as many as it says and be the same again.
+    /// The words of a value. There must be as many as it says, and they must give the value again.
     fn words<T: Words + PartialEq + core::fmt::Debug>(value: T) -> Vec<u64> {
         let mut words = Vec::new();
         value.put(&mut |word| words.push(word));

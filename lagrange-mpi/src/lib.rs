@@ -40,15 +40,15 @@ use mpi::traits::{Communicator, CommunicatorCollectives, Destination, Root, Sour
 /// motions.
 const REST: Duration = Duration::from_micros(200);
 
-/// Messages to the first rank: a wish for a part, and the number of one that is finished.
+/// Messages to the first rank: a wish for a part, and the number of a finished part.
 const WISH: i32 = 1;
 const DONE: i32 = 2;
-/// From the first rank: the number of a part.
+/// A message from the first rank: the number of a part.
 const PART: i32 = 3;
-/// A rank that computes nothing any more.
+/// A message of a rank that computes nothing any more.
 const END: i32 = 4;
 
-/// Instead of the number of a part: there is none left.
+/// Stands for the number of a part where none is left.
 const NONE: u64 = u64::MAX;
 
 /// Why a study on a cluster stopped. Parts that are finished stay.
@@ -155,7 +155,7 @@ where
     if first { Ok(open.table()?) } else { Ok(None) }
 }
 
-/// Where the threads that compute meet the one that talks to other ranks.
+/// The desk of a rank, where the threads that compute meet the thread that talks to other ranks.
 #[derive(Default)]
 struct Desk {
     state: Mutex<State>,
@@ -190,7 +190,7 @@ impl Desk {
         self.changed.notify_all();
     }
 
-    /// Whether a part is wished for: one is kept ready, so that nobody waits for an answer.
+    /// Whether this rank should ask for a part. One is kept ready, so that nobody waits for an answer.
     fn wishes(&self) -> bool {
         let state = self.state();
         !state.exhausted && state.parts.len() <= state.waiting
@@ -231,7 +231,7 @@ fn serve(
     finished: impl Fn(Vec<u64>),
 ) {
     loop {
-        // Read before the parts: what is done before the end is counted.
+        // This is read before the parts, so that what is done before the end is counted.
         let over = desk.over.load(Ordering::Acquire);
         finished(desk.finished());
         while desk.wishes() {
@@ -276,7 +276,7 @@ fn fetch(world: &SimpleCommunicator, desk: &Desk) {
             desk.put(Some(part).filter(|part| *part != NONE));
             continue;
         }
-        // An answer that is under way is waited for: it must not meet the next study.
+        // An answer on its way must arrive: the next study must not get it.
         if over && !asked {
             first.send_with_tag(&0_u64, END);
             return;

@@ -13,17 +13,17 @@ use crate::colours::GRID;
 use crate::error::PictureError;
 use crate::file;
 
-/// The backend rounds to whole pixels: everything is drawn this much larger than shown, so that curves are
-/// smooth.
+/// The backend rounds to whole pixels. Everything is drawn this much larger than it is shown, so that curves
+/// are smooth.
 const FINE: i32 = 8;
 
 /// Width and height of a plot without its labels, and bounds of both where equal scales decide.
 const PLOT: (i32, i32) = (540, 350);
 const SMALLEST: (i32, i32) = (300, 220);
 const WIDEST: i32 = 760;
-/// To the right of a plot.
+/// Space to the right of a plot.
 const MARGIN: i32 = 24;
-/// Between the edge of the picture and an axis title.
+/// Space between the edge of the picture and an axis title.
 const EDGE: i32 = 10;
 /// Space of the tick labels and the axis title to the left of a plot and below it.
 const LEFT: i32 = 72;
@@ -80,13 +80,13 @@ impl Figure {
     }
 }
 
-/// What the plotting library says.
+/// An error of the plotting library.
 fn refused(error: impl std::fmt::Display) -> PictureError {
     PictureError::Plot(error.to_string())
 }
 
 impl Chart {
-    /// Refuses what cannot be drawn.
+    /// Refuses a figure that cannot be drawn.
     fn check(&self) -> Result<(), PictureError> {
         let mut points = self.curves.iter().flat_map(|curve| &curve.points);
         if let Some(&(x, _)) = points.clone().find(|(x, y)| !(x.is_finite() && y.is_finite())) {

@@ -70,7 +70,7 @@ where
         })
     }
 
-    /// A body with this outline in its own axes, which is closed: the first corner follows the last.
+    /// A body, by its outline in its own axes. The outline is closed: the first corner follows the last.
     #[must_use]
     pub fn body<Q, P>(self, pose: impl Fn(&S, &Q) -> P, outline: &[P::Corner]) -> Self
     where
@@ -93,8 +93,8 @@ where
         self.shape(Kind::Trail, |system, state| vec![place(system, &state.q.into()).spot()])
     }
 
-    /// A force as an arrow from where it acts. The longest of the film has a fixed length, all arrows the
-    /// same scale, and none is drawn where the force is zero.
+    /// A force as an arrow from where it acts. All arrows of the film have the same scale, and the longest
+    /// has a fixed length. None is drawn where the force is zero.
     #[must_use]
     pub fn force<Q, P, F>(
         self,

@@ -1,27 +1,28 @@
-//! Films as text: what is seen of space, its scale, and the elements of SVG that move.
+//! Films as text: the view of space, its scale, and the elements of SVG that move.
 
 use crate::colours::{COLOURS, hex};
 use crate::error::PictureError;
 use crate::place::Spot;
 
-/// Largest width and height of what moves, smallest of a picture, and the space around what moves \[px].
+/// The largest width and height of the moving part, the smallest of a picture, and the space around the
+/// moving part \[px].
 const LARGEST: [f64; 2] = [640.0, 288.0];
 const SMALLEST: f64 = 64.0;
 const MARGIN: f64 = 16.0;
 /// Radius of a joint that moves, and of one at rest \[px].
 const JOINT: f64 = 7.0;
 const PIVOT: f64 = 3.0;
-/// The longest arrow, and what its head takes of it \[px].
+/// The length of the longest arrow and of its head \[px].
 const ARROW: f64 = 60.0;
 const HEAD: f64 = 8.0;
-/// Frames a second; whoever shows the film interpolates between them.
+/// Frames a second. The viewer interpolates between them.
 const RATE: f64 = 25.0;
-/// A motion that does not close fades out and begins again: the share of the time that this takes.
+/// The share of the time in which a motion that does not close fades out and begins again.
 const FADE: f64 = 0.04;
-/// Rods, outlines and what stands still.
+/// The colour of rods, outlines and everything that stands still.
 const DARK: &str = "#5a5a5a";
 
-/// What a shape is.
+/// The kind of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Point,
@@ -32,7 +33,7 @@ pub(crate) enum Kind {
     Ground,
 }
 
-/// The spots of a shape at each state; of a force, where it acts and the force.
+/// A shape by its spots in each state; a force by where it acts and by its vector.
 #[derive(Clone, Debug)]
 pub(crate) struct Shape {
     pub(crate) kind: Kind,
@@ -52,7 +53,8 @@ impl Default for View {
     }
 }
 
-/// To the right and up in the picture: first in the units of the system, then in pixels from its corner.
+/// Coordinates to the right and up in the picture: first in the units of the system, then in pixels from its
+/// corner.
 type Point = [f64; 2];
 
 impl View {
@@ -67,7 +69,7 @@ impl View {
     }
 }
 
-/// The states that are shown: every so many of the record, which together take so long.
+/// The states that are shown: every n-th of the record, and the time that they take together.
 struct Reel {
     stride: usize,
     last: usize,
@@ -81,7 +83,7 @@ impl Reel {
         let intervals = times.len() - 1;
         let interval = (end - first) / intervals as f64;
         for (count, &at) in times.iter().enumerate() {
-            // A thousandth of an interval is not seen.
+            // An eye sees no thousandth of an interval.
             let expected = first + count as f64 * interval;
             if (at - expected).abs() > 1e-3 * interval.abs() || interval == 0.0 || !interval.is_finite() {
                 return Err(PictureError::UnequalTimes { at });
@@ -108,7 +110,7 @@ struct Seen {
     frames: Vec<Vec<Point>>,
 }
 
-/// Sees all shapes, and refuses what cannot be drawn.
+/// Projects all shapes, and refuses numbers that cannot be drawn.
 fn seen(times: &[f64], view: View, shapes: &[Shape]) -> Result<Vec<Seen>, PictureError> {
     let mut all = Vec::new();
     for Shape { kind, frames } in shapes {
@@ -149,9 +151,9 @@ impl Paper {
         });
         let extent = [0, 1].map(|i| high[i] - low[i]);
         let scale = [0, 1].map(|i| LARGEST[i] / extent[i]).into_iter().fold(f64::INFINITY, f64::min);
-        // All in one place: any scale will do.
+        // Everything is in one place, so any scale will do.
         let scale = if scale.is_finite() { scale } else { 1.0 };
-        // Arrows stand out from what moves.
+        // Arrows reach beyond the shapes that move.
         let arrows = shapes.iter().any(|shape| shape.kind == Kind::Force);
         let around = MARGIN + if arrows { ARROW } else { 0.0 };
         let size = extent.map(|extent| (extent * scale).max(SMALLEST) + 2.0 * around);
@@ -175,7 +177,7 @@ pub(crate) fn drawn(
     let shapes = seen(times, view, shapes)?;
     let paper = Paper::new(&shapes);
     let forces = shapes.iter().filter(|shape| shape.kind == Kind::Force);
-    // Without any force all arrows are as long as any scale makes zero.
+    // Without any force every scale makes all arrows zero.
     let longest = forces
         .flat_map(|shape| &shape.frames)
         .fold(0.0, |longest: f64, frame| frame.get(1).map_or(longest, |[x, y]| longest.max(x.hypot(*y))));
@@ -196,7 +198,7 @@ pub(crate) fn drawn(
                 format!("<polyline points=\"{line}\" stroke=\"{DARK}\" stroke-width=\"1.5\"/>\n")
             }
             Kind::Trail => {
-                // Twice as fine as the frames.
+                // Trails are twice as fine as the frames.
                 let fine = Reel { stride: reel.stride.div_ceil(2), ..reel };
                 let path: Vec<Point> = fine.frames(&shape.frames).flat_map(pixels).collect();
                 trail(&path, &colour(), reel.duration)
@@ -232,7 +234,7 @@ pub(crate) fn drawn(
     Ok(svg)
 }
 
-/// A duration as SVG has it, in milliseconds: a rounding error in it would be seen in nothing but the file.
+/// A duration as SVG has it, in whole milliseconds, so that a rounding error does not change the file.
 fn seconds(duration: f64) -> String {
     format!("{:.0}ms", 1e3 * duration)
 }
@@ -277,7 +279,7 @@ fn joint(frames: &[Vec<Point>], index: usize, colour: &str, duration: f64) -> St
     disc + "</circle>\n"
 }
 
-/// A path that is drawn up to where its point is: a dash as long as the whole, pushed back.
+/// A path that is drawn up to its point: a dash as long as the whole, pushed back.
 fn trail(path: &[Point], colour: &str, duration: f64) -> String {
     let mut length = 0.0;
     let mut lengths = vec![0.0];
@@ -294,7 +296,7 @@ fn trail(path: &[Point], colour: &str, duration: f64) -> String {
     )
 }
 
-/// Shaft and head of an arrow; all in its tail if there is no force.
+/// The shaft and the head of an arrow; all points are its tail if there is no force.
 fn arrow(tail: Point, [x, y]: Point, scale: f64) -> Vec<Point> {
     let length = x.hypot(y) * scale;
     if length == 0.0 {

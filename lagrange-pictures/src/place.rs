@@ -15,13 +15,13 @@ pub enum Spot {
     Space([f64; 3]),
 }
 
-/// What tells where a point is: pairs, arrays of two or three numbers, vectors and points.
+/// A type that says where a point is: pairs, arrays of two or three numbers, vectors and points.
 pub trait Place {
     /// Where it is.
     fn spot(self) -> Spot;
 }
 
-/// What carries a body: isometries in the plane and in space, and rotations about the origin.
+/// A type that carries a body: isometries in the plane and in space, and rotations about the origin.
 pub trait Pose {
     /// A point in the axes of the body: two numbers in the plane, three in space.
     type Corner: Copy;

@@ -1,4 +1,4 @@
-//! [`Record`]: the states of a motion, and what is plotted of them.
+//! [`Record`]: the states of a motion, and the curves that can be plotted of them.
 
 use lagrange_runtime::{
     Adaptive, Constrained, Control, MotionError, Ordered, Real, Simulation, State, System,
@@ -21,7 +21,7 @@ where
     S: System<N, K>,
     S::Scalar: Ordered + Into<f64>,
 {
-    /// Moves on by `duration` \[s], backward if it is negative, and keeps the present state and those at the
+    /// Moves on by `duration` \[s], backward if it is negative. Keeps the present state and the states at the
     /// ends of so many equal intervals.
     ///
     /// # Errors
@@ -43,7 +43,7 @@ where
         Ok(Self { system: motion.system(), states, inputs })
     }
 
-    /// States that are there already, such as those of a motion in fixed steps, with all inputs at zero.
+    /// Takes given states, such as those of a motion in fixed steps, with all inputs at zero.
     pub fn new(system: &'a S, states: impl IntoIterator<Item = State<S::Scalar, N>>) -> Self {
         let states: Vec<_> = states.into_iter().collect();
         let inputs = vec![[lagrange_runtime::Zero::zero(); K]; states.len()];
@@ -129,7 +129,7 @@ where
     }
 
     /// The multiplier of each constraint, contact and friction over time, by the names in `CONSTRAINTS` of
-    /// the system. An impulse has no place in it: at an impact reactions jump.
+    /// the system. Impulses are not shown: at an impact reactions jump.
     #[must_use]
     pub fn reactions<const C: usize>(&self) -> Chart
     where

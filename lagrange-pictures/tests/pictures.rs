@@ -1,4 +1,4 @@
-//! What a user sees: pictures of motions, read back from their text, and every way to get none.
+//! Pictures of motions as a user sees them, read back from their text, and every error.
 
 use std::error::Error;
 
@@ -87,7 +87,7 @@ fn inputs_are_those_of_each_state() -> Result<(), Box<dyn Error>> {
     let start = State::new([0.0, 0.0], [1.0, 0.0]);
     let mut motion = Held.simulate(start).with_control(|state: &State<f64, 2>| [-5.0 * state.q[0]]);
     let svg = Record::of(&mut motion, 2.0, 50)?.reactions().svg()?;
-    // The multiplier is 5 x, which is as long as the time: ticks up to ten.
+    // The multiplier 5 x is as long as the time, so ticks go up to ten.
     assert!(svg.contains(">\n10\n<") && !svg.contains(">\n11\n<"), "{svg}");
     Ok(())
 }
@@ -181,7 +181,7 @@ fn space_is_seen_from_a_direction() -> Result<(), Box<dyn Error>> {
     let above = film().seen_from(0.0, std::f64::consts::FRAC_PI_2).svg()?;
     let side = film().seen_from(0.0, 0.0).svg()?;
     assert_ne!(above, side);
-    // From the x axis x is not seen: the path in the x-y plane is a line.
+    // Seen along the x axis, the path in the x-y plane is a line.
     let line = side.split("points=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a trail");
     let heights: std::collections::BTreeSet<_> = line.split(' ').map(|at| at.split(',').nth(1)).collect();
     assert_eq!(heights.len(), 1, "{line}");

@@ -13,7 +13,7 @@ use super::print;
 /// The program of a new package; compiled and run by `tests/compiled/`.
 const PROGRAM: &str = include_str!("../../template/main.rs");
 
-/// What cargo reads of the profile of a workspace's root alone.
+/// The profile of the manifest. Cargo reads it in the root of a workspace alone.
 const PROFILE: &str = "\n# Motions need optimised code.\n[profile.dev]\nopt-level = 2\n";
 
 /// Makes a package with a model to start from.

@@ -24,7 +24,7 @@ pub struct Selection {
     file: Option<PathBuf>,
 }
 
-/// As many models are named in an error.
+/// The most models that an error names.
 const MOST: usize = 10;
 
 impl Selection {

@@ -8,7 +8,7 @@ use super::inertia::{Flaw, Inertial};
 use super::robot::Doubtful;
 use super::xml::Reader;
 
-/// How far right angles of few digits, such as 1.57 or 3.14, are off.
+/// How far angles of few digits, such as 1.57 or 3.14, are from the right angle that they mean.
 const FEW_DIGITS: f64 = 2e-3;
 
 /// An angle [rad], a right one within the tolerance of the options.
@@ -24,8 +24,8 @@ pub fn angle(reader: &mut Reader<'_>, node: Node<'_, '_>, radians: f64, options:
     angle
 }
 
-/// Reports what no body can have. What is fixed to others may have any inertia, as long as all of them
-/// together have a good one: what is doubtful is given back.
+/// Reports what no body can have. A link that is fixed to others may have any inertia, if all together have a
+/// good one; its doubtful inertia is returned.
 pub fn check_inertia(
     reader: &mut Reader<'_>,
     (mass, attribute): (Node<'_, '_>, &str),

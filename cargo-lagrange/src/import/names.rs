@@ -42,7 +42,7 @@ impl Names {
         self.taken.contains(name)
     }
 
-    /// An identifier for a name of the file; a number makes it another one than those before, which is said.
+    /// An identifier for a name of the file. A name that is taken gets a number, and a note says so.
     pub fn take(&mut self, written: &str, wanted: &str, sink: &mut Sink) -> String {
         let mut name = wanted.to_owned();
         let mut count = 1;

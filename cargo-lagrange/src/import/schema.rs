@@ -40,8 +40,8 @@ impl Element {
     }
 }
 
-/// Reports what an element and those in it hold and the format does not have: as a problem what is nearly a
-/// name of the format, as a warning what may be an extension. Names of other namespaces are extensions.
+/// Reports elements and attributes that the format does not have: a problem if the name is nearly one of the
+/// format, a warning if it may be an extension. Names of other namespaces are extensions.
 pub fn check(reader: &mut Reader<'_>, node: Node<'_, '_>, element: &Element) {
     let tag = node.tag_name().name().to_owned();
     for attribute in node.attributes().filter(|attribute| attribute.namespace().is_none()) {

@@ -93,7 +93,7 @@ impl Urdf<'_, '_> {
             if names.insert(name.to_owned(), joints.len()).is_some() {
                 self.reader.problem(node, "another joint has this name; rename one of them");
             }
-            // What is fixed follows nothing.
+            // A fixed joint follows nothing.
             match child(node, "mimic").filter(|_| kind != Some(Kind::Fixed)) {
                 Some(mimic) if kind.is_some_and(|kind| kind.freedom() != 1) => {
                     self.reader
@@ -197,7 +197,7 @@ impl Urdf<'_, '_> {
             let text = format!("{lower} is above upper=\"{upper}\"; exchange the two");
             self.reader.problem_of(limit, "lower", text);
         }
-        // Files that mean no limits leave both at their default.
+        // Files that mean no limits leave both limits at their default.
         action.limits = (bounded && lower < upper).then_some([lower, upper]);
         let is_given = bounded || limit.has_attribute("lower") || limit.has_attribute("upper");
         if self.options.limits && is_given && action.limits.is_none() {

@@ -9,7 +9,7 @@ use super::robot::Kind;
 pub fn does_work(plan: &Plan) -> bool {
     let samples = [[0.0; 3], [0.7, 0.3, 0.9], [-1.1, 0.8, 0.4], [0.5, -0.6, 1.3]];
     let coordinates = |[a, b, c]: [f64; 3]| -> Vec<Vec<f64>> {
-        // Any numbers without a pattern do: what is constant is so for all of them.
+        // Numbers without a pattern suffice: what is constant is constant for all of them.
         let spread = |i: usize| a + b * (i as f64 * 1.7 + c).sin();
         let all = plan.coordinates.iter().enumerate();
         all.map(|(i, one)| (0..one.shape.freedom()).map(|part| spread(6 * i + part)).collect()).collect()
@@ -50,8 +50,8 @@ fn potential(plan: &Plan, coordinates: &[Vec<f64>]) -> (f64, f64) {
     total
 }
 
-/// The pose that the numbers of a joint give. Orientations are angles here: any three numbers that turn will
-/// do.
+/// The pose that the numbers of a joint give. An orientation is three angles here: any three numbers that
+/// turn will do.
 fn moved(kind: Kind, own: &[f64], reference: f64) -> Pose {
     let turn = |axis: Vector, angle: f64| Rotation::about(axis, Angle::Radians(angle));
     match kind {
@@ -59,7 +59,7 @@ fn moved(kind: Kind, own: &[f64], reference: f64) -> Pose {
         Kind::Turns(axis) => Pose { shift: [0.0; 3], turn: turn(axis, own[0] - reference) },
         Kind::Slides(axis) => Pose { shift: scaled(own[0] - reference, axis), turn: Rotation::IDENTITY },
         Kind::Planar(axis) => {
-            // Which directions across the axis is all the same here.
+            // The direction across the axis is arbitrary.
             let first = cross(axis, if axis[0].abs() < 0.7 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] });
             let shift = add(scaled(own[0], first), scaled(own[1], cross(axis, first)));
             Pose { shift, turn: turn(axis, own[2]) }

@@ -158,7 +158,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
             item.mac.path.segments.last().is_some_and(|segment| segment.ident == "compile_error");
         let Ok(message) = item.mac.parse_body::<syn::LitStr>() else { return };
         if is_message {
-            // The engine puts the call at the place, and the text at none.
+            // The engine gives the call the span of the mistake, and the text none.
             let start = item.mac.path.span().start();
             // `call_site` stands for the attribute; here it is the first line of the file.
             let (line, column) = match (start.line, start.column) {

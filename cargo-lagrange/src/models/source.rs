@@ -98,7 +98,7 @@ impl<'ast> Visit<'ast> for Visitor<'_> {
             visit::visit_item_mod(self, module);
             self.folder = outer;
         } else if let Some(path) = path {
-            // Relative to the file that says it; modules of that file stand beside it.
+            // The path is relative to the file that says it; modules of that file stand beside it.
             let file = self.file.parent().unwrap_or(Path::new("")).join(path);
             let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
             self.modules.push((file, folder));

@@ -5,7 +5,7 @@ use lagrangian::prelude::*;
 use super::two_link::TwoLinkArm;
 use super::{close, spread};
 
-/// A base that floats, at rest where it stands otherwise: the same energies.
+/// A floating base that rests where the fixed one stands has the same energies.
 #[test]
 fn a_floating_base_can_stand_still() {
     use super::two_link_floating::TwoLinkArm as Floating;

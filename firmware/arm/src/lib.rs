@@ -45,7 +45,7 @@ impl Control {
     }
 }
 
-/// The gains at a sample; those of the end stay.
+/// The gains at a sample; after the end of the motion, the last ones.
 fn gains(sample: u32) -> Gains<f32> {
     let place = (sample / HELD) as usize;
     let last = GAINS.last().copied().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Follows the motion on a Cortex-M4F; the motors' place is taken by the plant.
+//! Follows the motion on a Cortex-M4F. The plant stands in for the motors.
 #![cfg_attr(target_arch = "arm", no_std, no_main)]
 
 #[cfg(target_arch = "arm")]

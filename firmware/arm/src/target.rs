@@ -39,7 +39,7 @@ fn follow(name: &str, control: Control, counter: &Counter) -> bool {
     let aim = wanted(motion.state().t).state;
     let worst =
         motion.state().q.iter().zip(aim.q).fold(0.0_f32, |worst, (q, aim)| worst.max((q - aim).abs()));
-    // Integers, because text of floating-point numbers takes twenty kilobytes.
+    // Printed as integers: text of floating-point numbers takes twenty kilobytes of code.
     let (micro, update) = ((1e6 * worst) as i32, counter.instructions(ticks) / u64::from(RATE));
     println!("{name}: {micro} µrad from the end, {update} instructions an update");
     worst < 1e-3

@@ -1,7 +1,7 @@
 //! Counts instructions in an emulator that lets each take the same virtual time (`-icount`).
 //!
-//! SysTick, which runs on that time, is read before and after. How many ticks an instruction has is found by
-//! a loop of known length, so that no clock of the emulated board needs to be known.
+//! SysTick runs on that time and is read before and after. A loop of known length tells how many ticks an
+//! instruction has, so that no clock of the emulated board needs to be known.
 #![allow(unsafe_code, reason = "the loop of known length is written in assembly")]
 
 use core::hint::black_box;

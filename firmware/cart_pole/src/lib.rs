@@ -62,10 +62,10 @@ impl<R: Real> CartPole<R> {
     }
 }
 
-/// The state is sampled and the force set so often \[Hz].
+/// How often the state is sampled and the force set \[Hz].
 pub const RATE: u16 = 1000;
 
-/// The motor can do no more \[N].
+/// The largest force of the motor \[N].
 pub const STRONGEST: f32 = 6.0;
 
 /// The linear-quadratic regulator of the upright pole: force per metre, radian, metre a second and radian a

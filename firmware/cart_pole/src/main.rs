@@ -1,4 +1,4 @@
-//! Balances the pole on a Cortex-M4F: SysTick sets the pace, the motor's place is taken by the plant.
+//! Balances the pole on a Cortex-M4F. SysTick sets the pace; the plant stands in for the motor.
 #![cfg_attr(target_arch = "arm", no_std, no_main)]
 
 #[cfg(target_arch = "arm")]

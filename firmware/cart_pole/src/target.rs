@@ -8,7 +8,7 @@ use semihosting::{println, process};
 /// Frequency of the processor \[Hz].
 const CLOCK: u32 = 25_000_000;
 
-/// Balances for so long \[s].
+/// How long it balances \[s].
 const SECONDS: u32 = 4;
 
 /// The control loop.
@@ -29,7 +29,7 @@ fn main() -> ! {
         let state = motion.state();
         let force = control(state);
         if tick.is_multiple_of(500) {
-            // Integers, because text of floating-point numbers takes twenty kilobytes.
+            // Printed as integers: text of floating-point numbers takes twenty kilobytes of code.
             let [x, theta, force] = [state.q[0], state.q[1], force].map(|value| (1000.0 * value) as i32);
             println!("{tick:4} ms: cart {x:+4} mm, pole {theta:+4} mrad, motor {force:+5} mN");
         }

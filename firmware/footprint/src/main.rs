@@ -1,8 +1,8 @@
-//! The smallest program that steps one system by one method: what it links is what they take.
+//! The smallest program that steps one system by one method. Its size is what both take.
 //!
-//! Features choose: `--features double_pendulum,jet6,f32`. More of them add what is not linked unless a
-//! program calls it, and `panic` something that may not be in it: a program that can panic does not link.
-//! `computed_torque` and `regulator` link a controller of the arm alone.
+//! Features choose: `--features double_pendulum,jet6,f32`. Further features add code that is linked only if a
+//! program calls it. `panic` adds a panic: a program that can panic does not link. `computed_torque` and
+//! `regulator` link a controller of the arm alone.
 #![no_std]
 #![no_main]
 #![allow(unsafe_code, reason = "the symbol that does not exist")]

@@ -31,7 +31,7 @@ type M = Jet<6>;
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    // What the compiler cannot know: parameters, start and step.
+    // Parameters, start and step are unknown to the compiler.
     let system = black_box(<S as Experiment<K>>::new());
     let start = black_box(<S as Experiment<K>>::start());
     let h = black_box(R::from_f64(1e-3));

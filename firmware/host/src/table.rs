@@ -11,10 +11,10 @@ const RATE: u32 = 128;
 /// The target with hardware for `f32`.
 const FPU: &str = "thumbv7em-none-eabihf";
 
-/// Between these lines of a file stand the figures.
+/// The lines of a file between which the figures stand.
 const MARKS: [&str; 2] = ["<!-- figures: scripts/firmware.sh figures -->", "<!-- end of figures -->"];
 
-/// What one measurement says: a line `KIND TARGET SYSTEM METHOD SCALAR NUMBER …`.
+/// One measurement: a line `KIND TARGET SYSTEM METHOD SCALAR NUMBER …`.
 struct Line<'a> {
     kind: &'a str,
     /// Target, system, method, scalar.

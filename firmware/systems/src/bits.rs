@@ -1,4 +1,4 @@
-//! The bits of motions: equal on every target, or the promise is broken.
+//! The bits of motions. The library promises that they are equal on every target.
 
 use core::fmt::{self, Write};
 
@@ -10,7 +10,7 @@ use crate::{CartPole, DoublePendulum, Experiment, Rod, Spring, Visitor, each, fu
 /// Steps of a motion.
 const STEPS: u32 = 512;
 
-/// A state is printed so often.
+/// The number of steps from one printed state to the next.
 const PRINTED: u32 = 128;
 
 /// Length of a step \[s]: a number without rounding.

@@ -69,7 +69,7 @@ impl FourBar {
         let distance = across.norm();
         let [_, coupler, rocker] = self.length;
         let cos = (distance * distance + coupler * coupler - rocker * rocker) / (2.0 * distance * coupler);
-        // NaN stands for no triangle, too.
+        // NaN means that there is no triangle, either.
         let bend = Some(cos).filter(|cos| cos.abs() < 1.0)?.acos();
         let angle = across.y.atan2(across.x) + bend;
         let end = knee + Vector2::new(angle.cos(), angle.sin()) * coupler - Vector2::new(self.frame, 0.0);

@@ -1,8 +1,8 @@
 //! Convolutions side by side, as instances of a pattern.
 //!
-//! Convolutions that share factors form a connected part. The parts of a system, such as the links of a chain or
-//! the pairs of bodies, often have the same pattern, and are instances of it. A bundle is made of these: its
-//! factors are columns with one entry for each instance, and a vector of a column is loaded once for all
+//! Convolutions that share factors form a connected part. The parts of a system, such as the links of a chain
+//! or the pairs of bodies, often have the same pattern, and are instances of it. A bundle is made of these:
+//! its factors are columns with one entry for each instance, and a vector of a column is loaded once for all
 //! convolutions of the pattern. The convolutions of parts without a like are instances of the pattern a · b.
 
 use super::recurrence::{Convolution, Operand};
@@ -36,7 +36,8 @@ struct Part {
     convolutions: Vec<usize>,
 }
 
-/// What isomorphic parts have in common: the number of factors, and the indices of the factors of each product.
+/// What isomorphic parts have in common: the number of factors, and the indices of the factors of each
+/// product.
 #[derive(Clone, PartialEq, Eq)]
 struct Pattern {
     factors: usize,
@@ -127,8 +128,8 @@ fn connected(convolutions: &[Convolution]) -> Vec<Vec<usize>> {
     parts
 }
 
-/// The canonical form of a part: its factors in an order that isomorphic parts share. Factors are sorted by what
-/// distinguishes them. Where nothing does, the first one in the order of the convolutions comes first.
+/// The canonical form of a part: its factors in an order that isomorphic parts share. Factors are sorted by
+/// what distinguishes them. Where nothing does, the first one in the order of the convolutions comes first.
 fn canonical(convolutions: &[Convolution], part: &[usize]) -> Option<Part> {
     let mut factors: Vec<Operand> = Vec::new();
     let mut ends: Vec<(usize, usize)> = Vec::with_capacity(part.len());

@@ -242,8 +242,7 @@ impl Jets {
 
     /// A measure of the work of one order.
     pub(super) fn cost(&self) -> usize {
-        /// The cost of a convolution: its share of the sweep, two terms outside it, and two stores of
-        /// operands.
+        /// That of a convolution: a share of the sweep, two terms outside it, and two stores of operands.
         const CONVOLUTION: usize = 6;
         let is_name = |slot: Slot| {
             matches!(self.auxiliary(slot).map(|series| &series.relation), Some(Relation::Same(_)))
@@ -252,8 +251,7 @@ impl Jets {
         CONVOLUTION * self.convolutions.len() + moving
     }
 
-    /// The slots, beside the velocities, whose coefficients the momenta and the conditions need. They are
-    /// evaluated twice in each order.
+    /// The slots, beside velocities, that momenta and conditions need: evaluated twice in each order.
     pub fn under_balances(&self) -> Vec<bool> {
         let mut under = vec![false; self.program.len()];
         let mut stack: Vec<Slot> = self.balances().collect();
@@ -384,8 +382,8 @@ impl Jets {
     }
 }
 
-/// The convolutions of a relation. For y = x^e these are x y and, unless e = −1, x · j y\[j]; for a square
-/// root y y; for a chain one for each argument.
+/// The convolutions of a relation. A power y = x^e has x y and, unless e = −1, x · j y\[j]; a root has y y; a
+/// chain has one for each argument.
 fn relation_convolutions(series: &Series) -> Vec<Convolution> {
     let y = series.slot;
     match &series.relation {

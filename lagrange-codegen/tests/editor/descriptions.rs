@@ -1,7 +1,7 @@
 //! Descriptions beside those that the fuzzer changes.
 
-/// The struct, the arguments of the attribute, and the impl block: contacts, friction and events; then an eliminated
-/// coordinate, a velocity and an array of constraints.
+/// The struct, the arguments of the attribute, and the impl block: contacts, friction and events; then an
+/// eliminated coordinate, a velocity and an array of constraints.
 pub const MORE: [(&str, &str, &str); 2] = [
     (
         "pub struct Hopper { pub m: f64, pub g: f64, pub mu: f64 }",

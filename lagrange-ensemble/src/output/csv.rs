@@ -52,7 +52,7 @@ fn reasons(failure: Option<&Failure>) -> [String; 2] {
     [time, failure.map_or(String::new(), |failure| failure.cause.clone())]
 }
 
-/// A value; no number is nothing.
+/// The text of a value; a missing one is empty.
 fn text(kind: Kind, cells: &mut Cells<'_>) -> String {
     match kind {
         Kind::F64 => {

@@ -21,7 +21,7 @@ pub(crate) fn write(rows: &Rows, shape: &[u64], path: &Path) -> Result<(), Error
             if rows.has_failures()? {
                 return whole_or_cause(&failures, |out| csv::write_failures(rows, out));
             }
-            // One of an earlier study would be taken for this one's.
+            // A file of an earlier study would be taken for one of this study.
             match fs::remove_file(&failures) {
                 Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
                     Err(Error::io("remove", &failures)(error))
@@ -38,7 +38,7 @@ pub(crate) fn write(rows: &Rows, shape: &[u64], path: &Path) -> Result<(), Error
 
 type Out = std::io::BufWriter<fs::File>;
 
-/// Why writing ended: the file itself, or the parts that it is made of.
+/// Why writing ended: an error of the file itself, or of the parts that it is made of.
 pub(crate) enum Stopped {
     Writing(std::io::Error),
     Reading(Error),

@@ -1,8 +1,8 @@
-//! Five mechanical systems as kernels of a graphics processor: of each a kernel of fixed steps and one under
-//! error control. A motion is a function of its index; [`spread`] scatters the starts.
+//! Five mechanical systems as kernels of a graphics processor. Each system has a kernel of fixed steps and
+//! one under error control. A motion is a function of its index; [`spread`] scatters the starts.
 //!
-//! Without a standard library on hosts, too: `x.sin()` is then the function of the crate `libm` on both
-//! sides, and not the host's own with other last bits.
+//! The crate has no standard library on hosts, either. So `x.sin()` is the function of the crate `libm` on
+//! both sides, and not the host's own with other last bits.
 #![no_std]
 #![cfg_attr(target_arch = "nvptx64", feature(abi_ptx))]
 

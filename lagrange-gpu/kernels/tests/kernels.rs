@@ -1,4 +1,4 @@
-//! The kernels as functions: the motions are right, on the cores of this machine.
+//! The kernels as functions: their motions are right on the cores of this machine.
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -119,7 +119,7 @@ fn poles_stand_and_fall() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What a machine without a processor says; with one, the kernels are run by `scripts/gpu.sh run`.
+/// The error of a machine without a processor. On a machine with one, `scripts/gpu.sh run` runs the kernels.
 #[test]
 fn a_machine_without_a_processor_says_so() {
     match Gpu::new(0) {

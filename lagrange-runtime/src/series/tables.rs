@@ -1,12 +1,12 @@
 //! The tables behind the recurrences of Taylor coefficients. Reached through generated code only.
 //!
-//! In c\[k] = Σ a\[j] b\[k − j] only the two end terms contain coefficients of order k. The interior needs lower
-//! orders alone, for every product of a system at once. The factors of a product are a column of each of two
-//! tables, and one sweep over the rows sums all products. No product waits for another, so the sweep runs on
-//! vectors of any width.
-//! Numbers that are vectors themselves leave nothing to put side by side: there each factor is stored once,
-//! and the sweep takes two rows at a time, so that a coefficient is loaded once for all products that it is a
-//! factor of. For systems of few products; [`crate::series::columns`] serves those of many.
+//! In c\[k] = Σ a\[j] b\[k − j] only the two end terms contain coefficients of order k. The interior needs
+//! lower orders alone, for every product of a system at once. The factors of a product are a column of each
+//! of two tables, and one sweep over the rows sums all products. No product waits for another, so the sweep
+//! runs on vectors of any width. Numbers that are vectors themselves leave nothing to put side by side: there
+//! each factor is stored once, and the sweep takes two rows at a time, so that a coefficient is loaded once
+//! for all products that it is a factor of. For systems of few products; [`crate::series::columns`] serves
+//! those of many.
 
 use crate::number::real::Real;
 
@@ -122,8 +122,9 @@ impl<R: Real, const L: usize, const P: usize> Tables<R, L, P> {
     }
 }
 
-/// Replaces every sum, by a function of the indices of its factors and of the sum. The sums are written out, so that
-/// the compiler knows the factors of a product and keeps sums in registers. A loop over products would stay a loop.
+/// Replaces every sum, by a function of the indices of its factors and of the sum. The sums are written out,
+/// so that the compiler knows the factors of a product and keeps sums in registers. A loop over products
+/// would stay a loop.
 #[inline(always)]
 fn each<R: Copy, const N: usize>(
     products: &[[usize; 2]; N],

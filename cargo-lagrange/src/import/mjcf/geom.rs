@@ -66,7 +66,7 @@ fn placed<'a>(
         "sphere" => (1, None),
         "capsule" | "cylinder" => (2, Some(1)),
         "box" | "ellipsoid" => (3, Some(2)),
-        // It has no sizes that matter.
+        // Other geoms have no sizes that matter.
         _ => return Some((Pose::IDENTITY, [0.0; 3])),
     };
     let frame = match (ends, last) {

@@ -150,7 +150,7 @@ fn total_mass(reader: &mut Reader<'_>, root: Node<'_, '_>, robot: &mut Robot) {
     }
 }
 
-/// Reports what changes the tree or its masses and is not read.
+/// Reports elements that change the tree or its masses and are not read.
 fn refused(reader: &mut Reader<'_>, root: Node<'_, '_>) {
     const WHOLE: &str =
         "MuJoCo writes the whole model with `mj_saveLastXML`, or `compile model.xml whole.xml`";

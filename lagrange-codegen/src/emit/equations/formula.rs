@@ -119,7 +119,8 @@ impl Formula {
     }
 }
 
-/// The written terms of a sum. `signs` are those of a subtracted first term, of an added and of a subtracted later one.
+/// The written terms of a sum. `signs` are those of a subtracted first term, of an added and of a subtracted
+/// later one.
 pub(super) fn terms(
     terms: &[(bool, Formula)],
     signs: [&str; 3],
@@ -138,8 +139,8 @@ pub(super) fn terms(
     text
 }
 
-/// The written factors of a product. Words need a sign `between` them and their neighbours; other factors stand `beside`
-/// each other.
+/// The written factors of a product. Words need a sign `between` them and their neighbours; other factors
+/// stand `beside` each other.
 pub(super) fn factors(
     factors: &[Formula],
     [beside, between]: [&str; 2],

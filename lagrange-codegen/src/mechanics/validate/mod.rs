@@ -14,8 +14,8 @@ use crate::expr::{Dependence, Graph, Node, NodeId, Variable};
 use crate::model::{Action, Attitude, Law, Model};
 use crate::number::Number;
 
-/// Reports contributions without effect or of the wrong form. Returns whether a particle or body is among them, so
-/// that a coordinate may lack the inertia that it was to have.
+/// Reports contributions without effect or of the wrong form. Returns whether a particle or body is among
+/// them, so that a coordinate may lack the inertia that it was to have.
 pub(super) fn contributions(
     model: &Model,
     allows: &dyn Fn(&str) -> bool,

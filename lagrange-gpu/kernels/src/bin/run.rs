@@ -50,7 +50,7 @@ impl Comparison {
         let start = Instant::now();
         self.fused.run(kernel, setting, MOTIONS)?;
         let fused = MOTIONS as f64 / start.elapsed().as_secs_f64();
-        // Indices that are spread over all of them; each core takes every n-th.
+        // The indices are spread over all motions; each core takes every n-th.
         let start = Instant::now();
         let equal: u64 = thread::scope(|scope| {
             let cores: Vec<_> = (0..self.cores as u64)

@@ -26,8 +26,7 @@ pub struct JetsMemory<C, T, R, const N: usize, const P: usize = HIGHEST> {
     orientations: &'static [usize],
     pub(super) tables: T,
     pub(super) series: Series<R, N, P>,
-    /// Whether `tables` still belong to the series. They do not once the series has been moved to another
-    /// start.
+    /// Whether `tables` belong to the series. Moving the series to another start ends that.
     pub(super) is_as_expanded: bool,
     pub(super) orders: usize,
     /// The tolerance from which the order follows.
@@ -286,8 +285,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         };
         let mut sizes = [sizes(&self.start.q, &series.q), sizes(&self.start.v, &series.v)];
         for &first in self.orientations {
-            // An orientation has the size 1 rad wherever it is, since the identity is an orientation like
-            // others.
+            // An orientation has the size 1 rad everywhere: the identity is one like others.
             let least = if part == 0 { R::Lane::one() } else { zero };
             attitude::share(&mut sizes[0], first, least);
             attitude::share(&mut sizes[1], first, zero);
@@ -356,8 +354,7 @@ impl<C: Copy, T: Copy + Default, R: Ordered, const N: usize> JetsMemory<C, T, R,
         (longer > theta && longer.is_finite()).then_some(longer)
     }
 
-    /// A length at which the terms of lower orders are small enough as well. `term` gives the weighted size
-    /// of an order.
+    /// A length at which terms of lower orders are small, too. `term` gives the weighted size of an order.
     #[inline]
     fn bounded(&self, length: R::Lane, term: impl Fn(usize) -> R::Lane) -> R::Lane {
         let (steepest, half) = (self.steepest.largest(), self.orders / 2);

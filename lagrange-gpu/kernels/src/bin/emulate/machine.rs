@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::text::{Function, Instruction, Module, Operand, size_of};
 use crate::value::{masked, operation};
 
-/// More instructions than any motion here takes.
+/// A limit above the instructions of any motion here.
 const MOST: u64 = 1 << 32;
 
 /// Where memory begins: no address is zero.
@@ -21,7 +21,7 @@ pub struct Machine {
     pub count: u64,
 }
 
-/// What a function that is running has.
+/// The state of a function that is running.
 struct Frame<'a> {
     function: &'a Function,
     registers: Vec<u64>,
@@ -204,7 +204,7 @@ impl Machine {
                 let word = self.value(frame, from)?;
                 let size = 8 * size_of(kind)? / halves.len();
                 for (place, half) in halves.iter().enumerate() {
-                    // Of a half that nobody wants the register is none.
+                    // The register of a half that nobody reads is missing.
                     if let Some(&register) = registers(half)?.first() {
                         frame.registers[register] = word >> (place * size) & (u64::MAX >> (64 - size));
                     }
@@ -257,7 +257,7 @@ impl Machine {
     }
 }
 
-/// Where a thread goes on.
+/// How a thread goes on.
 enum Next {
     Following,
     Place(usize),

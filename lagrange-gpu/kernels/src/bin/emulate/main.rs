@@ -20,7 +20,7 @@ use machine::Machine;
 const STEPS: Steps = (1.0 / 64.0, 32);
 const UNTIL: Until = (0.5, 1e-9);
 
-/// A step without length: each motion ends in an error.
+/// A step of infinite length: each motion ends in an error.
 const BAD: Steps = (f64::INFINITY, 1);
 
 /// Motions of a launch, and its first one.

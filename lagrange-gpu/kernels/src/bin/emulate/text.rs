@@ -39,7 +39,7 @@ pub struct Function {
     pub variables: HashMap<String, usize>,
     /// The instructions.
     pub code: Vec<Instruction>,
-    /// Places of labels.
+    /// Indices of the instructions that labels mark.
     pub labels: HashMap<String, usize>,
     /// Labels that a branch by index chooses from.
     pub tables: HashMap<String, Vec<String>>,
@@ -143,7 +143,7 @@ fn parentheses(text: &str) -> Option<(&str, &str)> {
     text.trim_start().strip_prefix('(')?.split_once(')')
 }
 
-/// What stands behind the braces of calls, which mean nothing here.
+/// The text behind the braces of calls, which mean nothing here.
 fn beyond_braces(text: &str) -> &str {
     text.trim_start_matches(|c: char| c.is_whitespace() || c == '{' || c == '}')
 }

@@ -1,4 +1,4 @@
-//! What operations make of the bits of their operands: the rules of PTX, by IEEE 754.
+//! Operations on the bits of operands: the rules of PTX, by IEEE 754.
 
 use crate::text::size_of;
 
@@ -58,7 +58,7 @@ pub fn operation(parts: &[&str], x: &[u64]) -> Result<u64, String> {
         let bits = *x.get(place).ok_or_else(unknown)?;
         if kind == "pred" { Ok(i128::from(bits & 1)) } else { integer(bits, kind) }
     };
-    // A shift by more than the width leaves nothing, or signs.
+    // A shift by more than the width leaves zeros, or copies of the sign.
     let shift = || {
         Ok::<_, String>(
             u32::try_from(*x.get(1).ok_or_else(unknown)? & 0xffff_ffff).unwrap_or(u32::MAX).min(width),
@@ -126,7 +126,7 @@ fn floating(parts: &[&str], kind: &str, x: &[u64]) -> Result<u64, String> {
         "abs" => value(0)?.abs(),
         // The sign of the first on the second.
         "copysign" => value(1)?.copysign(value(0)?),
-        // A number is preferred to none; −0 is less than +0.
+        // A number takes precedence over NaN; −0 is less than +0.
         "min" | "max" => {
             let (a, b) = (value(0)?, value(1)?);
             let least = parts[0] == "min";
@@ -152,7 +152,7 @@ fn compare(parts: &[&str], x: &[u64]) -> Result<u64, String> {
     } else {
         Some(integer(a, kind)?.cmp(&integer(b, kind)?))
     };
-    // Those that end in `u` hold where a number is none.
+    // Comparisons that end in `u` hold where an operand is NaN.
     let (how, unordered) = match how.strip_suffix('u') {
         Some(how) if kind.starts_with('f') => (how, true),
         _ => (how, false),
@@ -195,7 +195,7 @@ fn convert(parts: &[&str], x: u64) -> Result<u64, String> {
         if to.starts_with('f') {
             return Ok(bits(whole, to));
         }
-        // What is outside becomes the nearest number; what is none, zero.
+        // A value outside the range becomes the nearest number, and NaN becomes zero.
         let size = 8 * size_of(to)? as u32;
         let clamped = if to.starts_with('s') {
             (whole as i128).clamp(-(1 << (size - 1)), (1 << (size - 1)) - 1)
