@@ -364,7 +364,7 @@ impl<R: Real> Bars<R> {
 fn every_lane_passes_a_flat_position_on_its_branch_or_says_that_it_does_not() {
     let bars = Bars { ground: Lanes::<f64x4>::from([1.3, 1.3, 1.7, 2.0]) };
     for k in 0..20 {
-        // Before the flat position by less and less, and behind it.
+        // From further before the flat position to behind it.
         let angle = [0, 1, 2, 3].map(|i| -0.1 + 0.009 * f64::from(k) + 0.003 * f64::from(i));
         let (angle, speed) = (Lanes::from(angle), Lanes::from([5.0, 4.0, 3.0, 6.0]));
         let none = angle - angle;
@@ -373,7 +373,7 @@ fn every_lane_passes_a_flat_position_on_its_branch_or_says_that_it_does_not() {
         let mut batch = Batch::new(&bars, start);
         let end = match batch.advance_to(0.5) {
             Ok(end) => *end,
-            // Beside the flat position steps of lanes may come to an end. How near is observed, not derived.
+            // Near the flat position a lane may find no step. How near is observed, not derived.
             Err(error) => {
                 assert!(k > 8, "{k}: {error}");
                 continue;

@@ -5,8 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What a reader may come from. The pages of `benchmarks` are written by programs, which know the names of
-/// headings.
+/// The pages with links. The pages of `benchmarks` are written by programs, which know the names of headings.
 const DOCUMENTS: &[&str] = &[
     "README.md",
     "ARCHITECTURE.md",
@@ -18,7 +17,8 @@ const DOCUMENTS: &[&str] = &[
     "tests/README.md",
 ];
 
-/// Bytes of a README that is one screen of pitch, and of a picture that is small enough to be committed.
+/// The most bytes of a README that is one screen of pitch, and of a picture that is small enough to be
+/// committed.
 const README: usize = 7 * 1024;
 const PICTURE: u64 = 64 * 1024;
 
@@ -60,7 +60,8 @@ fn prose(page: &str) -> String {
     text
 }
 
-/// What a link may name after `#`: headings in lower case, blanks as hyphens, letters and digits kept.
+/// The names that a link may have after `#`: headings in lower case, blanks as hyphens, letters and digits
+/// kept.
 fn anchors(page: &str) -> BTreeSet<String> {
     let mut in_code = false;
     let mut found = BTreeSet::new();
@@ -90,7 +91,7 @@ fn targets(page: &str) -> Vec<String> {
     ends.map(|(target, _)| target.to_owned()).collect()
 }
 
-/// What is wrong with the links of a page.
+/// The broken links of a page.
 fn broken(path: &Path, page: &str) -> Vec<String> {
     let mut broken = Vec::new();
     for target in targets(page) {
@@ -138,7 +139,7 @@ fn every_chapter_is_tested_and_in_the_contents() {
     }
 }
 
-/// A block of code says what it is, and one in Rust has no way around the compiler.
+/// A block of code names its language, and one in Rust cannot avoid the compiler.
 #[test]
 fn every_program_is_compiled_and_run() {
     let mut programs = 0;

@@ -55,7 +55,7 @@ fn functions_agree_with_mpmath() {
         // 2⁻¹⁰⁴.
         let condition = if name == "powf" { 1.0 + (y * x.abs().ln()).high().abs() } else { 1.0 };
         let bound = 3.0 * condition * DoubleDouble::epsilon().high();
-        // Below this the low part has lost digits to underflow.
+        // A smaller result has lost digits of its low part to underflow.
         let lost = if expected.high().abs() < 1e-291 { 1e-323 / expected.high().abs() } else { 0.0 };
         assert!(error(value, expected) <= bound + lost, "{line}: {value:e}, {:e}", error(value, expected));
         count += 1;
@@ -75,7 +75,7 @@ impl<R: Real> Constants<R> {
         self.mass * v.x.powi(2) * R::from_f64(0.05)
     }
 
-    /// With 1e-60 · 1e60 by way of numbers that no ratio of 128 bits holds.
+    /// The factor 1e-60 · 1e60 is made of numbers that no ratio of 128 bits holds.
     #[potential]
     fn potential(&self, q: &Coordinates<R>) -> R {
         self.one_third() * q.x + 0.3 * R::pi() * q.x * 1e-60 * 1e60 + R::pi() * R::pi() * q.x
@@ -86,7 +86,7 @@ impl<R: Real> Constants<R> {
     }
 }
 
-/// Also in functions that are called as ordinary Rust.
+/// Literals have all digits in functions that are called as ordinary Rust, too.
 #[test]
 fn literals_have_all_digits() {
     let system = Constants { mass: number("0.7") };

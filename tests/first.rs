@@ -1,5 +1,5 @@
-//! What everything else relies on, a system of each kind against its closed form or reference digits: a quick
-//! look. `tests/integration`, which `scripts/check.sh integration` runs, is the thorough one.
+//! The behaviour on which everything relies, in a quick look: a system of each kind against its closed form
+//! or reference digits. `tests/integration`, which `scripts/check.sh integration` runs, is the thorough one.
 
 #[allow(dead_code)]
 #[path = "integration/support/close.rs"]
@@ -91,7 +91,7 @@ fn a_constraint_holds_the_same_pendulum_and_tells_its_force() {
         let state = *motion.advance_to(t).unwrap();
         all_close(state.q, place(angle), 1e-12);
         close_on(length, state.q[0].hypot(state.q[1]), length, 1e-15);
-        // What pulls the bob inwards is its weight along the rod and what keeps it on the circle.
+        // The rod carries the part of the weight along it, and keeps the bob on the circle.
         close(motion.reactions().rod, -mass * (G * angle.cos() + length * rate * rate), 1e-12);
     }
 }
@@ -155,8 +155,8 @@ impl Ball {
     }
 }
 
-/// It falls for √(2h/g), and flies for twice e, e², … of that between its impacts. After all of them it
-/// rests.
+/// The ball falls for √(2h/g). It flies for twice e, e², … of that between its impacts, and rests after all
+/// of them.
 #[test]
 fn a_ball_bounces_in_time_and_comes_to_rest() {
     let ball = Ball { restitution: 0.8 };

@@ -33,8 +33,8 @@ impl Heavy {
     }
 }
 
-/// How far roundings of a few units in the last place walk in so many steps. A drift of one unit a step would
-/// go 250 times as far.
+/// The distance that rounding errors of a few ulps walk in so many steps. A drift of one ulp a step would go
+/// 250 times as far.
 const WALK: f64 = 4.0 * f64::EPSILON * 1000.0;
 
 /// What a system keeps, of a state.

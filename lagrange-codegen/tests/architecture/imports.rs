@@ -18,13 +18,13 @@ pub struct Names {
     modules: BTreeMap<Vec<String>, Scope>,
 }
 
-/// What stands for itself in a module.
+/// The meanings of names in a module.
 #[derive(Default)]
 struct Scope {
     children: BTreeSet<String>,
-    /// Names that a `use` brings, as they are written there.
+    /// Names from `use`, with the paths that are written there.
     imports: BTreeMap<String, Vec<String>>,
-    /// Where all names come from.
+    /// Modules from which `use …::*` takes all names.
     globs: Vec<Vec<String>>,
     written: Vec<Vec<String>>,
 }
@@ -57,7 +57,7 @@ impl Names {
         self.modules.keys()
     }
 
-    /// The modules that a module names, itself left out: those in which the named items stand.
+    /// The modules in which the items stand that a module names, except the module itself.
     pub fn named_by(&self, module: &[String]) -> BTreeSet<Vec<String>> {
         let written = &self.modules[module].written;
         let found = written.iter().filter_map(|path| self.resolve(module, path, LONGEST_CHAIN));
@@ -116,7 +116,8 @@ impl Names {
         Some(here)
     }
 
-    /// All names of a module that is no child of the module that takes them: nobody sees which.
+    /// The modules, other than children, from which a module takes all names: that hides which names it
+    /// takes.
     pub fn globs(&self, module: &[String]) -> Vec<String> {
         let foreign = |path: &&Vec<String>| self.resolve(module, path, LONGEST_CHAIN).is_some();
         self.modules[module].globs.iter().filter(foreign).map(|path| path.join("::")).collect()

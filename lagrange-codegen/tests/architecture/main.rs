@@ -47,7 +47,7 @@ const RUNTIME: [(&str, u32); 9] = [
     ("analysis", 6),
 ];
 
-/// What names something above it, and why.
+/// Modules that name something above them, and why.
 const DEBTS: [(&str, &str, &str); 2] = [
     ("system", "motion::simulation", "`System::simulate`: one import gives a system and its motions"),
     ("system", "motion::stepper", "`System::stepper`: the same"),
@@ -88,7 +88,7 @@ const TOKEN_FREE: [&str; 14] = [
     "regimes",
 ];
 
-/// Folders of what is read from the start to the end of a file.
+/// Folders whose files people read from start to end.
 const LIBRARIES: [&str; 13] = [
     "cargo-lagrange/src",
     "lagrange-codegen/src",
@@ -105,7 +105,7 @@ const LIBRARIES: [&str; 13] = [
     "lagrange-pictures/src",
 ];
 
-/// The Rust files in a folder and those below it, what was built left out.
+/// The Rust files below a folder, except build outputs.
 fn rust_files(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder).expect("the folder can be read") {
@@ -240,7 +240,7 @@ fn hash_maps_cannot_be_iterated() {
     }
 }
 
-/// What a module `low` with this text names above it, where `high` is above and has `high::inner::thing`.
+/// The names above it in a module `low` with this text, where `high` is above and has `high::inner::thing`.
 fn planted(text: &str) -> Vec<String> {
     let high = "pub use inner::thing; pub mod inner { pub fn thing() {} }";
     let low = format!("pub mod beside {{ pub fn own() {{}} }} {text}");

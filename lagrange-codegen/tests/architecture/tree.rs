@@ -24,7 +24,7 @@ pub fn modules(folder: &Path) -> Vec<Module> {
     modules
 }
 
-/// Of one text, as if it were a crate; its modules must have bodies.
+/// The modules of one text, as if it were a crate; they must have bodies.
 pub fn modules_of(text: &str) -> Vec<Module> {
     let mut modules = Vec::new();
     let tokens: TokenStream = text.parse().expect("the text is Rust");

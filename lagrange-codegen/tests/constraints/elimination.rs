@@ -12,7 +12,7 @@ fn refused(constraints: TokenStream, start: &str) {
     super::refused(quote!(), constraints, start);
 }
 
-/// What is left, and what is not.
+/// The names of the coordinates that remain, and of those that are eliminated, with their declared indices.
 fn names(model: &Model) -> (Vec<String>, Vec<(String, usize)>) {
     let left = model.coordinates.iter().map(|quantity| quantity.written()).collect();
     let gone = |one: &Eliminated| (one.quantity.written(), one.declared_index);

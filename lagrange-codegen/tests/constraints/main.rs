@@ -1,4 +1,4 @@
-//! What is wrong with a constraint, or with its elimination, and what is not.
+//! Constraints and eliminations that are refused, beside those that are accepted.
 
 mod elimination;
 mod mistakes;

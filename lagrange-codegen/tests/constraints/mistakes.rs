@@ -110,7 +110,7 @@ fn more_constraints_than_coordinates_are_too_many() {
     refused(three.clone(), "`g` is one constraint too many: ");
     super::accepted(quote!(allow(redundant)), three);
     accepted(holonomic(quote!(q.x - t)));
-    // As many as coordinates: all is prescribed, and the reactions are what one asks for.
+    // As many constraints as coordinates prescribe everything. The reactions are still a result.
     accepted(quote! {
         #[holonomic]
         fn f(&self, q: &Coordinates, t: f64) -> [f64; 3] { [q.x - t, q.y * q.x, q.z - q.x * t] }
@@ -199,7 +199,7 @@ fn constraints_determine_massless_coordinates() {
         messages.len() == 1 && messages[0].starts_with("the coordinate `b` has no inertia"),
         "{messages:?}"
     );
-    // b occurs in the first constraint alone, so that a is left with the second.
+    // The first constraint alone contains b, so the second one determines a.
     check(quote!(#one #[holonomic] fn g(&self, q: &Coordinates) -> f64 { q.a - q.y.sin() }))
         .expect("determined");
     let messages =

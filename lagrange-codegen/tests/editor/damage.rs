@@ -27,8 +27,8 @@ pub struct Damaged {
     pub gone: Option<String>,
 }
 
-/// Deletes or inserts a token. The header of the block stays: where that does not parse, the
-/// compiler calls no macro. So do delimiters, without which there is no token tree.
+/// Deletes or inserts a token. The header of the block stays: if it does not parse, the compiler calls no
+/// macro. Delimiters stay, too: without them there is no token tree.
 pub fn damaged(args: TokenStream, item: TokenStream, random: &mut Random) -> Damaged {
     let mut trees: Vec<TokenTree> = item.into_iter().collect();
     let Some(TokenTree::Group(block)) = trees.pop() else { panic!("a block ends with its body") };
@@ -57,7 +57,7 @@ fn leaves(tokens: &TokenStream) -> usize {
 }
 
 struct Change<'r> {
-    /// Leaves before the one that is changed.
+    /// The number of leaves before the changed one.
     place: usize,
     random: &'r mut Random,
     part: Part,

@@ -29,7 +29,7 @@ impl Items {
             };
             piece.extend([tree]);
             if ends {
-                // What does not parse is the user's own block.
+                // Tokens that do not parse are the user's own block.
                 let whole = syn::parse2(std::mem::take(&mut piece));
                 whole.into_iter().for_each(|item| items.add(item));
             }
@@ -63,7 +63,7 @@ impl Items {
 
     fn block(&mut self, block: ItemImpl) {
         if let Some((path, ..)) = &block.trait_ {
-            // Their arguments are numbers of what is declared, which may be one less.
+            // The arguments of these types are numbers of declared things, which may be one less.
             let name = |path: &Path| path.segments.last().map(|segment| segment.ident.to_string());
             if let (Some(implemented), Type::Path(of)) = (name(path), &*block.self_ty) {
                 self.name(&block.attrs, format!("{implemented} for {}", name(&of.path).unwrap_or_default()));

@@ -1,8 +1,8 @@
-//! Descriptions while they are written: a token is missing or too many, and what the rest of a program uses
-//! is there.
+//! Descriptions while they are written: a token is missing or too many, and the items that the rest of a
+//! program uses are still there.
 //!
-//! Not owed is what only the missing token says: items named after a name that is gone, and what follows from
-//! a role or a key that is gone. All else is owed, in every case.
+//! A description owes all items except those that the missing token alone declares: items named after a
+//! deleted name, and items that follow from a deleted role or key.
 //!
 //! `CASES=100000 cargo test --release -p lagrange-codegen --test editor -- --nocapture` tries more and prints
 //! shares.
@@ -28,7 +28,7 @@ use proc_macro2::TokenStream;
 /// How many descriptions; `CASES` is another number.
 const COUNT: u64 = 1000;
 
-/// Roles and arguments that say what is there, and the one name of a list: nothing else says so.
+/// Roles and arguments that declare items by themselves, and the one name of a list.
 const DECLARE: [&str; 9] =
     ["point", "body", "holonomic", "nonholonomic", "eliminate", "event", "jacobians", "analysis", "motor"];
 
@@ -86,7 +86,7 @@ fn generated_items_outlive_what_is_being_written() {
         let shown = format!("    #[lagrangian({args})] {item}");
         let found = Items::of(expanded(args, item));
         if found.is_accepted {
-            // Another description, and as good.
+            // The change has made another valid description.
             continue;
         }
         let missing = declared[case].missing_in(&found);

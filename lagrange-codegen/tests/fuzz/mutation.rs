@@ -94,12 +94,13 @@ pub const ACCEPTED: [(&str, &str, &str); 6] = [
     ),
 ];
 
-/// Whether a description was accepted: its expansion has no message, and nothing that refuses a program.
+/// Whether a description was accepted: its expansion has neither a message nor a constant that refuses a
+/// program.
 pub fn is_accepted(expansion: &str) -> bool {
     !expansion.contains("compile_error") && !expansion.contains("REFUSED")
 }
 
-/// What tokens are replaced by.
+/// The tokens that replace others.
 const VOCABULARY: [&str; 110] = [
     "+",
     "-",

@@ -1,9 +1,9 @@
 //! Recurrences of descriptions with constraints: every coefficient of velocities and multipliers against the
 //! equations M a − Aᵀλ = f, A a = γ along the series itself.
 //!
-//! The states are not on the constraints: w = df/dt or g keeps the value that it has, or goes to zero as
-//! Baumgarte's rate says. No constraint here has a denominator: series leave those out, which is the same
-//! motion only where w is zero.
+//! The states violate the constraints: w = df/dt or g keeps its value, or decays at Baumgarte's rate. No
+//! constraint here has a denominator. Series leave denominators out, which gives the same motion only where w
+//! is zero.
 
 use lagrange_codegen::diagnostics::Diagnostics;
 use lagrange_codegen::expr::{NodeId, Variable};
@@ -19,7 +19,7 @@ use crate::expansion::{solved, unknowns};
 /// Orders of the series.
 const ORDERS: usize = 5;
 
-/// Distance of the points that a polynomial is laid through, and how many there are on each side.
+/// The distance of the points of an interpolating polynomial, and their number on each side.
 const STEP: f64 = 0.003;
 const SIDE: i32 = 4;
 
@@ -130,7 +130,7 @@ fn check(model: &mut Model, equations: &Equations, recurrences: &Equations) -> R
     Ok(())
 }
 
-/// Checks a description, then with a fault in what its recurrences are made of, one at a time.
+/// Checks a description, then with faults in the equations behind its recurrences, one at a time.
 #[track_caller]
 fn holds(wanted: Saddle, args: TokenStream, item: TokenStream) {
     let (mut model, equations) = derived(args, item);

@@ -100,8 +100,8 @@ pub fn unknowns(jets: &Jets, count: usize, orders: usize, start: &dyn Fn(Variabl
     let mut found = Vec::new();
     for order in 1..=orders {
         let (last, k) = (&expansion.series[order - 1], order as f64);
-        // What is zero for the right unknowns, and affine in them: k p[k] = f[k − 1] + (Aᵀμ)[k], k w[k] = its
-        // rate.
+        // The differences that the right unknowns make zero. They are affine in the unknowns: k p[k] = f[k −
+        // 1] + (Aᵀμ)[k], and k w[k] = its rate.
         let defects = |trial: &[f64]| -> Vec<f64> {
             let (velocities, multipliers) = trial.split_at(count);
             let now = expansion.order(order, velocities, multipliers);

@@ -1,4 +1,4 @@
-//! What analysis derives of random systems, against identities: inertia forces add up, Christoffel symbols
+//! The results of analysis of random systems, against identities: inertia forces add up, Christoffel symbols
 //! contract to the Coriolis matrix, the regressor gives the equations, the parts of T give the Lagrangian.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
@@ -15,10 +15,10 @@ use lagrange_codegen::{lower, syntax};
 use crate::check::Sample;
 use crate::source::Source;
 
-/// Two sides of an identity may differ by this share of what they were added up from.
+/// The largest difference of the two sides of an identity, as a share of the terms that they are sums of.
 const TOLERANCE: f64 = 1e-7;
 
-/// Larger terms leave too few digits of what they add up to.
+/// The largest terms that are compared: sums of larger ones have too few digits.
 const LARGEST: f64 = 1e6;
 
 /// Comparisons made.
@@ -146,7 +146,7 @@ impl Judge<'_> {
             }
         });
         let size = values.iter().fold(1.0, |size: f64, value| size + value.abs());
-        // Outside the domain of a function, or too large to tell.
+        // The values are outside the domain of a function, or too large to tell.
         if !size.is_finite() || size > LARGEST {
             return Ok(());
         }

@@ -12,7 +12,7 @@ use crate::source::PARAMETERS;
 use crate::surface;
 use crate::system::System;
 
-/// Numbers enough for the state, the inputs and the parameters of any system.
+/// Enough numbers for the state, the inputs and the parameters of any system.
 #[derive(Clone, Debug)]
 pub struct Sample {
     pub t: f64,
@@ -31,7 +31,7 @@ const RANGE: std::ops::Range<f64> = 1e-60..1e60;
 /// Comparisons by quantity.
 pub type Agreements = Vec<(&'static str, Agreement)>;
 
-/// What became of a comparison that found nothing wrong.
+/// The result of a comparison that found nothing wrong.
 #[derive(Clone, Debug)]
 pub enum Outcome {
     /// All quantities agree.
@@ -75,7 +75,7 @@ pub fn expected(system: &System, sample: &Sample) -> Quantities {
     Quantities::of(system, &instant(system, sample))
 }
 
-/// Whether a number of the oracle is one that a comparison means something for.
+/// Whether a number of the oracle can be compared with.
 pub fn is_measurable(x: &Tracked) -> bool {
     x.roundings == 0.0 || RANGE.contains(&x.roundings)
 }

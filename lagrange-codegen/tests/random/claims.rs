@@ -1,10 +1,9 @@
-//! What is claimed of random Lagrangians given as a whole: whatever is said to be conserved, or free of time,
-//! is so.
+//! Claims about random Lagrangians given as a whole: every quantity that is said to be conserved, or free of
+//! time, is so.
 //!
-//! The parts are those that claims could go wrong on: terms linear in the velocities that depend on time,
-//! total derivatives, which no equation shows, potentials of several summands, and functions that are
-//! constant where one would look first. They are written in any order, and as one function or as several with
-//! roles of their own.
+//! The parts are those that claims could get wrong: terms linear in the velocities that depend on time, total
+//! derivatives, which no equation shows, potentials of several summands, and functions that look constant at
+//! first. They are written in any order, and as one function or as several with roles of their own.
 
 use std::fmt::Write;
 
@@ -19,7 +18,7 @@ use proptest::prelude::*;
 use crate::analysis::derived;
 use crate::source::Source;
 
-/// A rate may be this share of the terms that it is the sum of.
+/// The largest rate of a conserved quantity, as a share of the terms that it is the sum of.
 const TOLERANCE: f64 = 1e-9;
 
 const KINETIC: [&str; 5] = [
@@ -30,7 +29,7 @@ const KINETIC: [&str; 5] = [
     "0.5 * (v.x - t * v.y).powi(2) + 0.5 * v.y * v.y",
 ];
 
-/// Of coordinates and velocities, with and without time.
+/// Functions of coordinates and velocities, with and without time.
 const PARTS: [&str; 20] = [
     "q.x",
     "q.x * q.x",
@@ -102,7 +101,7 @@ impl Whole {
     }
 }
 
-/// What was claimed.
+/// The numbers of claims.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counts {
     pub energies: usize,

@@ -2,11 +2,12 @@
 
 use crate::number::Tracked;
 
-/// What the relative error of every quantity has to be below.
+/// The bound of the relative error of every quantity.
 const TOLERANCE: f64 = 1e-11;
 
-/// How many times the rounding errors that the oracle itself has gathered come on top. Where terms
-/// cancel, the size of the terms and not that of their sum sets the errors of any evaluation in doubles.
+/// The factor of the oracle's own rounding errors, which are allowed beside the tolerance. Where terms
+/// cancel, the errors of any evaluation in doubles depend on the size of the terms and not on that of their
+/// sum.
 const ROUNDINGS: f64 = 16.0;
 
 /// The result of a comparison that found nothing wrong.
@@ -15,8 +16,8 @@ pub struct Agreement {
     /// The largest error relative to the largest component, cancelled components aside.
     pub error: f64,
     pub components: usize,
-    /// Components in which the oracle has lost so many digits that a relative error says nothing; zero has
-    /// none.
+    /// Components in which the oracle has lost so many digits that a relative error says nothing. Zero is one
+    /// of them: it has no digits.
     pub cancelled: usize,
     /// Components with an error beyond what the oracle's rounding errors account for.
     pub beyond: usize,

@@ -1,8 +1,8 @@
-//! What constraints add to the oracle: multipliers, reactions and their power, from definitions.
+//! Multipliers, reactions and their power in the oracle, from definitions.
 //!
 //! M a + b = Q − ∂D/∂v + Aᵀλ and A a = γ, with A = ∂f/∂q or ∂g/∂v, and A a − γ the time derivative of w =
-//! df/dt or g. The states are not on the constraints. What the engine says of power and energy there is that
-//! of a state with w = 0: less than the power v·Aᵀλ by λ w.
+//! df/dt or g. The states violate the constraints. The engine gives power and energy of a state with w = 0:
+//! less than the power v·Aᵀλ by λ w.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 
@@ -77,7 +77,7 @@ pub fn gradients<T: Number>(system: &System, at: &Instant<T>) -> (Vec<Vec<T>>, V
 }
 
 impl Held {
-    /// What is known before the equations are solved.
+    /// The quantities that are known before the equations are solved.
     pub fn of(system: &System, at: &Instant<Tracked>) -> Held {
         let kinds = system.kinds();
         let residuals = system.constraints(at, None);
@@ -116,7 +116,7 @@ impl Held {
         (matrix, [force, &self.gamma].concat())
     }
 
-    /// What follows from the solution (a, λ).
+    /// Adds the quantities that follow from the solution (a, λ).
     pub fn complete(&mut self, system: &System, at: &Instant<Tracked>, solution: &[Tracked]) {
         let (accelerations, multipliers) = solution.split_at(system.count());
         self.multipliers = multipliers.to_vec();
@@ -163,7 +163,7 @@ impl Held {
                 let holonomic = kinds[c] == Kind::Holonomic;
                 let mut force = if holonomic { through[number][c] } else { ZERO };
                 if let Some(i) = coordinates[number] {
-                    // What the coordinate does by itself, not through any position.
+                    // The part of the force that reaches the coordinate through positions.
                     let carried = components.iter().zip(&through).map(|(&other, by)| by[c] * slope(i, other));
                     let carried = if holonomic { sum(carried) } else { ZERO };
                     force = force + self.jacobian[c][i] - carried;
@@ -176,10 +176,10 @@ impl Held {
     }
 }
 
-/// For every component of a position the coordinate that it is, unless that is a component of others as well.
-/// Found at two instants that have nothing to do with the given one, where a sine is not its argument. Beside
-/// them the roles with a component that is a coordinate by its value and not by its form: whether the engine
-/// sees that is left open.
+/// The coordinate that each component of a position is, unless that coordinate is a component of others as
+/// well. It is found at two instants that have nothing to do with the given one, and at which a sine differs
+/// from its argument. Returns also the roles with a component that equals a coordinate by its value and not
+/// by its form: the engine may see that or not.
 fn same_as_coordinates(
     system: &System,
     at: &Instant<Tracked>,

@@ -38,7 +38,7 @@ impl Rows {
 const NAMES: [&str; 8] = ["held", "x", "theta", "mass", "gradients", "balance", "state", "saddle"];
 
 impl System {
-    /// The functions of constraints: the role, what it restrains, its body.
+    /// The functions of constraints: role, kind and body.
     fn constraint_functions(&self) -> impl Iterator<Item = (usize, Kind, &Body<Rows>)> {
         self.roles.iter().enumerate().filter_map(|(index, role)| match role {
             Role::Constraint(kind, _, body) => Some((index, *kind, body)),
@@ -62,7 +62,7 @@ impl System {
             .collect()
     }
 
-    /// f or g of all constraints, with one place seen elsewhere by those who look at it directly.
+    /// f or g of all constraints. `shift` moves one place for the constraints that use its position.
     pub fn constraints<T: Number>(&self, at: &Instant<T>, shift: Option<&(Place, Vec<T>)>) -> Vec<T> {
         self.constraint_functions()
             .flat_map(|(index, _, body)| {

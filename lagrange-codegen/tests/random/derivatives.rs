@@ -1,7 +1,8 @@
-//! One system at one state: the emitted derivatives of its equations of motion against the oracle's.
+//! One system at one state: the emitted derivatives of its equations of motion against those of the oracle.
 //!
-//! First at accelerations and multipliers that have nothing to do with the state, where every term counts for
-//! itself; then at those of the motion, where the derivatives of accelerations and multipliers follow.
+//! They are compared first at accelerations and multipliers that have nothing to do with the state, where
+//! every term counts, then at those of the motion, where the derivatives of accelerations and multipliers
+//! follow.
 
 use std::collections::BTreeMap;
 
@@ -31,8 +32,8 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Asks by all parameters that formulas use; others are refused. Last ones first, so that an order of the
-    /// engine's own does not pass for the user's.
+    /// Asks for derivatives by all parameters that formulas use, since others are refused. The last ones come
+    /// first, so that the engine's own order does not pass for the user's.
     pub fn of(system: &System) -> Result<Asked, String> {
         let mut source = Source::of(system);
         let used = used(&source).ok_or_else(|| format!("not understood:\n{source}"))?;
@@ -57,15 +58,15 @@ fn used(source: &Source) -> Option<Vec<String>> {
     Some(model.parameters.into_iter().map(|parameter| path(parameter.path)).collect())
 }
 
-/// What is expected at a sample.
+/// The expected values at a sample.
 #[derive(Clone, Debug)]
 pub struct Expected {
     quantities: Quantities,
-    /// At accelerations and multipliers that do not solve the equations.
+    /// The derivatives at accelerations and multipliers that do not solve the equations.
     given: Variation,
     accelerations: Vec<f64>,
     multipliers: Vec<f64>,
-    /// At those that do, unless they have too few digits.
+    /// The derivatives at those of the motion, unless they have too few digits.
     solved: Option<Variation>,
 }
 
@@ -112,7 +113,7 @@ impl Expected {
             ("by_parameters_at.positions", by_p.positions.concat()),
             ("by_parameters_at.rates", by_p.rates.concat()),
         ];
-        // With constraints these are of the accelerations, and made by the runtime.
+        // With constraints the runtime makes these, as derivatives of accelerations.
         if held.rates.is_empty() {
             parts.extend([
                 ("residual_at", values.forces.clone()),
@@ -181,7 +182,7 @@ fn declared(system: &System, parameters: &[usize], expansion: &Expansion) -> Res
     Ok(())
 }
 
-/// What `response` and `sensitivities` of the runtime make of the emitted derivatives.
+/// The derivatives that `response` and `sensitivities` of the runtime make of the emitted ones.
 fn responses(
     run: &Interpreter<'_>,
     Quantities { mass, held, .. }: &Quantities,

@@ -50,7 +50,7 @@ pub enum Operator {
     Divide,
 }
 
-/// A vector of one to three components; which, the place where it stands decides.
+/// A vector of one to three components. The place where it stands decides how many.
 #[derive(Clone, Debug)]
 pub enum Vector {
     New([Box<Expr>; 3]),
@@ -62,7 +62,7 @@ pub enum Vector {
     Scale(Box<Expr>, Box<Vector>),
     /// a × b in space, the sum elsewhere.
     Cross(Box<Vector>, Box<Vector>),
-    /// Turned by an angle, in space about the z axis; as it is on a line.
+    /// A vector turned by an angle, in space about the z axis. On a line it stays as it is.
     Turn(Box<Expr>, Box<Vector>),
 }
 
@@ -76,7 +76,7 @@ pub struct Body<R> {
 /// The value of [`Expr::Ratio`].
 pub const RATIO: f64 = 0.75;
 
-/// What stands for a position where there is none.
+/// The value that stands for a position where no particle is declared.
 pub const NOWHERE: f64 = 0.3;
 
 /// Everything a function can depend on, at one instant.
@@ -128,7 +128,7 @@ pub struct Scope<'a, T> {
     pub locals: Vec<T>,
     pub arguments: [T; 2],
     pub element: T,
-    /// A place that is seen elsewhere than it is, and by how much.
+    /// A particle or body whose position is shifted where a constraint uses it, and by how much.
     pub shift: Option<&'a (Place, Vec<T>)>,
 }
 

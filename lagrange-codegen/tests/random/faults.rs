@@ -15,7 +15,7 @@ pub enum Fault {
     Term,
     /// A constant that is wrong by 1e−9.
     Digit,
-    /// Two neighbours in a list that have changed places.
+    /// Two neighbours of a list that are exchanged.
     Order,
 }
 
@@ -24,10 +24,10 @@ impl Fault {
     pub const ALL: [Fault; 4] = [Fault::Sign, Fault::Term, Fault::Digit, Fault::Order];
 }
 
-/// Where in an expansion.
+/// A part of an expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// What every system has.
+    /// The quantities that every system has.
     Quantities,
     /// The derivatives of its equations.
     Derivatives,
@@ -48,9 +48,8 @@ pub fn sites(expansion: &Expansion, part: Part, fault: Fault) -> usize {
     usize::MAX - planter.left.unwrap_or(usize::MAX)
 }
 
-/// Whether all numbers of a function are: not those that say what is wrong where accelerations are not
-/// finite, nor the sizes that residuals are measured against, nor the comparison with the user's own
-/// functions.
+/// Whether all numbers of a function are compared. Exceptions are the cause of accelerations that are not
+/// finite, the sizes that residuals are measured against, and the comparison with the user's own functions.
 fn is_compared(function: &str) -> bool {
     !matches!(function, "check_at" | "residuals_at" | "check_reading_at")
 }
@@ -111,7 +110,7 @@ impl VisitMut for Planter {
 
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         match (self.fault, &mut *expr) {
-            // The second argument only says what the first is compared with.
+            // The second argument is only the scale that the first is compared with.
             (_, Expr::Call(call)) if call.args.len() == 2 && is_pivot(&call.func) => {
                 self.visit_expr_mut(&mut call.args[0]);
                 return;

@@ -286,7 +286,8 @@ impl Caught {
         Ok(())
     }
 
-    /// Some faults are none: a term that is zero, a digit of what is added to something far larger.
+    /// Some planted faults have no effect: a term that is zero, a digit of a number that is added to a far
+    /// larger one.
     fn assert_most(self) {
         for (fault, (noticed, all)) in self.0.into_inner().expect("a worker has failed") {
             println!("{fault:?}: {noticed} of {all} are noticed");

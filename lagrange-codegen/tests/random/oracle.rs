@@ -1,7 +1,7 @@
-//! What every emitted quantity has to be: dual numbers on the energies and forces of the system.
+//! The right value of every emitted quantity: dual numbers on the energies and forces of the system.
 //!
-//! Straight from the definitions, d/dt ∂L/∂v − ∂L/∂q = Q − ∂D/∂v with L as a whole; nothing of the
-//! engine's shorter ways is used.
+//! It follows from the definition d/dt ∂L/∂v − ∂L/∂q = Q − ∂D/∂v with L as a whole. The engine's shorter ways
+//! are not used.
 
 #![allow(clippy::needless_range_loop, reason = "formulas with indices")]
 
@@ -24,7 +24,7 @@ pub struct Quantities {
     pub jacobi: Tracked,
     pub power: Tracked,
     pub accelerations: Vec<Tracked>,
-    /// What constraints add, one entry for each.
+    /// The quantities of constraints, one entry for each.
     pub held: Held,
     /// Condition of the equations in the maximum norm; infinite where they are singular.
     pub condition: f64,
@@ -85,7 +85,7 @@ pub fn balance<T: Number>(system: &System, at: &Instant<T>) -> Balance<T> {
     let (mut momenta, mut bias) = (Vec::new(), Vec::new());
     let mut mass = vec![vec![nothing; count]; count];
     for i in 0..count {
-        // Outside the derivative by v[i], inside the one along the motion or by v[j].
+        // The derivative by v[i] is outside; the one along the motion or by v[j] is inside.
         let along_motion = system.energies(&moving.by_velocity(i)).lagrangian().slope;
         let by_coordinate = system.energies(&at.by_coordinate(i)).lagrangian().slope;
         momenta.push(along_motion.value);
@@ -174,7 +174,7 @@ pub fn solve(mass: &[Vec<Tracked>], force: &[Tracked]) -> (Vec<Tracked>, f64) {
             force[i].roundings + entries.map(|(entry, a)| entry.roundings * a.abs()).sum::<f64>()
         })
         .collect();
-    // What refinement leaves of a solution that is zero.
+    // The error that refinement leaves in a component that is zero.
     let left = f64::EPSILON * solution.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let accelerations = (0..count)
         .map(|i| Tracked {

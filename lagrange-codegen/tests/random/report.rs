@@ -6,7 +6,7 @@ use std::fmt;
 use crate::check::Outcome;
 use crate::close::Agreement;
 
-/// What all comparisons came to.
+/// The totals of all comparisons.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
     systems: usize,
@@ -39,26 +39,26 @@ impl Report {
         }
     }
 
-    /// Panics where so much was left out that agreement means little.
+    /// Panics if so much was left out that agreement means little.
     pub fn assert_meaningful(&self) {
         self.assert_but_for(8);
     }
 
-    /// The same where at most so many percent of what is solved for may be beyond the oracle's digits: it
-    /// bounds the roundings of its own elimination, which grow with the system.
+    /// The same with another limit, in percent, of solved quantities that may be beyond the oracle's digits:
+    /// the oracle bounds the rounding errors of its own elimination, which grow with the system.
     pub fn assert_but_for(&self, solved: usize) {
-        // One more, because in a short run one is much.
+        // One more is allowed, because in a short run one is much.
         let few = |part: usize, whole: usize, percent: usize| part * 100 <= whole * percent + 100;
         assert!(self.states > 0 && few(self.ill_conditioned, self.states, 5), "ill-conditioned: {self}");
         assert!(few(self.outside, self.states, 5), "outside the domain: {self}");
         for (name, Agreement { components, cancelled, beyond, .. }) in &self.quantities {
             let limit = match *name {
-                // What is solved for is a difference of large terms more often, and may be zero.
+                // Solved quantities are differences of large terms more often, and may be zero.
                 "accelerations" | "reactions" | "reaction_forces" => solved,
-                // Zero in many systems, as a sum of large terms.
+                // These are zero in many systems, as sums of large terms.
                 "reaction_power" | "energy_rate" => 60,
-                // Derivatives of what is solved for: zero where constraints leave no freedom, and where what
-                // they are by has no effect.
+                // Derivatives of solved quantities are zero where constraints leave no freedom, and where a
+                // variable has no effect.
                 _ if name.contains(" by ") => 25,
                 _ => 5,
             };

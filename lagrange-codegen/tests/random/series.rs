@@ -20,7 +20,7 @@ use crate::taylor::{TERMS, Taylor};
 /// The unit of time: a power of two, so that nothing is rounded where it comes in.
 const UNIT: f64 = 0.5;
 
-/// What became of a comparison that found nothing wrong.
+/// The result of a comparison that found nothing wrong.
 #[derive(Clone, Copy, Debug)]
 pub enum Outcome {
     /// All coefficients agree.
@@ -66,8 +66,7 @@ pub fn check(system: &System, expansion: &Expansion, sample: &Sample) -> Result<
     Ok(Outcome::Compared(agreement))
 }
 
-/// The sample with velocities that the constraints allow: what a series does with others is nobody's
-/// business.
+/// The sample with velocities that the constraints allow. A series need not be right for others.
 fn on_constraints(system: &System, sample: &Sample) -> Option<Sample> {
     let mut sample = sample.clone();
     for _ in 0..4 {

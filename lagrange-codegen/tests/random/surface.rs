@@ -6,7 +6,8 @@ use crate::interpreter::{Interpreter, Run, Value};
 use crate::number::Tracked;
 use crate::oracle::Quantities;
 
-/// What the solver is given, whether or not it can solve it: `equations_at`, `saddle_at`, `residuals_at`.
+/// The quantities before the equations are solved, which exist whether they can be solved or not:
+/// `equations_at`, `saddle_at`, `residuals_at`.
 pub fn unsolved(run: &Interpreter<'_>, expected: &Quantities) -> Result<Agreements, String> {
     let held = &expected.held;
     let force: Vec<Tracked> =
@@ -50,7 +51,7 @@ pub fn unsolved(run: &Interpreter<'_>, expected: &Quantities) -> Result<Agreemen
     Ok(agreements)
 }
 
-/// What follows from the solution.
+/// The quantities that follow from the solution.
 pub fn solved(run: &Interpreter<'_>, expected: &Quantities) -> Result<Agreements, String> {
     let held = &expected.held;
     let mut agreements = Agreements::new();
@@ -72,7 +73,7 @@ pub fn solved(run: &Interpreter<'_>, expected: &Quantities) -> Result<Agreements
     }
     for (role, wanted) in &held.on_places {
         let name = format!("reactions_on_place_{role}");
-        // Where no constraint is written through a place, there is no method for it.
+        // A place that no constraint uses has no method.
         let found = match run.method(&name) {
             Some(value) => flat(&name, value.and_then(succeeded))?,
             None => vec![0.0; wanted.len()],

@@ -78,7 +78,7 @@ pub enum Role {
     ForceAt(usize, Body<Vector>),
     /// A force and a torque on a body; in the plane the torque is the first component.
     Wrench(usize, Body<(Vector, Vector)>),
-    /// What is to stay zero. The number picks a name.
+    /// A function that stays zero. The number picks a name.
     Constraint(Kind, usize, Body<Rows>),
 }
 
@@ -116,7 +116,7 @@ pub enum Rotation {
     Euler(Box<[Expr; 3]>),
     Product(Box<Rotation>, Box<Rotation>),
     Inverse(Box<Rotation>),
-    /// The rotation, of which the engine is told the nine entries alone.
+    /// A rotation given to the engine by its nine entries alone.
     Entries(Box<Rotation>),
 }
 

@@ -1,9 +1,8 @@
-//! The oracle of derivatives: the equations of motion from their definitions in any number, one more dual
-//! level along each variable, and what follows for accelerations and multipliers.
+//! The oracle of derivatives: the equations of motion from their definitions in any number, with one more
+//! dual level along each variable, and the derivatives of accelerations and multipliers that follow.
 //!
-//! r = Q − ∂D/∂v + Aᵀλ − (d/dt ∂L/∂v − ∂L/∂q) at given accelerations a and multipliers λ, and A a − γ as what
-//! it is made from: dw/dt with its stabilisation. d/dt is the derivative along (q̇, a, 1), so neither M nor b
-//! nor γ is formed.
+//! r = Q − ∂D/∂v + Aᵀλ − (d/dt ∂L/∂v − ∂L/∂q) at given accelerations a and multipliers λ. A a − γ is dw/dt
+//! with its stabilisation. d/dt is the derivative along (q̇, a, 1), so M, b and γ are not formed.
 
 use crate::constrained::Held;
 use crate::constraint::Kind;
@@ -20,7 +19,7 @@ pub struct Motion<T> {
     pub multipliers: Vec<T>,
 }
 
-/// What the equations of motion say is zero, and the constraints that they were differentiated from.
+/// The residuals of the equations of motion, and the constraints that they were differentiated from.
 #[derive(Clone, Debug)]
 pub struct Equations<T> {
     /// r.
@@ -39,7 +38,7 @@ impl<T: Number> Equations<T> {
         let Motion { at, accelerations, multipliers } = motion;
         let moving = at.along(|i| at.v[i], |i| accelerations[i], 1.0);
         let force = |i: usize| {
-            // Outside the derivative by v[i], inside the one along the motion.
+            // The derivative by v[i] is outside, the one along the motion inside.
             let inertia = system.energies(&moving.by_velocity(i)).lagrangian().slope.slope;
             let by_coordinate = system.energies(&at.by_coordinate(i)).lagrangian().slope;
             let reactions = gradients(system, at, i).into_iter().zip(multipliers);
@@ -79,7 +78,7 @@ fn gradients<T: Number>(system: &System, at: &Instant<T>, i: usize) -> Vec<T> {
     both.map(|((q, v), kind)| if kind == Kind::Holonomic { q.slope } else { v.slope }).collect()
 }
 
-/// What derivatives are taken by.
+/// A variable of derivatives.
 #[derive(Clone, Copy, Debug)]
 pub enum Variable {
     Coordinate(usize),
@@ -165,12 +164,12 @@ impl Variation {
         variation
     }
 
-    /// Gives derivatives by the state and the time that have no terms here the size of the largest of their
-    /// equation.
+    /// Raises the rounding errors of derivatives by the state and the time that have no terms here to the
+    /// largest of their equation.
     ///
-    /// An evaluation may write vectors in any axes. In axes that turn with x − t, what depends on neither x
-    /// nor t is a sum of terms with both, as large as others of the equation, whose slopes cancel to
-    /// roundings.
+    /// An evaluation may write vectors in any axes. In axes that turn with x − t, a quantity that depends on
+    /// neither x nor t is a sum of terms with both. The slopes of these terms may be as large as others of
+    /// the equation, and cancel to rounding errors.
     fn share(&mut self, part: impl Fn(&mut Slopes) -> &mut Matrix) {
         let mut parts = [&mut self.by_q, &mut self.by_v, &mut self.by_t].map(part);
         for i in 0..parts[0].len() {
@@ -200,8 +199,8 @@ pub fn response(mass: &[Vec<Tracked>], held: &Held, by: &Slopes) -> (Matrix, Mat
                 *entry = -row[j];
             }
             let (mut solution, condition) = solve(&matrix, &right);
-            // What refinement leaves of a component that is zero, of others that need not be: errors of
-            // second order.
+            // The error that refinement leaves in a component that is zero, where others are not: of second
+            // order.
             let size = solution.iter().map(|x| x.value.abs() + f64::EPSILON * x.roundings);
             let left = f64::EPSILON * condition * size.fold(0.0, f64::max);
             solution.iter_mut().for_each(|x| x.roundings += left);

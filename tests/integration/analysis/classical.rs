@@ -91,7 +91,7 @@ impl CartPole {
 #[test]
 fn c14_the_cart_pole_upright() {
     let rest = CartPole.stationary_point([0.7, 0.3], &[0.0]).unwrap();
-    // Where the cart stands does not matter, so it is left where it was; that is no isolated equilibrium.
+    // The place of the cart does not matter, so the cart stays where it was. That is no isolated equilibrium.
     all_close(rest.state.q, [0.7, 0.0], 1e-12);
     assert!(!rest.is_isolated);
     let modes = CartPole.modes(&rest.state, &[0.0]).unwrap();
@@ -99,7 +99,7 @@ fn c14_the_cart_pole_upright() {
     close(most, classical("C14_cartpole").number("upright_unstable_eig"), 1e-14);
     assert_eq!(modes[0].frequency(), 0.0);
     close(modes[0].shape[1].re, 0.0, 1e-12);
-    // Under a push nothing rests.
+    // Pushed, the cart cannot rest.
     assert!(CartPole.stationary_point([0.7, 0.3], &[1.0]).is_err());
     let Err(EquilibriumError::Unbalanced { coordinate: 0, force, .. }) =
         CartPole.equilibrium([0.7, 0.3], &[1.0])

@@ -127,7 +127,7 @@ fn s05_inverse_dynamics_tells_what_must_be_pushed() {
     let state = State::at_rest([0.0, 0.5, 0.5, 0.0]);
     let needed = ladder.inverse_dynamics(&state, &[0.0; 4]).unwrap();
     all_close(needed.total, [0.0, 2.0 * G, 0.0, 3.0 * G], 1e-15);
-    // What the push does to the only motion there is, the rest does as well.
+    // The push and the forces at rest have the same power along the only possible motion.
     let along = [0.0, -1.0, 1.0, 0.0];
     let power: f64 = needed.required.iter().zip(along).map(|(force, v)| force * v).sum();
     close(power, reference.number("F2"), 1e-14);

@@ -235,7 +235,7 @@ fn gyroscopic_forces_hold_what_damping_lets_fall() {
     assert_eq!(stability(2.0, [2.0, 3.0], 0.0), Stability::Gyroscopic { directions: 2 });
     assert_eq!(stability(2.0, [2.0, 3.0], 0.1), Stability::Unstable { directions: 2 });
     assert_eq!(stability(2.0, [4.0, 5.0], 0.0), Stability::Neutral { directions: 1 });
-    // Downhill the centrifugal force leads out of the world.
+    // The centrifugal force drives the search away without end.
     let off = Table { rate: 2.0, springs: [2.0, 3.0], drag: 0.0 }.equilibrium([0.1, 0.2], &[]);
     assert!(matches!(off, Err(EquilibriumError::RanAway { .. })), "{off:?}");
     let back = Table { rate: 2.0, springs: [2.0, 3.0], drag: 0.0 }.stationary_point([0.1, 0.2], &[]).unwrap();
@@ -314,7 +314,7 @@ fn nothing_runs_away_on_a_closed_surface() {
         let guess: [f64; 3] = core::array::from_fn(|_| samples.number(-2.0, 2.0));
         let rest = Ellipsoid.equilibrium(guess, &[]).unwrap();
         assert_eq!(rest.stability, Stability::Stable, "{guess:?}");
-        // Newton's method may end between, but nowhere far away.
+        // Newton's method may end without a result, but nowhere far away.
         let found = Ellipsoid.stationary_point(guess, &[]);
         assert!(!matches!(found, Err(EquilibriumError::RanAway { .. })), "{guess:?}: {found:?}");
     }

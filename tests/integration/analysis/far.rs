@@ -1,8 +1,8 @@
-//! Places of rest far from zero, where the last digits of a coordinate are long ways.
+//! Equilibria far from zero, where the last digits of a coordinate stand for long distances.
 
 use lagrangian::{EquilibriumError, Name, prelude::*};
 
-/// A pendulum, a weight on a spring that is at rest at a place, and a cart that is free.
+/// A pendulum, a weight on a spring whose force vanishes at `place`, and a free cart.
 struct Apart {
     stiffness: f64,
     place: f64,
@@ -34,7 +34,7 @@ impl Apart {
 #[test]
 fn an_angle_without_digits_after_the_point_is_no_equilibrium() {
     let unresolved = EquilibriumError::Unresolved { coordinate: 0, name: Name::new(&"phi") };
-    // Forces of the other coordinates, however stiff, say nothing of this one.
+    // Forces on the other coordinates, however stiff, are no measure for this one.
     for stiffness in [1e-6, 1.0, 1e9] {
         for phi in [1e16, 1e17, -2e17, 3e17, 5e17, 1e20, -1e100, 1e300] {
             let system = Apart { stiffness, place: 0.0 };
@@ -57,7 +57,7 @@ fn a_coordinate_that_has_its_digits_may_be_far_from_zero() {
         let rest = Apart { stiffness: 1.0, place }.equilibrium([0.0, guess, 0.0], &[]).unwrap();
         assert!((rest.state.q[1] - place).abs() <= f64::EPSILON * place.abs(), "{:?}", rest.state);
     }
-    // Nothing depends on the place of the cart.
+    // The cart may stand anywhere.
     let rest = Apart { stiffness: 1.0, place: 0.0 }.equilibrium([0.0, 0.0, 1e17], &[]).unwrap();
     assert_eq!(rest.state.q, [0.0, 0.0, 1e17]);
 }

@@ -306,7 +306,7 @@ fn the_triangle_of_lagrange_is_stable_below_the_ratio_of_routh() {
     }
 }
 
-/// Three masses in a row with springs between them and nothing that holds them.
+/// Three free masses in a row with springs between them.
 struct Train {
     c: f64,
     drag: f64,

@@ -325,7 +325,7 @@ fn s14_at_the_bifurcation_the_equilibrium_is_still_found() {
     let critical = seed("S14").number("critical_Omega");
     let hoop = Hoop { radius: 0.5, rate: critical };
     let rest = hoop.equilibrium([2.6], &[]).unwrap();
-    // The force is of third order in the distance, so that roundings hide it below their cube root.
+    // The force is of third order in the distance, so rounding errors hide it up to their cube root.
     assert!((rest.state.q[0] - PI).abs() < 2e-5, "{:?}", rest.state);
     assert!(!rest.is_isolated);
     between(-1e-3, hoop.modes(&rest.state, &[]).unwrap()[0].frequency(), 1e-3);

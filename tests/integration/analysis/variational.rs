@@ -125,7 +125,8 @@ fn limits_hold_for_motions_with_derivatives() {
     assert!(matches!(few, Err(MotionError { cause: lagrangian::Cause::TooManySteps, .. })));
     let wrong = motion().with_tolerance(-1.0).advance_to(1.0);
     assert!(matches!(wrong, Err(MotionError { cause: lagrangian::Cause::InvalidTolerance, .. })));
-    // An absolute tolerance is one beside the column: in other units of a parameter the steps are the same.
+    // An absolute tolerance of a derivative is relative to its column. So the steps are the same in other
+    // units of a parameter.
     let steps = |stiffness: f64| {
         let oscillators = Oscillators { stiffness: [1.0 * stiffness, 4.0 * stiffness] };
         let varied = oscillators.variational();
@@ -137,7 +138,7 @@ fn limits_hold_for_motions_with_derivatives() {
     assert_eq!(steps(1.0), steps(2.0_f64.powi(-40)));
 }
 
-/// A wall that the series at the start knows nothing of.
+/// A wall that the series at the start does not show.
 struct Wall;
 
 #[lagrangian(coordinates = [x, y], jacobians)]
@@ -366,7 +367,8 @@ impl Charge {
     }
 }
 
-/// Some derivatives begin as roundings of others in their column, so that they have no size of their own.
+/// Some derivatives begin as rounding errors of others in their column, so that they have no size of their
+/// own.
 #[test]
 fn roundings_in_a_column_do_not_hold_a_motion_up() {
     let start = State::new([0.3, 0.0, 0.4], [0.5, 0.5, 0.3]);

@@ -1,4 +1,4 @@
-//! Rows that depend on each other where the constraints hold, and nowhere beside them.
+//! Rows that depend on each other on the constraints, and on no state beside them.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -6,10 +6,10 @@ use lagrangian::prelude::*;
 
 use crate::support::close::{all_close, close_on};
 
-/// On a cylinder, which is asked for once.
+/// A particle on a cylinder, which one constraint demands.
 struct Once;
 
-/// The same, asked for once more with a factor that varies.
+/// The same, demanded a second time with a factor that varies.
 struct Twice;
 
 macro_rules! cylinder {
@@ -129,12 +129,12 @@ fn ring() -> State<f64, 6> {
     Ring.consistent(State::at_rest([-1.746, 2.277, 1.395, 1.898, 1.395, 2.277])).unwrap()
 }
 
-/// The second angle.
+/// The second angle after one second.
 fn after_one_second() -> f64 {
     Lean.simulate(ring()).with_tolerance(1e-14).advance_to(1.0).unwrap().q[1]
 }
 
-/// Its tables are large, and without optimisation a frame holds several copies.
+/// A function of its own: the tables are large, and without optimisation a frame holds several copies.
 fn advanced(state: State<f64, 6>, tolerance: f64, t: f64) -> State<f64, 6> {
     *Ring.simulate(state).with_tolerance(tolerance).advance_to(t).unwrap()
 }

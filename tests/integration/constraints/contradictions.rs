@@ -1,5 +1,5 @@
-//! Constraints that no state satisfies together, from the start or from some time on, and what else keeps a
-//! motion from going on, by its right name.
+//! Constraints that no state satisfies together, from the start or from some time on, and other ends of
+//! motions, each by its right name.
 
 use std::f64::consts::PI;
 
@@ -126,9 +126,9 @@ fn is_contradictory(cause: Cause) {
 fn constraints_that_come_to_contradict_each_other_end_a_motion() {
     for rate in [1e-1, 1e-5, 1e-9] {
         for error in ends!(Growing { rate }, State::new([1.0, 0.0], [0.0, 0.5]), 2.0) {
-            // A state half way between the two circles violates both alike.
+            // A state half way between the two circles violates both constraints alike.
             assert!(matches!(error.cause, Cause::Contradictory { .. }), "{:?}", error.cause);
-            // A start with what is left by then would be refused.
+            // By this time the violation is so large that a start would be refused.
             assert!(error.t < 1e-9 / rate, "{} at {rate}", error.t);
         }
     }

@@ -76,8 +76,8 @@ fn sleigh() -> State<f64, 4> {
     Sleigh.consistent(rough).expect("a string that reaches the tug")
 }
 
-/// The largest violation of a state, relative to Σ |∂f/∂q| times its largest coordinate or velocity: what
-/// roundings amount to.
+/// The largest violation of a state, relative to Σ |∂f/∂q| times its largest coordinate or velocity. That is
+/// the scale of rounding errors.
 macro_rules! violation {
     ($system:expr, $state:expr) => {{
         let (system, state): (_, &State<f64, _>) = (&$system, $state);

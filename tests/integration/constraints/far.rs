@@ -1,4 +1,4 @@
-//! Constraints far from the origin, where coordinates are large and what is constrained is their small
+//! Constraints far from the origin, where coordinates are large and a constraint depends on their small
 //! difference.
 
 use lagrangian::prelude::*;

@@ -231,8 +231,8 @@ fn damping_ends_at_rest_with_the_weight_on_the_rod() {
     let mut energy = f64::INFINITY;
     for k in 1..=40 {
         motion.advance_to(f64::from(k)).unwrap();
-        // Roundings play about the lowest energy: the rod is left alone where f is within four ulps of its
-        // summands, (|x| + |cart|)² + y² + L² ≤ 1.7 m², and the bob is then off by f/2L in height.
+        // Near the lowest energy rounding errors decide: the rod is left alone where f is within four ulps of
+        // its summands, (|x| + |cart|)² + y² + L² ≤ 1.7 m², and the bob is then off by f/2L in height.
         let height = 4.0 * f64::EPSILON * 1.7 / (2.0 * PARTS.length);
         assert!(motion.energy() <= energy + 2.0 * PARTS.bob * G * height);
         energy = motion.energy();

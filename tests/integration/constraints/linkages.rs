@@ -80,7 +80,7 @@ const LINKAGE: Linkage =
 /// Opposite links are equal, so that it can lie flat.
 const PARALLELOGRAM: Linkage = Linkage { coupler: 1.0, rocker: 0.4, ..LINKAGE };
 
-/// What a parallelogram does: its joints are pendulums of equal length side by side.
+/// The motion of a parallelogram: its joints are pendulums of equal length side by side.
 struct Wheel(Linkage);
 
 #[lagrangian(coordinates = [angle])]
@@ -196,9 +196,8 @@ fn energy_and_closure_stay() {
 
 #[test]
 fn a_parallelogram_passes_its_flat_configurations() {
-    // Flat, the constraints lose a rank and two branches of motions meet. Accelerations are those of the
-    // branch that the state is on however near to flat it is, so a method that evaluates them goes
-    // across.
+    // In a flat configuration the constraints lose a rank, and two branches of motions meet. However near the
+    // state is to it, accelerations are those of its own branch. So a method that evaluates them goes across.
     let (angles, wheel) = (Angles(PARALLELOGRAM), Wheel(PARALLELOGRAM));
     let start = State::new([0.3, 0.0, 0.3], [12.0, 0.0, 12.0]);
     let energy = angles.energy(&start);

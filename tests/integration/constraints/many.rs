@@ -21,7 +21,7 @@ impl Rods {
         self.joints(q).iter().map(|joint| G * joint.y).sum()
     }
 
-    // From the free end to the one that is held.
+    // The rods from the free end to the fixed one.
     #[holonomic]
     fn rods(&self, q: &Coordinates) -> [f64; 8] {
         let joints = self.joints(q);
@@ -97,7 +97,7 @@ fn a_chain_of_rods_moves_as_in_angles() {
     }
 }
 
-/// Sixteen points on a ladder that is braced twice where once would do.
+/// Sixteen points on a ladder with two braces, of which one would do.
 struct Ladder;
 
 #[lagrangian(coordinates = [x: [16], y: [16]])]

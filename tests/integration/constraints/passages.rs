@@ -1,8 +1,8 @@
-//! Motions through configurations in which gradients of constraints become dependent: straight on, with the
-//! energy that they have.
+//! Motions through configurations in which gradients of constraints become dependent. They go straight on and
+//! keep their energy.
 //!
-//! The linkages have one degree of freedom, and a branch of their motions is known, so that a place on the
-//! wrong one shows.
+//! The linkages have one degree of freedom, and a branch of their motions is known, so that a state on the
+//! wrong branch is noticed.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -118,12 +118,12 @@ fn starts() -> impl Iterator<Item = f64> {
     })
 }
 
-/// What errors of a few tens of steps may be, with the rounding of states that end 1e-5 beside the position.
+/// The error of a few tens of steps, with the rounding of states that end 1e-5 beside the position.
 fn allowed(tolerance: f64) -> f64 {
     100.0 * tolerance + f64::EPSILON / 1e-5
 }
 
-/// Half a second by a method: the energy and what vanishes on the branch.
+/// Half a second by a method: the energy, and a function that vanishes on the branch.
 macro_rules! passes {
     ($system:expr, $curve:expr, $off:expr, $method:ty, $tolerances:expr) => {
         for tolerance in $tolerances {
@@ -177,7 +177,7 @@ fn redundant_cranks_pass_their_flat_position() {
 
 #[test]
 fn what_lies_inside_a_passage_is_on_the_branch() {
-    // So close to the flat position no stage of Dormand–Prince can be told: the first step is one of series.
+    // So close to the flat position the stages of Dormand–Prince mean nothing: the first step is a series.
     for s in [1e-9, -1e-9] {
         let start = State::new([1.0, s, 2.0, s], [-5.0 * s, 5.0, -5.0 * s, 5.0]);
         let (mut series, mut stages) = (start, start);
@@ -208,7 +208,7 @@ fn the_velocity_decides_about_the_branch() {
         let off = [(second - first - Vector2::x()).norm(), (first - Vector2::new(1.0, 0.0)).norm()];
         assert!(off[branch] < 1e-8, "{off:?}");
     }
-    // Between them there is none.
+    // A velocity between both branches belongs to no motion.
     let between = State::new(flat, [0.0, 5.0, 0.0, 2.0]);
     let error = system.simulate(between).advance_to(0.2).expect_err("no motion");
     assert!(matches!(error.cause, Cause::Undetermined { .. }), "{error}");
@@ -260,7 +260,7 @@ fn towards_flat(w: f64) -> State<f64, 4> {
     Crossed.consistent(State::new([b, a, 2.0 + d, c], v)).expect("a start")
 }
 
-/// Fixed steps end where they end, some of them right beside the flat position.
+/// Fixed steps end at given times, some of them right beside the flat position.
 #[test]
 fn fixed_steps_pass_a_flat_position() {
     for steps in [150, 1500] {

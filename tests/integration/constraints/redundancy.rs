@@ -64,7 +64,7 @@ impl OnThree {
     }
 }
 
-/// What the beam does: each of its points is a pendulum.
+/// The motion of the beam: each of its points is a pendulum.
 struct Pendulum(Swing);
 
 #[lagrangian(coordinates = [angle])]
@@ -185,7 +185,8 @@ fn three_cranks_share_the_load_by_the_least_squares() {
         let tension = SWING.mass * (SWING.crank * rate * rate + G * angle.cos());
         close(a + b + c, -tension, 1e-13);
         close_on(tension, -a + 0.5 * b + c, 0.0, 1e-13);
-        // Loads at −1, 1/2, 1 in the ratios 1 : −4 : 3 neither pull nor turn the beam: there is none of it.
+        // Loads at −1, 1/2, 1 in the ratios 1 : −4 : 3 neither pull nor turn the beam. The shortest reactions
+        // contain none of them.
         close_on(tension, a - 4.0 * b + 3.0 * c, 0.0, 1e-13);
         assert!(!reactions.are_unique());
     }
@@ -216,8 +217,8 @@ fn one_rod_in_three_forms_is_one_rod() {
     );
 }
 
-/// A pendulum whose rod is demanded three times, once with a factor that varies: beside the constraints its
-/// rows are independent of each other.
+/// A pendulum whose rod is demanded three times, once with a factor that varies. Off the constraints its rows
+/// are independent of each other.
 struct Thrice;
 
 #[lagrangian(coordinates = [x, y], jacobians, allow(redundant))]

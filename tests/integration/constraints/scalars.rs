@@ -51,7 +51,7 @@ fn slider<R: Real>() -> Slider<R> {
 
 fn start<R: Real>() -> State<R, 4> {
     let number = R::from_f64;
-    // Across the rod (3/5, −4/5), and what the fin then turns by at heading zero.
+    // The bob moves across the rod (3/5, −4/5). The last rate is that which the fin then has at heading zero.
     State::new(
         [number(0.0), number(0.75), number(-1.0), number(0.0)],
         [number(0.0), number(0.8), number(0.6), number(0.4)],

@@ -68,7 +68,7 @@ fn speeds() -> impl Iterator<Item = f64> {
     (0..20).map(|k| 0.6 + 0.1 * f64::from(k))
 }
 
-/// What is left of the equation of the branch, and of the energy.
+/// The residual of the equation of the branch, and the change of the energy.
 fn branch<S: System<2, 0, Scalar = f64>>(
     system: &S,
     [start, end]: [&State<f64, 2>; 2],
@@ -76,7 +76,7 @@ fn branch<S: System<2, 0, Scalar = f64>>(
     tolerance: f64,
 ) {
     let energy = |state: &State<f64, 2>| system.energy_at(&system.constants(), state.t, &state.q, &state.v);
-    // Errors of some tens of steps add up; those of the tightest tolerances are roundings.
+    // Errors of some tens of steps add up; at the tightest tolerances rounding errors remain.
     let allowed = 1e3 * tolerance + 1e-11;
     close(lack(&end.q), 0.0, allowed);
     close(energy(end) / energy(start), 1.0, allowed);

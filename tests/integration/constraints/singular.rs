@@ -1,4 +1,4 @@
-//! Configurations in which constraints lose their independence, and systems that constraints hold altogether.
+//! Configurations in which constraints lose their independence, and systems that constraints leave no motion.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -69,7 +69,7 @@ impl Parallelogram {
     }
 }
 
-/// A bar that nothing is left to.
+/// A bar that cannot move.
 struct Held {
     m: f64,
 }
@@ -135,7 +135,7 @@ fn a_slider_crank_passes_its_dead_centre_at_any_tolerance() {
             let end = *motion.advance_to(3.0).expect("a motion");
             let energy = slider.energy(&start);
             close(slider.energy(&end) / energy, 1.0, 1e-6);
-            // Straight on, and not round the corner.
+            // The motion goes straight on and takes no corner.
             close((end.q[0] + end.q[1]).sin(), 0.0, 1e-5);
             close((end.v[0] + end.v[1]) / speed, 0.0, 1e-5);
         }
@@ -175,7 +175,7 @@ fn a_motion_may_begin_in_the_dead_centre() {
         all_close(found.q, start.q, 1e-12);
         all_close(found.v, start.v, 1e-12);
         for state in [start, found] {
-            // Where it goes is open there, but it is no violation.
+            // The motion from there is not determined, but the state violates no constraint.
             let mut motion = slider.simulate(state);
             if let Err(error) = motion.advance_to(1e-3) {
                 assert_eq!(error.cause, Cause::StepTooSmall);

@@ -94,7 +94,7 @@ impl Circles {
 
 const ELLIPSE: Ellipse = Ellipse { m: [4.0, 1.0], axes: [2.0, 1.0] };
 
-/// A good state of the corner.
+/// A state of the corner that its constraints allow.
 fn corner() -> State<f64, 7> {
     // 0.75, 1, 1.25 is a right triangle; the bar turns.
     State::new([0.0, 1.0, 0.75, 0.0, 2.0, 1.0, 0.0], [0.0, -0.6, 0.8, 0.0, 1.5, 0.0, 0.7])
@@ -198,8 +198,8 @@ fn velocities_are_projected_across_the_constraints() {
 
 #[test]
 fn coordinates_are_projected_across_the_constraints() {
-    // The error of the direction falls with the distance: each Newton step goes across the surface where it
-    // starts.
+    // The projection goes along the gradient at the end, up to an error that falls with the distance: each
+    // Newton step goes along the gradient where the step starts.
     let tilt = |distance: f64| {
         let (sin, cos) = 0.7_f64.sin_cos();
         let rough = State::at_rest([2.0 * cos + distance, sin + distance]);
@@ -212,7 +212,8 @@ fn coordinates_are_projected_across_the_constraints() {
     };
     between(1e-12, tilt(1e-4), 1e-3);
     between(8.0, tilt(1e-2) / tilt(1e-3), 12.0);
-    // Where the surface is flat, or curved alike in all directions, it is the nearest point at any distance.
+    // Where the surface is flat, or curved alike in all directions, the nearest point is found at any
+    // distance.
     let mut rough = corner();
     (rough.q[0], rough.q[3]) = (0.2, -0.3);
     let projected = Corner.consistent(rough).unwrap();
@@ -241,7 +242,7 @@ fn far_starts_find_the_surface_too() {
         let projected = ELLIPSE.consistent(State::new(place, [1.0, 1.0])).unwrap();
         close_on(1.0, ELLIPSE.constraint_residuals(&projected)[0], 0.0, 1e-14);
         close_on(1.0, ELLIPSE.constraint_rates(&projected)[0], 0.0, 1e-14);
-        // Not on the far side.
+        // The projected state is not on the far side.
         assert!(projected.q[0] * place[0] > 0.0, "{projected:?}");
     }
 }
@@ -263,7 +264,7 @@ fn circles_that_meet_hold_and_circles_apart_cannot() {
                     | Cause::Contradictory { .. }
                     | Cause::VanishingGradient { .. }
             );
-            // Who asked for projection is not told to ask for it.
+            // The error of a projection does not advise to project.
             assert!(refused && !error.to_string().contains("consistent("), "{error}");
         }
     }

@@ -1,4 +1,4 @@
-//! Nothing depends on the units of mass, length and time, projections and judgements of starts included.
+//! Independence of the units of mass, length and time, also of projections and of the checks of starts.
 
 use lagrangian::prelude::*;
 
@@ -126,7 +126,8 @@ fn the_motion_is_the_same_in_all_units() {
 
 #[test]
 fn starts_are_judged_alike_in_all_units() {
-    // Off the rail, tilted, and the rod too long, by a thousandth and by a thousandth of a billionth.
+    // The cart is off the rail, tilted, and its rod too long, by a thousandth and by a thousandth of a
+    // billionth.
     for (mass, length, time) in choices() {
         let rig = rig(mass, length, time);
         for (place, constraint) in [(1, 0), (4, 1), (2, 2)] {

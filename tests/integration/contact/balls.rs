@@ -78,7 +78,7 @@ fn infinitely_many_impacts_end_in_rest() {
     let state = *motion.advance_to(1e6).unwrap();
     assert_eq!(state, state.at_time(1e6));
     close_on(1.0, state.q[0], 0.0, 1e-15);
-    // Steps of a motion grow by a factor at most.
+    // Each step may be longer than the one before by a bounded factor alone.
     assert!(motion.steps().accepted <= before + 16, "rest costs {} steps", motion.steps().accepted - before);
 }
 
@@ -277,7 +277,7 @@ fn no_impact_is_missed_however_far_the_target_is() {
         while let Some(switch) = motion.advance_to_switch(10.0).unwrap() {
             let State { t, q: [y], v: [v] } = switch.state;
             let floor = system.amplitude * (system.rate * t).sin();
-            // Roundings of the flight, of the phase, and of the time that the state belongs to.
+            // Rounding errors of the flight, of the phase, and of the time that the state belongs to.
             let (passed, rate) = (t - before.t, system.amplitude * system.rate);
             let flight = before.q[0].abs() + passed * (before.v[0].abs() + 0.5 * 9.81 * passed);
             let speed = v.abs().max((before.v[0] - 9.81 * passed).abs()) + rate;

@@ -19,7 +19,7 @@ const MASS: f64 = 2.0;
 const INERTIA: f64 = 0.1;
 const LENGTH: f64 = 0.5;
 const RADIUS: f64 = 0.1;
-/// Where no motion comes.
+/// The position of a stop that no motion reaches.
 const FAR: f64 = -10.0;
 
 #[lagrangian(coordinates = [x, y, phi])]
@@ -76,14 +76,13 @@ fn a_pendulum_on_a_journal_bearing_turns_where_it_should() {
         let turn = motion.advance_to_switch(10.0).unwrap().unwrap().state;
         all_close([turn.t, turn.q[2]], [time, angle], 1e-12);
     }
-    // It sticks where the lever of its weight is below the radius of the circle of friction, l |sin φ| < μ r
-    // …
+    // It sticks where the lever of its weight is below the radius of the circle of friction, l |sin φ| < μ r.
     let end = *motion.advance_to(100.0).unwrap();
     assert_eq!((end.v, motion.contacts().slip), ([0.0; 3], Contact::Sticks));
     let reactions = motion.reactions();
     close(reactions.pin[0].hypot(reactions.pin[1]), MASS * 9.81, 1e-12);
     assert!((LENGTH * end.q[2].sin()).abs() <= 0.3 * RADIUS, "{end:?}");
-    // … and a series costs no more steps for it.
+    // The friction costs the series no steps.
     assert!(motion.steps().accepted < 150, "{} steps", motion.steps().accepted);
 }
 
@@ -177,7 +176,7 @@ fn a_bead_stays_on_a_helix_as_steep_as_its_friction() {
         let mut motion = helix.simulate(on_helix(0.1, 0.0));
         motion.advance_to(1e-3).unwrap();
         assert_eq!(motion.contacts().slip, state, "{fixed}");
-        // One that slips has begun to move.
+        // A bead that slips has begun to move.
         let (force, error) = if fixed > 0.3 { (5.63776551481167, 1e-12) } else { (3.758510331, 1e-4) };
         close(motion.reactions().slip.abs(), force, error);
     }
@@ -237,7 +236,7 @@ fn a_load_that_passes_zero_goes_on_as_a_size() {
     assert_eq!(end.v[2], 5.0);
 }
 
-/// So strong a friction that the load would grow with itself has no reaction, or two.
+/// Friction so strong that the load would grow with itself has no reaction, or two.
 #[test]
 fn friction_that_loads_itself_jams() {
     let jam = (INERTIA + MASS * LENGTH * LENGTH) / (RADIUS * MASS * LENGTH);

@@ -35,7 +35,7 @@ impl Clutch {
 
 #[test]
 fn a_pawl_holds_one_way() {
-    // It turns by 2/3 (sin 3t − sin 3t₀) − (t − t₀) / 10 as long as that is positive, and stands while the
+    // The disc turns by 2/3 (sin 3t − sin 3t₀) − (t − t₀) / 10 while that is positive. It stands while the
     // drive is less than a tenth.
     let stops = {
         let mut t: f64 = 1.0;
@@ -157,7 +157,7 @@ fn friction_at_rest_is_that_of_its_side() {
     }
 }
 
-/// A shaft in a bearing whose torque grows with the speed, up to what a spring holds it to.
+/// A shaft in a bearing whose torque grows with the speed, up to the limit of a spring.
 struct Shaft;
 
 #[lagrangian(coordinates = [phi], inputs = [drive, most])]
@@ -194,7 +194,7 @@ fn a_limit_of_the_speed_is_the_same_both_ways() {
         close(free.advance_to(1.0).unwrap().v[0], way * (6.0 * (-0.5_f64).exp() - 2.0), 1e-13);
         let stop = free.advance_to_switch(9.0).unwrap().expect("it stops").state;
         close(stop.t, 2.0 * 3.0_f64.ln(), 1e-13);
-        // Held by one, whichever way it is driven.
+        // A torque of one holds it, whichever way it is driven.
         for drive in [0.99, -0.99] {
             free.set_inputs([drive, 9.0]);
             free.advance_to(free.state().t + 1.0).unwrap();

@@ -1,4 +1,5 @@
-//! Reactions of contacts that the motion does not determine say so, and are the shortest that are possible.
+//! Reactions of contacts that the motion does not determine: they are marked, and the shortest that are
+//! possible.
 
 use lagrangian::prelude::*;
 
@@ -57,8 +58,8 @@ fn a_ladder_between_rough_surfaces_has_more_reactions_than_equations() {
     }
 }
 
-/// Of n at the foot the others follow: h = cot φ (n − W/2) at the head, −h along the floor, W − n up the
-/// wall. Without limits Σ λ² is least at n = W/2.
+/// The force n at the foot determines the others: h = cot φ (n − W/2) at the head, −h along the floor, W − n
+/// up the wall. Without limits Σ λ² is least at n = W/2.
 #[test]
 fn a_ladder_has_the_shortest_reactions_that_frictions_allow() {
     let (weight, cot) = (3.0 * 9.81, 1.2_f64.tan().recip());
@@ -76,7 +77,7 @@ fn a_ladder_has_the_shortest_reactions_that_frictions_allow() {
         close(reactions.up, wall * head, 1e-12);
         assert!(head <= floor * foot);
     }
-    // A floor that holds less takes its share of what remains: μ n = h leaves no choice at its limit.
+    // A floor with less friction limits the rest: at its limit μ n = h leaves no choice.
     let floor = cot * (1.0 - 0.5 * (1.0 + 0.8 * cot) / (1.0 + 0.5 * 0.8 * cot)) + 1e-9;
     let (ladder, start) = leaning(1.2, floor, 0.8);
     let reactions = ladder.simulate(start).reactions();
@@ -188,8 +189,8 @@ impl Sledge {
     }
 }
 
-/// Friction at the floor, half a metre below the weight, presses the runners ahead down: it makes a moment of
-/// −μ W / 2 at `roll`, so that these have to bear as if the weight were at μ / 2.
+/// Friction at the floor, half a metre below the weight, presses down the runners ahead. Its moment is −μ W /
+/// 2 at `roll`, so the runners bear as if the weight were at μ / 2.
 #[test]
 fn runners_that_slide_share_what_their_friction_adds() {
     let start = State::new([0.0; 4], [3.0, 0.0, 0.0, 0.0]);

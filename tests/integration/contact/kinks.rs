@@ -26,7 +26,7 @@ fn a_valley_with_a_kink() {
     close(motion.advance_to(5.656854249492381).unwrap().q[0], 1.0, 1e-13);
     close_on(1.0, motion.advance_to(1000.0).unwrap().q[0], 0.2021601512945516, 1e-11);
     close(motion.energy(), 1.0, 1e-13);
-    // 353 zeros in a thousand seconds, and a step on either side of each.
+    // The motion has 353 zeros in a thousand seconds, and a step on either side of each.
     assert!(motion.steps().accepted < 1500, "{:?}", motion.steps());
 }
 

@@ -41,14 +41,15 @@ fn an_expansion_gives_a_part_of_the_impulse_of_the_compression() {
     let mut motion = rod.simulate(thrown(0.5)).with_tolerance(TIGHT);
     let impact = motion.advance_to_switch(1.0).unwrap().unwrap();
     close(impact.state.t, 0.1, 1e-14);
-    // In the directions of the contact the inverse of the mass is (5, −3; −3, 5) / 2. The compression stops
-    // both velocities by (7, 1) / 16; half of the first follows, and what it takes to stick meanwhile.
+    // In the directions of the contact the inverse of the mass is (5, −3; −3, 5) / 2. The impulses (7, 1) /
+    // 16 of the compression stop both velocities. The expansion adds half of the first one, and the impulse
+    // that sticking takes meanwhile.
     let [normal, tangential] = [7.0 / 16.0 * 1.5, 1.0 / 16.0 + 0.6 * 7.0 / 32.0];
     let impulses = motion.impulses();
     all_close([impulses.floor, impulses.slip], [normal, tangential], 1e-12);
     let turn = 3.0 * core::f64::consts::FRAC_1_SQRT_2 * (tangential - normal);
     all_close(impact.state.v, [0.5 + tangential, normal - 1.0, turn], 1e-12);
-    // Newton's law would have it leave with 0.5.
+    // By Newton's law it would leave with 0.5.
     close(impact.state.v[1] - core::f64::consts::FRAC_1_SQRT_2 * impact.state.v[2], 0.35, 1e-12);
 }
 

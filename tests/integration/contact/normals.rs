@@ -1,12 +1,11 @@
-//! The normal force is that on the particle, in whatever coordinates and units a constraint or gap is
-//! written.
+//! The normal force is that on the particle, whatever the coordinates and units of a constraint or gap.
 
 use lagrangian::prelude::*;
 
 use super::TIGHT;
 use crate::support::close::{all_close, close_on};
 
-/// What limits the friction of a bead of 1 kg on a vertical hoop of 2 m, μ = 0.2: `normal` of the slip.
+/// A bead of 1 kg on a vertical hoop of 2 m, μ = 0.2, whose `normal` limits the friction.
 macro_rules! bead {
     ($system:ident, $normal:ident, [$($coordinate:ident),*], $q:ident: $place:expr, $hoop:expr) => {
         struct $system;

@@ -1,5 +1,5 @@
-//! Slips that begin where friction has come to its limit, with as much friction as before: their
-//! accelerations grow from zero.
+//! Slips that begin where friction has reached its limit and keeps its size: their accelerations grow from
+//! zero.
 
 use lagrangian::Contact;
 use lagrangian::prelude::*;
@@ -82,7 +82,8 @@ fn a_light_slider_slips_and_sticks_in_turns() {
     while motion.advance_to_switch(2.0).unwrap().is_some() {
         switches += 1;
     }
-    // Without a mass of the slider the spring would be at the limit; with this one it swings below it.
+    // With a slider without mass the spring would be at the limit. This slider has a mass, and the spring
+    // swings below the limit.
     assert!(switches > 500 && switches % 2 == 1, "{switches} switches");
     let [x, s] = motion.state().q;
     close_on(0.05, x - s, 0.05, 0.01);

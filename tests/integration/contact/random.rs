@@ -177,7 +177,7 @@ impl Corner {
     }
 }
 
-/// What became of motions.
+/// Counts of motions and their ends.
 #[derive(Debug, Default)]
 pub struct Tally {
     pub motions: usize,
@@ -186,11 +186,11 @@ pub struct Tally {
     pub most_steps: u64,
 }
 
-/// Switches that are followed of a motion.
+/// The most switches of a motion that are followed.
 const MOST: usize = 1000;
 
-/// Follows motions of one kind for a second from switch to switch. `gap` is the smallest gap, `energy` and
-/// `kinetic` those of a state; energies are conserved between impacts but for friction.
+/// Follows motions of one kind for a second from switch to switch. `gap` gives the smallest gap of a state.
+/// If `conserves`, nothing adds energy.
 macro_rules! follow {
     ($tally:expr, $number:expr, $system:expr, $start:expr, $gap:expr, $conserves:expr) => {{
         let (system, gap) = (&$system, $gap);
@@ -201,7 +201,7 @@ macro_rules! follow {
         };
         let mut energy = system.energy(motion.state());
         $tally.motions += 1;
-        // An elastic rod clatters on and on: what it does is seen by then.
+        // An elastic rod clatters on and on; this many switches show what it does.
         for _ in 0..MOST {
             match motion.advance_to_switch(1.0) {
                 Ok(switch) => {
@@ -371,8 +371,8 @@ fn ten_thousand_random_contacts_obey_their_laws() {
     assert!(tally.switches > 5 * tally.motions && 20 * tally.paradoxes < tally.motions, "{tally:?}");
 }
 
-/// Discs that slip on the floor and on each other with forces that do not change: a polynomial in time, which
-/// bounds no step.
+/// Discs that slip on the floor and on each other under constant forces: a polynomial in time, which bounds
+/// no step.
 #[test]
 fn discs_with_constant_accelerations_obey_their_laws() {
     let mut tally = Tally::default();
@@ -380,8 +380,9 @@ fn discs_with_constant_accelerations_obey_their_laws() {
     assert!(tally.switches > 5 * tally.motions && tally.paradoxes == 0, "{tally:?}");
 }
 
-/// Balls beside which reactions are nothing but roundings, also of the friction that another one drives, such
-/// that touch a wall at a velocity that is one, and such whose slips at two walls depend on each other.
+/// Balls whose reactions at a wall are nothing but rounding errors, with the friction that these drive; balls
+/// that touch a wall at a velocity that is a rounding error; and balls whose slips at two walls depend on
+/// each other.
 #[test]
 fn random_balls_in_a_corner_obey_their_laws() {
     let mut tally = Tally::default();

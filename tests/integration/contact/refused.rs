@@ -106,10 +106,10 @@ fn a_motion_begins_where_another_had_an_impact() {
             }
             count += 1;
         }
-        // By rounding some of them are below the floor.
+        // Rounding puts some of them below the floor.
         assert!(count > 10 && below > 10 || restitution == 0.0, "{restitution} {count} {below}");
     }
-    // At rest, or at time zero, the only coordinate says nothing about its roundings.
+    // At rest, or at time zero, the coordinate alone does not show the size of its rounding errors.
     let fall = State::new([-2.2e-16], [-1.0]);
     let ball = Ball { restitution: 0.7 };
     assert!(matches!(ball.simulate(fall).advance_to(1.0).unwrap_err().cause, Cause::Penetrates { .. }));

@@ -118,7 +118,8 @@ fn a_slider_strikes_its_guide() {
             (0.00840925274906967, [70.72528355255152, -25.474714897443946]),
         ],
     );
-    // After 114 impacts, or twice as many in 31 digits: infinitely many each time it comes to rest.
+    // After 114 impacts in doubles, or twice as many with 31 digits: each time it comes to rest there are
+    // infinitely many.
     all_close(end.q, [18.176877210535389, 0.31340392662751417, 0.0], 1e-11);
     all_close(end.v, [77.740_970_002_975_89, -31.202537547846027, 0.0], 1e-9);
 }
@@ -134,6 +135,6 @@ fn friction_in_the_guide_slows_the_mechanism() {
             (0.0084217679342493, [70.63513754603281, -25.428069185494684]),
         ],
     );
-    // The last of infinitely many impacts are lost in the roundings of a gap, and so is their friction.
+    // The last of infinitely many impacts are lost in the rounding errors of a gap, and so is their friction.
     all_close(end.q, [18.083_678_652_340_58, 0.352_482_196_174_327_2, 0.0], 1e-7);
 }

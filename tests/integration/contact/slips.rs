@@ -47,7 +47,7 @@ fn a_block_slips_where_friction_does_not_hold_it() {
     let coarse = *motion.advance_to(1.0).unwrap();
     assert!(motion.steps().accepted < 300, "{:?}", motion.steps());
     all_close(coarse.q, fine.q, 1e-8);
-    // The acceleration that is left: ω²r − μg outwards, for a moment.
+    // The acceleration is ω²r − μg outwards at first.
     let early = *table.simulate(start).with_tolerance(TIGHT).advance_to(1e-3).unwrap();
     close_on(1.0, early.v[0] + early.q[1], 0.057e-3, 1e-6);
 }
@@ -163,7 +163,7 @@ fn a_gap_without_a_gradient_is_named() {
 
 #[test]
 fn a_leash_goes_through_its_centre() {
-    // The distance has no series there, and near it one with large roundings.
+    // The distance has no series at the centre, and near it one with large rounding errors.
     for [x, y] in [[1.0, 0.0], [0.8, 0.6], [-0.28, 0.96]] {
         let start = State::new([0.5 * x, 0.5 * y], [-x, -y]);
         let state = *Leash.simulate(start).with_tolerance(TIGHT).advance_to(2.0).unwrap();

@@ -283,7 +283,7 @@ fn what_fixed_steps_cannot_do_is_an_error() {
     assert!(matches!(cause(&ball, State::at_rest([-0.1]), H), Cause::Penetrates { .. }));
     assert_eq!(cause(&ball, low, -H), Cause::Irreversible);
     assert!(matches!(cause(&Ball { restitution: 1.5 }, low, H), Cause::InvalidContact { .. }));
-    // A step that fails is not taken, and the motion goes on from before it.
+    // A failed step is not taken, and the motion goes on from the state before it.
     let mut motion = ball.stepper::<Jet<4>>(low);
     motion.step(H, &[]).unwrap();
     let before = *motion.state();

@@ -101,6 +101,6 @@ fn a_woodpecker_pecks_in_a_limit_cycle() {
     // Other steps lead there as well.
     let others: Vec<f64> = rests(1e-10, 24).iter().map(|state| state.v[2]).collect();
     close_on(1.0, limit(&others)[0] / rate, 1.0, 1e-6);
-    // The published state leads to this rest within its digits, of which the way there takes one.
+    // The published state leads to this rest within its digits; the way there costs one of them.
     close_on(1.0, rates[0] / rate, 1.0, 2e-3);
 }

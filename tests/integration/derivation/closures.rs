@@ -1,4 +1,4 @@
-//! Closures in variables: what they see, and what they change.
+//! Closures in variables: the names that they see, and the variables that they change.
 
 use lagrangian::prelude::*;
 
@@ -16,7 +16,7 @@ impl Closures {
         rod(q.a) + rod(q.b)
     }
 
-    /// Names that are given twice, closures that call closures, and one that counts.
+    /// Names that shadow others, closures that call closures, and one that counts.
     #[potential]
     fn springs(&self, q: &Coordinates) -> f64 {
         let k = 3.0;

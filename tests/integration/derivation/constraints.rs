@@ -261,7 +261,7 @@ fn a_thermostat_keeps_the_speed() {
     let fall = (G * 0.4 / 3.0).tanh();
     all_close(state.v, [3.0 * (1.0 - fall * fall).sqrt(), -3.0 * fall], 1e-12);
     close(motion.reactions().thermostat, 2.0 * G * state.v[1] / 18.0, 1e-12);
-    // What it takes is what gravity gives: 2 λ v².
+    // The constraint takes the power that gravity gives: 2 λ v².
     close(system.reaction_power(&state).unwrap(), 2.0 * G * state.v[1], 1e-12);
     bound!(system, [false]).holds([state]);
 }

@@ -1,4 +1,4 @@
-//! Coordinates that constraints eliminate: driven ones, geared ones, and what becomes of forces on them.
+//! Coordinates that constraints eliminate: driven ones, geared ones, and forces on them.
 
 use lagrangian::prelude::*;
 

@@ -177,7 +177,7 @@ fn poses_are_parameters() {
     };
     let state = State::new([0.4, -0.6], [0.8, 0.5]);
     close(mounted.potential_energy(&state), mounted.heights(&state.q.into()), 1e-13);
-    // ½ m ṙ² + ½ I ω², whatever the base: it turns nothing of that.
+    // ½ m ṙ² + ½ I ω² for any base: it changes neither speed.
     let [u, w] = state.v;
     close(mounted.kinetic_energy(&state), 0.5 * 1.7 * u * u + 0.5 * MOMENTS[1] * w * w, 1e-13);
 }

@@ -186,7 +186,7 @@ impl Pushed {
     }
 }
 
-/// Steps over ten seconds, with a force that is up to a slope a triangle.
+/// The steps over ten seconds, with a force that is a triangle of this slope.
 fn pushed(slope: f64) -> u64 {
     let mut motion = Pushed.simulate(State::at_rest([0.0])).with_tolerance(1e-13);
     let (mut x, mut v) = (0.0, 0.0);
@@ -206,6 +206,6 @@ fn pushed(slope: f64) -> u64 {
 
 #[test]
 fn an_input_may_be_a_polynomial_of_a_step() {
-    // A series takes the line as it takes what is held: in one step for each second.
+    // A series includes the line as it includes a constant input: one step a second.
     assert_eq!(pushed(0.0), pushed(0.7));
 }

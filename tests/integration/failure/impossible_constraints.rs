@@ -1,5 +1,4 @@
-//! Constraints that cannot be met, or restrict nothing where the system is: the same error from everything
-//! that asks.
+//! Constraints that cannot be met, or that restrict nothing at a state: every function gives the same error.
 
 use lagrangian::{EquilibriumError, Name, prelude::*};
 

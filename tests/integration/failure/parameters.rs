@@ -64,7 +64,8 @@ fn a_massless_pendulum_is_singular() {
 
 #[test]
 fn a_negative_mass_names_its_coordinate() {
-    // g without the mass, so that nothing cancels; and even then, since the energy is that of another system.
+    // g does not contain the mass, so that nothing cancels. It would be an error in any case, since the
+    // energy is that of another system.
     let expected =
         MotionError { cause: Cause::SingularMassMatrix { pivot: 0, name: Name::new(&"theta") }, t: 3.0 };
     let negative = Pendulum { m: -1.0, ..GOOD };
@@ -75,7 +76,7 @@ fn a_negative_mass_names_its_coordinate() {
     let mut stepper = negative.stepper::<Rk4>(start());
     assert_eq!(stepper.step(0.01, &[0.0]).unwrap_err(), expected);
     assert_eq!(stepper.state(), &start());
-    // Nothing else calculates with it.
+    // No other function computes with it.
     let (at, u) = (start(), [0.0]);
     assert_eq!(negative.accelerations(&at, &u).unwrap_err(), expected);
     assert_eq!(negative.jacobians(&at, &u).unwrap_err(), expected);
@@ -85,11 +86,11 @@ fn a_negative_mass_names_its_coordinate() {
     let none = EquilibriumError::Constraints(expected.cause);
     assert_eq!(negative.equilibrium(at, &u).unwrap_err(), none);
     assert_eq!(negative.stationary_point(at, &u).unwrap_err(), none);
-    // Forces on what has no mass can be in balance.
+    // Without mass, forces can still be in balance.
     assert!(Pendulum { m: 0.0, ..GOOD }.stationary_point(at, &u).is_ok());
 }
 
-/// A bead on a circle, where a mass that no constraint reaches is beside it.
+/// A bead on a circle, beside a mass that no constraint reaches.
 struct Beside {
     m: [f64; 2],
 }

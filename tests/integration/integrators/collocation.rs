@@ -239,7 +239,7 @@ fn a_stiff_damper_and_a_motor_that_switches() {
     for (length, u) in segments {
         exact.set_inputs([u]);
         exact.advance_by(length).unwrap();
-        // The damper acts within 0.1 ms; it is not damped out at once by long steps, so they start short.
+        // The damper acts within 0.1 ms. Long steps would not damp it out at once, so the steps start short.
         for k in 1..=60 {
             let weight = f64::from(k * k * k) - f64::from((k - 1) * (k - 1) * (k - 1));
             motion.step(length * weight / 216_000.0, &[u]).unwrap();

@@ -136,7 +136,7 @@ where
         let accelerations =
             |s: &State<f64, N>, u: &[f64; K]| system.accelerations_at(&constants, s.t, &s.q, &s.v, u);
         let a = accelerations(&state, &inputs);
-        // What differences lose is in proportion to what they are taken of.
+        // The error of a difference is proportional to the size of its terms.
         let size = a.iter().fold(1.0_f64, |size, a| size.max(a.abs()));
         let found = system.jacobians(&state, &inputs).unwrap();
         for column in 0..N {

@@ -86,7 +86,7 @@ fn a_tiny_first_call_does_not_mislead_the_next() {
         motion.advance_to(1.0 + tiny).unwrap();
         all_close(numbers(motion.advance_to(4.0).unwrap()), &reference, 1e-11);
     }
-    // At time zero a call may be shorter than any unit in which the highest coefficients do not underflow.
+    // At time zero a call may be so short that the highest coefficients underflow in any unit.
     for tiny in [1e-9, 1e-18, 1e-22, 1e-30, 1e-50] {
         let start = State::new([1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]);
         let mut motion = Oscillators.simulate(start).with_tolerance(1e-14);

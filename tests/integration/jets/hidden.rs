@@ -1,4 +1,4 @@
-//! What a series cannot know where it starts: walls far away, switches thrown later, steep friction.
+//! Things that a series cannot know where it starts: walls far away, switches thrown later, steep friction.
 //! References by Dormand–Prince, whose stages look into a step, or closed forms.
 
 use lagrangian::prelude::*;

@@ -9,7 +9,7 @@ impl Interpreter<'_> {
     pub(super) fn of_constraints(&self, function: &str, arguments: &[Value]) -> Option<Run<Value>> {
         Some(match (function, arguments) {
             ("lagrange::Surface::balance_at", _) => self.balance_of(arguments),
-            // The state is on its constraints, or there are no others that it could be compared with.
+            // The interpreter does not check whether the state is on its constraints.
             ("lagrange::constraints::accelerations", [Value::Model, ..]) => {
                 self.balance_of(arguments).and_then(|balance| balance.field("accelerations").cloned())
             }
@@ -61,7 +61,7 @@ impl Interpreter<'_> {
         balance(equations.field("saddle")?, equations.field("forces")?, equations.field("gamma")?)
     }
 
-    /// Rows of which the entries are listed that can differ from zero.
+    /// Rows given by their entries that can differ from zero.
     fn rows_of(&self, pattern: &Value, entries: &Value) -> Run<Value> {
         let order = pattern.field("order")?.to_indices()?;
         let mut rows = vec![vec![0.0; self.point.q.len()]; order.len()];

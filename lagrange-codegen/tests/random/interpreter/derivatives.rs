@@ -1,4 +1,4 @@
-//! The runtime's part of generated derivatives: places, and matrices of zeros to be filled in.
+//! The runtime's part of generated derivatives: points of evaluation, and matrices of zeros to be filled in.
 
 use syn::Expr;
 

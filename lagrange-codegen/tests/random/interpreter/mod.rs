@@ -1,8 +1,8 @@
 //! Runs emitted code in doubles: a small interpreter of the Rust that the engine writes.
 //!
-//! It knows the forms that the emitter uses and nothing else; whatever it does not know ends the
-//! run as [`Stop::Unknown`], which is a failure of the test and never skipped. Factorisations of the
-//! runtime are replaced by an elimination of its own.
+//! It knows the forms that the emitter uses and nothing else. Any other form ends the run as
+//! [`Stop::Unknown`], which fails the test and is never skipped. Factorisations of the runtime are replaced
+//! by an elimination of its own.
 
 mod calls;
 mod constrained;
@@ -30,9 +30,9 @@ pub struct Point {
     pub q: Vec<f64>,
     pub v: Vec<f64>,
     pub u: Vec<f64>,
-    /// Where derivatives of the equations are evaluated.
+    /// The accelerations at which derivatives of the equations are evaluated.
     pub accelerations: Vec<f64>,
-    /// Those too.
+    /// The multipliers at which they are evaluated.
     pub multipliers: Vec<f64>,
     /// Values of the user's expressions for parameters, by their text without blanks.
     pub parameters: BTreeMap<String, f64>,
@@ -104,7 +104,7 @@ impl Interpreter<'_> {
         let mut locals: Locals = names.into_iter().zip(arguments).collect();
         let result = self.block(&function.block, &mut locals);
         match result {
-            // What the function fills in.
+            // The function fills the matrices in.
             Ok(Value::Unit) => Ok(locals.remove("matrices").unwrap_or(Value::Unit)),
             // `?` in a function that returns a result.
             Err(Stop::Failure(cause)) => Ok(Value::Result(Err(cause))),
@@ -122,7 +122,7 @@ impl Interpreter<'_> {
                     patterns::bind(&local.pat, value, locals)?;
                     Value::Unit
                 }
-                // What is summed where is read off the items themselves.
+                // The interpreter reads the products and sums off these items when they are used.
                 Stmt::Item(syn::Item::Use(_) | syn::Item::Struct(_) | syn::Item::Impl(_)) => Value::Unit,
                 Stmt::Expr(expr, semicolon) => {
                     let value = self.expression(expr, locals)?;
@@ -162,7 +162,7 @@ impl Interpreter<'_> {
                 }
                 match text(path).as_str() {
                     "f64::INFINITY" | "f32::INFINITY" => Ok(Value::Number(f64::INFINITY)),
-                    // Where gradients can differ from zero, and the groups of screws.
+                    // Patterns of gradients that can differ from zero, and the groups of screws.
                     path if path.ends_with(">::PATTERN") || path.ends_with(">::GROUPS") => {
                         match self.expansion.constants.get(path.rsplit("::").next().unwrap_or_default()) {
                             Some(constant) => self.expression(constant, locals),
@@ -333,7 +333,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// What an assignment changes.
+    /// The value that an assignment changes.
     fn place<'l>(&self, expr: &Expr, locals: &'l mut Locals) -> Run<&'l mut Value> {
         match expr {
             Expr::Path(path) => {
@@ -345,7 +345,7 @@ impl Interpreter<'_> {
                 self.place(&index.expr, locals)?.at(&indices)
             }
             Expr::Field(field) => self.place(&field.base, locals)?.field_mut(&text(&field.member)),
-            // A table on the heap is a place like any other here.
+            // A box is transparent here.
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => self.place(&unary.expr, locals),
             _ => unknown(text(expr)),
         }

@@ -40,7 +40,7 @@ fn take_apart(pattern: &Pat, value: Value, bound: &mut Vec<(String, Value)>) -> 
         }
         Pat::Type(typed) => return take_apart(&typed.pat, value, bound),
         Pat::Struct(parts) => return take_record_apart(parts, &value, bound),
-        // What cannot be had ends a run by itself.
+        // A value that is missing has ended the run already, so `Some` matches.
         Pat::TupleStruct(some) if some.path.segments.last().is_some_and(|last| last.ident == "Some") => {
             return some.elems.first().map_or(Ok(()), |inner| take_apart(inner, value, bound));
         }

@@ -1,5 +1,5 @@
 //! Inertia forces of bodies and their derivatives from screws, body by body as they are defined, all about
-//! one point: nothing is added up over bodies before a pair of coordinates asks.
+//! one point. Sums over bodies are formed for each pair of coordinates alone.
 
 use super::value::{solved, unknown};
 use super::{Run, Value};
@@ -13,7 +13,7 @@ struct Group {
     given: usize,
 }
 
-/// All that forces are made of.
+/// The quantities that forces are made of.
 pub(super) struct Forces {
     groups: Vec<Group>,
     screws: Vec<Six>,
@@ -68,7 +68,7 @@ impl Forces {
                     given.get(group.given + k).map_or_else(|| moves(&twist, &screw), |rates| rates[0]);
                 acceleration = plus(&plus(&acceleration, v[j], &forces.rates[j][0]), a[j], &screw);
             }
-            // What moves a screw changes it.
+            // A coordinate that moves a screw changes it.
             for &i in &group.coordinates {
                 let mut above = group.parent;
                 while let Some(other) = forces.groups.get(above) {
@@ -84,7 +84,7 @@ impl Forces {
                     }
                 }
             }
-            // Of rates that are given, what accelerations change them by is not.
+            // Given rates lack the part that accelerations contribute.
             for (k, &i) in group.coordinates.iter().enumerate() {
                 let screw = forces.screws[i];
                 forces.rates[i][1] = match given.get(group.given + k) {
@@ -103,7 +103,7 @@ impl Forces {
         Ok(forces)
     }
 
-    /// At the accelerations that other forces give.
+    /// The forces at the accelerations that other forces give.
     pub fn in_motion(record: &Value, groups: &Value, v: &Value, rest: &Value) -> Run<Forces> {
         let rest = rest.to_numbers()?;
         let resting = Forces::of(record, groups, v, &Value::numbers(&vec![0.0; rest.len()]))?;

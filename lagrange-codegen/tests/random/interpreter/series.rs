@@ -8,7 +8,7 @@ use super::value::{Run, Stop, Value, solved, symmetric, unknown};
 use super::{Interpreter, Locals, find, path_of, patterns, text};
 use crate::oracle::gauss;
 
-/// Where the order of a pass is kept.
+/// The variable that holds the order of a pass.
 const TABLES: &str = "tables";
 
 impl Interpreter<'_> {
@@ -89,7 +89,7 @@ impl Interpreter<'_> {
         })
     }
 
-    /// Calls with closures: the loop over the orders, and what is asked for where it is needed.
+    /// Calls with closures: the loop over the orders, and values that are computed when they are needed.
     pub(super) fn with_closure(&self, call: &ExprCall, locals: &mut Locals) -> Option<Run<Value>> {
         let Some(Expr::Closure(closure)) = call.args.last() else { return None };
         let path = path_of(&call.func);
@@ -216,7 +216,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// Implementations of a trait among items, with the name of what they are for.
+/// Implementations of a trait among items, with the name of the type.
 fn implementations<'i>(
     items: &'i [&'i Item],
     name: &'i str,
@@ -229,7 +229,7 @@ fn implementations<'i>(
     })
 }
 
-/// All products of the tiles: columns of both factors, and the place of the sum.
+/// All products of the tiles: the columns of both factors, and the index of the sum.
 fn tiles(sum: &ImplItemFn, patterns: &[(String, &ImplItemFn)]) -> Run<Vec<[usize; 3]>> {
     let mut lanes = Vec::new();
     for statement in &sum.block.stmts {
@@ -242,7 +242,7 @@ fn tiles(sum: &ImplItemFn, patterns: &[(String, &ImplItemFn)]) -> Run<Vec<[usize
         else {
             return unknown(text(call));
         };
-        // The last numbers before those of the place.
+        // The width is the fifth number from the end.
         let Some(&width) = words.len().checked_sub(5).and_then(|at| words.get(at)) else {
             return unknown(text(call));
         };

@@ -1,4 +1,4 @@
-//! What is read off single expressions.
+//! Facts about single expressions.
 
 use quote::ToTokens;
 use syn::{Expr, Lit};

@@ -149,7 +149,7 @@ impl Value {
     }
 }
 
-/// Whether a pivot is positive, and above the roundings of its scale.
+/// Whether a pivot is positive, and above the rounding error of its scale.
 pub fn carries(value: f64, scale: f64) -> bool {
     value - 8.0 * f64::EPSILON * scale > 0.0
 }

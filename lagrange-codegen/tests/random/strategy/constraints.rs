@@ -11,7 +11,7 @@ use crate::expression::{Body, Expr, Operator, Vector};
 use crate::function::Function;
 use crate::system::Role;
 
-/// A place that moves with one coordinate: what [`Vector::Place`] calls it, and its dimension.
+/// A place that moves with one coordinate: its number in [`Vector::Place`], and its dimension.
 pub type Carrier = (usize, usize);
 
 /// One constraint function that does not know its coordinates yet.
@@ -165,19 +165,19 @@ impl Row {
                 minus(Expr::Norm(1 + shape % 2 + 1, Box::new(Vector::New(parts.map(Box::new)))), size)
             }
             (3, _) => plus(plus(q.clone(), times(number(0.2), Expr::Power(Box::new(q), 3))), small(shape, x)),
-            // Through the position of a particle alone.
+            // A constraint through the position of a particle alone.
             (4, Some((which, dimension))) => {
                 let from = Vector::Subtract(Box::new(Vector::Place(which)), constants([4.0, 3.0, 2.0]));
                 minus(Expr::Norm(dimension, Box::new(from)), plus(size, Expr::Time))
             }
             (5, Some((which, dimension))) => {
-                // The other may be the same, or twice it.
+                // The other place may be the same one.
                 let part = Vector::Scale(Box::new(number(0.37)), Box::new(Vector::Place(which + 1 + shape)));
                 let other = Vector::Add(Box::new(part), constants([5.0, 6.0, 4.0]));
                 let from = Vector::Subtract(Box::new(Vector::Place(which)), Box::new(other));
                 minus(Expr::Dot(dimension, Box::new(from.clone()), Box::new(from)), size)
             }
-            // And beside it through coordinates.
+            // A constraint through a position and, beside it, through coordinates.
             (6, Some((which, dimension))) => {
                 let along =
                     Expr::Dot(dimension, Box::new(Vector::Place(which)), constants([1.0, 0.5, -0.25]));
@@ -196,7 +196,7 @@ impl Row {
             0 => plus(plus(times(positive(shape, x), v), times(small(shape / 2, y.clone()), other)), y),
             1 => minus(plus(times(size, v), times(Expr::Ratio, other)), Expr::Time),
             2 => times(positive(shape, x), minus(v, times(small(shape / 2, y), other))),
-            // Affine only once its terms have met.
+            // Affine only after its terms have cancelled.
             3 => minus(square(plus(v.clone(), positive(shape, x))), square(v)),
             _ => minus(v, times(times(size, call(Function::Cos, Expr::Coordinate(i + shape))), other)),
         }

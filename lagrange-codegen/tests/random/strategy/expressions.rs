@@ -5,12 +5,12 @@ use proptest::prelude::*;
 use crate::expression::{Body, Expr, Operator, Vector};
 use crate::function::{Function, Pair};
 
-/// What an expression may depend on.
+/// The variables that an expression may depend on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
     /// Coordinates, time, parameters and constants.
     Position,
-    /// And the two arguments of a helper function.
+    /// The same and the two arguments of a helper function.
     Helper,
     /// Position and velocities.
     Motion,
@@ -18,7 +18,7 @@ pub enum Reach {
     Force,
 }
 
-/// A choice that the place where it stands resolves. Small, because shrinking halves it.
+/// A choice that is resolved where it is used. It is small, because shrinking halves it.
 pub fn index() -> std::ops::Range<usize> {
     0..120
 }
@@ -159,7 +159,7 @@ fn constant_power(shape: usize, x: Expr) -> Expr {
     combine(Pair::Powf, positive(shape / 32, x), exponent)
 }
 
-/// What the engine's simplifications look for: like terms, common factors, squares of sines and
+/// Forms that the engine's simplifications look for: like terms, common factors, squares of sines and
 /// cosines, sums of angles, powers of roots, long products.
 fn tangled(shape: usize, a: Expr, b: Expr, c: Expr) -> Expr {
     let (sine, cosine) = (call(Function::Sin, a.clone()), call(Function::Cos, a.clone()));

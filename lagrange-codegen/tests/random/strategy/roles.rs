@@ -21,7 +21,7 @@ fn of_result<R>(result: R) -> Body<R> {
     Body { lets: Vec::new(), result }
 }
 
-/// What gives one coordinate its inertia, so that the mass matrix is not singular.
+/// The role that gives one coordinate its inertia, so that the mass matrix is not singular.
 #[derive(Clone, Debug)]
 pub enum Base {
     /// ½ m v².
@@ -106,7 +106,7 @@ fn whole(form: usize, i: usize, x: Expr) -> Expr {
     }
 }
 
-/// Roles on top of the inertia. `At` and `Wrench` may have nothing to act on.
+/// Roles beside the inertia. `At` and `Wrench` may have nothing to act on.
 pub fn role(quadratic: bool) -> BoxedStrategy<Role> {
     let kinetic = body(Reach::Position, kinetic()).prop_map(|body| Role::Energy(Energy::Kinetic, body));
     let potential =

@@ -16,7 +16,7 @@ const COORDINATES: [&str; 16] = [
 ];
 const INPUTS: [&str; 4] = ["force", "motor", "inputs", "theta_dot"];
 
-/// The most coordinates of an ordinary system; one more group of this length is a large one.
+/// The most coordinates of an ordinary system, and the length of the group that makes a system large.
 const MOST: usize = 7;
 const LARGE: usize = 33;
 
@@ -25,8 +25,8 @@ pub fn system() -> BoxedStrategy<System> {
     prop_oneof![5 => of_inertia(true), 2 => of_inertia(false)].boxed()
 }
 
-/// Chains of particles, one or two on a common support that may move, with little else: systems whose mass
-/// matrix is not formed.
+/// Chains of particles, one or two on a common support that may move, with few other parts: the mass matrices
+/// of such systems are not formed.
 pub fn chained() -> BoxedStrategy<System> {
     let scalar_type = prop_oneof![3 => Just(Scalar::F64), 1 => Just(Scalar::Generic)];
     let helpers = prop::collection::vec(body(Reach::Helper, scalar(Reach::Helper)), 1);

@@ -65,8 +65,8 @@ fn stick_and_slip_on_a_belt_have_the_derivatives_of_the_closed_form() {
             carried(number(0.0, 0), number(9.0, 1), number(0.2, 2), number(8.0, 3), Dual::constant(t));
         let rows = [(found.q_by_q[0], found.q_by_p), (found.v_by_q[0], found.v_by_p)];
         for ((by_start, by_p), exact) in rows.into_iter().zip(exact) {
-            // After the n-th stick phase the phase has shifted n times by a parameter: so grows what is added
-            // up.
+            // The n-th stick phase has shifted n times with a parameter, and the shifts add up. So errors
+            // grow with time.
             all_close_on_largest([by_start, by_p[0], by_p[1], by_p[2]], exact.slopes, 1e-12 * (1.0 + t));
         }
         // Sticking, it has the speed of the belt, whatever it had at the start.
@@ -109,8 +109,8 @@ fn a_ball_that_slips_and_then_rolls_forgets_its_friction() {
         all_close_on_largest(found, exact, 1e-10);
     }
     close_on(1.0, found.v_by_p[(0, 0)], 0.0, 1e-10);
-    // While it slips it loses (2/7) u |u| / (7 μ g) of its way against rolling from the start on: x = v_r t +
-    // u t_r/7.
+    // The slip costs the ball (2/7) u |u| / (7 μ g) of the way that it would have rolled: x = v_r t + u
+    // t_r/7.
     let u: [f64; 2] = [2.0 - 0.8, -1.0 - 0.8];
     let rolls = 2.0 * u[0].hypot(u[1]) / (7.0 * 0.3 * 9.81);
     for (axis, u) in u.iter().enumerate() {

@@ -74,7 +74,7 @@ fn a_bouncing_ball_has_the_derivatives_of_its_closed_form() {
             let (by_q, by_v, by_p) = rows;
             let row = [by_q[(1, 1)], by_v[(1, 1)], by_p[(1, 0)], by_p[(1, 1)]];
             all_close_on_largest(row, exact.slopes, 1e-12);
-            // What goes along the floor goes on.
+            // The motion along the floor is not disturbed.
             close_on(1.0, by_q[(1, 0)], 0.0, 1e-15);
         }
         close(found.q_by_v[(0, 0)], t, 1e-14);
@@ -90,8 +90,7 @@ fn impacts_without_end_have_no_derivatives() {
         matches!(error.cause, Cause::ImpactsAccumulate { name, .. } if name.as_str() == "floor"),
         "{error}"
     );
-    // 4.0637127687715781 s is when the impacts accumulate; flights below the rounding of heights are not
-    // followed.
+    // The impacts accumulate at 4.0637127687715781 s. Flights below the rounding of heights are not followed.
     close_on(1.0, error.t, 4.063_712_768_771_578, 1e-6);
     assert_eq!(motion.transition().state.t, 0.0);
     // On the floor it has derivatives again, along the floor.
@@ -133,7 +132,7 @@ fn a_start_in_an_impact_has_no_derivatives() {
     let varied = BALL.variational();
     let error = varied.motion(State::new([0.0, 0.0], [0.0, -1.0])).err().unwrap();
     assert!(error.to_string().contains("begins in an impact at `floor`"), "{error}");
-    // One that begins right after an impact has.
+    // A motion that begins right after an impact has derivatives.
     let mut motion = varied.motion(State::new([0.0, 0.0], [0.0, 1.0])).unwrap();
     close(motion.advance_to(0.1).unwrap().q_by_v[(1, 1)], 0.1, 1e-13);
 }

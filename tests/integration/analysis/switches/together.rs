@@ -22,8 +22,8 @@ impl Cradle {
     }
 }
 
-/// Apart by however little, the balls hit one after the other, and the last one takes all: with no gap there
-/// are no derivatives, since together they are struck by another law.
+/// Balls with the smallest gap hit one after the other, and the last one takes all the momentum. Without a
+/// gap there are no derivatives, since another law holds for balls that are struck together.
 #[test]
 fn a_row_of_balls_that_touch_has_no_derivatives_in_an_impact() {
     let start = |gap: f64| State::new([-1.0, 1.0, 2.0 + gap], [1.0, 0.0, 0.0]);
@@ -69,7 +69,7 @@ fn a_plank_that_falls_flat_has_no_derivatives() {
     motion.advance_to(0.46).unwrap();
 }
 
-/// What ∫ |cos| is from a time on to another one, both of which may be negative.
+/// ∫ |cos| between two times, both of which may be negative.
 fn worked(from: f64, to: f64) -> f64 {
     let until = |t: f64| {
         let turns = ((t + 0.5 * std::f64::consts::PI) / std::f64::consts::PI).floor();
@@ -123,7 +123,7 @@ impl Rotors {
     }
 }
 
-/// Without a phase between them both loads are zero at once.
+/// Without a phase between them both loads vanish at once.
 #[test]
 fn derivatives_go_up_to_where_a_load_is_zero_and_the_friction_is_named() {
     let start = State::new([0.0; 6], [0.0, 0.0, 0.0, 0.0, 5.0, 5.0]);

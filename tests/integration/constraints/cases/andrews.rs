@@ -170,7 +170,7 @@ fn reactions_and_accelerations_at_speed_agree() {
 
 #[test]
 fn the_identities_hold() {
-    // Slowed down, because differences want rates of order one.
+    // The states are slowed down, because differences want rates of order one.
     let states = [0.004, 0.017].map(|t| {
         let state = state_at(&MECHANISM, start(), t);
         State { v: state.v.map(|v| v / 500.0), ..state }

@@ -118,7 +118,7 @@ fn sliding(t: f64) -> [f64; 4] {
     [x, x / 2.0, vx, vx / 2.0]
 }
 
-/// What a motion and everything else say of a start that cannot be.
+/// The errors of everything that a start can be asked for, where it cannot be.
 fn refused(system: &impl System<2, 0, Scalar = f64>, start: State<f64, 2>, is: impl Fn(&Cause) -> bool) {
     let mut jets = system.simulate(start);
     let mut dop853 = system.simulate_with::<Dop853>(start);

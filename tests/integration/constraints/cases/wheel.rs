@@ -254,7 +254,7 @@ fn a_motor_drives_the_wheel() {
     let mut motion = straight.simulate(State::at_rest([0.0; 2])).with_inputs([0.5]).with_tolerance(TIGHT);
     let state = motion.advance_to(2.0).unwrap();
     all_close(state.q, [-RIM.radius * 2.0 * expected, 2.0 * expected], CLOSED_FORM);
-    // What the ground does to the wheel: m x″ along the path.
+    // The force of the ground on the wheel: m x″ along the path.
     close(motion.reactions().rolling, -RIM.m * RIM.radius * expected, CLOSED_FORM);
 }
 
