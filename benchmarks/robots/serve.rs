@@ -1,4 +1,4 @@
-//! What the program of a robot does: it answers requests about its states, line by line.
+//! The program of a robot. It answers requests about its states, line by line.
 //!
 //! `names`; `evaluate accelerations`, `evaluate derivatives`, `evaluate motions`; `refer accelerations`,
 //! `refer derivatives`, the same in 31 digits; `time SUBJECT SECONDS`. The states stand in the file that the
@@ -12,7 +12,7 @@ use lagrangian::integrator::FixedStep;
 use lagrangian::prelude::*;
 use lagrangian::{DoubleDouble, Linearized, Sensitive, System};
 
-/// What a request is about.
+/// The answer to a request.
 type Answer<'a> = dyn Fn(&Request) -> String + 'a;
 
 /// A line of words.
@@ -98,8 +98,8 @@ where
     });
 }
 
-/// Half the length of differences. Of 31 digits of values they leave twenty, and what they lack is of its
-/// square.
+/// Half the distance of the points of a difference. It leaves twenty of 31 digits, and its error is of the
+/// order of its square.
 const APART: f64 = 1e-10;
 
 /// Accelerations or their derivatives at a state, rounded from 31 digits.
@@ -135,9 +135,9 @@ fn refer<S: System<N, K, Scalar = DoubleDouble>, const N: usize, const K: usize>
     }
 }
 
-/// How far motions go [s].
+/// The end of motions [s].
 const END: f64 = 0.5;
-/// Steps of fixed length, and that length [s].
+/// The number of fixed steps, and their length [s].
 const STEPS: u32 = 10;
 const STEP: f64 = 1e-3;
 

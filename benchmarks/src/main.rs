@@ -31,7 +31,7 @@ struct Arguments {
     benchmark: Benchmark,
 }
 
-/// What every measurement can be told.
+/// Arguments that every measurement takes.
 #[derive(Args)]
 struct Common {
     /// Measures one system only.
@@ -48,7 +48,7 @@ struct Runs {
     /// Builds for any processor instead of the present one.
     #[arg(long)]
     portable: bool,
-    /// Repeats less: for a look, not for figures to keep.
+    /// Repeats less: for a first impression, not for figures to keep.
     #[arg(long)]
     quick: bool,
 }
@@ -107,18 +107,18 @@ enum Benchmark {
         /// Builds the derivatives of large robots too, which takes minutes.
         #[arg(long)]
         full: bool,
-        /// Repeats less: for a look, not for figures to keep.
+        /// Repeats less: for a first impression, not for figures to keep.
         #[arg(long)]
         quick: bool,
     },
-    /// Studies of many motions beside heyoka, threads, and what the library costs besides, into MANY.md.
+    /// Studies of many motions beside heyoka, threads, and the overhead of the library, into MANY.md.
     Many {
         #[command(flatten)]
         common: Common,
         #[command(flatten)]
         runs: Runs,
     },
-    /// All integrators on what is hard for integrators, into STABILITY.md and its picture.
+    /// All integrators on tasks that are hard for integrators, into STABILITY.md and its picture.
     Stability {
         #[command(flatten)]
         common: Common,

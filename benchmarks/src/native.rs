@@ -8,7 +8,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::{Command, exit};
 
-/// Set while the second build compiles; the value says what for.
+/// What the second build is for; it is set while that build compiles.
 const BUILT_FOR: Option<&str> = option_env!("BENCHMARKS_BUILT_FOR");
 
 /// Returns in the right build, and in any other one builds and runs the right one and does not return.

@@ -18,7 +18,7 @@ pub fn names() -> impl Iterator<Item = &'static str> + Clone {
     FREE.into_iter().chain(CONSTRAINED)
 }
 
-/// Where a motion starts and where it has to arrive; states are (q, v).
+/// The start of a motion and the state that it has to reach; states are (q, v).
 #[derive(Clone, Debug, Deserialize)]
 pub struct Problem {
     #[serde(skip)]
@@ -35,7 +35,7 @@ impl Problem {
         assert!(!found.is_empty() && found.len().is_multiple_of(self.end.len()), "{}", self.name);
         let deviations =
             found.iter().zip(self.end.iter().cycle()).map(|(y, end)| (y - end).abs() / end.abs().max(1.0));
-        // `f64::max` would hide what is not a number.
+        // `f64::max` would hide NaN.
         deviations.fold(0.0, |worst, error| if error.is_nan() || error > worst { error } else { worst })
     }
 

@@ -1,4 +1,4 @@
-//! [`Record`]: one measured run, and what is asked of many of them.
+//! [`Record`]: one measured run, and questions about many of them.
 
 use std::error::Error;
 use std::path::Path;
@@ -17,7 +17,8 @@ pub struct Record {
     pub error: f64,
     /// Time of the whole integration, in batch mode for each trajectory [µs].
     pub us: f64,
-    /// Steps; evaluations where a subject counts nothing else; zero where it does not tell.
+    /// The number of steps, or of evaluations where a subject counts nothing else; zero where it counts
+    /// nothing.
     pub steps: u64,
 }
 

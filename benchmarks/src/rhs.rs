@@ -42,12 +42,12 @@ struct Record {
     subject: &'static str,
     /// Median time of an evaluation.
     ns: f64,
-    /// Distance from the implementation that differs most, relative to the largest acceleration of a state.
+    /// The largest distance from another implementation, relative to the largest acceleration of a state.
     apart: f64,
 }
 
-/// How far implementations may be apart, relative to the largest acceleration of a state: some ten thousand
-/// roundings, since the mass matrix of a hundred links has a condition of 1e4.
+/// The largest distance of implementations from each other, relative to the largest acceleration of a state:
+/// some ten thousand ulps, since the mass matrix of a hundred links has a condition of 1e4.
 const AGREEMENT: f64 = 1e-12;
 
 /// Measures all systems, or the one that is named.

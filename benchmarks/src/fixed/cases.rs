@@ -12,7 +12,7 @@ use crate::systems::described as d;
 
 /// Steps from one instant of control to the next.
 pub const SUBSTEPS: [usize; 10] = [1, 2, 4, 8, 16, 32, 64, 128, 256, 512];
-/// Tolerance of the references that the table does not have.
+/// The tolerance of references that the table of problems lacks.
 const FINEST: f64 = 1e-16;
 
 /// A motion with its methods.
@@ -21,7 +21,7 @@ pub trait Case {
     fn name(&self) -> &'static str;
     /// Time from one instant of control to the next [s].
     fn hold(&self) -> f64;
-    /// How often the inputs are held.
+    /// The number of holds of the inputs.
     fn holds(&self) -> usize;
     /// The names of the methods.
     fn methods(&self) -> Vec<&'static str>;

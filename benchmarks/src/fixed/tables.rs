@@ -6,9 +6,9 @@ use std::fmt::Write;
 use super::Record;
 use super::cases::Case;
 
-/// What the others are compared with.
+/// The method with which the others are compared.
 const REFERENCE: &str = "rk4";
-/// Runs of the reference with larger errors have nothing to do with the motion.
+/// The largest error of a run of the reference that still resembles the motion.
 const USELESS: f64 = 0.1;
 
 /// All tables of a case.
@@ -57,7 +57,8 @@ fn of<'a>(records: &'a [Record], method: &'a str) -> impl Iterator<Item = &'a Re
     records.iter().filter(move |record| record.method == method)
 }
 
-/// The error of runs of `us`, on straight lines between the logarithms; none outside of what was measured.
+/// The error of runs that take `us`, on straight lines between the logarithms; `None` outside of the measured
+/// times.
 fn at_time<'a>(records: impl Iterator<Item = &'a Record> + Clone, us: f64) -> Option<f64> {
     let (from, to) = records.clone().zip(records.skip(1)).find(|(a, b)| (a.us()..=b.us()).contains(&us))?;
     let place = (us / from.us()).ln() / (to.us() / from.us()).ln();

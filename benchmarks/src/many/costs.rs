@@ -1,4 +1,4 @@
-//! What a study costs besides its motions: time and memory.
+//! The overhead of a study beside its motions: time and memory.
 
 use std::error::Error;
 use std::fs;
@@ -11,21 +11,21 @@ use super::processor_time;
 /// Rows of the studies whose overhead is measured.
 const ROWS: u64 = 100_000;
 
-/// What a row of a short motion takes [s], of which the overhead is to be a small part.
+/// The time of a short motion [s], of which the overhead should be a small part.
 const MOTION: f64 = 20e-6;
 
-/// Times that each is measured, in turn.
+/// How often each study is measured, in turn.
 const TURNS: usize = 25;
 
-/// Processor time of a study beside that of its motions [ms], and as a part of that of short motions: in
-/// memory, in a folder.
+/// The processor time of a study beside that of its motions [ms], and as a part of the time of short motions:
+/// in memory, and in a folder.
 pub struct Overhead {
     pub memory: (f64, f64),
     pub folder: (f64, f64),
 }
 
-/// Studies whose rows take no time, so that all they take is the library's. (Beside rows that take as long as
-/// motions it is lost in the scatter of a machine that others use.)
+/// Measures studies whose rows take no time, so that all their time is the library's. (Beside rows that take
+/// as long as motions it is lost in the scatter of a machine that others use.)
 pub fn overhead() -> Result<Overhead, Box<dyn Error>> {
     let study = || Study::new("work", ROWS, |index| Ok(black_box(index) as f64)).with_threads(1);
     let folder = std::env::temp_dir().join(format!("lagrange-many-{}", std::process::id()));

@@ -1,7 +1,7 @@
-//! Studies of many motions: motions a second beside heyoka, threads, and what the library costs besides.
+//! Studies of many motions: motions a second beside heyoka, threads, and the overhead of the library.
 //!
-//! Everything is processor time, so that other processes on the machine disturb it little: they slow the
-//! caches and a core's other half, which taking turns spreads over all subjects.
+//! All times are processor time, so that other processes on the machine disturb them little. They slow the
+//! caches and the other half of a core, and taking turns spreads that over all subjects.
 
 mod costs;
 mod page;
@@ -26,13 +26,13 @@ use systems as s;
 /// The systems in the order of the page.
 const SYSTEMS: [&str; 5] = ["dpend", "cart", "kepler", "nlink5", "slider"];
 
-/// What every subject is asked for.
+/// The tolerances of every subject.
 const TOLERANCES: [f64; 9] = [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14];
 
 /// The tolerance at which threads are measured.
 const THREADS_AT: f64 = 1e-9;
 
-/// The motions for it: several parts for each thread, in lanes, too.
+/// The number of motions for it: several parts for each thread, in lanes, too.
 const ON_THREADS: u64 = 4096;
 
 /// How much is measured.
@@ -51,7 +51,7 @@ impl Extent {
     pub const QUICK: Self = Self { motions: 200, checked: 50, rounds: 1 };
 }
 
-/// Ours: one motion after the other, and several in lanes.
+/// Our subjects: one motion after the other, and several in lanes.
 const OURS: [&str; 3] = ["alone", "lanes4", "lanes8"];
 
 /// The coordinates and velocities at the end of each motion.
@@ -66,14 +66,14 @@ struct Case {
     name: &'static str,
     t_end: f64,
     starts: Ends,
-    /// Where the first motions end, in 31 digits.
+    /// The ends of the first motions, in 31 digits.
     truth: Ends,
     run: Run,
 }
 
 /// Measures all systems or one. All of them are written to the page.
 pub fn run(system: Option<&str>, json: Option<&Path>, extent: Extent) -> Result<(), Box<dyn Error>> {
-    // First: the memory of everything else would hide it.
+    // Memory comes first: that of everything else would hide it.
     let memory = costs::memory()?;
     let mut peer = match Peer::start() {
         Ok(peer) => Some(peer),
@@ -184,7 +184,7 @@ fn error(case: &Case, ends: &Ends) -> f64 {
         .zip(ends)
         .map(|(truth, end)| {
             let apart = truth.iter().zip(end).map(|(truth, y)| (y - truth).abs() / truth.abs().max(1.0));
-            // `f64::max` would hide what is not a number.
+            // `f64::max` would hide NaN.
             apart.fold(0.0, |worst: f64, error| if error.is_nan() || error > worst { error } else { worst })
         })
         .collect();
@@ -235,7 +235,7 @@ fn measure(case: &Case, mut peer: Option<&mut Peer>, extent: Extent, records: &m
     }
 }
 
-/// What a motion costs on two threads beside one: processor time, and time on the clock.
+/// The time of a motion on two threads relative to one: processor time, and time on the clock.
 fn on_threads(case: &Case, subject: &str, extent: Extent) -> Option<[f64; 2]> {
     let mut best = [[f64::INFINITY; 2]; 2];
     for _ in 0..extent.rounds + 2 {

@@ -1,5 +1,4 @@
-//! The systems of the studies, as a user describes them, each with what differs from motion to motion: its
-//! start.
+//! The systems of the studies, as a user describes them, each with the starts of its motions.
 
 use lagrangian::prelude::*;
 

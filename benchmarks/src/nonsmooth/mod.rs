@@ -1,7 +1,7 @@
 //! Contacts, dry friction and kinks: time against error, beside peers.
 //!
-//! Peers that take a contact as such step over events (Siconos, MuJoCo); heyoka and SciPy integrate modes
-//! that were written and switched by hand. References are closed forms, quadratures and series by mpmath.
+//! Siconos and MuJoCo model contacts, and step over events. For heyoka and SciPy the modes are written and
+//! switched by hand. References are closed forms, quadratures and series by mpmath.
 
 mod page;
 mod systems;
@@ -21,13 +21,13 @@ use systems as s;
 /// The cases in the order of the page.
 const CASES: [&str; 9] = ["ball", "wall", "coulomb", "belt", "block", "hoop", "slope", "bilinear", "valley"];
 
-/// Lengths of steps [s] of the peers that take a contact as such.
+/// The lengths of steps [s] of the peers that model contacts.
 const STEPS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
 /// A run that takes longer [s] is not repeated, and no finer one follows it.
 const SLOW: f64 = 2.0;
 
-/// What of ours is measured.
+/// Our subject.
 const OURS: &str = "jets";
 
 /// Measures all cases or one. All of them are written to the page.
@@ -48,7 +48,7 @@ pub fn run(system: Option<&str>, json: Option<&Path>, effort: Effort) -> Result<
     for problem in &problems {
         let mut subjects = vec![ours(problem)];
         for peer in running.iter().flat_map(|server| server.subjects(problem.name)) {
-            // What both Pythons have takes part once.
+            // Subjects that both Pythons have take part once.
             if subjects.iter().all(|subject| subject.name() != peer.name()) {
                 subjects.push(peer);
             }
@@ -73,7 +73,7 @@ pub fn run(system: Option<&str>, json: Option<&Path>, effort: Effort) -> Result<
     Ok(std::fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join("NONSMOOTH.md"), page)?)
 }
 
-/// What a subject is asked for: a tolerance or the length of a step.
+/// The setting of a subject: a tolerance or the length of a step.
 fn setting(subject: &str, place: usize) -> Option<f64> {
     let all: &[f64] = if ["siconos", "mujoco"].contains(&subject) { &STEPS } else { &TOLERANCES };
     all.get(place).copied()

@@ -1,8 +1,8 @@
 //! Time of a whole integration against the error at its end.
 //!
 //! All subjects of a system and a tolerance run in turn, several rounds of a few milliseconds each, on one
-//! core, so that what disturbs the machine disturbs them alike. The time is the median over the rounds of the
-//! fastest run in a round: other processes only ever add to a run.
+//! core, so that other processes disturb them alike. The time is the median over the rounds of the fastest
+//! run in a round: other processes only ever add to a run.
 
 #[cfg(feature = "peers")]
 mod crates;
@@ -20,11 +20,11 @@ use crate::record::{self, Record};
 use server::Server;
 use subject::{Sample, Subject};
 
-/// What every subject is asked for, relative and absolute alike.
+/// The tolerances of every subject, relative and absolute alike.
 pub const TOLERANCES: [f64; 12] =
     [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15];
 
-/// How much repetition.
+/// The amount of repetition.
 #[derive(Clone, Copy)]
 pub struct Effort {
     /// Times that the subjects take turns.
@@ -34,9 +34,9 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// For figures to keep.
+    /// The effort for figures to keep.
     pub const FULL: Self = Self { rounds: 5, turn: 0.02 };
-    /// For a look.
+    /// The effort for a first impression.
     pub const QUICK: Self = Self { rounds: 1, turn: 0.005 };
 }
 
@@ -83,10 +83,10 @@ pub fn measure(
     Ok(records)
 }
 
-/// What a benchmark asks of its subjects.
+/// The settings of a benchmark.
 pub struct Plan {
     pub benchmark: &'static str,
-    /// The tolerances of a subject one after the other, or whatever takes their place.
+    /// The n-th tolerance of a subject, or the setting that takes its place.
     pub setting: fn(&str, usize) -> Option<f64>,
     /// A run that takes longer [s] is not repeated and ends the series of its subject.
     pub slow: f64,
@@ -107,7 +107,7 @@ pub fn series(
         for (place, subject) in subjects.iter_mut().enumerate().filter(|(place, _)| !slow.contains(place)) {
             let Some(tolerance) = (plan.setting)(subject.name(), setting) else { continue };
             is_over = false;
-            // The first run warms up and tells what to expect.
+            // The first run warms up, and tells how long others will take.
             match subject.sample(problem, tolerance, 0.0) {
                 Ok(sample) => turns.push((place, tolerance, vec![sample])),
                 Err(cause) => println!("{:10} {:26} {tolerance:9.0e} {cause}", problem.name, subject.name()),
@@ -137,7 +137,7 @@ pub fn series(
     }
 }
 
-/// The record of a subject; the warming up does not count if there is anything else.
+/// The record of a subject. The warm-up does not count if there are other samples.
 fn summary(benchmark: &str, problem: &Problem, subject: &str, tolerance: f64, samples: &[Sample]) -> Record {
     let timed = if samples.len() > 1 { &samples[1..] } else { samples };
     let us = subject::median(timed.iter().map(|sample| sample.us).collect());

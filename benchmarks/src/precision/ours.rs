@@ -1,5 +1,5 @@
-//! The library itself: `jets` is what `simulate` does without further words, `dop853` the method of that
-//! name, `jets-batch4` and `jets-batch8` the same motion in all lanes of a SIMD vector.
+//! The library itself. `jets` is the method of `simulate`, `dop853` the method of that name, `jets-batch4`
+//! and `jets-batch8` the same motion in all lanes of a SIMD vector.
 
 use std::marker::PhantomData;
 
@@ -55,7 +55,7 @@ fn trajectories<const LANES: usize>(state: impl Iterator<Item = [f64; LANES]>) -
     (0..LANES).flat_map(|lane| state.iter().map(move |lanes| lanes[lane])).collect()
 }
 
-/// Everything of ours that can do this problem.
+/// All our subjects that can do this problem.
 pub fn subjects(problem: &Problem) -> Vec<Box<dyn Subject>> {
     match problem.name {
         "dpend" => ours!(d::DoublePendulum, problem),

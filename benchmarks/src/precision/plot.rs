@@ -27,7 +27,7 @@ const STYLES: [(&str, RGBColor); 16] = [
     ("casadi-cvodes", RGBColor(196, 156, 148)),
 ];
 
-/// Errors outside are not drawn: what is not solved, and zero.
+/// The range of errors that are drawn: no failures, and no zeros.
 const ERRORS: std::ops::Range<f64> = 1e-16..1.0;
 
 /// One plot for each system that has records.

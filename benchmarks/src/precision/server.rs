@@ -20,7 +20,7 @@ struct Greeting {
     subjects: Vec<Offer>,
 }
 
-/// A subject and the systems that it can do.
+/// A subject, and the systems that it can do.
 #[derive(Deserialize)]
 struct Offer {
     name: String,
@@ -35,7 +35,7 @@ struct Request<'a> {
     seconds: f64,
 }
 
-/// An answer; fields that a record has besides these are known already.
+/// An answer. The other fields of a record are known already.
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum Answer {
@@ -106,7 +106,7 @@ impl Server {
         Ok(Self { line: Rc::new(RefCell::new(line)), greeting })
     }
 
-    /// What it runs, in which version.
+    /// The versions of its libraries.
     pub fn versions(&self) -> &BTreeMap<String, String> {
         &self.greeting.versions
     }

@@ -13,7 +13,7 @@ pub struct Sample {
     pub steps: u64,
 }
 
-/// What takes turns.
+/// A subject of a benchmark. Subjects take turns.
 pub trait Subject {
     /// Its name in all reports.
     fn name(&self) -> &str;
@@ -22,7 +22,7 @@ pub trait Subject {
     fn sample(&mut self, problem: &Problem, tolerance: f64, seconds: f64) -> Result<Sample, String>;
 }
 
-/// Where a run ended, (q, v) of one trajectory after the other, and what it took.
+/// The end of a run: (q, v) of one trajectory after the other, and the number of steps.
 pub struct Outcome {
     pub end: Vec<f64>,
     pub steps: u64,
@@ -47,7 +47,8 @@ impl<F: Fn(f64) -> Result<Outcome, String>> Subject for Function<F> {
     }
 }
 
-/// Runs for `seconds`, at least once: the time of the fastest run [µs], and what came of the last one.
+/// Runs for `seconds`, at least once. Returns the time of the fastest run [µs] and the result of the last
+/// one.
 pub fn fastest<T, E>(seconds: f64, run: impl Fn() -> Result<T, E>) -> Result<(f64, T), E> {
     let begin = Instant::now();
     let mut fastest = f64::INFINITY;
@@ -61,7 +62,7 @@ pub fn fastest<T, E>(seconds: f64, run: impl Fn() -> Result<T, E>) -> Result<(f6
     }
 }
 
-/// The middle one.
+/// The median.
 pub fn median(mut times: Vec<f64>) -> f64 {
     times.sort_by(f64::total_cmp);
     let middle = times.len() / 2;

@@ -1,4 +1,4 @@
-//! What was measured, on what and when.
+//! The circumstances of a measurement: machine, versions and date.
 
 use std::error::Error;
 use std::path::Path;
@@ -24,7 +24,7 @@ pub fn describe(server: &Server) -> Result<String, Box<dyn Error>> {
     ))
 }
 
-/// On what, by which compiler, beside which peers, and when.
+/// The processor, the compiler, the versions of the peers, and the date.
 pub fn circumstances(versions: &[String]) -> String {
     format!(
         "* Machine: one core of {}\n* Built by {} for {}\n* Peers: {}\n* Date: {}\n",

@@ -7,7 +7,7 @@ use crate::record::{Record, best, cheapest, of, systems};
 
 /// The errors that runs have to reach.
 const ACCURACIES: [f64; 3] = [1e-6, 1e-9, 1e-12];
-/// What all others are compared with.
+/// The subject with which all others are compared.
 const OURS: &str = "jets";
 
 /// A column of a table: peers of which the best one counts.
@@ -99,7 +99,7 @@ impl Column {
         self.peers.iter().flat_map(move |subject| of(records, system, subject))
     }
 
-    /// Behind a figure, whose it is if that is a question.
+    /// The name behind a figure, where a column has several peers.
     fn name(&self, record: Option<&Record>) -> String {
         match record {
             Some(record) if self.peers.len() > 1 => format!(" {}", record.subject),

@@ -21,16 +21,17 @@ use package::{Built, Packages};
 use program::Program;
 use states::{Order, States};
 
-/// The largest error of ours, relative to the largest value of a state: beside Pinocchio or, of derivatives,
-/// beside ours in 31 digits.
+/// The largest error of ours, relative to the largest value of a state. Accelerations are compared with
+/// Pinocchio, derivatives with ours in 31 digits.
 const AGREEMENT: f64 = 1e-13;
-/// How far Pinocchio's derivatives may be from those in 31 digits. Beyond that it would have another robot.
+/// The largest distance of Pinocchio's derivatives from those in 31 digits. A larger one would mean another
+/// robot.
 const SAME: f64 = 1e-11;
 /// Coordinates up to which derivatives are built without `--full`.
 const QUICKLY_BUILT: usize = 20;
 const SECONDS: f64 = 0.02;
 
-/// What the script in Python offers.
+/// The offer of the script in Python.
 #[derive(Deserialize)]
 struct Offer {
     program: PathBuf,
@@ -66,11 +67,11 @@ struct Record {
     subject: String,
     /// Time of an evaluation.
     ns: f64,
-    /// Largest distance of ours from Pinocchio or, of derivatives, of either from ours in 31 digits, relative
-    /// to the largest value of a state.
+    /// The largest error, relative to the largest value of a state: the distance of ours from Pinocchio or,
+    /// for derivatives, of either from ours in 31 digits.
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<f64>,
-    /// What expansion and compilation took, if they were done in this run [s].
+    /// The time of expansion and compilation, if they were done in this run [s].
     #[serde(skip_serializing_if = "Option::is_none")]
     build: Option<f64>,
 }
@@ -90,7 +91,7 @@ impl Extent {
     }
 }
 
-/// What one description gives, and what it is compared with.
+/// A description with the reference that it is compared with.
 struct Task {
     /// The word of requests.
     what: &'static str,

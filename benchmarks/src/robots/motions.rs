@@ -10,7 +10,7 @@ use super::states::{Order, States};
 use super::{Base, Extent, QUICKLY_BUILT, Record, Robot, SECONDS};
 use crate::precision::subject::median;
 
-/// How far places and joints of both may be from each other [m, rad], at an error of 1e-12 a step.
+/// The largest distance of places and joints of both [m, rad], at an error of 1e-12 a step.
 const AGREEMENT: f64 = 1e-8;
 const SUBJECTS: [&str; 3] = ["accelerations-in-turn", "steps", "motion"];
 
@@ -30,7 +30,7 @@ pub fn build(packages: &Packages, robots: [&Robot; 2]) -> Result<[Built; 2], Box
     Ok([angles?, pose?])
 }
 
-/// Compares where their motions end, then times accelerations, steps and motions in turn.
+/// Compares the ends of their motions, then times accelerations, steps and motions in turn.
 pub fn measure(
     robots: [&Robot; 2],
     built: &[Built; 2],
@@ -89,7 +89,7 @@ fn apart(of_angles: &[f64], of_pose: &[f64], count: usize) -> Result<f64, String
     }
     let mut worst = 0.0_f64;
     for (index, (a, b)) in of_angles.iter().zip(of_pose).enumerate() {
-        // The orientations are not the same numbers.
+        // The three numbers of the orientation differ by design.
         let apart = if (3..6).contains(&(index % count)) { 0.0 } else { (a - b).abs() };
         if apart.is_nan() || apart > worst {
             worst = apart;

@@ -23,11 +23,11 @@ pub struct Packages {
 pub struct Built {
     /// The program.
     pub program: PathBuf,
-    /// What that took, unless it was there already [s].
+    /// The time of building it, unless it was built already [s].
     pub seconds: Option<f64>,
 }
 
-/// What cargo says of an artifact.
+/// Cargo's report of an artifact.
 #[derive(Deserialize)]
 struct Artifact {
     reason: String,
@@ -74,7 +74,7 @@ impl Packages {
         Ok(Built { program, seconds: (!artifact.fresh).then_some(seconds) })
     }
 
-    /// Builds a package; what cargo says of what it made.
+    /// Builds a package. Returns cargo's reports of its artifacts.
     fn cargo(&self, package: &str) -> Result<Vec<Artifact>, Box<dyn Error>> {
         let mut flags = std::env::var("RUSTFLAGS").unwrap_or_default();
         flags += " -C target-cpu=native";

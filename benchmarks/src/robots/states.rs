@@ -113,7 +113,7 @@ impl Order {
                     self.places[index]
                 };
                 let apart = (value - theirs[place]).abs() / scale;
-                // `f64::max` would hide what is not a number.
+                // `f64::max` would hide NaN.
                 if apart.is_nan() || apart > worst {
                     worst = apart;
                 }
@@ -123,7 +123,7 @@ impl Order {
     }
 }
 
-/// A name without what identifiers lack.
+/// A name without the characters that identifiers lack.
 fn plain(name: &str) -> String {
     name.chars().filter(char::is_ascii_alphanumeric).map(|letter| letter.to_ascii_lowercase()).collect()
 }

@@ -1,4 +1,4 @@
-//! [`Cell`]: what a method makes of a task, and [`Task`]: a motion with its measure, for every method that
+//! [`Cell`]: the result of a method on a task, and [`Task`]: a motion with its measure, for every method that
 //! the system has.
 
 use std::time::Instant;
@@ -28,7 +28,7 @@ pub const METHODS: [&str; 17] = [
     "BlanesMoan6",
 ];
 
-/// What a method makes of a task.
+/// The result of a method on a task.
 #[derive(Clone, Debug, Serialize)]
 pub struct Cell {
     pub benchmark: &'static str,
@@ -42,16 +42,16 @@ pub struct Cell {
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
-    /// At the end, with an error, the exponent with which the error of the energy grew, and a cost.
+    /// It ended with an error, the exponent with which the error of the energy grew, and a cost.
     Done { error: f64, allowed: Option<f64>, drift: Option<f64>, us: f64, steps: u64 },
-    /// In a typed error, at a time [s].
+    /// It stopped with a typed error, at a time [s].
     Failed { cause: String, t: f64 },
-    /// Not at all: the types don't allow it.
+    /// It cannot start: the types do not allow it.
     NotOffered,
 }
 
 impl Outcome {
-    /// Whether the result is worse than the method promises, and nothing says so.
+    /// Whether the result is worse than the method promises, without an error.
     pub fn is_silently_wrong(&self) -> bool {
         match self {
             Self::Done { error, allowed: Some(allowed), .. } => error > allowed || error.is_nan(),
@@ -64,9 +64,9 @@ impl Outcome {
 /// The distance of a state from the true one.
 pub type Distance<R, const N: usize> = Box<dyn Fn(&State<R, N>) -> f64>;
 
-/// What the error of a task is.
+/// The measure of the error of a task.
 pub enum Measure<R, const N: usize> {
-    /// That of the state at the end.
+    /// The error of the state at the end.
     End(Distance<R, N>),
     /// The largest change of the energy, in its unit.
     Energy,
@@ -86,7 +86,7 @@ pub struct Task<S: System<N>, const N: usize> {
     pub measure: Vec<Measure<S::Scalar, N>>,
     /// How many times larger an error of the start is at the end.
     pub condition: f64,
-    /// Rounding of the coordinates, relative to what is measured.
+    /// The rounding of the coordinates, relative to the measure.
     pub noise: f64,
     /// Tolerances: the default one, and the finest that makes sense for the scalar.
     pub tolerances: [f64; 2],
@@ -121,7 +121,7 @@ impl Growth {
     }
 }
 
-/// The largest of what may not be numbers.
+/// The larger number, or NaN.
 fn largest(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
@@ -141,8 +141,8 @@ where
         (0..OCTAVES).flat_map(|octave| (1..=SAMPLES).map(move |i| (octave as usize, (SAMPLES + i) << octave)))
     }
 
-    /// All starts; `go` moves a motion to an instant, a share of the whole, and tells the state there and the
-    /// steps so far.
+    /// Follows all starts. `go` moves a motion to an instant, a share of the whole, and returns the state
+    /// there and the steps so far.
     fn follow<M>(
         &self,
         method: &'static str,
@@ -188,12 +188,12 @@ where
         let allowed =
             tolerance.map(|tolerance| self.condition * (tolerance + self.noise) * (steps as f64).max(100.0));
         let done = Outcome::Done { error, allowed, drift, us, steps };
-        // An error of one start doesn't excuse what another start is wrong by.
+        // The error of one start does not excuse a wrong result of another.
         let outcome = if done.is_silently_wrong() { done } else { failed.unwrap_or(done) };
         Cell { benchmark: "stability", task: self.name, method, outcome }
     }
 
-    /// By a method under error control.
+    /// The result of a method under error control.
     fn controlled<M>(&self, method: &'static str, tolerance: f64) -> Cell
     where
         M: Adaptive<S, Held<S::Scalar, 0>, N, 0>,
@@ -213,7 +213,7 @@ where
         })
     }
 
-    /// In fixed steps.
+    /// The result of a method in fixed steps.
     fn stepped<M: FixedStep<S, N, 0>>(&self, method: &'static str) -> Cell {
         let h = S::Scalar::from_f64(self.span / self.steps as f64);
         let begin = |start| (self.system.stepper::<M>(start), 0);
@@ -227,7 +227,7 @@ where
         })
     }
 
-    /// By the methods that every system has.
+    /// The results of the methods that every system has.
     pub fn general(&self) -> Vec<Cell>
     where
         S: Smooth<N, 0>,
@@ -245,7 +245,7 @@ where
         ]
     }
 
-    /// By those that need derivatives.
+    /// The results of the methods that need derivatives.
     pub fn implicit(&self) -> Vec<Cell>
     where
         Gauss4: FixedStep<S, N, 0>,
@@ -259,7 +259,7 @@ where
         ]
     }
 
-    /// By those that need a constant mass matrix and forces without velocities.
+    /// The results of the methods that need a constant mass matrix and forces without velocities.
     pub fn split(&self) -> Vec<Cell>
     where
         S: Separable<N, 0>,

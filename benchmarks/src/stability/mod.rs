@@ -1,4 +1,4 @@
-//! All integrators on what is hard for integrators: STABILITY.md and its picture.
+//! All integrators on tasks that are hard for integrators: STABILITY.md and its picture.
 
 mod cell;
 mod page;

@@ -7,7 +7,7 @@ use super::singular::runs::METHODS as PASSES;
 use super::singular::table::Row;
 use crate::report::machine;
 
-/// What stands above the tables.
+/// The text above the tables.
 const GUIDE: &str = include_str!("guide.md");
 
 /// The whole page.

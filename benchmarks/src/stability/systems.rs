@@ -1,4 +1,4 @@
-//! The systems of the page, each with what makes one thing hard.
+//! The systems of the page. One thing is hard in each.
 
 use lagrangian::prelude::*;
 
@@ -69,9 +69,9 @@ impl DoublePendulum {
 /// The potential of Hénon and Heiles in any unit of length and mass.
 #[derive(Clone, Copy, Debug)]
 pub struct HenonHeiles<R> {
-    /// What the original has as one length.
+    /// The length that is one in the original.
     pub size: R,
-    /// What it has as one mass.
+    /// The mass that is one in the original.
     pub mass: R,
 }
 

@@ -10,7 +10,7 @@ use super::systems::{
 };
 use crate::problem::{Problem, problems};
 
-/// A row: its name, and what makes its cells.
+/// A row: its name, and a function that makes its cells.
 pub type Row = (&'static str, Box<dyn Fn() -> Vec<Cell>>);
 
 /// Tolerances of doubles: the default one, and the finest.
@@ -162,7 +162,7 @@ fn galaxy(name: &'static str, problem: &Problem, size: f64, mass: f64) -> Vec<Ce
 }
 
 fn singular() -> Vec<Cell> {
-    // Each start is that much before the flat position, where it arrives in the first tenth of the run.
+    // Each start is this far before the flat position, where it arrives in the first tenth of the run.
     let starts: Vec<f64> = (0..16).map(|i| -10_f64.powf(-6.0 + 5.0 * f64::from(i) / 15.0)).collect();
     let flat = |state: &State<f64, 3>| state.q[1].sin().abs().max((state.q[2] - state.q[0]).sin().abs());
     let curve = |s: f64| ([s, 0.0, s], [1.0, 0.0, 1.0]);
@@ -232,7 +232,7 @@ fn moving() -> Vec<Cell> {
             let (r, (sin, cos)) = (s.t.cosh(), s.t.sin_cos());
             (s.q[0] / r - cos).abs().max((s.q[1] / r - sin).abs())
         }))],
-        // cosh t grows by itself as fast as its errors do.
+        // cosh t grows as fast as its errors do.
         condition: 2.0,
         noise: f64::EPSILON,
         tolerances: DOUBLE,

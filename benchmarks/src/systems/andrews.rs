@@ -101,8 +101,8 @@ impl<R: Number> Pair<R> {
         [along * self.inverse * self.lengths[1].recip(), across * self.inverse * self.lengths[2].recip()]
     }
 
-    /// What the driving link feels of a pair with the inertias `own`, coupled by `coupling` sin(a − b): more
-    /// inertia, and a torque.
+    /// The inertia and the torque that a pair adds to the driving link. The pair has the inertias `own`,
+    /// coupled by `coupling` sin(a − b).
     #[inline]
     fn felt(&self, own: [f64; 2], coupling: f64, squares: [R; 3]) -> (R, R) {
         let ([a, b], [c, d]) = (self.ratio, self.rest(squares));
@@ -147,7 +147,7 @@ impl<R: Number> Tree<R> {
         [beta, sigma, gamma, chi, delta, omega, epsilon]
     }
 
-    /// Acceleration of β: both outer pairs as γ feels them, then everything as β does.
+    /// The acceleration of β: γ carries both outer pairs, then β carries everything.
     #[inline]
     fn acceleration(&self, gamma: R, rates: [R; 7]) -> R {
         let [j1, j2, j3, j4, j5, j6, j7] = DIAGONAL;

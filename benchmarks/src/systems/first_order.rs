@@ -1,5 +1,5 @@
-//! [`FirstOrder`]: a system as integrators of the peers take it, y' = f(t, y), possibly with algebraic
-//! equations.
+//! [`FirstOrder`]: a system in the form y' = f(t, y) that integrators of the peers take, possibly with
+//! algebraic equations.
 
 use super::hand::ByHand;
 use super::number::Number;

@@ -136,7 +136,7 @@ by_hand!(
 #[derive(Clone, Copy)]
 pub struct SliderCrank;
 
-/// What the equations of the slider and crank are made of.
+/// The terms of the equations of the slider and crank.
 pub struct SliderCrankTerms<R> {
     /// Upper triangle of the mass matrix, by rows.
     pub mass: [R; 3],
@@ -144,7 +144,7 @@ pub struct SliderCrankTerms<R> {
     pub bias: [R; 2],
     /// Derivatives of the constraint ½ sin θ₁ + sin θ₂ = 0.
     pub gradient: [R; 2],
-    /// Its second derivative in time is that of the accelerations less this.
+    /// Its second derivative in time is gradient · accelerations − turning.
     pub turning: R,
 }
 

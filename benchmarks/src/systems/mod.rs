@@ -37,8 +37,8 @@ pub trait Case {
     fn subjects(&self) -> Vec<&'static str>;
     /// Evaluates one implementation at all states.
     fn run(&self, subject: usize);
-    /// For each implementation, how far it is from the one that differs most, relative to the largest
-    /// acceleration of a state.
+    /// For each implementation the largest distance from another one, relative to the largest acceleration of
+    /// a state.
     fn deviations(&self) -> Vec<f64>;
 }
 
@@ -108,7 +108,7 @@ impl<S: System<N, Scalar = f64>, const N: usize> Case for Measured<S, N> {
             for (one, deviation) in found.iter().zip(&mut deviations) {
                 for (a, b) in found.iter().flat_map(|other| one.iter().zip(other)) {
                     let apart = (a - b).abs() / scale;
-                    // `f64::max` would hide what is not a number.
+                    // `f64::max` would hide NaN.
                     if apart.is_nan() || apart > *deviation {
                         *deviation = apart;
                     }
@@ -119,7 +119,8 @@ impl<S: System<N, Scalar = f64>, const N: usize> Case for Measured<S, N> {
     }
 }
 
-/// Enough states that nothing predicts a call, few enough that other processes interrupt some runs, not all.
+/// The number of states: so many that no call is predicted, so few that other processes do not interrupt all
+/// runs.
 fn states_of(coordinates: usize) -> usize {
     if coordinates <= 20 { 512 } else { 4 }
 }
@@ -220,7 +221,7 @@ pub fn for_each(visit: &mut dyn FnMut(&dyn Case)) {
     rods!("rods100", Rods100, 100);
 }
 
-/// The ends of unit rods, and their velocities, of angles and angular velocities.
+/// The ends of unit rods and their velocities, from angles and angular velocities.
 fn hanging<const RODS: usize, const N: usize>((q, v): &([f64; RODS], [f64; RODS])) -> ([f64; N], [f64; N]) {
     const { assert!(N == 2 * RODS, "two coordinates a rod") };
     let (mut ends, mut velocities) = ([0.0; N], [0.0; N]);

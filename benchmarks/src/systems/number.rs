@@ -1,4 +1,4 @@
-//! [`Number`]: what formulas by hand are written in.
+//! [`Number`]: the numbers of formulas by hand.
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};

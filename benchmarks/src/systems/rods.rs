@@ -9,7 +9,7 @@ use super::chains::solve;
 use super::hand::{ByHand, G};
 use super::number::Number;
 
-/// What all forms begin with: the rods, and the equations of the tensions.
+/// The common part of all forms: the rods, and the equations of the tensions.
 struct Rods<R, const RODS: usize> {
     x: [R; RODS],
     y: [R; RODS],

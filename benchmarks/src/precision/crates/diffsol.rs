@@ -6,7 +6,7 @@ use super::{Outcome, Subject, subject};
 use crate::systems::dual::Dual;
 use crate::systems::first_order::FirstOrder;
 
-/// Without multipliers BDF does not converge below.
+/// The finest tolerance at which BDF without multipliers converges.
 const FINEST_BDF: f64 = 1e-13;
 
 /// dy/dt.
@@ -47,16 +47,15 @@ fn mass<F: FirstOrder<D>, const D: usize>(x: &[f64], _: &[f64], _: f64, beta: f6
     }
 }
 
-/// Multipliers are held this much more loosely, and the Jacobian is renewed after so many steps: in trials
-/// the cheapest way to all errors. With its own fifty steps the crate's BDF gives up on `andrews` at loose
-/// tolerances.
+/// How much more loosely multipliers are held, and after how many steps the Jacobian is renewed: in trials
+/// the cheapest choice for all errors. With its own fifty steps the crate's BDF gives up on `andrews` at
+/// loose tolerances.
 const LOOSER: f64 = 30.0;
 const RENEWED: usize = 10;
-/// Newton's iteration may fail this often before a run does.
+/// The number of failures of Newton's iteration that a run survives.
 const FAILURES: usize = 100_000;
 
-/// A subject: name, method, the finest tolerance that it can do, and a mass matrix where there are
-/// multipliers.
+/// A subject: its name, its method, its finest tolerance, and a mass matrix where there are multipliers.
 macro_rules! method {
     ($start:ident, $t_end:ident, $name:literal, $method:ident $(::<$solver:ty>)?, $finest:expr $(, $mass:expr)?) => {
         subject($name, move |tolerance| {
@@ -97,7 +96,7 @@ pub fn subjects<F: FirstOrder<D>, const D: usize>(start: [f64; D], t_end: f64) -
     ]
 }
 
-/// BDF on equations with multipliers, whose values at the start it finds itself.
+/// BDF on equations with multipliers. It finds their values at the start itself.
 pub fn multipliers<F: FirstOrder<D>, const D: usize>(start: [f64; D], t_end: f64) -> Box<dyn Subject> {
     method!(start, t_end, "diffsol-bdf-dae", bdf::<NalgebraLU<f64>>, 0.0, mass::<F, D>)
 }

@@ -36,7 +36,7 @@ fn explicit<H: ByHand<N>, const N: usize, const D: usize>(
     all::<Explicit<H, N>, D>(Explicit(by_hand), problem)
 }
 
-/// All crates on equations without multipliers, and what can keep them on those with.
+/// All crates on equations without multipliers, and the crates that can keep the multipliers.
 fn both<F: FirstOrder<D>, M: FirstOrder<E>, const D: usize, const E: usize>(
     reduced: F,
     _: M,
@@ -47,7 +47,7 @@ fn both<F: FirstOrder<D>, M: FirstOrder<E>, const D: usize, const E: usize>(
     subjects
 }
 
-/// Everything of the crates that can do this problem.
+/// All subjects from crates that can do this problem.
 pub fn subjects(problem: &Problem) -> Vec<Box<dyn Subject>> {
     match problem.name {
         "dpend" => explicit::<_, 2, 4>(h::DoublePendulum, problem),

@@ -17,8 +17,8 @@ const GAUSS: [(f64, f64); 5] = [
     (0.865_063_366_688_984_5, 0.149_451_349_150_580_6),
     (0.973_906_528_517_171_7, 0.066_671_344_308_688_14),
 ];
-/// Length of an interval of quadrature in s: motions turn by parts of a radian in it, so ten nodes are good
-/// to 1e-15, unless the motion comes close to rest.
+/// The length of an interval of quadrature in s. Motions turn by parts of a radian in it, so ten nodes are
+/// good to 1e-15, unless the motion comes close to rest.
 const INTERVAL: f64 = 0.02;
 /// How often an interval is halved where its halves differ from the whole.
 const HALVINGS: u32 = 12;
@@ -26,7 +26,7 @@ const HALVINGS: u32 = 12;
 /// A configuration and its derivative by the parameter.
 pub type Point<const N: usize> = ([f64; N], [f64; N]);
 
-/// A run that starts at s₀ with the rate ds/dt₀ and is regular again after a share of its span [s]. `None`
+/// A run that starts at s₀ with the rate ds/dt₀. After a share of its span [s] it is regular again. `None`
 /// where the motion comes to rest.
 pub fn run<S, const N: usize>(
     system: S,
@@ -61,7 +61,7 @@ where
     let (q, tangent) = curve(s0);
     let start = State::new(q, tangent.map(|x| x * rate));
     let total = energy(&start.q, &start.v);
-    // |ds/dt|; not a number where the motion does not come.
+    // |ds/dt|; NaN where the motion does not get.
     let speed = |s: f64| {
         let (q, tangent) = curve(s);
         let potential = energy(&q, &[0.0; N]);
@@ -81,7 +81,7 @@ where
         }
         (s, left) = (next, left - needed);
     }
-    // The end is in the next interval, and so are Newton's iterates: speeds beyond it may be no numbers.
+    // The end is in the next interval, and so are Newton's iterates. Beyond it speeds may be NaN.
     let (from, next) = (s, s + direction * INTERVAL);
     for _ in 0..20 {
         s += direction * speed(s) * (left - time(from, s));

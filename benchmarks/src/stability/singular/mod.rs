@@ -1,8 +1,8 @@
 //! Motions that start beside singular positions of linkages and pass through them, by every method.
 //!
-//! In a singular position gradients of constraints are dependent and branches of motions cross. A start is on
-//! one branch, and a motion stays on it; a method that evaluates beside the crossing, with the roundings of
-//! its state, may jump.
+//! In a singular position gradients of constraints are dependent, and branches of motions cross. A start is
+//! on one branch, and the motion stays on it. A method that evaluates beside the crossing, with the rounding
+//! errors of its state, may jump.
 
 pub mod cases;
 mod curve;

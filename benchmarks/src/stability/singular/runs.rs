@@ -1,5 +1,5 @@
-//! [`Run`]: a start beside a singular position, the true motion where it is known, and what a method makes of
-//! it.
+//! [`Run`]: a start beside a singular position, the true motion where it is known, and the result of a
+//! method.
 
 use std::time::Instant;
 
@@ -19,7 +19,7 @@ pub enum Method {
     Rk4(f64),
 }
 
-/// All that are tried.
+/// The methods that are tried.
 pub const METHODS: [Method; 12] = [
     Method::Jets(1e-6),
     Method::Jets(1e-8),
@@ -59,21 +59,22 @@ impl Method {
     }
 }
 
-/// Where the smallest singular value of the scaled constraint gradients is s, which is about the distance
-/// from the singular position, rounding determines a state and its velocity to ε/s only. A method that
-/// chooses its steps need not end them where s is below this.
+/// The smallest distance from the singular position at which methods must end their steps. Let s be the
+/// smallest singular value of the scaled constraint gradients, which is about that distance. Rounding
+/// determines a state and its velocity to ε/s only, so a method that chooses its steps need not end them
+/// where s is below this.
 const KEPT: f64 = 1e-5;
-/// Errors of steps add up, over some tens of steps at a tolerance, and are not all of the same sign.
+/// The factor by which errors of some tens of steps add up; they are not all of the same sign.
 const ADDED: f64 = 100.0;
-/// By how much an error of the energy may grow into one of the place: the motions last half a second, in
-/// which neighbouring ones part by less than this factor.
+/// The factor by which an error of the energy may grow into one of the place. The motions last half a second,
+/// in which neighbouring ones part by less.
 const PARTING: f64 = 10.0;
 
-/// A start, and what is known of its motion.
+/// A start, and the known parts of its motion.
 pub struct Run<S, const N: usize> {
     /// The linkage.
     pub system: S,
-    /// On the constraints.
+    /// The start, on the constraints.
     pub start: State<f64, N>,
     /// How far the start is from the singular position, with the sign of the side.
     pub offset: f64,
@@ -83,7 +84,7 @@ pub struct Run<S, const N: usize> {
     pub end: State<f64, N>,
 }
 
-/// What a method made of a run.
+/// The result of a method on a run.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The offset of the run.
@@ -96,14 +97,14 @@ pub struct Outcome {
     pub us: f64,
 }
 
-/// How wrong an end is.
+/// The errors of an end.
 #[derive(Clone, Copy, Debug)]
 pub struct Errors {
-    /// Of the energy, relative to the kinetic energy of the start.
+    /// The error of the energy, relative to the kinetic energy of the start.
     pub energy: f64,
     /// Largest deviation from the true place.
     pub place: f64,
-    /// What they may be.
+    /// The bound of both.
     pub allowed: f64,
 }
 
@@ -187,7 +188,7 @@ where
         self.system.energy_at(&self.system.constants(), state.t, &state.q, &state.v)
     }
 
-    /// What errors of the energy are relative to: the kinetic energy of the start.
+    /// The unit of errors of the energy: the kinetic energy of the start.
     fn scale(&self) -> f64 {
         self.energy(&self.start) - self.energy(&State { v: [0.0; N], ..self.start })
     }
@@ -201,14 +202,14 @@ where
         };
         let place = self.end.q.iter().zip(&found.q).fold(0.0, |worst, (a, b)| {
             let off = off(*a, *b);
-            // `f64::max` would hide what is not a number.
+            // `f64::max` would hide NaN.
             if off > worst || off.is_nan() { off } else { worst }
         });
         Errors { energy, place, allowed }
     }
 
-    /// What the method may do. An order's error depends on the motion, and that of its regular part tells
-    /// which.
+    /// The error that the method may have. For a method of fixed order it depends on the motion, and is
+    /// measured on the regular part.
     fn allowed(&self, method: Method) -> f64 {
         match method.tolerance() {
             Some(tolerance) => ADDED * tolerance + f64::EPSILON / KEPT,
@@ -218,15 +219,15 @@ where
                     let errors = self.compare(&end, 0.0);
                     errors.energy.max(errors.place)
                 });
-                // Fixed steps end where they end: at worst, as the start shows, as near as that.
+                // Fixed steps end at given times: at worst as near to the singular position as the start.
                 ADDED * regular + f64::EPSILON / KEPT.min(self.offset.abs())
             }
         }
     }
 
     /// Whether halves of fixed steps divide an error by two to the power of the order, within a factor of
-    /// four: then it is that of the steps, which are long for the first part of the motion, and not one
-    /// of the singular position.
+    /// four. Then the error is one of steps, which are long for the first part of the motion, and not of the
+    /// singular position.
     fn falls_by_order(&self, method: Method, errors: Errors) -> bool {
         let (half, factor) = match method {
             Method::Jet8(h) => (Method::Jet8(h / 2.0), 256.0),

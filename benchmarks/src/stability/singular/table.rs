@@ -52,7 +52,7 @@ impl Row {
         }
     }
 
-    /// Runs with a wrong energy; with a right energy at a wrong place.
+    /// The numbers of runs with a wrong energy, and with a right energy at a wrong place.
     pub fn wrong(&self) -> (usize, usize) {
         let ends = || self.outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok());
         let energy = ends().filter(|errors| errors.energy_is_wrong()).count();
